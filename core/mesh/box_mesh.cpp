@@ -1,0 +1,166 @@
+#include "mesh/box_mesh.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "mesh/cell_topology.hpp"
+
+namespace myo {
+namespace {
+
+int cell_count(double extent, double edge) { return std::max(1, static_cast<int>(std::lround(extent / edge))); }
+
+std::vector<double> axis_lines(double lowest, double highest, double edge, std::vector<double> planes) {
+    const double same = 1e-6 * (highest - lowest);
+    std::sort(planes.begin(), planes.end());
+    std::vector<double> stops{lowest};
+    for (const double plane : planes) {
+        if (plane > stops.back() + same && plane < highest - same) stops.push_back(plane);
+    }
+    stops.push_back(highest);
+
+    std::vector<double> lines{lowest};
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+        const int n = cell_count(stops[i + 1] - stops[i], edge);
+        for (int k = 1; k < n; ++k) lines.push_back(stops[i] + (stops[i + 1] - stops[i]) * k / n);
+        lines.push_back(stops[i + 1]);
+    }
+    return lines;
+}
+
+GridLines equal_grid(const Box& box, const Eigen::Vector3i& cells) {
+    assert((cells.array() > 0).all());
+    GridLines grid;
+    for (int a = 0; a < 3; ++a) {
+        auto& lines = grid.axis[static_cast<std::size_t>(a)];
+        for (int k = 0; k < cells[a]; ++k) lines.push_back(box.lowest[a] + box.size()[a] * k / cells[a]);
+        lines.push_back(box.highest[a]);
+    }
+    return grid;
+}
+
+}  // namespace
+
+Eigen::Vector3i box_cells(const Box& box, double edge) {
+    assert(edge > 0.0);
+    const Eigen::Vector3d size = box.size();
+    return {cell_count(size[0], edge), cell_count(size[1], edge), cell_count(size[2], edge)};
+}
+
+GridLines grid_lines(const Box& box, double edge, const GridPlanes& planes) {
+    assert(edge > 0.0);
+    GridLines grid;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        grid.axis[a] = axis_lines(box.lowest[i], box.highest[i], edge, planes[a]);
+    }
+    return grid;
+}
+
+VolumeMesh hex_mesh(const GridLines& grid) {
+    const Eigen::Vector3i n = grid.cells();
+    assert((n.array() > 0).all());
+    const auto node = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
+
+    VolumeMesh mesh;
+    mesh.type = CellType::hex8;
+    mesh.nodes.resize(3, Eigen::Index{n[0] + 1} * (n[1] + 1) * (n[2] + 1));
+    Eigen::Index column = 0;
+    for (const double z : grid.axis[2]) {
+        for (const double y : grid.axis[1]) {
+            for (const double x : grid.axis[0]) mesh.nodes.col(column++) << x, y, z;
+        }
+    }
+    mesh.cells.resize(8, Eigen::Index{n[0]} * n[1] * n[2]);
+    column = 0;
+    for (int k = 0; k < n[2]; ++k) {
+        for (int j = 0; j < n[1]; ++j) {
+            for (int i = 0; i < n[0]; ++i, ++column) {
+                for (Eigen::Index c = 0; c < 8; ++c) {
+                    const auto& corner = hexahedron_corners[static_cast<std::size_t>(c)];
+                    mesh.cells(c, column) = node(i + corner[0], j + corner[1], k + corner[2]);
+                }
+            }
+        }
+    }
+    return mesh;
+}
+
+VolumeMesh box_hex_mesh(const Box& box, const Eigen::Vector3i& cells) { return hex_mesh(equal_grid(box, cells)); }
+
+VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type) {
+    assert(type != CellType::hex8);
+    const VolumeMesh hexes = box_hex_mesh(box, cells);
+    // Paths from corner 0 to corner 6 along three axes, one per order of the axes; even orders are positive.
+    constexpr std::array<std::array<int, 4>, 6> paths{
+        {{0, 1, 2, 6}, {0, 3, 7, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}, {0, 2, 3, 6}, {0, 7, 4, 6}}};
+    VolumeMesh mesh;
+    mesh.type = CellType::tet4;
+    mesh.nodes = hexes.nodes;
+    mesh.cells.resize(4, 6 * hexes.cell_count());
+    for (Eigen::Index c = 0; c < hexes.cell_count(); ++c) {
+        for (Eigen::Index p = 0; p < 6; ++p) {
+            for (Eigen::Index i = 0; i < 4; ++i) {
+                mesh.cells(i, 6 * c + p) =
+                    hexes.cells(paths[static_cast<std::size_t>(p)][static_cast<std::size_t>(i)], c);
+            }
+        }
+    }
+    return type == CellType::tet10 ? to_tet10(mesh) : mesh;
+}
+
+VolumeMesh to_tet10(const VolumeMesh& mesh) {
+    assert(mesh.type != CellType::hex8);
+    if (mesh.type == CellType::tet10) return mesh;
+
+    using Edge = std::pair<int, int>;
+    const auto edge_of = [&](Eigen::Index cell, std::size_t e) {
+        const int a = mesh.cells(tetrahedron_edges[e][0], cell);
+        const int b = mesh.cells(tetrahedron_edges[e][1], cell);
+        return Edge(std::min(a, b), std::max(a, b));
+    };
+    std::vector<Edge> edges;
+    edges.reserve(static_cast<std::size_t>(mesh.cell_count()) * 6);
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        for (std::size_t e = 0; e < 6; ++e) edges.push_back(edge_of(c, e));
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+
+    VolumeMesh quadratic;
+    quadratic.type = CellType::tet10;
+    quadratic.nodes.resize(3, mesh.node_count() + static_cast<Eigen::Index>(edges.size()));
+    quadratic.nodes.leftCols(mesh.node_count()) = mesh.nodes;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        quadratic.nodes.col(mesh.node_count() + static_cast<Eigen::Index>(e)) =
+            0.5 * (mesh.nodes.col(edges[e].first) + mesh.nodes.col(edges[e].second));
+    }
+    quadratic.cells.resize(10, mesh.cell_count());
+    quadratic.cells.topRows(4) = mesh.cells;
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        for (std::size_t e = 0; e < 6; ++e) {
+            const auto found = std::lower_bound(edges.begin(), edges.end(), edge_of(c, e)) - edges.begin();
+            quadratic.cells(4 + static_cast<Eigen::Index>(e), c) = static_cast<int>(mesh.node_count() + found);
+        }
+    }
+    return quadratic;
+}
+
+std::optional<Box> is_box(const SurfaceMesh& surface, double tolerance) {
+    if (surface.vertices.cols() < 8 || surface.triangles.cols() < 12) return std::nullopt;
+    const Box box = bounding_box(surface.vertices);
+    const double slack = tolerance * box.size().maxCoeff();
+    for (Eigen::Index v = 0; v < surface.vertices.cols(); ++v) {
+        const Eigen::Array3d x = surface.vertices.col(v).array();
+        if (((x - box.lowest.array()).min(box.highest.array() - x)).minCoeff() > slack) return std::nullopt;
+    }
+    // A surface may have all its vertices on the box and still cut a corner off: the volume tells.
+    const double full = box.size().prod();
+    if (!(full > 0.0) || std::abs(enclosed_volume(surface) - full) > 6.0 * tolerance * full) return std::nullopt;
+    return box;
+}
+
+}  // namespace myo

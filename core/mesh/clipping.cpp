@@ -1,0 +1,97 @@
+#include "mesh/clipping.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace myo {
+namespace {
+
+using Corners = Eigen::Matrix<double, 3, 4>;
+
+// Signed distance to a side of the box, positive inside; snapped to zero within the tolerance.
+double depth(const Eigen::Vector3d& x, const Box& box, int side, double tolerance) {
+    const int axis = side / 2;
+    const double d = side % 2 == 0 ? x[axis] - box.lowest[axis] : box.highest[axis] - x[axis];
+    return std::abs(d) <= tolerance ? 0.0 : d;
+}
+
+Eigen::Vector3d crossing(const Eigen::Vector3d& a, double depth_a, const Eigen::Vector3d& b, double depth_b) {
+    return a + (b - a) * (depth_a / (depth_a - depth_b));
+}
+
+// Cuts one tetrahedron by one half-space and hands the pieces inside to the next side.
+double volume_inside(const Corners& tet, const Box& box, int side, double tolerance) {
+    if (side == 6) {
+        Eigen::Matrix3d J;
+        for (int i = 0; i < 3; ++i) J.col(i) = tet.col(i + 1) - tet.col(0);
+        return std::abs(J.determinant()) / 6.0;
+    }
+    std::array<int, 4> inside{}, outside{};
+    int n_inside = 0, n_outside = 0;
+    std::array<double, 4> d{};
+    for (int i = 0; i < 4; ++i) {
+        const auto s = static_cast<std::size_t>(i);
+        d[s] = depth(tet.col(i), box, side, tolerance);
+        if (d[s] >= 0.0) inside[static_cast<std::size_t>(n_inside++)] = i;
+        else outside[static_cast<std::size_t>(n_outside++)] = i;
+    }
+    if (n_outside == 0) return volume_inside(tet, box, side + 1, tolerance);
+    if (n_inside == 0) return 0.0;
+
+    const auto cut = [&](int a, int b) {
+        return crossing(tet.col(a), d[static_cast<std::size_t>(a)], tet.col(b), d[static_cast<std::size_t>(b)]);
+    };
+    const auto piece = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                           const Eigen::Vector3d& e) {
+        Corners part;
+        part << a, b, c, e;
+        return volume_inside(part, box, side + 1, tolerance);
+    };
+    // A prism with triangles (a0 a1 a2) and (b0 b1 b2) is three tetrahedra.
+    const auto prism = [&](const std::array<Eigen::Vector3d, 3>& a, const std::array<Eigen::Vector3d, 3>& b) {
+        return piece(a[0], a[1], a[2], b[2]) + piece(a[0], a[1], b[1], b[2]) + piece(a[0], b[0], b[1], b[2]);
+    };
+    if (n_inside == 1) {
+        const int p = inside[0];
+        return piece(tet.col(p), cut(p, outside[0]), cut(p, outside[1]), cut(p, outside[2]));
+    }
+    if (n_inside == 3) {
+        const int q = outside[0];
+        return prism({tet.col(inside[0]), tet.col(inside[1]), tet.col(inside[2])},
+                     {cut(inside[0], q), cut(inside[1], q), cut(inside[2], q)});
+    }
+    const int p = inside[0], q = inside[1];
+    return prism({tet.col(p), cut(p, outside[0]), cut(p, outside[1])}, {tet.col(q), cut(q, outside[0]), cut(q, outside[1])});
+}
+
+}  // namespace
+
+Polygon clip_to_box(Polygon polygon, const Box& box, double tolerance) {
+    for (int side = 0; side < 6 && !polygon.empty(); ++side) {
+        Polygon kept;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Eigen::Vector3d& a = polygon[i];
+            const Eigen::Vector3d& b = polygon[(i + 1) % polygon.size()];
+            const double depth_a = depth(a, box, side, tolerance), depth_b = depth(b, box, side, tolerance);
+            if (depth_a >= 0.0) kept.push_back(a);
+            if ((depth_a > 0.0 && depth_b < 0.0) || (depth_a < 0.0 && depth_b > 0.0)) {
+                kept.push_back(crossing(a, depth_a, b, depth_b));
+            }
+        }
+        polygon = std::move(kept);
+    }
+    if (polygon.size() < 3) polygon.clear();
+    return polygon;
+}
+
+double tetrahedron_volume_in_box(const Eigen::Matrix<double, 3, 4>& corners, const Box& box, double tolerance) {
+    if ((corners.rowwise().maxCoeff().array() <= box.lowest.array()).any() ||
+        (corners.rowwise().minCoeff().array() >= box.highest.array()).any()) {
+        return 0.0;
+    }
+    return volume_inside(corners, box, 0, tolerance);
+}
+
+}  // namespace myo

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh/surface_mesh.hpp"
+
+namespace myo {
+
+using Polygon = std::vector<Eigen::Vector3d>;
+
+/// The part of a flat convex polygon inside a box (Sutherland & Hodgman 1974); empty when nothing is left.
+///
+/// Inclusive: a corner within `tolerance` [m] of a box face counts as on it, so a polygon lying in a face is kept whole while
+/// one that crosses is cut at the face itself.
+Polygon clip_to_box(Polygon polygon, const Box& box, double tolerance);
+
+/// Volume of the part of a tetrahedron inside a box [m3], exact: each of the six half-spaces cuts it into tetrahedra again.
+/// Corners 3 x 4, either orientation; the result is never negative.
+double tetrahedron_volume_in_box(const Eigen::Matrix<double, 3, 4>& corners, const Box& box, double tolerance);
+
+}  // namespace myo

@@ -1,0 +1,173 @@
+#include "mesh/volume_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "mesh/cell_topology.hpp"
+
+namespace myo {
+namespace {
+
+using Vector3 = Eigen::Vector3d;
+
+// Trilinear hexahedron. det J is quadratic in each parameter, so two Gauss points per axis are exact.
+double hexahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
+    static const double g = 0.5 / std::sqrt(3.0);
+    double volume = 0.0;
+    for (int point = 0; point < 8; ++point) {
+        const Vector3 xi(0.5 + ((point & 1) ? g : -g), 0.5 + ((point & 2) ? g : -g), 0.5 + ((point & 4) ? g : -g));
+        Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+        for (int i = 0; i < 8; ++i) {
+            const auto& corner = hexahedron_corners[static_cast<std::size_t>(i)];
+            Vector3 factor, slope;
+            for (int a = 0; a < 3; ++a) {
+                const bool high = corner[static_cast<std::size_t>(a)] == 1;
+                factor[a] = high ? xi[a] : 1.0 - xi[a];
+                slope[a] = high ? 1.0 : -1.0;
+            }
+            const Vector3 gradient(slope[0] * factor[1] * factor[2], factor[0] * slope[1] * factor[2],
+                                   factor[0] * factor[1] * slope[2]);
+            J += nodes.col(cell[i]) * gradient.transpose();
+        }
+        volume += J.determinant() / 8.0;
+    }
+    return volume;
+}
+
+double tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
+    Eigen::Matrix3d J;
+    for (int i = 0; i < 3; ++i) J.col(i) = nodes.col(cell[i + 1]) - nodes.col(cell[0]);
+    return J.determinant() / 6.0;
+}
+
+// Quadratic tetrahedron: det J is cubic, which Keast's five points integrate exactly.
+double quadratic_tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
+    double volume = 0.0;
+    for (int point = 0; point < 5; ++point) {
+        Eigen::Vector4d L = Eigen::Vector4d::Constant(point == 0 ? 0.25 : 1.0 / 6.0);
+        if (point > 0) L[point - 1] = 0.5;
+        // Columns: derivatives with respect to L1, L2, L3, with L0 = 1 - L1 - L2 - L3.
+        Eigen::Matrix<double, 3, 4> by_L = Eigen::Matrix<double, 3, 4>::Zero();
+        for (int i = 0; i < 4; ++i) by_L.col(i) += (4.0 * L[i] - 1.0) * nodes.col(cell[i]);
+        for (int e = 0; e < 6; ++e) {
+            const auto [a, b] = tetrahedron_edges[static_cast<std::size_t>(e)];
+            by_L.col(a) += 4.0 * L[b] * nodes.col(cell[4 + e]);
+            by_L.col(b) += 4.0 * L[a] * nodes.col(cell[4 + e]);
+        }
+        Eigen::Matrix3d J;
+        for (int i = 0; i < 3; ++i) J.col(i) = by_L.col(i + 1) - by_L.col(0);
+        volume += (point == 0 ? -0.8 : 0.45) * J.determinant() / 6.0;
+    }
+    return volume;
+}
+
+struct CellFaces {
+    int count;    // faces per cell
+    int nodes;    // nodes per face
+    int corners;  // of which corners; they come first
+    int (*node)(int face, int i);
+};
+
+CellFaces faces_of(CellType type) {
+    switch (type) {
+        case CellType::hex8:
+            return {6, 4, 4, [](int face, int i) {
+                        return hexahedron_faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
+                    }};
+        case CellType::tet4:
+        case CellType::tet10:
+            break;
+    }
+    return {4, type == CellType::tet4 ? 3 : 6, 3, [](int face, int i) {
+                return tetrahedron_faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
+            }};
+}
+
+}  // namespace
+
+int nodes_per_cell(CellType type) {
+    switch (type) {
+        case CellType::hex8: return 8;
+        case CellType::tet4: return 4;
+        case CellType::tet10: return 10;
+    }
+    assert(false);
+    return 0;
+}
+
+std::string to_string(CellType type) {
+    switch (type) {
+        case CellType::hex8: return "hex8";
+        case CellType::tet4: return "tet4";
+        case CellType::tet10: return "tet10";
+    }
+    assert(false);
+    return {};
+}
+
+BoundaryFaces boundary_faces(const VolumeMesh& mesh) {
+    assert(mesh.cells.rows() == nodes_per_cell(mesh.type) || mesh.cell_count() == 0);
+    const CellFaces faces = faces_of(mesh.type);
+
+    struct Key {
+        std::array<int, 4> corners;  // ascending; -1 pads a triangle
+        int number;                  // cell * faces per cell + face
+    };
+    std::vector<Key> keys;
+    keys.reserve(static_cast<std::size_t>(mesh.cell_count() * faces.count));
+    for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+        for (int face = 0; face < faces.count; ++face) {
+            Key key{{-1, -1, -1, -1}, cell * faces.count + face};
+            for (int i = 0; i < faces.corners; ++i) {
+                key.corners[static_cast<std::size_t>(i)] = mesh.cells(faces.node(face, i), cell);
+            }
+            std::sort(key.corners.begin(), key.corners.end());
+            keys.push_back(key);
+        }
+    }
+    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+        return a.corners != b.corners ? a.corners < b.corners : a.number < b.number;
+    });
+
+    std::vector<int> alone;
+    for (std::size_t i = 0; i < keys.size();) {
+        std::size_t end = i + 1;
+        while (end < keys.size() && keys[end].corners == keys[i].corners) ++end;
+        if (end == i + 1) alone.push_back(keys[i].number);
+        i = end;
+    }
+    std::sort(alone.begin(), alone.end());
+
+    BoundaryFaces boundary;
+    boundary.nodes.resize(faces.nodes, static_cast<Eigen::Index>(alone.size()));
+    boundary.cell.resize(static_cast<Eigen::Index>(alone.size()));
+    for (Eigen::Index k = 0; k < boundary.cell.size(); ++k) {
+        const int number = alone[static_cast<std::size_t>(k)];
+        const int cell = number / faces.count;
+        boundary.cell[k] = cell;
+        for (int i = 0; i < faces.nodes; ++i) {
+            boundary.nodes(i, k) = mesh.cells(faces.node(number % faces.count, i), cell);
+        }
+    }
+    return boundary;
+}
+
+Eigen::VectorXd cell_volumes(const VolumeMesh& mesh) {
+    assert(mesh.cells.rows() == nodes_per_cell(mesh.type) || mesh.cell_count() == 0);
+    Eigen::VectorXd volumes(mesh.cell_count());
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        const Eigen::VectorXi cell = mesh.cells.col(c);
+        switch (mesh.type) {
+            case CellType::hex8: volumes[c] = hexahedron_volume(mesh.nodes, cell); break;
+            case CellType::tet4: volumes[c] = tetrahedron_volume(mesh.nodes, cell); break;
+            case CellType::tet10: volumes[c] = quadratic_tetrahedron_volume(mesh.nodes, cell); break;
+        }
+    }
+    return volumes;
+}
+
+}  // namespace myo
