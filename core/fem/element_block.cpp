@@ -1,0 +1,169 @@
+#include "fem/element_block.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <cassert>
+
+#include "fem/quadrature.hpp"
+#include "fem/shape_functions.hpp"
+
+namespace myo {
+namespace {
+
+struct ElementEntry {
+    ElementKind kind;
+    const char* id;
+    CellType type;
+};
+
+constexpr std::array<ElementEntry, 6> element_table{{
+    {ElementKind::hex8, "hex8", CellType::hex8},
+    {ElementKind::hex8_mean_dilatation, "hex8_mean_dilatation", CellType::hex8},
+    {ElementKind::hex8_full, "hex8_full", CellType::hex8},
+    {ElementKind::tet10, "tet10", CellType::tet10},
+    {ElementKind::tet10_full, "tet10_full", CellType::tet10},
+    {ElementKind::tet4, "tet4", CellType::tet4},
+}};
+
+template <int N>
+Eigen::Matrix<double, 3, N> cell_positions(const VolumeMesh& mesh, Eigen::Index cell) {
+    Eigen::Matrix<double, 3, N> X;
+    for (int a = 0; a < N; ++a) X.col(a) = mesh.nodes.col(mesh.cells(a, cell));
+    return X;
+}
+
+template <class Shape, int Q>
+ElementBlock<Shape::nodes, Q> gauss_block(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule, bool mean_volume) {
+    constexpr int N = Shape::nodes;
+    assert(rule.size() == Q);
+    ElementBlock<N, Q> block;
+    block.mean_volume = mean_volume;
+    block.cells = mesh.cells;
+    block.geometry.resize(static_cast<std::size_t>(mesh.cell_count()));
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        const auto X = cell_positions<N>(mesh, c);
+        auto& geometry = block.geometry[static_cast<std::size_t>(c)];
+        for (std::size_t q = 0; q < Q; ++q) {
+            const Eigen::Matrix<double, N, 3> D = Shape::derivatives(rule[q].xi);
+            const Eigen::Matrix3d jacobian = X * D;   // dX/dxi
+            geometry.gradient[q] = D * jacobian.inverse();
+            geometry.weight[q] = rule[q].weight * jacobian.determinant();
+            geometry.volume += geometry.weight[q];
+        }
+    }
+    return block;
+}
+
+/// Hourglass shapes at the corners: eta zeta, xi zeta, xi eta, xi eta zeta.
+Eigen::Matrix<double, 8, 4> hourglass_shapes() {
+    const auto& s = Hex8::corners();
+    Eigen::Matrix<double, 8, 4> h;
+    h.col(0) = s.col(1).cwiseProduct(s.col(2));
+    h.col(1) = s.col(0).cwiseProduct(s.col(2));
+    h.col(2) = s.col(0).cwiseProduct(s.col(1));
+    h.col(3) = h.col(2).cwiseProduct(s.col(2));
+    return h;
+}
+
+/// One point with the cell's mean gradient, so that the patch test holds for any cell shape.
+ElementBlock<8, 1> stabilised_hex_block(const VolumeMesh& mesh) {
+    const ElementBlock<8, 8> full = gauss_block<Hex8, 8>(mesh, hex_gauss(2), false);
+    const Eigen::Matrix<double, 8, 4> h = hourglass_shapes();
+    ElementBlock<8, 1> block;
+    block.cells = mesh.cells;
+    block.geometry.resize(full.geometry.size());
+    block.hourglass.resize(full.geometry.size());
+    for (std::size_t c = 0; c < full.geometry.size(); ++c) {
+        const auto X = cell_positions<8>(mesh, static_cast<Eigen::Index>(c));
+        auto& geometry = block.geometry[c];
+        geometry.volume = geometry.weight[0] = full.geometry[c].volume;
+        geometry.gradient[0].setZero();
+        for (std::size_t q = 0; q < 8; ++q) geometry.gradient[0] += full.geometry[c].weight[q] / geometry.volume * full.geometry[c].gradient[q];
+
+        auto& hourglass = block.hourglass[c];
+        hourglass.gamma = 0.125 * (h - geometry.gradient[0] * (X * h));
+        const Eigen::Matrix3d jacobian = X * Hex8::derivatives(Eigen::Vector3d::Zero());
+        hourglass.half_length = jacobian.colwise().norm().transpose();
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(jacobian * hourglass.half_length.cwiseInverse().asDiagonal(),
+                                                    Eigen::ComputeFullU | Eigen::ComputeFullV);
+        hourglass.frame = svd.matrixU() * svd.matrixV().transpose();
+    }
+    return block;
+}
+
+template <class Shape>
+void add_cell_mass(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule, std::vector<MassEntry>& entries) {
+    constexpr int N = Shape::nodes;
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        const auto X = cell_positions<N>(mesh, c);
+        Eigen::Matrix<double, N, N> M = Eigen::Matrix<double, N, N>::Zero();
+        for (const QuadraturePoint& point : rule) {
+            const Eigen::Matrix<double, N, 1> values = Shape::values(point.xi);
+            const Eigen::Matrix3d jacobian = X * Shape::derivatives(point.xi);
+            M += point.weight * jacobian.determinant() * values * values.transpose();
+        }
+        for (int b = 0; b < N; ++b)
+            for (int a = 0; a < N; ++a) entries.push_back({mesh.cells(a, c), mesh.cells(b, c), M(a, b)});
+    }
+}
+
+}  // namespace
+
+std::string to_string(ElementKind kind) {
+    for (const ElementEntry& entry : element_table)
+        if (entry.kind == kind) return entry.id;
+    return {};
+}
+
+std::vector<std::string> element_ids() {
+    std::vector<std::string> ids;
+    for (const ElementEntry& entry : element_table) ids.emplace_back(entry.id);
+    return ids;
+}
+
+bool parse_element(const std::string& id, ElementKind& kind) {
+    for (const ElementEntry& entry : element_table)
+        if (entry.id == id) {
+            kind = entry.kind;
+            return true;
+        }
+    return false;
+}
+
+CellType cell_type(ElementKind kind) {
+    for (const ElementEntry& entry : element_table)
+        if (entry.kind == kind) return entry.type;
+    return CellType::hex8;
+}
+
+ElementKind default_element(CellType type) {
+    for (const ElementEntry& entry : element_table)
+        if (entry.type == type) return entry.kind;
+    return ElementKind::hex8;
+}
+
+Elements make_elements(const VolumeMesh& mesh, ElementKind kind) {
+    assert(mesh.type == cell_type(kind));
+    switch (kind) {
+        case ElementKind::hex8_mean_dilatation: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), true);
+        case ElementKind::hex8_full: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), false);
+        case ElementKind::tet10: return gauss_block<Tet10, 4>(mesh, tet_degree2(), true);
+        case ElementKind::tet10_full: return gauss_block<Tet10, 4>(mesh, tet_degree2(), false);
+        case ElementKind::tet4: return gauss_block<Tet4, 1>(mesh, tet_centroid(), false);
+        case ElementKind::hex8: break;
+    }
+    return stabilised_hex_block(mesh);
+}
+
+std::vector<MassEntry> consistent_mass(const VolumeMesh& mesh) {
+    std::vector<MassEntry> entries;
+    switch (mesh.type) {
+        case CellType::hex8: add_cell_mass<Hex8>(mesh, hex_gauss(2), entries); break;
+        case CellType::tet4: add_cell_mass<Tet4>(mesh, tet_degree2(), entries); break;
+        case CellType::tet10: add_cell_mass<Tet10>(mesh, tet_degree5(), entries); break;
+    }
+    return entries;
+}
+
+}  // namespace myo

@@ -1,0 +1,95 @@
+#include "fibre/fibre_group.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+#include "fem/quadrature.hpp"
+#include "fem/shape_functions.hpp"
+#include "mesh/region.hpp"
+
+namespace myo {
+namespace {
+
+template <class Shape>
+FibrePoint fibre_point(const VolumeMesh& mesh, int cell, const QuadraturePoint& point, const Eigen::Vector3d& direction) {
+    constexpr int N = Shape::nodes;
+    Eigen::Matrix<double, 3, N> X;
+    for (int a = 0; a < N; ++a) X.col(a) = mesh.nodes.col(mesh.cells(a, cell));
+    const Eigen::Matrix<double, N, 3> D = Shape::derivatives(point.xi);
+    const Eigen::Matrix3d jacobian = X * D;
+    return {cell, D * (jacobian.inverse() * direction), point.weight * jacobian.determinant()};
+}
+
+template <class Shape>
+void add_cell(const VolumeMesh& mesh, int cell, const std::vector<QuadraturePoint>& rule, double fraction,
+              const Eigen::Vector3d& direction, FibreGroup& group) {
+    for (QuadraturePoint point : rule) {
+        point.weight *= fraction;
+        group.points.push_back(fibre_point<Shape>(mesh, cell, point, direction));
+    }
+}
+
+/// The cell as a box, when its edges lie along the axes.
+bool axis_aligned(const VolumeMesh& mesh, int cell, Box& box) {
+    box = {mesh.nodes.col(mesh.cells(0, cell)), mesh.nodes.col(mesh.cells(6, cell))};
+    const Eigen::Vector3d size = box.size();
+    for (int a = 0; a < 8; ++a) {
+        const Eigen::Vector3d xi = 0.5 * (Hex8::corners().row(a).transpose() + Eigen::Vector3d::Ones());
+        const Eigen::Vector3d expected = box.lowest + xi.cwiseProduct(size);
+        if ((mesh.nodes.col(mesh.cells(a, cell)) - expected).norm() > 1e-9 * size.norm()) return false;
+    }
+    return size.minCoeff() > 0.0;
+}
+
+void add_box_cell(const VolumeMesh& mesh, int cell, const Box& cell_box, const Box& box, const Eigen::Vector3d& direction,
+                  FibreGroup& group) {
+    const Eigen::Vector3d size = cell_box.size();
+    const Eigen::Vector3d low = ((box.lowest.cwiseMax(cell_box.lowest) - cell_box.lowest).array() / size.array()).matrix();
+    const Eigen::Vector3d high = ((box.highest.cwiseMin(cell_box.highest) - cell_box.lowest).array() / size.array()).matrix();
+    const Eigen::Vector3d part = high - low;
+    if (part.minCoeff() <= 1e-9) return;
+    for (QuadraturePoint point : hex_gauss(2)) {
+        const Eigen::Vector3d unit = 0.5 * (point.xi + Eigen::Vector3d::Ones());
+        point.xi = 2.0 * (low + part.cwiseProduct(unit)) - Eigen::Vector3d::Ones();
+        point.weight *= part.prod();
+        group.points.push_back(fibre_point<Hex8>(mesh, cell, point, direction));
+    }
+}
+
+}  // namespace
+
+double FibreGroup::volume() const {
+    double sum = 0.0;
+    for (const FibrePoint& point : points) sum += point.volume;
+    return sum;
+}
+
+FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Vector3d& direction, double stiffness_Pa,
+                         std::string name) {
+    FibreGroup group{std::move(name), stiffness_Pa, {}};
+    const Eigen::VectorXd fraction = volume_fractions(mesh, box);
+    for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
+        if (fraction(c) <= 0.0) continue;
+        Box cell_box;
+        if (mesh.type == CellType::tet4) add_cell<Tet4>(mesh, c, tet_centroid(), fraction(c), direction, group);
+        else if (mesh.type == CellType::tet10) add_cell<Tet10>(mesh, c, tet_degree2(), fraction(c), direction, group);
+        else if (axis_aligned(mesh, c, cell_box)) add_box_cell(mesh, c, cell_box, box, direction, group);
+        else add_cell<Hex8>(mesh, c, hex_gauss(2), fraction(c), direction, group);
+    }
+    return group;
+}
+
+FibreResponse fibre_response(const Eigen::Vector3d& s, double activation, double stiffness_Pa) {
+    const double length = s.norm();
+    const Eigen::Vector3d unit = s / length;
+    const double ratio = activation / length;
+    FibreResponse response;
+    response.energy = 0.5 * stiffness_Pa * (length - activation) * (length - activation);
+    response.gradient = stiffness_Pa * (length - activation) * unit;
+    response.hessian = stiffness_Pa * ((1.0 - ratio) * Eigen::Matrix3d::Identity() + ratio * unit * unit.transpose());
+    response.gradient_activation = -stiffness_Pa * unit;
+    return response;
+}
+
+}  // namespace myo

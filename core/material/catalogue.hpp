@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "material/material.hpp"
+
+namespace myo {
+
+MaterialPointer neo_hookean();
+MaterialPointer corotational();
+MaterialPointer projective_corotational();
+
+/// Every material law; a new one is a file and a line in catalogue.cpp.
+const std::vector<MaterialPointer>& material_catalogue();
+
+/// The law with this id, or null.
+MaterialPointer find_material(const std::string& id);
+
+std::vector<std::string> material_ids();
+
+}  // namespace myo

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "material/material.hpp"
+
+namespace myo {
+
+/// F = U diag(sigma) V', U and V rotations; the smallest sigma carries the sign of det F.
+struct SignedSvd {
+    Eigen::Matrix3d U;
+    Eigen::Vector3d sigma;
+    Eigen::Matrix3d V;
+};
+
+SignedSvd signed_svd(const Eigen::Matrix3d& F);
+
+/// The rotation nearest to F (polar decomposition F = R S).
+Eigen::Matrix3d polar_rotation(const Eigen::Matrix3d& F);
+
+/// dR/dF as a 9 x 9 matrix on vec(F): dR = R [w]x with (tr(S) I - S) w = axial(R'dF - dF'R).
+/// Source: Barbič 2012, "Exact corotational linear FEM stiffness matrix".
+Matrix9d polar_rotation_derivative(const Eigen::Matrix3d& F, const Eigen::Matrix3d& R);
+
+}  // namespace myo

@@ -1,0 +1,130 @@
+#include <Eigen/LU>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "material/catalogue.hpp"
+#include "material/polar.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// The point d with d0 d1 d2 = 1 nearest to sigma, by Newton on d = sigma - p cof(d), and the derivative dd/dsigma.
+struct UnitVolumeProjection {
+    Vector3d d;
+    Matrix3d derivative;
+    bool found = false;
+};
+
+Vector3d cofactors(const Vector3d& d) { return {d(1) * d(2), d(2) * d(0), d(0) * d(1)}; }
+
+UnitVolumeProjection project_to_unit_volume(const Vector3d& sigma) {
+    UnitVolumeProjection result;
+    Vector3d d = Vector3d::Ones();
+    double p = 0.0;
+    Eigen::Matrix4d system;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+        const Vector3d c = cofactors(d);
+        Eigen::Vector4d residual;
+        residual << d - sigma + p * c, d.prod() - 1.0;
+        system.setZero();
+        system.diagonal().head<3>().setOnes();
+        system(0, 1) = system(1, 0) = p * d(2);
+        system(1, 2) = system(2, 1) = p * d(0);
+        system(0, 2) = system(2, 0) = p * d(1);
+        system.col(3).head<3>() = c;
+        system.row(3).head<3>() = c.transpose();
+        const Eigen::Matrix4d inverse = system.inverse();
+        if (residual.norm() < 1e-14 * (1.0 + sigma.norm())) {
+            result.d = d;
+            result.derivative = inverse.topLeftCorner<3, 3>();
+            result.found = true;
+            return result;
+        }
+        Eigen::Vector4d step = inverse * residual;
+        // A full step may leave the positive octant, where the wrong branch lies; shorten it.
+        double length = 1.0;
+        while (length > 1e-6 && ((d - length * step.head<3>()).array() <= 0.1 * d.array()).any()) length *= 0.5;
+        d -= length * step.head<3>();
+        p -= length * step(3);
+    }
+    return result;
+}
+
+/// The paper's energy mu |F - R|^2 + lambda/2 |F - D|^2, D the nearest matrix with det D = 1.
+/// For small strain its second term is lambda/6 tr(eps)^2: the published lambda acts as a third of Lamé's.
+/// It has no volume measure of its own; elements cannot average it, so it locks, as published.
+/// Source: Bouaziz et al. 2014; Dubied et al. 2022, sec. III.
+class ProjectiveCorotational final : public Material {
+public:
+    std::string id() const override { return "projective_corotational"; }
+    std::string formula() const override { return "μ |F − R|² + λ/2 |F − D|², det D = 1"; }
+
+    TensorFunction distortion(const Matrix3d& F, double mu, double kappa, bool with_hessian) const override {
+        const double lambda = kappa - 2.0 / 3.0 * mu;
+        const SignedSvd svd = signed_svd(F);
+        const UnitVolumeProjection projection = project_to_unit_volume(svd.sigma);
+        TensorFunction W;
+        if (!projection.found) {
+            W.value = std::numeric_limits<double>::quiet_NaN();
+            W.gradient.setConstant(W.value);
+            W.hessian.setConstant(W.value);
+            return W;
+        }
+        const Vector3d shear = svd.sigma - Vector3d::Ones();
+        const Vector3d volume = svd.sigma - projection.d;
+        const Vector3d psi = 2.0 * mu * shear + lambda * volume;   // d W / d sigma, by the envelope theorem
+        W.value = mu * shear.squaredNorm() + lambda / 2.0 * volume.squaredNorm();
+        W.gradient = svd.U * psi.asDiagonal() * svd.V.transpose();
+        if (with_hessian) {
+            const Matrix3d psi2 = 2.0 * mu * Matrix3d::Identity() + lambda * (Matrix3d::Identity() - projection.derivative);
+            W.hessian = isotropic_hessian(svd, psi, psi2, 2.0 * mu + lambda, lambda, projection.d);
+        }
+        return W;
+    }
+
+    TensorFunction volume_measure(const Matrix3d&, bool with_hessian) const override {
+        TensorFunction none;
+        if (with_hessian) none.hessian.setZero();
+        return none;
+    }
+
+    ScalarFunction bulk(double, double) const override { return {}; }
+
+private:
+    /// Hessian of an isotropic energy from its principal derivatives (Smith, De Goes & Kim 2019, "Analytic eigensystems").
+    /// (psi_i - psi_j)/(sigma_i - sigma_j) is taken without cancellation: with psi = a sigma - 2 mu - lambda d it is
+    /// a - lambda (d_i - d_j)/(sigma_i - sigma_j), and d_i - d_j = (sigma_i - sigma_j)/(1 - p d_k).
+    static Matrix9d isotropic_hessian(const SignedSvd& svd, const Vector3d& psi, const Matrix3d& psi2, double a, double lambda,
+                                      const Vector3d& d) {
+        Matrix9d H = Matrix9d::Zero();
+        const auto outer = [&](int i, int j) {
+            Eigen::Matrix<double, 9, 1> q;
+            for (int col = 0; col < 3; ++col)
+                for (int row = 0; row < 3; ++row) q(row + 3 * col) = svd.U(row, i) * svd.V(col, j);
+            return q;
+        };
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) H += psi2(i, j) * outer(i, i) * outer(j, j).transpose();
+        const Vector3d cofactor = cofactors(d);
+        const double p = cofactor.dot(svd.sigma - d) / cofactor.squaredNorm();
+        for (const auto& [i, j, k] : {std::array<int, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
+            const double difference = a - lambda / (1.0 - p * d(k));
+            const double sum = (psi(i) + psi(j)) / (svd.sigma(i) + svd.sigma(j));
+            const Eigen::Matrix<double, 9, 1> symmetric = (outer(i, j) + outer(j, i)) / std::sqrt(2.0);
+            const Eigen::Matrix<double, 9, 1> skew = (outer(i, j) - outer(j, i)) / std::sqrt(2.0);
+            H += difference * symmetric * symmetric.transpose() + sum * skew * skew.transpose();
+        }
+        return H;
+    }
+};
+
+}  // namespace
+
+MaterialPointer projective_corotational() { return std::make_shared<ProjectiveCorotational>(); }
+
+}  // namespace myo

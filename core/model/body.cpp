@@ -1,0 +1,29 @@
+#include "model/body.hpp"
+
+namespace myo {
+
+BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>& clamped_nodes) {
+    auto body = std::make_shared<Body>();
+    body->mesh = std::move(mesh);
+    body->boundary = boundary_faces(body->mesh);
+    body->kind = kind;
+    body->elements = make_elements(body->mesh, kind);
+    body->clamped.assign(static_cast<std::size_t>(body->mesh.node_count()), false);
+    for (const int node : clamped_nodes) body->clamped[static_cast<std::size_t>(node)] = true;
+    body->pattern = block_pattern(body->mesh, body->clamped);
+
+    std::vector<Eigen::Triplet<double>> triplets;
+    for (const MassEntry& entry : consistent_mass(body->mesh)) triplets.emplace_back(entry.row, entry.column, entry.value);
+    body->unit_mass.resize(body->mesh.node_count(), body->mesh.node_count());
+    body->unit_mass.setFromTriplets(triplets.begin(), triplets.end());
+
+    std::visit(
+        [&](const auto& block) {
+            body->volume_points_per_cell = block.mean_volume ? 1 : block.points;
+            body->strains_per_cell = block.strains_per_cell();
+        },
+        body->elements);
+    return body;
+}
+
+}  // namespace myo

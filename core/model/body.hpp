@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+#include "fem/element_block.hpp"
+#include "mesh/volume_mesh.hpp"
+#include "model/block_pattern.hpp"
+
+namespace myo {
+
+/// A discretised and clamped body: everything that depends on the mesh alone.
+struct Body {
+    VolumeMesh mesh;
+    BoundaryFaces boundary;
+    ElementKind kind = ElementKind::hex8;
+    Elements elements;
+    std::vector<bool> clamped;                    // per node
+    BlockPattern pattern;
+    Eigen::SparseMatrix<double> unit_mass;        // n x n [m3]: consistent mass for density 1
+    int volume_points_per_cell = 1;               // independent volume measures (pressures) per cell
+    int strains_per_cell = 0;
+
+    int cell_count() const { return static_cast<int>(mesh.cell_count()); }
+    int node_count() const { return static_cast<int>(mesh.node_count()); }
+    int volume_points() const { return cell_count() * volume_points_per_cell; }
+    int strain_count() const { return cell_count() * strains_per_cell; }
+    /// Degrees of freedom before clamping, as the field counts them.
+    int dofs() const { return 3 * node_count(); }
+};
+
+using BodyPointer = std::shared_ptr<const Body>;
+
+/// clamped_nodes: nodes held still. Asserts that the kind fits the mesh.
+BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>& clamped_nodes);
+
+}  // namespace myo

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace myo {
+
+/// The strain rate of a step as a function of its end: rate = factor * strain(x) + history (strain_count entries).
+struct StrainRate {
+    double factor = 0.0;
+    const Eigen::VectorXd* history = nullptr;
+};
+
+/// Stiffness the internal energy is evaluated with. It is the model's own, or, because the energy is linear in it,
+/// a derivative of it with respect to a parameter.
+struct Stiffness {
+    std::vector<CellModuli> elastic;   // per cell; empty: left out
+    std::vector<CellModuli> viscous;   // damping times moduli, per cell [Pa s]; empty: left out
+    bool fibres = true;
+};
+Stiffness stiffness(const Model& model);
+
+enum class HessianKind {
+    none,
+    exact,
+    positive,   // each cell's matrix projected on the positive semi-definite ones
+};
+
+struct InternalEnergy {
+    double energy = 0.0;         // [J]
+    Eigen::Matrix3Xd gradient;   // dW/dx = minus the internal forces, 3 x n [N]; not zero on clamped nodes
+    SymmetricSparse hessian;     // over the free unknowns [N/m]; empty unless asked for
+};
+
+struct InternalInput {
+    const Stiffness* stiffness = nullptr;
+    const std::vector<double>* activation = nullptr;     // per fibre group
+    StrainRate rate;                                     // used when stiffness->viscous is not empty
+    const Eigen::VectorXd* pressure = nullptr;           // volume_points entries; see CellInput
+};
+
+/// Elastic, viscous and fibre energy at the positions x (3 x n [m]) with its derivatives.
+/// Errors: none. An inverted cell gives non-finite values; the solver rejects the step.
+InternalEnergy internal_energy(const Model& model, const Eigen::Matrix3Xd& x, const InternalInput& input, HessianKind hessian);
+
+/// U'(theta) of every volume point at x, and its linear prediction at x + dx.
+Eigen::VectorXd pressures(const Model& model, const Eigen::Matrix3Xd& x);
+Eigen::VectorXd predicted_pressures(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
+
+/// All strain measures (Green strains, hourglass strains) at x, and their derivative along dx.
+Eigen::VectorXd strains(const Body& body, const Eigen::Matrix3Xd& x);
+Eigen::VectorXd strain_tangent(const Body& body, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
+
+/// Gradient of the viscous energy for a given strain rate, 3 x n [N]; linear in the rate.
+Eigen::Matrix3Xd viscous_gradient(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rate);
+
+/// Derivative of the gradient with respect to the activations along d_activation (per group), 3 x n [N].
+Eigen::Matrix3Xd activation_gradient(const Model& model, const Eigen::Matrix3Xd& x, const std::vector<double>& activation,
+                                     const std::vector<double>& d_activation);
+
+}  // namespace myo

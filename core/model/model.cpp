@@ -1,0 +1,48 @@
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace myo {
+
+std::vector<CellModuli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio) {
+    const Moduli bulk = moduli_from_young(youngs_modulus_Pa, poissons_ratio);
+    return std::vector<CellModuli>(static_cast<std::size_t>(cell_count), CellModuli{bulk, plane_stress_moduli(bulk)});
+}
+
+Eigen::SparseMatrix<double> mass_matrix(const Model& model) {
+    Eigen::SparseMatrix<double> mass = model.density_kg_m3 * model.body->unit_mass;
+    for (const AttachedMass& attached : model.masses)
+        for (int i = 0; i < model.body->node_count(); ++i)
+            if (attached.share(i) != 0.0) mass.coeffRef(i, i) += attached.mass_kg * attached.share(i);
+    mass.makeCompressed();
+    return mass;
+}
+
+Eigen::Matrix3Xd external_forces(const Model& model, const Eigen::SparseMatrix<double>& mass, double t, bool before) {
+    const Eigen::VectorXd nodal_mass = mass * Eigen::VectorXd::Ones(mass.cols());
+    Eigen::Matrix3Xd f = model.gravity_m_s2 * nodal_mass.transpose();
+    for (const DeadForce& load : model.forces)
+        if (before ? load.active_before(t) : load.active(t)) f += load.force_N * load.share.transpose();
+    return f;
+}
+
+std::vector<double> activations(const Model& model, double t, bool before) {
+    std::vector<double> a;
+    for (const Signal& signal : model.activation) a.push_back(before ? signal.value_before(t) : signal.value(t));
+    return a;
+}
+
+std::vector<double> jump_times(const Model& model) {
+    std::vector<double> times;
+    for (const DeadForce& load : model.forces)
+        for (const double t : {load.from_s, load.until_s})
+            if (std::isfinite(t)) times.push_back(t);
+    for (const Signal& signal : model.activation)
+        for (const double t : signal.jumps()) times.push_back(t);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+}  // namespace myo

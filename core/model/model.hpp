@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "fibre/fibre_group.hpp"
+#include "fibre/signal.hpp"
+#include "material/material.hpp"
+#include "material/moduli.hpp"
+#include "model/body.hpp"
+
+namespace myo {
+
+/// Elastic constants as the elements use them, per cell [Pa].
+struct CellModuli {
+    Moduli bulk;
+    PlaneStressModuli plane;
+};
+
+/// A force of fixed direction over a part of the surface, active in [from_s, until_s).
+struct DeadForce {
+    Eigen::VectorXd share;   // per node, sums to 1
+    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+    double from_s = -std::numeric_limits<double>::infinity();
+    double until_s = std::numeric_limits<double>::infinity();
+
+    bool active(double t) const { return t >= from_s && t < until_s; }
+    bool active_before(double t) const { return t > from_s && t <= until_s; }
+};
+
+/// A body fixed to the specimen: weight and inertia.
+struct AttachedMass {
+    Eigen::VectorXd share;   // per node, sums to 1, never negative
+    double mass_kg = 0.0;
+};
+
+/// Everything that does not change while it runs: a body with its material, fibres and loads. Cheap to copy.
+struct Model {
+    BodyPointer body;
+    MaterialPointer material;
+    std::vector<CellModuli> moduli;               // per cell
+    double damping_s = 0.0;                       // Kelvin-Voigt: S = 2 damping mu dev(dE/dt)
+    double density_kg_m3 = 0.0;
+    double velocity_force_1_s = 0.0;              // Lambda of f = Lambda M v; 0 = none
+    Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();
+    std::shared_ptr<const std::vector<FibreGroup>> fibres = std::make_shared<std::vector<FibreGroup>>();
+    std::vector<Signal> activation;               // per fibre group
+    std::vector<DeadForce> forces;
+    std::vector<AttachedMass> masses;
+};
+
+/// The same moduli in every cell.
+std::vector<CellModuli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);
+
+/// n x n mass matrix [kg] of one coordinate, attached masses on the diagonal.
+Eigen::SparseMatrix<double> mass_matrix(const Model& model);
+
+/// Gravity on body and attached masses plus the forces active at t, 3 x n [N]. `before`: the limit from the left.
+Eigen::Matrix3Xd external_forces(const Model& model, const Eigen::SparseMatrix<double>& mass, double t, bool before = false);
+
+/// Activations of all groups at t.
+std::vector<double> activations(const Model& model, double t, bool before = false);
+
+/// Times at which a force or an activation jumps, ascending, without repetition.
+std::vector<double> jump_times(const Model& model);
+
+}  // namespace myo

@@ -1,0 +1,105 @@
+#include "solver/sparse_cholesky.hpp"
+
+#include <cholmod.h>
+
+#include <cassert>
+#include <cstdlib>
+#include <cstring>
+
+namespace myo {
+
+struct SparseCholesky::Implementation {
+    cholmod_common common{};
+    cholmod_factor* factor = nullptr;
+    cholmod_dense* solution = nullptr;   // work space that CHOLMOD reuses between solves
+    cholmod_dense* work_y = nullptr;
+    cholmod_dense* work_e = nullptr;
+    bool positive_definite = false;
+
+    Implementation() {
+        cholmod_start(&common);
+        common.nmethods = 1;
+        common.method[0].ordering = CHOLMOD_METIS;
+        common.postorder = 1;
+        common.supernodal = CHOLMOD_SUPERNODAL;
+        common.print = 0;
+        common.quick_return_if_not_posdef = 1;
+    }
+    ~Implementation() {
+        cholmod_free_dense(&solution, &common);
+        cholmod_free_dense(&work_y, &common);
+        cholmod_free_dense(&work_e, &common);
+        cholmod_free_factor(&factor, &common);
+        cholmod_finish(&common);
+    }
+    Implementation(const Implementation&) = delete;
+    Implementation& operator=(const Implementation&) = delete;
+};
+
+namespace {
+
+cholmod_sparse view(const SymmetricSparse& lower) {
+    cholmod_sparse matrix{};
+    matrix.nrow = static_cast<std::size_t>(lower.rows());
+    matrix.ncol = static_cast<std::size_t>(lower.cols());
+    matrix.nzmax = static_cast<std::size_t>(lower.nonZeros());
+    matrix.p = const_cast<int*>(lower.outerIndexPtr());
+    matrix.i = const_cast<int*>(lower.innerIndexPtr());
+    matrix.x = const_cast<double*>(lower.valuePtr());
+    matrix.stype = -1;
+    matrix.itype = CHOLMOD_INT;
+    matrix.xtype = CHOLMOD_REAL;
+    matrix.dtype = CHOLMOD_DOUBLE;
+    matrix.sorted = 1;
+    matrix.packed = 1;
+    return matrix;
+}
+
+}  // namespace
+
+SparseCholesky::SparseCholesky() : implementation_(std::make_unique<Implementation>()) {}
+SparseCholesky::~SparseCholesky() = default;
+SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
+SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
+
+bool SparseCholesky::factorize(const SymmetricSparse& lower) {
+    assert(lower.isCompressed() && lower.rows() == lower.cols());
+    Implementation& self = *implementation_;
+    cholmod_sparse matrix = view(lower);
+    if (self.factor == nullptr || self.factor->n != matrix.nrow) {
+        cholmod_free_factor(&self.factor, &self.common);
+        self.factor = cholmod_analyze(&matrix, &self.common);
+    }
+    self.positive_definite = self.factor != nullptr && cholmod_factorize(&matrix, self.factor, &self.common) != 0 &&
+                             self.common.status == CHOLMOD_OK && self.factor->minor == self.factor->n;
+    return self.positive_definite;
+}
+
+bool SparseCholesky::has_factor() const { return implementation_->positive_definite; }
+
+Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& B) const {
+    assert(has_factor());
+    Implementation& self = *implementation_;
+    cholmod_dense right{};
+    right.nrow = static_cast<std::size_t>(B.rows());
+    right.ncol = static_cast<std::size_t>(B.cols());
+    right.d = right.nrow;
+    right.nzmax = right.nrow * right.ncol;
+    right.x = const_cast<double*>(B.data());
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    cholmod_solve2(CHOLMOD_A, self.factor, &right, nullptr, &self.solution, nullptr, &self.work_y, &self.work_e, &self.common);
+    Eigen::MatrixXd X(B.rows(), B.cols());
+    std::memcpy(X.data(), self.solution->x, sizeof(double) * static_cast<std::size_t>(X.size()));
+    return X;
+}
+
+double SparseCholesky::factor_entries() const { return implementation_->common.lnz; }
+double SparseCholesky::factor_flops() const { return implementation_->common.fl; }
+
+void use_one_blas_thread() {
+    ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
+    ::setenv("OMP_NUM_THREADS", "1", 0);
+}
+
+}  // namespace myo
