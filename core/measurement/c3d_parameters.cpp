@@ -1,0 +1,178 @@
+#include "measurement/c3d_parameters.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace myo {
+namespace {
+
+struct PendingParameter {
+    int group = 0;
+    std::string name;
+    C3dParameter parameter;
+};
+
+std::string capitals(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return result;
+}
+
+std::string at_byte(std::size_t offset) { return "at byte " + std::to_string(offset); }
+
+std::size_t value_size(C3dParameter::Type type) {
+    switch (type) {
+        case C3dParameter::Type::text:
+        case C3dParameter::Type::byte: return 1;
+        case C3dParameter::Type::word: return 2;
+        case C3dParameter::Type::real: return 4;
+    }
+    return 1;
+}
+
+bool type_of_code(int code, C3dParameter::Type& type) {
+    switch (code) {
+        case -1: type = C3dParameter::Type::text; return true;
+        case 1: type = C3dParameter::Type::byte; return true;
+        case 2: type = C3dParameter::Type::word; return true;
+        case 4: type = C3dParameter::Type::real; return true;
+        default: return false;
+    }
+}
+
+// The body of a parameter record from `offset`, behind the word that points to the next record.
+Result<C3dParameter> read_body(const C3dWords& words, std::size_t offset, const std::string& name,
+                               const std::string& file) {
+    const auto cut_off = [&] {
+        return Error{"parameter " + name + " " + at_byte(offset) + " runs over the end of the file", file};
+    };
+    if (!words.holds(offset, 2)) return cut_off();
+    C3dParameter parameter;
+    if (!type_of_code(words.signed_byte(offset), parameter.type)) {
+        return Error{"parameter " + name + " " + at_byte(offset) + " has the unknown type " +
+                         std::to_string(int{words.signed_byte(offset)}) + "; the parameter section is damaged", file};
+    }
+    const std::size_t dimension_count = words.byte(offset + 1);
+    if (!words.holds(offset + 2, dimension_count)) return cut_off();
+    parameter.offset = offset + 2 + dimension_count;
+    parameter.count = 1;
+    for (std::size_t d = 0; d < dimension_count; ++d) {
+        const std::size_t extent = words.byte(offset + 2 + d);
+        parameter.dimensions.push_back(extent);
+        parameter.count *= extent;
+        if (parameter.count > words.size()) return cut_off();  // also keeps the product from overflowing
+    }
+    if (!words.holds(parameter.offset, parameter.count * value_size(parameter.type))) return cut_off();
+    return parameter;
+}
+
+// Length of the UTF-8 character at the front of `text`, 0 when the bytes are no UTF-8.
+std::size_t utf8_length(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
+                               : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+    if (length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
+    }
+    if (length > 2) {  // overlong forms, surrogates and values past U+10FFFF
+        const auto second = static_cast<unsigned char>(text[1]);
+        if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second >= 0xA0) || (lead == 0xF0 && second < 0x90) ||
+            (lead == 0xF4 && second >= 0x90)) return 0;
+    }
+    return length;
+}
+
+}  // namespace
+
+std::string clean_c3d_text(std::string_view text) {
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\r' || c == '\n'; };
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const auto c = static_cast<unsigned char>(text[0]);
+        if (length == 0) {
+            result += static_cast<char>(0xC0U | (c >> 6U));
+            result += static_cast<char>(0x80U | (c & 0x3FU));
+        } else if (length > 1 || (c >= 0x20 && c != 0x7F)) {
+            result += text.substr(0, length);
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return result;
+}
+
+std::optional<double> C3dParameters::number(const std::string& name, std::size_t i) const {
+    const auto found = entries_.find(name);
+    if (found == entries_.end() || i >= found->second.count) return std::nullopt;
+    const C3dParameter& parameter = found->second;
+    const std::size_t offset = parameter.offset + i * value_size(parameter.type);
+    switch (parameter.type) {
+        case C3dParameter::Type::text: return std::nullopt;
+        case C3dParameter::Type::byte: return static_cast<double>(words_.byte(offset));
+        case C3dParameter::Type::word: return static_cast<double>(words_.word(offset));
+        case C3dParameter::Type::real: return words_.real(offset);
+    }
+    return std::nullopt;
+}
+
+bool C3dParameters::is_word(const std::string& name) const {
+    const auto found = entries_.find(name);
+    return found != entries_.end() && found->second.type == C3dParameter::Type::word;
+}
+
+std::vector<std::string> C3dParameters::texts(const std::string& name) const {
+    std::vector<std::string> result;
+    const auto found = entries_.find(name);
+    if (found == entries_.end() || found->second.type != C3dParameter::Type::text) return result;
+    const C3dParameter& parameter = found->second;
+    const std::size_t length = parameter.dimensions.empty() ? 1 : parameter.dimensions[0];
+    if (length == 0) return result;
+    for (std::size_t i = 0; i + length <= parameter.count; i += length) {
+        result.push_back(clean_c3d_text(words_.text(parameter.offset + i, length)));
+    }
+    return result;
+}
+
+Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t start, const std::string& file) {
+    std::map<int, std::string> groups;
+    std::vector<PendingParameter> pending;
+    // Records follow each other by offsets; each one moves forward, so the walk ends.
+    std::size_t at = start + 4;
+    while (words.holds(at, 2) && words.byte(at) != 0) {
+        const auto name_length = static_cast<std::size_t>(std::abs(int{words.signed_byte(at)}));  // negative = locked
+        const int group = words.signed_byte(at + 1);
+        const std::size_t pointer = at + 2 + name_length;
+        if (!words.holds(pointer, 2)) {
+            return Error{"the parameter record " + at_byte(at) + " runs over the end of the file", file};
+        }
+        const std::string name = capitals(clean_c3d_text(words.text(at + 2, name_length)));
+        const std::size_t step = words.word(pointer);
+        if (group < 0) {
+            groups[-group] = name;
+        } else if (group > 0) {
+            Result<C3dParameter> parameter = read_body(words, pointer + 2, name, file);
+            if (!parameter) return parameter.error();
+            pending.push_back({group, name, *parameter});
+        } else {
+            return Error{"the parameter record " + at_byte(at) + " belongs to no group; the parameter section is damaged", file};
+        }
+        if (step == 0) break;  // the last record of some writers
+        if (step < 2) {
+            return Error{"the parameter record " + at_byte(at) + " points into itself; the parameter section is damaged", file};
+        }
+        at = pointer + step;
+    }
+    // A parameter may stand before the record that names its group.
+    std::map<std::string, C3dParameter> entries;
+    for (const PendingParameter& entry : pending) {
+        const auto group = groups.find(entry.group);
+        if (group != groups.end()) entries[group->second + ":" + entry.name] = entry.parameter;
+    }
+    return C3dParameters(words, std::move(entries));
+}
+
+}  // namespace myo

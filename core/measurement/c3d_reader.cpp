@@ -1,0 +1,261 @@
+#include "measurement/c3d_reader.hpp"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "measurement/c3d_parameters.hpp"
+#include "measurement/c3d_words.hpp"
+#include "measurement/units.hpp"
+
+namespace myo {
+namespace {
+
+constexpr std::size_t block_size = 512;
+// Ten kilometres: no camera measures this, but a damaged file easily holds it.
+constexpr double largest_coordinate_m = 1e4;
+
+// Where the samples stand and how they are written.
+struct Layout {
+    std::size_t points = 0;
+    std::size_t frames = 0;
+    std::size_t analog_per_frame = 0;
+    std::size_t data_offset = 0;
+    bool real = true;        // 32-bit floats, else 16-bit integers times `scale`
+    double scale = 1.0;      // of integers and of residuals, always positive
+    double rate_Hz = 0.0;
+    double metres_per_unit = 1.0;
+
+    std::size_t word_size() const { return real ? 4 : 2; }
+    std::size_t frame_size() const { return (4 * points + analog_per_frame) * word_size(); }
+    std::size_t end() const { return data_offset + frames * frame_size(); }
+};
+
+class Reader {
+public:
+    Reader(C3dWords words, C3dParameters parameters, std::string file)
+        : words_(words), parameters_(std::move(parameters)), file_(std::move(file)) {}
+
+    Result<Recording> read(std::optional<double> unit_override);
+
+private:
+    Error failure(const std::string& what) const { return Error{what, file_}; }
+    Result<Layout> layout(std::optional<double> unit_override) const;
+    Result<double> unit(std::optional<double> unit_override) const;
+    double analog_rate_ratio(double rate_Hz) const;
+    double frame_count() const;
+    bool fills_file(const Layout& layout) const;
+    Result<void> choose_counts(Layout& layout) const;
+    std::vector<std::string> labels(std::size_t points) const;
+    Result<Recording> samples(const Layout& layout) const;
+
+    C3dWords words_;
+    C3dParameters parameters_;
+    std::string file_;
+};
+
+bool usable_count(double value) { return std::isfinite(value) && value >= 1.0 && value < 4294967296.0; }
+
+// The frame count by falling authority: LONG_FRAMES, FRAMES, the TRIAL range, the header's range.
+// FRAMES as a 16-bit word says at most "65535 or more", and some writers keep only its low word.
+double Reader::frame_count() const {
+    const std::optional<double> long_frames = parameters_.number("POINT:LONG_FRAMES");
+    if (long_frames && usable_count(*long_frames)) return *long_frames;
+    double trial = 0.0;
+    const auto long_word = [&](const std::string& name) -> double {
+        const std::optional<double> low = parameters_.number(name, 0);
+        if (!low) return 0.0;
+        return *low + 65536.0 * parameters_.number(name, 1).value_or(0.0);
+    };
+    if (parameters_.contains("TRIAL:ACTUAL_END_FIELD")) {
+        const double first = long_word("TRIAL:ACTUAL_START_FIELD");
+        trial = long_word("TRIAL:ACTUAL_END_FIELD") - (first >= 1.0 ? first : 1.0) + 1.0;
+    }
+    const double frames = parameters_.number("POINT:FRAMES").value_or(0.0);
+    const bool word_is_full = parameters_.is_word("POINT:FRAMES") && frames >= 65535.0;
+    const bool low_word_only = parameters_.is_word("POINT:FRAMES") && usable_count(trial) && trial > 65535.0 &&
+                               std::fmod(trial, 65536.0) == frames;
+    if (usable_count(frames) && !word_is_full && !low_word_only) return frames;
+    if (usable_count(trial)) return trial;
+    if (usable_count(frames)) return frames;
+    return static_cast<double>(words_.word(8)) - static_cast<double>(words_.word(6)) + 1.0;
+}
+
+Result<double> Reader::unit(std::optional<double> unit_override) const {
+    if (unit_override) return *unit_override;
+    const std::vector<std::string> units = parameters_.texts("POINT:UNITS");
+    std::string name;
+    // Some writers store one string per axis or one character per string.
+    if (!units.empty()) name = units.size() == 2 && units[0].size() == 1 && units[1].size() == 1 ? units[0] + units[1] : units[0];
+    if (name.empty()) return failure("POINT:UNITS is missing, so the length unit is not known; give it explicitly");
+    const std::optional<double> metres = metres_per_unit(name);
+    if (!metres) return failure("POINT:UNITS is '" + name + "', which is no known length unit; give the unit explicitly");
+    return *metres;
+}
+
+double Reader::analog_rate_ratio(double rate_Hz) const {
+    const double ratio = parameters_.number("ANALOG:RATE").value_or(0.0) / rate_Hz;
+    if (std::isfinite(ratio) && ratio >= 0.5 && ratio < 65536.0) return std::round(ratio);
+    return std::max(1.0, static_cast<double>(words_.word(18)));  // header: analog samples per frame
+}
+
+// Whether the samples reach into the last block of the file.
+bool Reader::fills_file(const Layout& layout) const {
+    return layout.end() <= words_.size() && words_.size() - layout.end() < block_size;
+}
+
+// Point and analog counts stand in the parameters and in the header. The parameters are the master; where the header
+// disagrees, the size of the file has to confirm one of the two.
+Result<void> Reader::choose_counts(Layout& layout) const {
+    const auto header_points = static_cast<std::size_t>(words_.word(2));
+    const auto header_analog = static_cast<std::size_t>(words_.word(4));
+    layout.points = static_cast<std::size_t>(parameters_.number("POINT:USED").value_or(static_cast<double>(header_points)));
+    layout.analog_per_frame = header_analog;
+    if (const std::optional<double> channels = parameters_.number("ANALOG:USED"); channels && *channels >= 0.0 && *channels < 65536.0) {
+        layout.analog_per_frame = static_cast<std::size_t>(*channels * analog_rate_ratio(layout.rate_Hz));
+    }
+    if (layout.points == header_points && layout.analog_per_frame == header_analog) return {};
+    if (fills_file(layout)) return {};
+    Layout by_header = layout;
+    by_header.points = header_points;
+    by_header.analog_per_frame = header_analog;
+    if (header_points > 0 && fills_file(by_header)) {
+        layout = by_header;
+        return {};
+    }
+    if (layout.points != header_points) {
+        return failure("POINT:USED says " + std::to_string(layout.points) + " points, the header (byte 2) " +
+                       std::to_string(header_points) + ", and the file size fits neither");
+    }
+    return failure("the ANALOG group says " + std::to_string(layout.analog_per_frame) + " analog values per frame, the header (byte 4) " +
+                   std::to_string(header_analog) + ", and the file size fits neither");
+}
+
+Result<Layout> Reader::layout(std::optional<double> unit_override) const {
+    Layout layout;
+    const double scale = parameters_.number("POINT:SCALE").value_or(words_.real(12));
+    if (!std::isfinite(scale) || scale == 0.0) return failure("POINT:SCALE is not a number other than 0");
+    layout.real = scale < 0.0;
+    layout.scale = std::abs(scale);
+
+    layout.rate_Hz = parameters_.number("POINT:RATE").value_or(0.0);
+    if (!(layout.rate_Hz > 0.0)) layout.rate_Hz = words_.real(20);
+    if (!std::isfinite(layout.rate_Hz) || layout.rate_Hz < 1e-6 || layout.rate_Hz > 1e7) {
+        return failure("POINT:RATE is no frame rate (" + format_number(layout.rate_Hz) + " Hz)");
+    }
+    const double frames = frame_count();
+    if (!usable_count(frames)) return failure("holds no frames (POINT:FRAMES)");
+    layout.frames = static_cast<std::size_t>(frames);
+
+    const double header_start = words_.word(16);
+    double start = parameters_.number("POINT:DATA_START").value_or(header_start);
+    if (!(start >= 2.0)) start = header_start;
+    if (!(start >= 2.0)) return failure("POINT:DATA_START is no block behind the header");
+    layout.data_offset = (static_cast<std::size_t>(std::min(start, 65535.0)) - 1) * block_size;
+
+    if (Result<void> counts = choose_counts(layout); !counts) return counts.error();
+    if (layout.points == 0) return failure("holds no 3D points (POINT:USED is 0)");
+    if (layout.end() > words_.size()) {
+        return failure("ends at byte " + std::to_string(words_.size()) + ", but " + std::to_string(layout.frames) +
+                       " frames of " + std::to_string(layout.points) + " points from byte " +
+                       std::to_string(layout.data_offset) + " need " + std::to_string(layout.end()) + " bytes");
+    }
+    const Result<double> unit_m = unit(unit_override);
+    if (!unit_m) return unit_m.error();
+    layout.metres_per_unit = *unit_m;
+    return layout;
+}
+
+std::vector<std::string> Reader::labels(std::size_t points) const {
+    std::vector<std::string> result;
+    for (int part = 1; result.size() < points; ++part) {
+        const std::string name = part == 1 ? "POINT:LABELS" : "POINT:LABELS" + std::to_string(part);
+        const std::vector<std::string> more = parameters_.texts(name);
+        if (more.empty()) break;
+        result.insert(result.end(), more.begin(), more.end());
+    }
+    result.resize(points);
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < points; ++i) {
+        const std::string base = result[i].empty() ? "point " + std::to_string(i + 1) : result[i];
+        result[i] = base;
+        for (int k = 2; !taken.insert(result[i]).second; ++k) result[i] = base + " (" + std::to_string(k) + ")";
+    }
+    return result;
+}
+
+Result<Recording> Reader::samples(const Layout& layout) const {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto frame_count = static_cast<Eigen::Index>(layout.frames);
+    Recording recording;
+    recording.labels = labels(layout.points);
+    recording.rate_Hz = layout.rate_Hz;
+    recording.time_s.resize(frame_count);
+    for (Eigen::Index t = 0; t < frame_count; ++t) recording.time_s(t) = static_cast<double>(t) / layout.rate_Hz;
+    recording.tracks.assign(layout.points, Eigen::Matrix3Xd(3, frame_count));
+    recording.residual_m.assign(layout.points, Eigen::VectorXd(frame_count));
+    for (std::size_t i = 0; i < layout.points; ++i) {
+        for (Eigen::Index t = 0; t < frame_count; ++t) {
+            const std::size_t at = layout.data_offset + static_cast<std::size_t>(t) * layout.frame_size() + 4 * i * layout.word_size();
+            Eigen::Vector3d position;
+            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                const std::size_t offset = at + static_cast<std::size_t>(axis) * layout.word_size();
+                position(axis) = layout.real ? words_.real(offset) : layout.scale * words_.signed_word(offset);
+            }
+            const double fourth = layout.real ? words_.real(at + 12) : static_cast<double>(words_.signed_word(at + 6));
+            const bool occluded = !(fourth >= 0.0) || position.hasNaN() || (fourth == 0.0 && position.isZero(0.0));
+            position *= layout.metres_per_unit;
+            if (!occluded && !(position.cwiseAbs().maxCoeff() <= largest_coordinate_m)) {
+                return failure("'" + recording.labels[i] + "' is more than 10 km away in frame " + std::to_string(t + 1) +
+                               " (byte " + std::to_string(at) + "); the file is damaged or its unit wrong");
+            }
+            // The low byte of the fourth word counts the residual in steps of the scale, in float files as well.
+            const double steps = std::fmod(std::trunc(fourth), 256.0);
+            recording.tracks[i].col(t) = occluded ? Eigen::Vector3d::Constant(nan) : position;
+            recording.residual_m[i](t) = occluded ? nan : steps * layout.scale * layout.metres_per_unit;
+        }
+    }
+    return recording;
+}
+
+Result<Recording> Reader::read(std::optional<double> unit_override) {
+    const Result<Layout> found = layout(unit_override);
+    if (!found) return found.error();
+    return samples(*found);
+}
+
+}  // namespace
+
+Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
+    const std::string file = path.string();
+    const Result<std::string> content = read_file(path);
+    if (!content) return content.error();
+    const std::string_view bytes = *content;
+    if (bytes.size() < block_size) {
+        return Error{"is no C3D file: " + std::to_string(bytes.size()) + " bytes are too few for its header of 512", file};
+    }
+    const auto byte_at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    if (byte_at(1) != 0x50) {
+        return Error{"is no C3D file: byte 1 is " + std::to_string(int{byte_at(1)}) + ", not the format's mark 80", file};
+    }
+    const std::size_t parameters_block = byte_at(0);
+    if (parameters_block < 2) return Error{"is damaged: byte 0 of the header points to no parameter section", file};
+    const std::size_t parameters_start = (parameters_block - 1) * block_size;
+    if (parameters_start + 4 > bytes.size()) {
+        return Error{"is cut off: the parameter section should start at byte " + std::to_string(parameters_start) +
+                         ", the file ends at byte " + std::to_string(bytes.size()), file};
+    }
+    const std::optional<C3dProcessor> processor = c3d_processor(byte_at(parameters_start + 3));
+    if (!processor) {
+        return Error{"has the unknown processor code " + std::to_string(int{byte_at(parameters_start + 3)}) + " at byte " +
+                         std::to_string(parameters_start + 3) + " (84 Intel, 85 DEC and 86 SGI are known)", file};
+    }
+    const C3dWords words(bytes, *processor);
+    Result<C3dParameters> parameters = read_c3d_parameters(words, parameters_start, file);
+    if (!parameters) return parameters.error();
+    return Reader(words, std::move(*parameters), file).read(metres_per_unit);
+}
+
+}  // namespace myo

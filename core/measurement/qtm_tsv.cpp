@@ -1,0 +1,130 @@
+#include "measurement/qtm_tsv.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "measurement/sample_table.hpp"
+
+namespace myo {
+namespace {
+
+struct HeaderNumber {
+    double value = 0.0;
+    int line = 0;   // 0 = the header does not have it
+};
+
+struct QtmHeader {
+    HeaderNumber frames;
+    HeaderNumber markers;
+    HeaderNumber rate_Hz;
+    std::vector<std::string> names;
+    int names_line = 0;
+    bool has_time = false;
+    std::size_t first_row = 0;   // index into the lines
+};
+
+bool starts_data(std::string_view first_field) {
+    double number = 0.0;
+    return first_field.empty() || first_field == "NULL" || parse_number(first_field, number);
+}
+
+Result<HeaderNumber> header_number(const std::vector<std::string_view>& fields, const std::string& key, int line,
+                                   const std::filesystem::path& path, bool whole) {
+    HeaderNumber number{0.0, line};
+    const std::string text(fields.size() > 1 ? fields[1] : std::string_view());
+    const bool valid = parse_number(text, number.value) && std::isfinite(number.value) && number.value >= 0.0 &&
+                       (!whole || number.value == std::floor(number.value));
+    if (!valid) return Error{key + " is '" + text + "', expected a " + (whole ? "count" : "number"), at_line(path, line)};
+    return number;
+}
+
+Result<QtmHeader> read_header(const std::vector<TextLine>& lines, const std::filesystem::path& path) {
+    QtmHeader header;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::vector<std::string_view> fields = split_fields(lines[i].text, '\t');
+        const std::string_view key = fields[0];
+        header.first_row = i + 1;
+        if (trimmed(lines[i].text).empty()) continue;
+        if (starts_data(key)) {
+            header.first_row = i;
+            return header;
+        }
+        if (key == "Frame") {
+            header.has_time = true;
+            return header;
+        }
+        if (key == "NO_OF_FRAMES" || key == "NO_OF_MARKERS") {
+            const Result<HeaderNumber> number = header_number(fields, std::string(key), lines[i].number, path, true);
+            if (!number) return number.error();
+            (key == "NO_OF_FRAMES" ? header.frames : header.markers) = *number;
+        } else if (key == "FREQUENCY" && !(fields.size() > 1 && fields[1] == "EXT")) {  // EXT: an external clock
+            const Result<HeaderNumber> number = header_number(fields, "FREQUENCY", lines[i].number, path, false);
+            if (!number) return number.error();
+            header.rate_Hz = *number;
+        } else if (key == "MARKER_NAMES") {
+            for (std::size_t k = 1; k < fields.size(); ++k) header.names.emplace_back(fields[k]);
+            while (!header.names.empty() && header.names.back().empty()) header.names.pop_back();
+            header.names_line = lines[i].number;
+        }
+    }
+    return header;
+}
+
+Result<void> check_header(const QtmHeader& header, std::size_t rows, const std::filesystem::path& path) {
+    const auto names = static_cast<double>(header.names.size());
+    if (header.names.empty()) return Error{"has no MARKER_NAMES", path.string()};
+    std::set<std::string> taken;
+    for (const std::string& name : header.names) {
+        if (name.empty()) return Error{"MARKER_NAMES holds an empty name", at_line(path, header.names_line)};
+        if (!taken.insert(name).second) return Error{"MARKER_NAMES holds '" + name + "' twice", at_line(path, header.names_line)};
+    }
+    if (header.markers.line > 0 && header.markers.value != names) {
+        return Error{"NO_OF_MARKERS is " + format_number(header.markers.value, 12) + ", but MARKER_NAMES lists " +
+                         std::to_string(header.names.size()), at_line(path, header.markers.line)};
+    }
+    if (!(header.rate_Hz.value > 0.0) && !header.has_time) {
+        return Error{"has no FREQUENCY above 0 and no time column", path.string()};
+    }
+    if (header.frames.line > 0 && header.frames.value != static_cast<double>(rows)) {
+        return Error{"NO_OF_FRAMES is " + format_number(header.frames.value, 12) + ", but the file has " +
+                         std::to_string(rows) + " rows", at_line(path, header.frames.line)};
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
+    const Result<std::string> content = read_file(path);
+    if (!content) return content.error();
+    std::vector<TextLine> lines = split_lines(*content);
+    if (lines.empty()) return Error{"is empty, expected a Qualisys tsv export", at_line(path, 1)};
+    const Result<QtmHeader> header = read_header(lines, path);
+    if (!header) return header.error();
+    const std::span<const TextLine> rows = std::span<const TextLine>(lines).subspan(header->first_row);
+
+    SampleTable table;
+    table.separator = '\t';
+    table.metres_per_unit = 1e-3;
+    table.rate_Hz = header->rate_Hz.value;
+    table.zero_is_occluded = true;
+    table.null_is_occluded = true;
+    table.trailing_separator = true;
+    const std::size_t first = header->has_time ? 2 : 0;
+    if (header->has_time) {
+        table.frame_column = 0;
+        table.time_column = 1;
+        table.column_names = {"Frame", "Time"};
+    }
+    for (std::size_t i = 0; i < header->names.size(); ++i) {
+        table.markers.push_back({header->names[i], {first + 3 * i, first + 3 * i + 1, first + 3 * i + 2}});
+        for (const char* axis : {" X", " Y", " Z"}) table.column_names.push_back(header->names[i] + axis);
+    }
+    table.field_count = first + 3 * header->names.size();
+    if (const Result<void> checked = check_header(*header, rows.size(), path); !checked) return checked.error();
+    return read_samples(path, rows, table);
+}
+
+}  // namespace myo

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace myo {
+
+/// Metres per unit of a length's name as files spell it ("mm", "Meters", "in"); nothing when it is not known.
+std::optional<double> metres_per_unit(std::string_view name);
+
+}  // namespace myo
