@@ -1,0 +1,80 @@
+#include "project/read_experiment.hpp"
+
+#include <system_error>
+
+#include "project/read_experiment_tables.hpp"
+#include "project/toml_override.hpp"
+#include "project/toml_reader.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string current_schema = "experiment/1";
+
+Experiment read_document(const TomlValue& root, const fs::path& folder) {
+    // A file of another schema has other keys: say that before complaining about them.
+    if (const TomlValue* schema = root.find("schema"); schema != nullptr && schema->kind == TomlValue::Kind::text && schema->text != current_schema)
+        throw TomlFailure{Error{"schema: unknown schema \"" + schema->text + "\"; this program reads \"" + current_schema + "\"",
+                                schema->where}};
+    const TomlReader document(root, "", {"schema", "name", "description", "geometry", "clamp", "material", "environment",
+                                         "muscle", "registration", "markers", "trial", "effect"});
+    document.text("schema");
+
+    Experiment experiment;
+    experiment.folder = folder;
+    experiment.key_locations = locations(root);
+    experiment.key_locations.emplace("", root.where);
+    experiment.name = document.name("name");
+    experiment.description = document.text_or("description", "");
+    experiment.geometry = read_geometry(document, folder);
+    experiment.clamp_box_m = document.table("clamp", {"box_m"}).box("box_m");
+    experiment.material = read_material(document);
+    if (document.has("environment")) {
+        const TomlReader environment = document.table("environment", {"gravity_m_s2"});
+        if (environment.has("gravity_m_s2")) experiment.gravity_m_s2 = environment.vector3("gravity_m_s2");
+    }
+    experiment.muscles = read_muscles(document);
+    experiment.registration = read_registration(document, experiment.warnings);
+    experiment.markers = read_markers(document);
+    experiment.trials = read_trials(document, folder);
+    experiment.effects = read_effects(document);
+    check_declarations(experiment);
+    if (std::holds_alternative<BoxGeometry>(experiment.geometry)) check_against_box_body(experiment);
+    return experiment;
+}
+
+}  // namespace
+
+Result<Experiment> read_experiment(const fs::path& folder, const std::vector<std::pair<std::string, std::string>>& overrides) {
+    std::error_code code;
+    const bool names_the_file = fs::is_regular_file(folder, code);
+    if (!fs::exists(folder, code)) return Error{"experiment folder not found", folder.string()};
+    const fs::path file = names_the_file ? folder : folder / "experiment.toml";
+    Result<TomlValue> document = read_toml(file);
+    if (!document) return document.error();
+    for (const auto& [key, value] : overrides)
+        if (Result<void> set = override_toml(*document, key, value); !set) return set.error();
+    try {
+        return read_document(*document, file.parent_path());
+    } catch (const TomlFailure& failure) {
+        return failure.error;
+    }
+}
+
+std::string location_of(const Experiment& experiment, const std::string& key) {
+    std::string known = key;
+    while (true) {
+        if (const auto found = experiment.key_locations.find(known); found != experiment.key_locations.end()) return found->second;
+        if (known.empty()) return (experiment.folder / "experiment.toml").string();
+        const std::size_t end = known.find_last_of(".[");
+        known.resize(end == std::string::npos ? 0 : end);
+    }
+}
+
+Error declaration_error(const Experiment& experiment, const std::string& key, const std::string& sentence) {
+    return {key + ": " + sentence, location_of(experiment, key)};
+}
+
+}  // namespace myo

@@ -1,0 +1,66 @@
+#include "base/text.hpp"
+#include "project/effect_vocabulary.hpp"
+#include "project/read_experiment_tables.hpp"
+
+namespace myo {
+namespace {
+
+NumberRange range_of(const EffectParameterEntry& entry) {
+    NumberRange range{entry.lowest, entry.highest, false, "finite"};
+    if (entry.lowest == 0.0) range.text = "zero or positive";
+    if (entry.lowest > 0.0) range.text = "positive";
+    if (entry.lowest < 0.0 && entry.lowest > -1e300) range.text = "at least " + format_number(entry.lowest);
+    if (entry.highest < 1e300) range.text += " and at most " + format_number(entry.highest);
+    return range;
+}
+
+EffectParameter read_parameter(const TomlReader& effect, const EffectParameterEntry& entry) {
+    const std::string& key = entry.name;
+    switch (entry.kind) {
+        case EffectParameterKind::number: return effect.number(key, range_of(entry));
+        case EffectParameterKind::vector3: return Eigen::VectorXd(effect.vector3(key));
+        case EffectParameterKind::number_or_vector3:
+            if (effect.is_array(key)) return Eigen::VectorXd(effect.vector3(key));
+            return effect.number(key);
+        case EffectParameterKind::axis: {
+            const double axis = effect.number(key);
+            if (axis != 0.0 && axis != 1.0 && axis != 2.0) effect.fail(key, "must be 0 (x), 1 (y) or 2 (z), not " + format_number(axis));
+            return axis;
+        }
+        case EffectParameterKind::marker:
+        case EffectParameterKind::trial: return effect.name(key);
+        case EffectParameterKind::marker_pair: {
+            const std::vector<std::string> pair = effect.texts(key);
+            if (pair.size() != 2 || pair[0] == pair[1]) effect.fail(key, "must name two different markers");
+            return pair;
+        }
+    }
+    effect.fail(key, "has no meaning");   // not reached: all kinds are above
+}
+
+}  // namespace
+
+std::vector<EffectDeclaration> read_effects(const TomlReader& document) {
+    std::vector<EffectDeclaration> effects;
+    for (const TomlReader& table : document.tables_of_names("effect")) {
+        if (!table.has_entry("id")) table.fail("id", "required key is missing");
+        EffectDeclaration effect;
+        effect.id = table.text("id");
+        const EffectEntry* const entry = find_effect_entry(effect.id);
+        if (effect.id == "none" || effect.id == "unknown")
+            table.fail("id", "\"" + effect.id + "\" is a verdict, not an effect the model can have");
+        if (entry == nullptr) table.fail("id", "unknown effect \"" + effect.id + "\"; " + suggest(effect.id, effect_ids()));
+
+        std::vector<std::string> known = {"id", "calibrate"};
+        for (const EffectParameterEntry& parameter : entry->parameters) known.push_back(parameter.name);
+        const TomlReader checked = table.with_known_keys(known);
+        for (const EffectParameterEntry& parameter : entry->parameters)
+            if (!parameter.optional || checked.has(parameter.name))
+                effect.parameters.emplace(parameter.name, read_parameter(checked, parameter));
+        effect.calibrate = checked.boolean_or("calibrate", false);
+        effects.push_back(effect);
+    }
+    return effects;
+}
+
+}  // namespace myo
