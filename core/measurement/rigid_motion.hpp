@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace myo {
+
+/// A rigid motion p -> R p + t, from one frame to another; translation in m.
+struct RigidMotion {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+    Eigen::Vector3d apply(const Eigen::Vector3d& p) const { return rotation * p + translation; }
+    /// Every column of a 3 x n array; NaN columns stay NaN.
+    Eigen::Matrix3Xd apply_all(const Eigen::Matrix3Xd& points) const {
+        return (rotation * points).colwise() + translation;
+    }
+    RigidMotion inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
+};
+
+/// The motion that does `first`, then `second`.
+inline RigidMotion compose(const RigidMotion& second, const RigidMotion& first) {
+    return {second.rotation * first.rotation, second.rotation * first.translation + second.translation};
+}
+
+/// Angle of a rotation matrix [rad], 0 to pi; exact for small angles too.
+double rotation_angle(const Eigen::Matrix3d& rotation);
+
+/// [v]x with [v]x p = v x p.
+inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+    Eigen::Matrix3d m;
+    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return m;
+}
+
+/// Rotation about the axis omega by |omega| [rad]: the exponential map, smooth through zero.
+Eigen::Matrix3d small_rotation(const Eigen::Vector3d& omega);
+
+/// d(R(omega) p) / d omega, 3 x 3, at any omega: -[R p]x J with J the left Jacobian of the rotation group.
+/// Source: Sola, Deray, Atchuthan 2018, "A micro Lie theory", eq. 145.
+Eigen::Matrix3d d_rotated_d_omega(const Eigen::Vector3d& omega, const Eigen::Vector3d& p);
+
+}  // namespace myo

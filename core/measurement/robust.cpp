@@ -1,0 +1,20 @@
+#include "measurement/robust.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace myo {
+
+double median(Eigen::VectorXd values) {
+    assert(values.size() > 0);
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double median_deviation(const Eigen::VectorXd& values, double centre) {
+    return 1.4826 * median((values.array() - centre).abs());
+}
+
+}  // namespace myo
