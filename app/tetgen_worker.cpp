@@ -1,0 +1,87 @@
+// myoloop-tetgen REQUEST ANSWER SWITCHES MEMORY_BYTES CPU_SECONDS
+//
+// Runs TetGen once, in a process that may abort, be killed or run out of memory without harm to the caller.
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <tetgen.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include "mesh/tetgen_exchange.hpp"
+
+namespace {
+
+void limit(__rlimit_resource_t resource, unsigned long long value) {
+    if (value == 0) return;
+    const rlimit bound{static_cast<rlim_t>(value), static_cast<rlim_t>(value)};
+    setrlimit(resource, &bound);
+}
+
+void describe(const myo::TetgenExchange& request, tetgenio& input) {
+    input.firstnumber = 0;
+    input.numberofpoints = static_cast<int>(request.points.size() / 3);
+    input.pointlist = new REAL[request.points.size()];
+    std::copy(request.points.begin(), request.points.end(), input.pointlist);
+
+    input.numberoffacets = static_cast<int>(request.cells.size() / 3);
+    input.facetlist = new tetgenio::facet[static_cast<std::size_t>(input.numberoffacets)];
+    for (int f = 0; f < input.numberoffacets; ++f) {
+        tetgenio::facet& facet = input.facetlist[f];
+        tetgenio::init(&facet);
+        facet.numberofpolygons = 1;
+        facet.polygonlist = new tetgenio::polygon[1];
+        tetgenio::init(&facet.polygonlist[0]);
+        facet.polygonlist[0].numberofvertices = 3;
+        facet.polygonlist[0].vertexlist = new int[3];
+        for (int i = 0; i < 3; ++i) {
+            facet.polygonlist[0].vertexlist[i] = request.cells[static_cast<std::size_t>(3 * f + i)];
+        }
+    }
+    if (request.holes.empty()) return;
+    input.numberofholes = static_cast<int>(request.holes.size() / 3);
+    input.holelist = new REAL[request.holes.size()];
+    std::copy(request.holes.begin(), request.holes.end(), input.holelist);
+}
+
+int run(const std::string& request_path, const std::string& answer_path, std::string switches) {
+    myo::TetgenExchange request, answer;
+    if (!myo::read_exchange(request_path, request) || request.points.empty() || request.cells.empty()) {
+        return myo::worker_status::bad_call;
+    }
+    tetgenio input, output;
+    describe(request, input);
+    try {
+        tetrahedralize(switches.data(), &input, &output);
+    } catch (int code) {
+        return code == 1 ? myo::worker_status::out_of_memory : myo::worker_status::tetgen_error + code;
+    }
+    if (output.numberofpoints > 0) answer.points.assign(output.pointlist, output.pointlist + 3 * output.numberofpoints);
+    if (output.numberoftetrahedra > 0) {
+        answer.cells.assign(output.tetrahedronlist, output.tetrahedronlist + 4 * output.numberoftetrahedra);
+    }
+    return myo::write_exchange(answer_path, answer) ? myo::worker_status::done : myo::worker_status::cannot_write;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 6) return myo::worker_status::bad_call;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // no mesh is wanted when nobody waits for it
+#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer reserves terabytes of address space
+    limit(RLIMIT_AS, std::strtoull(argv[4], nullptr, 10));
+#endif
+    limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    try {
+        return run(argv[1], argv[2], argv[3]);
+    } catch (const std::bad_alloc&) {
+        return myo::worker_status::out_of_memory;
+    }
+}

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace myo {
+
+/// What the mesher and its worker process hand each other in files: plain native numbers, written and read by one machine.
+/// Request: points 3n, triangles 3m, hole points 3k. Answer: points 3n, tetrahedra 4m, no holes.
+struct TetgenExchange {
+    std::vector<double> points;
+    std::vector<std::int32_t> cells;
+    std::vector<double> holes;
+};
+
+/// Exit status of the worker. TetGen's own error codes (1 to 10) are added to `tetgen_error`.
+namespace worker_status {
+inline constexpr int done = 0;
+inline constexpr int bad_call = 64;
+inline constexpr int cannot_write = 65;
+inline constexpr int out_of_memory = 66;
+inline constexpr int tetgen_error = 80;
+}  // namespace worker_status
+
+inline constexpr std::uint64_t tetgen_exchange_magic = 0x31544554'4f594dULL;
+
+template <class T>
+bool write_block(std::ostream& stream, const std::vector<T>& values) {
+    const std::uint64_t count = values.size();
+    stream.write(reinterpret_cast<const char*>(&count), sizeof count);
+    stream.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
+    return stream.good();
+}
+
+template <class T>
+bool read_block(std::istream& stream, std::uint64_t file_size, std::vector<T>& values) {
+    std::uint64_t count = 0;
+    if (!stream.read(reinterpret_cast<char*>(&count), sizeof count) || count > file_size / sizeof(T)) return false;
+    values.resize(count);
+    return count == 0 ||
+           stream.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T))).good();
+}
+
+inline bool write_exchange(const std::filesystem::path& path, const TetgenExchange& content) {
+    std::ofstream stream(path, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(&tetgen_exchange_magic), sizeof tetgen_exchange_magic);
+    const bool written =
+        write_block(stream, content.points) && write_block(stream, content.cells) && write_block(stream, content.holes);
+    stream.close();
+    return written && !stream.fail();
+}
+
+inline bool read_exchange(const std::filesystem::path& path, TetgenExchange& content) {
+    std::error_code code;
+    const std::uint64_t size = std::filesystem::file_size(path, code);
+    std::ifstream stream(path, std::ios::binary);
+    std::uint64_t magic = 0;
+    if (code || !stream.read(reinterpret_cast<char*>(&magic), sizeof magic) || magic != tetgen_exchange_magic) return false;
+    return read_block(stream, size, content.points) && read_block(stream, size, content.cells) &&
+           read_block(stream, size, content.holes);
+}
+
+}  // namespace myo
