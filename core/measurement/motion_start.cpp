@@ -1,0 +1,271 @@
+#include "measurement/motion_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "base/text.hpp"
+#include "measurement/gaps.hpp"
+#include "measurement/noise.hpp"
+#include "measurement/recording_edit.hpp"
+#include "measurement/robust.hpp"
+
+namespace myo {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Window {
+    Eigen::Index lag;
+    Eigen::Index length;
+};
+
+Window reference_window(const Recording& recording, const MotionStartOptions& options) {
+    const auto samples = [&](double seconds, double least) {
+        return static_cast<Eigen::Index>(std::clamp(std::round(seconds * recording.rate_Hz), least, 1e6));
+    };
+    return {samples(options.reference_lag_s, 8.0), samples(options.reference_length_s, 16.0)};
+}
+
+// Where the marker was shortly before sample t: the median of the reference window, the first seen samples near the
+// beginning, where the window is cut short. Nothing when it was never seen there.
+std::optional<Eigen::Vector3d> reference(const Eigen::Matrix3Xd& track, Eigen::Index t, const Window& window) {
+    const Eigen::Index last = std::max<Eigen::Index>(t - window.lag, 0);
+    const Eigen::Index first = std::max<Eigen::Index>(last - window.length + 1, 0);
+    std::vector<Eigen::Index> seen;
+    for (Eigen::Index k = first; k <= last; ++k) {
+        if (is_seen(track, k)) seen.push_back(k);
+    }
+    for (Eigen::Index k = last + 1; k < t && seen.empty(); ++k) {
+        if (is_seen(track, k)) seen.push_back(k);
+    }
+    if (seen.empty()) return std::nullopt;
+    const Eigen::Matrix3Xd samples = track(Eigen::all, seen);
+    return Eigen::Vector3d(median(samples.row(0)), median(samples.row(1)), median(samples.row(2)));
+}
+
+// Distance of every sample from the reference; NaN where it is not known.
+Eigen::VectorXd departures(const Eigen::Matrix3Xd& track, const Window& window) {
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(track.cols(), nan);
+    for (Eigen::Index t = 1; t < track.cols(); ++t) {
+        if (!is_seen(track, t)) continue;
+        if (const std::optional<Eigen::Vector3d> place = reference(track, t, window)) result(t) = (track.col(t) - *place).norm();
+    }
+    return result;
+}
+
+// The largest value that `count` known samples in a row reach; unknown ones are passed over.
+double sustained_peak(const Eigen::VectorXd& values, int count) {
+    std::vector<double> known;
+    for (const double value : values) {
+        if (!std::isnan(value)) known.push_back(value);
+    }
+    const auto length = static_cast<std::size_t>(std::max(count, 1));
+    double peak = 0.0;
+    for (std::size_t k = 0; k + length <= known.size(); ++k) {
+        const auto first = known.begin() + static_cast<std::ptrdiff_t>(k);
+        peak = std::max(peak, *std::min_element(first, first + count));
+    }
+    return peak;
+}
+
+// Median over the markers, sample by sample.
+Eigen::VectorXd group_departure(const std::vector<Eigen::VectorXd>& markers) {
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(markers[0].size(), nan);
+    for (Eigen::Index t = 0; t < result.size(); ++t) {
+        std::vector<double> known;
+        for (const Eigen::VectorXd& marker : markers) {
+            if (!std::isnan(marker(t))) known.push_back(marker(t));
+        }
+        if (!known.empty()) result(t) = median(Eigen::Map<Eigen::VectorXd>(known.data(), static_cast<Eigen::Index>(known.size())));
+    }
+    return result;
+}
+
+// First sample from which the departure stays above `limit` for `count` known samples.
+std::optional<Eigen::Index> first_sustained(const Eigen::VectorXd& departure, double limit, int count) {
+    std::optional<Eigen::Index> first;
+    int run = 0;
+    for (Eigen::Index t = 0; t < departure.size(); ++t) {
+        if (std::isnan(departure(t))) continue;
+        if (!(departure(t) > limit)) {
+            run = 0;
+            continue;
+        }
+        if (++run == 1) first = t;
+        if (run == count) return first;
+    }
+    return std::nullopt;
+}
+
+// Back from `t` to the first sample of the unbroken departure above `threshold`; unknown samples do not break it.
+Eigen::Index trace_back(const Eigen::VectorXd& departure, Eigen::Index t, double threshold) {
+    Eigen::Index first = t;
+    for (Eigen::Index k = t - 1; k >= 0; --k) {
+        if (std::isnan(departure(k))) continue;
+        if (!(departure(k) > threshold)) break;
+        first = k;
+    }
+    return first;
+}
+
+// Mean displacement of the movers along their own direction of motion, from sample `first` on; the direction is that of
+// the last of the `count` samples, so that noise does not add up as it does in a distance.
+Eigen::VectorXd displacement_along_motion(const Recording& movers, Eigen::Index first, Eigen::Index count, const Window& window) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count);
+    Eigen::VectorXd seen = Eigen::VectorXd::Zero(count);
+    for (const Eigen::Matrix3Xd& track : movers.tracks) {
+        const std::optional<Eigen::Vector3d> rest = reference(track, first, {1, window.length});
+        if (!rest || !is_seen(track, first + count - 1)) continue;
+        const Eigen::Vector3d direction = (track.col(first + count - 1) - *rest).normalized();
+        for (Eigen::Index k = 0; k < count; ++k) {
+            if (!is_seen(track, first + k)) continue;
+            sum(k) += direction.dot(track.col(first + k) - *rest);
+            seen(k) += 1.0;
+        }
+    }
+    return (seen.array() > 0.0).select(sum.array() / seen.array().max(1.0), nan);
+}
+
+// A law d = (slope (t - start))^power through the given displacements.
+struct OnsetLaw {
+    double start_s = 0.0;
+    double slope = 0.0;
+    double power = 1.0;
+    double squared_error = std::numeric_limits<double>::infinity();
+
+    double at(double t) const { return t > start_s ? std::pow(slope * (t - start_s), power) : 0.0; }
+};
+
+OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displacement, double power) {
+    std::vector<Eigen::Vector2d> points;
+    for (Eigen::Index k = 0; k < time_s.size(); ++k) {
+        if (displacement(k) > 0.0) points.emplace_back(time_s(k), std::pow(displacement(k), 1.0 / power));
+    }
+    OnsetLaw law;
+    law.power = power;
+    if (points.size() < 2) return law;
+    const Eigen::Vector2d mean = std::accumulate(points.begin(), points.end(), Eigen::Vector2d(0.0, 0.0)) / static_cast<double>(points.size());
+    double moment = 0.0;
+    double spread = 0.0;
+    for (const Eigen::Vector2d& point : points) {
+        moment += (point.x() - mean.x()) * (point.y() - mean.y());
+        spread += (point.x() - mean.x()) * (point.x() - mean.x());
+    }
+    if (!(moment > 0.0) || !(spread > 0.0)) return law;
+    law.slope = moment / spread;
+    law.start_s = mean.x() - mean.y() / law.slope;
+    law.squared_error = 0.0;
+    for (Eigen::Index k = 0; k < time_s.size(); ++k) {
+        if (std::isnan(displacement(k))) continue;
+        const double error = law.at(time_s(k)) - displacement(k);
+        law.squared_error += error * error;
+    }
+    return law;
+}
+
+// The time of the onset between the samples.
+double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eigen::Index first, double peak, double threshold,
+                  const Window& window) {
+    const double at_first = movers.time_s(first);
+    const double still = movers.time_s(first - 1);
+    // The beginning of the motion only: up to a third of the peak, at most as many samples as the reference is old.
+    Eigen::Index count = 1;
+    while (count < window.lag && first + count < departure.size() && (count < 3 || departure(first + count) < peak / 3.0)) ++count;
+    const Eigen::VectorXd displacement = displacement_along_motion(movers, first, count, window);
+    const Eigen::VectorXd times = movers.time_s.segment(first, count);
+    const OnsetLaw linear = fit_onset(times, displacement, 1.0);
+    const OnsetLaw quadratic = fit_onset(times, displacement, 2.0);
+    const OnsetLaw& law = quadratic.squared_error <= linear.squared_error ? quadratic : linear;
+    // The last still sample was within the noise; a law that says otherwise is not to be trusted so far out.
+    if (!std::isfinite(law.squared_error) || law.at(still) > threshold) return 0.5 * (still + at_first);
+    return std::clamp(law.start_s, movers.time_s(0), at_first);
+}
+
+std::string seconds_text(double seconds) { return format_number(seconds, 5) + " s"; }
+
+}  // namespace
+
+StartOfMotion find_motion_start(const Recording& recording, const std::vector<std::string>& labels, const MotionStartOptions& options) {
+    StartOfMotion result;
+    if (recording.sample_count() == 0) {
+        result.message = "the recording is empty";
+        return result;
+    }
+    result.time_s = recording.time_s(0);
+    const Result<Recording> chosen = select_labels(recording, labels.empty() ? recording.labels : labels);
+    if (!chosen) {
+        result.message = chosen.error().what;
+        return result;
+    }
+    const Window window = reference_window(recording, options);
+    std::vector<Eigen::VectorXd> departure;
+    std::vector<double> peaks;
+    for (const Eigen::Matrix3Xd& track : chosen->tracks) {
+        departure.push_back(departures(track, window));
+        peaks.push_back(sustained_peak(departure.back(), options.sustained_samples));
+    }
+    const double largest = peaks.empty() ? 0.0 : *std::max_element(peaks.begin(), peaks.end());
+    std::vector<Eigen::VectorXd> moving;
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        if (!(peaks[i] > options.mover_fraction * largest)) continue;
+        moving.push_back(departure[i]);
+        result.movers.push_back(chosen->labels[i]);
+    }
+    if (moving.empty()) {
+        result.message = "no marker moves";
+        return result;
+    }
+    const Recording movers = select_labels(*chosen, result.movers).value();
+    const Eigen::VectorXd group = group_departure(moving);
+    const double peak = sustained_peak(group, options.sustained_samples);
+    result.noise_m = mean_noise(estimate_noise(movers));
+
+    std::vector<double> known;
+    for (const double value : group) {
+        if (!std::isnan(value)) known.push_back(value);
+    }
+    std::sort(known.begin(), known.end());
+    // In a still recording the departures differ little among each other, whatever the kind of the noise.
+    const double quiet = known.empty() ? 0.0 : known[known.size() / 5];
+    if (!(peak > std::max(10.0 * result.noise_m, 5.0 * quiet))) {
+        result.message = "no marker leaves its rest clearly: the largest departure is " + format_number(1e3 * peak, 3) + " mm";
+        return result;
+    }
+    const std::optional<Eigen::Index> gross = first_sustained(group, options.gross_fraction * peak, options.sustained_samples);
+    if (!gross) {
+        result.message = "no sustained motion";
+        return result;
+    }
+    result.threshold_m = std::max(options.noise_factor * result.noise_m, 0.002 * peak);
+    if (*gross >= 12) {
+        std::vector<double> before;
+        for (Eigen::Index t = 1; t < *gross; ++t) {
+            if (!std::isnan(group(t))) before.push_back(group(t));
+        }
+        // Noise is not only white: what the markers did before counts as well (2.5 medians are about 4 deviations).
+        if (!before.empty()) {
+            const double usual = median(Eigen::Map<Eigen::VectorXd>(before.data(), static_cast<Eigen::Index>(before.size())));
+            result.threshold_m = std::max(result.threshold_m, std::min(2.5 * usual, options.gross_fraction * peak));
+        }
+    }
+    result.first_moving = trace_back(group, *gross, result.threshold_m);
+    result.last_still = result.first_moving - 1;
+    if (result.first_moving <= 1) {
+        // Sample 0 is its own reference: whether the body rested then cannot be told.
+        result.first_moving = 0;
+        result.last_still = -1;
+        result.message = "the motion has begun by the second sample, so the start is taken at the first one, " +
+                         seconds_text(result.time_s) + "; give the start if the recording begins later";
+        return result;
+    }
+    result.found = true;
+    result.time_s = onset_time(movers, group, result.first_moving, peak, result.threshold_m, window);
+    result.message = "motion starts at " + seconds_text(result.time_s) + " (sample " + std::to_string(result.first_moving) +
+                     " is the first to leave the rest by more than " + format_number(1e3 * result.threshold_m, 3) + " mm)";
+    return result;
+}
+
+}  // namespace myo

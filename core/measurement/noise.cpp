@@ -1,0 +1,168 @@
+#include "measurement/noise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "measurement/gaps.hpp"
+#include "measurement/robust.hpp"
+
+namespace myo {
+namespace {
+
+constexpr Eigen::Index order = 5;
+constexpr std::array<double, order + 1> binomials{1.0, -5.0, 10.0, -10.0, 5.0, -1.0};
+constexpr double white_gain = 252.0;   // sum of the squared binomials
+constexpr Eigen::Index longest_window = 21;
+constexpr Eigen::Index shortest_window = 6;
+constexpr double start_quantile = 0.1;
+constexpr double still_quantile = 0.98;
+
+// Quantile of chi^2 / degrees of freedom, by Wilson and Hilferty 1931 (a cube of a normal variable).
+double mean_square_quantile(double probability, double freedom) {
+    // Normal quantile by Abramowitz and Stegun 26.2.23, good to 5e-4.
+    const double tail = std::min(probability, 1.0 - probability);
+    const double t = std::sqrt(-2.0 * std::log(tail));
+    const double z = t - (2.515517 + 0.802853 * t + 0.010328 * t * t) / (1.0 + 1.432788 * t + 0.189269 * t * t + 0.001308 * t * t * t);
+    const double spread = 2.0 / (9.0 * freedom);
+    return std::pow(1.0 - spread + (probability < 0.5 ? -z : z) * std::sqrt(spread), 3.0);
+}
+
+// Degrees of freedom of the mean of `window` squared differences in three coordinates; neighbours share samples.
+double degrees_of_freedom(Eigen::Index window) {
+    double squares = 1.0;
+    for (Eigen::Index lag = 1; lag <= std::min<Eigen::Index>(order, window - 1); ++lag) {
+        double covariance = 0.0;
+        for (Eigen::Index k = 0; k + lag <= order; ++k) {
+            covariance += binomials[static_cast<std::size_t>(k)] * binomials[static_cast<std::size_t>(k + lag)];
+        }
+        const double correlation = covariance / white_gain;
+        squares += 2.0 * (1.0 - static_cast<double>(lag) / static_cast<double>(window)) * correlation * correlation;
+    }
+    return 3.0 * static_cast<double>(window) / squares;
+}
+
+// Runs of seen samples, repeats taken out.
+std::vector<Eigen::Matrix3Xd> runs_of(const Eigen::Matrix3Xd& track, const std::vector<Eigen::Index>& repeats) {
+    std::vector<Eigen::Matrix3Xd> runs;
+    std::vector<Eigen::Index> run;
+    const auto close = [&] {
+        if (run.size() > static_cast<std::size_t>(order)) runs.emplace_back(track(Eigen::all, run));
+        run.clear();
+    };
+    for (Eigen::Index t = 0; t < track.cols(); ++t) {
+        if (!is_seen(track, t)) close();
+        else if (!std::binary_search(repeats.begin(), repeats.end(), t)) run.push_back(t);
+    }
+    close();
+    return runs;
+}
+
+// Squared length of the differences, per coordinate and unit of white noise.
+Eigen::VectorXd squared_differences(const Eigen::Matrix3Xd& run) {
+    Eigen::VectorXd squares(run.cols() - order);
+    for (Eigen::Index t = 0; t < squares.size(); ++t) {
+        Eigen::Vector3d difference = Eigen::Vector3d::Zero();
+        for (Eigen::Index k = 0; k <= order; ++k) difference += binomials[static_cast<std::size_t>(k)] * run.col(t + k);
+        squares(t) = difference.squaredNorm() / (3.0 * white_gain);
+    }
+    return squares;
+}
+
+double smallest_step(const Eigen::Matrix3Xd& track) {
+    double step = 0.0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (Eigen::Index t = 0; t < track.cols(); ++t) {
+            if (is_seen(track, t)) values.push_back(track(axis, t));
+        }
+        std::sort(values.begin(), values.end());
+        for (std::size_t k = 1; k < values.size(); ++k) {
+            const double gap = values[k] - values[k - 1];
+            // Decimal text is not exact in binary: equal steps differ by rounding, and so do equal values after scaling.
+            if (gap > 1e-12 && (step == 0.0 || gap < step)) step = gap;
+        }
+    }
+    return step;
+}
+
+// Variance of the still windows: windows within the range of chance define it, and it defines that range.
+double still_variance(std::vector<double> means, double freedom) {
+    std::sort(means.begin(), means.end());
+    const auto low = static_cast<std::size_t>(start_quantile * static_cast<double>(means.size()));
+    double variance = means[low] / mean_square_quantile(std::max(start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
+    double kept_mean = 0.0;   // of chi^2 / freedom, given that it is below the still quantile
+    constexpr int steps = 200;
+    for (int k = 0; k < steps; ++k) kept_mean += mean_square_quantile(still_quantile * (k + 0.5) / steps, freedom) / steps;
+    for (int pass = 0; pass < 100; ++pass) {
+        const double limit = variance * mean_square_quantile(still_quantile, freedom);
+        const auto end = std::upper_bound(means.begin(), means.end(), limit);
+        if (end == means.begin()) break;
+        const double next = std::accumulate(means.begin(), end, 0.0) / static_cast<double>(end - means.begin()) / kept_mean;
+        if (std::abs(next - variance) <= 1e-9 * variance) break;
+        variance = next;
+    }
+    return variance;
+}
+
+NoiseEstimate estimate(const Eigen::Matrix3Xd& track, const std::vector<Eigen::Index>& repeats) {
+    NoiseEstimate result;
+    std::vector<Eigen::VectorXd> squares;
+    Eigen::Index longest = 0;
+    for (const Eigen::Matrix3Xd& run : runs_of(track, repeats)) {
+        squares.push_back(squared_differences(run));
+        longest = std::max(longest, squares.back().size());
+    }
+    const Eigen::Index window = std::min(longest, longest_window);
+    if (window < shortest_window) return result;
+
+    std::vector<double> means;
+    for (const Eigen::VectorXd& run : squares) {
+        for (Eigen::Index t = 0; t + window <= run.size(); t += std::max<Eigen::Index>(window / 2, 1)) {
+            means.push_back(run.segment(t, window).mean());
+        }
+    }
+    const double freedom = degrees_of_freedom(window);
+    const double variance = still_variance(means, freedom);
+    const double limit = variance * mean_square_quantile(still_quantile, freedom);
+    const auto still = std::count_if(means.begin(), means.end(), [&](double mean) { return mean <= limit; });
+    result.found = true;
+    result.quantum_m = smallest_step(track);
+    result.sigma_m = std::max(std::sqrt(variance), result.quantum_m / std::sqrt(12.0));
+    result.still_samples = std::min<Eigen::Index>(still * std::max<Eigen::Index>(window / 2, 1), track.cols());
+    return result;
+}
+
+}  // namespace
+
+std::vector<NoiseEstimate> estimate_noise(const Recording& recording) {
+    const std::vector<Eigen::Index> repeats = repeated_samples(recording);
+    std::vector<NoiseEstimate> result;
+    for (std::size_t i = 0; i < recording.labels.size(); ++i) {
+        result.push_back(estimate(recording.tracks[i], repeats));
+        result.back().label = recording.labels[i];
+    }
+    return result;
+}
+
+NoiseEstimate estimate_track_noise(const Eigen::Matrix3Xd& track) {
+    Recording single;
+    single.labels = {""};
+    single.tracks = {track};
+    single.time_s = Eigen::VectorXd::LinSpaced(track.cols(), 0.0, static_cast<double>(track.cols()));
+    return estimate(track, repeated_samples(single));
+}
+
+double mean_noise(const std::vector<NoiseEstimate>& estimates) {
+    double squares = 0.0;
+    int count = 0;
+    for (const NoiseEstimate& estimate : estimates) {
+        if (!estimate.found) continue;
+        squares += estimate.sigma_m * estimate.sigma_m;
+        ++count;
+    }
+    return count > 0 ? std::sqrt(squares / count) : 0.0;
+}
+
+}  // namespace myo
