@@ -11,7 +11,7 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-std::string quoted(const std::string& word) { return "\"" + word + "\""; }
+std::string in_quotes(const std::string& word) { return "\"" + word + "\""; }
 
 std::string size_name(Eigen::Index size) { return std::to_string(size) + " numbers"; }
 
@@ -37,9 +37,12 @@ NumberRange strictly_between(double lowest, double highest) {
 }
 
 std::string suggest(const std::string& word, const std::vector<std::string>& known) {
-    const std::string near = closest_word(word, known);
-    if (!near.empty()) return "the closest known one is " + quoted(near);
-    return known.empty() ? "none is known here" : "known are " + join(known);
+    if (known.empty()) return "none is known here";
+    std::string near = closest_word(word, known);
+    // "gravity" is far from "gravity_m_s2" by letters, yet plainly meant.
+    for (std::size_t i = 0; near.empty() && word.size() >= 3 && i < known.size(); ++i)
+        if (known[i].find(word) != std::string::npos || (known[i].size() >= 3 && word.find(known[i]) != std::string::npos)) near = known[i];
+    return near.empty() ? "known are " + join(known) : "the closest known one is " + in_quotes(near);
 }
 
 TomlReader::TomlReader(const TomlValue& table, std::string path, std::vector<std::string> known_keys)
@@ -129,7 +132,7 @@ std::vector<std::string> TomlReader::texts(const std::string& key) const {
 std::string TomlReader::choose(const std::string& key, const std::vector<std::string>& words) const {
     const std::string found = text(key);
     if (std::find(words.begin(), words.end(), found) == words.end())
-        fail(key, "unknown value " + quoted(found) + "; " + suggest(found, words));
+        fail(key, "unknown value " + in_quotes(found) + "; " + suggest(found, words));
     return found;
 }
 
