@@ -13,8 +13,8 @@ namespace myo {
 /// What a cell's energy is evaluated with. Pointers may be null: that part is left out.
 struct CellInput {
     const Material* material = nullptr;
-    const CellModuli* elastic = nullptr;
-    const CellModuli* viscous = nullptr;    // damping times moduli [Pa s]; needs `rate_history`
+    const Moduli* elastic = nullptr;
+    const Moduli* viscous = nullptr;    // damping times moduli [Pa s]; needs `rate_history`
     double rate_factor = 0.0;               // strain rate = rate_factor * strain + rate_history
     const double* rate_history = nullptr;   // strains_per_cell entries
     const double* pressure = nullptr;       // per volume point: pressure of the geometric stiffness; null = the current one
@@ -108,12 +108,12 @@ void add_hourglass(const Eigen::Matrix<double, 3, 8>& x, const Eigen::Matrix<dou
     Vector12d stress = Vector12d::Zero();
     Matrix12d K = Matrix12d::Zero();
     if (in.elastic) {
-        K = hourglass_stiffness(geometry, volume, *in.elastic);
+        K = hourglass_stiffness(geometry, volume, in.elastic->mu);
         stress = K * strain;
         out.energy += 0.5 * strain.dot(stress);
     }
     if (in.viscous) {
-        const Matrix12d Kv = hourglass_stiffness(geometry, volume, *in.viscous);
+        const Matrix12d Kv = hourglass_stiffness(geometry, volume, in.viscous->mu);
         const Vector12d rate = in.rate_factor * strain + Eigen::Map<const Vector12d>(history);
         const Vector12d viscous = Kv * rate;
         if (in.rate_factor > 0.0) out.energy += 0.5 / in.rate_factor * rate.dot(viscous);
@@ -155,7 +155,7 @@ void evaluate_cell(const ElementBlock<N, Q>& block, int cell, const Eigen::Matri
         Matrix9d A;
         if constexpr (WithHessian) A.setZero();
         if (in.elastic) {
-            const double mu = in.elastic->bulk.mu, kappa = in.elastic->bulk.kappa;
+            const double mu = in.elastic->mu, kappa = in.elastic->kappa;
             const TensorFunction W = in.material->distortion(F, mu, kappa, WithHessian);
             const TensorFunction theta = in.material->volume_measure(F, WithHessian);
             out.energy += weight * W.value;
@@ -177,7 +177,7 @@ void evaluate_cell(const ElementBlock<N, Q>& block, int cell, const Eigen::Matri
         }
         if (in.viscous) {
             const TensorFunction D =
-                viscous_response<WithHessian>(F, in.viscous->bulk.mu, in.rate_factor, in.rate_history + 6 * q);
+                viscous_response<WithHessian>(F, in.viscous->mu, in.rate_factor, in.rate_history + 6 * q);
             out.energy += weight * D.value;
             P += D.gradient;
             if constexpr (WithHessian) A += D.hessian;
@@ -187,7 +187,7 @@ void evaluate_cell(const ElementBlock<N, Q>& block, int cell, const Eigen::Matri
     }
 
     if (block.mean_volume && in.elastic) {
-        const ScalarFunction U = in.material->bulk(mean_theta, in.elastic->bulk.kappa);
+        const ScalarFunction U = in.material->bulk(mean_theta, in.elastic->kappa);
         out.energy += geometry.volume * U.value;
         out.gradient += U.first * mean_gradient;
         if constexpr (WithHessian) {

@@ -115,7 +115,7 @@ VectorXd bulk_pressures(const Model& model, const Matrix3Xd& x, const Matrix3Xd*
     VectorXd p(theta.size());
     for (int i = 0; i < p.size(); ++i) {
         const auto cell = static_cast<std::size_t>(i / model.body->volume_points_per_cell);
-        const ScalarFunction U = model.material->bulk(theta(i), model.moduli[cell].bulk.kappa);
+        const ScalarFunction U = model.material->bulk(theta(i), model.moduli[cell].kappa);
         p(i) = U.first + U.second * d_theta(i);
     }
     return p;
@@ -158,12 +158,7 @@ Stiffness stiffness(const Model& model) {
     s.elastic = model.moduli;
     if (model.damping_s > 0.0) {
         s.viscous = model.moduli;
-        for (CellModuli& m : s.viscous) {
-            m.bulk.mu *= model.damping_s;
-            m.bulk.kappa *= model.damping_s;
-            m.plane.plane *= model.damping_s;
-            m.plane.coupling *= model.damping_s;
-        }
+        for (Moduli& m : s.viscous) m = {m.mu * model.damping_s, m.kappa * model.damping_s};
     }
     return s;
 }

@@ -17,8 +17,8 @@ struct StrainRate {
 /// Stiffness the internal energy is evaluated with. It is the model's own, or, because the energy is linear in it,
 /// a derivative of it with respect to a parameter.
 struct Stiffness {
-    std::vector<CellModuli> elastic;   // per cell; empty: left out
-    std::vector<CellModuli> viscous;   // damping times moduli, per cell [Pa s]; empty: left out
+    std::vector<Moduli> elastic;   // per cell; empty: left out
+    std::vector<Moduli> viscous;   // damping times moduli, per cell [Pa s]; empty: left out
     bool fibres = true;
 };
 Stiffness stiffness(const Model& model);

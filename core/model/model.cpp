@@ -5,9 +5,8 @@
 
 namespace myo {
 
-std::vector<CellModuli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio) {
-    const Moduli bulk = moduli_from_young(youngs_modulus_Pa, poissons_ratio);
-    return std::vector<CellModuli>(static_cast<std::size_t>(cell_count), CellModuli{bulk, plane_stress_moduli(bulk)});
+std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio) {
+    return std::vector<Moduli>(static_cast<std::size_t>(cell_count), moduli_from_young(youngs_modulus_Pa, poissons_ratio));
 }
 
 Eigen::SparseMatrix<double> mass_matrix(const Model& model) {

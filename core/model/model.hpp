@@ -15,12 +15,6 @@
 
 namespace myo {
 
-/// Elastic constants as the elements use them, per cell [Pa].
-struct CellModuli {
-    Moduli bulk;
-    PlaneStressModuli plane;
-};
-
 /// A force of fixed direction over a part of the surface, active in [from_s, until_s).
 struct DeadForce {
     Eigen::VectorXd share;   // per node, sums to 1
@@ -42,7 +36,7 @@ struct AttachedMass {
 struct Model {
     BodyPointer body;
     MaterialPointer material;
-    std::vector<CellModuli> moduli;               // per cell
+    std::vector<Moduli> moduli;               // per cell
     double damping_s = 0.0;                       // Kelvin-Voigt: S = 2 damping mu dev(dE/dt)
     double density_kg_m3 = 0.0;
     double velocity_force_1_s = 0.0;              // Lambda of f = Lambda M v; 0 = none
@@ -54,7 +48,7 @@ struct Model {
 };
 
 /// The same moduli in every cell.
-std::vector<CellModuli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);
+std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);
 
 /// n x n mass matrix [kg] of one coordinate, attached masses on the diagonal.
 Eigen::SparseMatrix<double> mass_matrix(const Model& model);

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "dynamics/integrator.hpp"
+#include "model/model.hpp"
+
+namespace myo {
+
+enum class StartKind { straight, equilibrium };
+
+struct SimulationOptions {
+    StartKind start = StartKind::straight;
+    Integrator integrator = Integrator::tr_bdf2;
+    double h_s = 0.005;
+    double end_s = 1.0;          // the run covers [0, end_s]
+    SolverOptions solver;
+};
+
+enum class RunStatus { not_run, complete, cancelled, failed };
+
+/// A run: the state after every step, the start first. Where it failed or was cancelled, what came before is kept.
+struct Trace {
+    RunStatus status = RunStatus::not_run;
+    std::string message;
+    std::vector<double> times_s;
+    std::vector<Eigen::Matrix3Xd> positions;    // 3 x n [m]
+    std::vector<Eigen::Matrix3Xd> velocities;   // 3 x n [m/s]
+    int newton_iterations = 0;
+    int linear_iterations = 0;
+    int factorisations = 0;
+    int stages = 0;
+
+    bool complete() const { return status == RunStatus::complete; }
+};
+
+/// Called by the run: at the start, at jumps and after each step. Lets sensitivities follow the run in lockstep.
+struct SolvedStage {
+    Stage stage;
+    StageSolution solution;
+};
+struct RunObserver {
+    std::function<void(StageSolver&, const Kinematics&)> started;                 // the start state; force not yet set
+    std::function<void(StageSolver&, const Kinematics&, double t)> jumped;        // force at t was set anew for this state
+    std::function<void(StageSolver&, double t, double h, const std::vector<SolvedStage>&)> stepped;
+};
+
+/// Runs a model from its start state. Steps are h, shortened where a load or a signal jumps between them.
+Trace simulate(const Model& model, const SimulationOptions& options, const Progress& progress = {},
+               const RunObserver& observer = {});
+
+/// The stage that gives the forces at a jump: strain rates as they are, loads from the right.
+Stage jump_stage(const Kinematics& state, double time_s);
+
+}  // namespace myo

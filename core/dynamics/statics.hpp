@@ -1,0 +1,15 @@
+#pragma once
+
+#include "dynamics/stage_solver.hpp"
+
+namespace myo {
+
+/// Rest under gravity, the loads and the activations just before `time_s`. x: start value in, equilibrium out.
+///
+/// Tries Newton directly; where it fails, follows an overdamped motion with growing steps to the equilibrium.
+StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x);
+
+/// The stage that solve_equilibrium solves: no inertia, loads from the left of time_s.
+Stage static_stage(const Body& body, double time_s);
+
+}  // namespace myo
