@@ -1,0 +1,40 @@
+#include "mesh/volume_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/file_formats.hpp"
+#include "mesh/mesh_repair.hpp"
+
+namespace myo {
+namespace {
+
+Result<CellSoup> read_soup(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".vtu") return read_vtu(path);
+    if (extension == ".vtk") return read_legacy_vtk(path);
+    if (extension == ".msh") return read_gmsh(path);
+    if (extension == ".node" || extension == ".ele") return read_tetgen(path);
+    return Error{"unknown kind of volume mesh '" + extension + "': .vtu, .vtk, .msh and .node/.ele are read", path.string()};
+}
+
+}  // namespace
+
+Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_per_unit) {
+    if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit)) return Error{"the length unit must be positive", path.string()};
+    const auto soup = read_soup(path);
+    if (!soup) return soup.error();
+
+    VolumeMesh mesh;
+    mesh.type = soup->type;
+    mesh.nodes.resize(3, static_cast<Eigen::Index>(soup->nodes.size()));
+    for (std::size_t i = 0; i < soup->nodes.size(); ++i) {
+        mesh.nodes.col(static_cast<Eigen::Index>(i)) = metres_per_unit * soup->nodes[i];
+    }
+    const int per_cell = nodes_per_cell(mesh.type);
+    mesh.cells = Eigen::Map<const Eigen::MatrixXi>(soup->cells.data(), per_cell, static_cast<Eigen::Index>(soup->cells.size()) / per_cell);
+    return with_positive_cells(std::move(mesh), path.string());
+}
+
+}  // namespace myo

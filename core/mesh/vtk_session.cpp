@@ -1,0 +1,46 @@
+#include "mesh/vtk_session.hpp"
+
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+
+namespace myo {
+namespace {
+
+std::mutex& one_at_a_time() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+}  // namespace
+
+struct VtkSession::Window : vtkOutputWindow {
+    static Window* make() {
+        auto* window = new Window;
+        window->InitializeObjectBase();
+        return window;
+    }
+    void DisplayText(const char*) override {}
+    void DisplayErrorText(const char*) override { complained = true; }
+    void DisplayWarningText(const char*) override { complained = true; }
+    void DisplayGenericWarningText(const char*) override { complained = true; }
+    void DisplayDebugText(const char*) override {}
+    bool complained = false;
+};
+
+VtkSession::VtkSession() : lock_(one_at_a_time()), window_(Window::make()) {
+    vtkOutputWindow* previous = vtkOutputWindow::GetInstance();
+    previous->Register(nullptr);
+    previous_ = previous;
+    vtkOutputWindow::SetInstance(window_);
+}
+
+VtkSession::~VtkSession() {
+    auto* previous = static_cast<vtkOutputWindow*>(previous_);
+    vtkOutputWindow::SetInstance(previous);
+    previous->UnRegister(nullptr);
+    window_->Delete();
+}
+
+bool VtkSession::complained() const { return window_->complained; }
+
+}  // namespace myo
