@@ -1,5 +1,6 @@
 #include "measurement/registration.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <cassert>

@@ -1,0 +1,47 @@
+#include "measurement/actuation_csv.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test_files.hpp"
+
+namespace myo {
+namespace {
+
+using test::TemporaryFile;
+using testing::HasSubstr;
+
+std::string error_of(const std::string& text) {
+    const Result<ActuationTable> read = read_actuation_csv(TemporaryFile(text, "act.csv").path());
+    return read ? "no error" : read.error().text();
+}
+
+TEST(ActuationCsv, RoundTrip) {
+    ActuationTable table;
+    table.muscles = {"left", "right"};
+    table.time_s = Eigen::Vector3d(0.0, 0.1, 1.0 / 3.0);
+    table.values = Eigen::MatrixXd::Random(2, 3);
+    const TemporaryFile file("", "act.csv");
+    ASSERT_TRUE(write_actuation_csv(file.path(), table));
+    const Result<ActuationTable> read = read_actuation_csv(file.path());
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->muscles, table.muscles);
+    EXPECT_EQ(read->time_s, table.time_s);
+    EXPECT_EQ(read->values, table.values);
+}
+
+TEST(ActuationCsv, EveryErrorHasFileAndLine) {
+    EXPECT_EQ(error_of("\xEF\xBB\xBFtime_s,m\r\n0,1\r\n0.1,0.9\r\n\r\n"), "no error");
+    EXPECT_THAT(error_of("time_s\n0\n"), HasSubstr("act.csv:1: names no muscle"));
+    EXPECT_THAT(error_of("time,m\n0,1\n"), HasSubstr("act.csv:1: the first column is 'time'"));
+    EXPECT_THAT(error_of("time_s,m,m\n0,1,1\n"), HasSubstr("act.csv:1: column 'm' appears twice"));
+    EXPECT_THAT(error_of("time_s,m,\n0,1,1\n"), HasSubstr("act.csv:1: column 3 has no name"));
+    EXPECT_THAT(error_of("time_s,m\n"), HasSubstr("no rows"));
+    EXPECT_THAT(error_of("time_s,m\n0,nan\n"), HasSubstr("act.csv:2: column 2 (m) is 'nan'"));
+    EXPECT_THAT(error_of("time_s,m\n0,\n"), HasSubstr("act.csv:2: column 2 (m) is ''"));
+    EXPECT_THAT(error_of("time_s,m\n0,1,2\n"), HasSubstr("act.csv:2: has 3 fields, expected 2"));
+    EXPECT_THAT(error_of("time_s,m\n0,1\n0,1\n"), HasSubstr("act.csv:3: time 0 s does not ascend"));
+}
+
+}  // namespace
+}  // namespace myo
