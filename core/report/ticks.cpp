@@ -1,0 +1,98 @@
+#include "report/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/markup.hpp"
+
+namespace myo {
+namespace {
+
+double round_step(double raw) {
+    const double power = std::pow(10.0, std::floor(std::log10(raw)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (raw <= factor * power * (1.0 + 1e-9)) return factor * power;
+    return 10.0 * power;
+}
+
+int floor_log10(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
+
+}  // namespace
+
+void make_drawable(double& lowest, double& highest) {
+    if (!std::isfinite(lowest) || !std::isfinite(highest) || lowest > highest) {
+        lowest = 0.0;
+        highest = 1.0;
+        return;
+    }
+    // Differences and squares of what follows must not overflow, nor steps underflow.
+    lowest = std::clamp(lowest, -1e150, 1e150);
+    highest = std::clamp(highest, -1e150, 1e150);
+    const double size = std::max(std::abs(lowest), std::abs(highest));
+    if (size < 1e-150) {
+        lowest = -1.0;
+        highest = 1.0;
+    } else if (highest - lowest < 1e-9 * size) {
+        lowest -= 0.05 * size;
+        highest += 0.05 * size;
+    }
+}
+
+Ticks linear_ticks(double lowest, double highest, int wanted) {
+    make_drawable(lowest, highest);
+    Ticks ticks{lowest, highest, {}, {}, {}};
+    double step = round_step((highest - lowest) / std::max(wanted, 2));
+    double first = 0.0, last = 0.0;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        first = std::ceil(lowest / step - 1e-9);
+        last = std::floor(highest / step + 1e-9);
+        if (last - first >= 1.0) break;
+        step = round_step(0.4 * step);
+    }
+    const double size = std::max(std::abs(lowest), std::abs(highest));
+    const int magnitude = floor_log10(size);
+    const int exponent = magnitude >= 5 || magnitude < -3 ? 3 * static_cast<int>(std::floor(magnitude / 3.0)) : 0;
+    const double unit = std::pow(10.0, exponent);
+    if (exponent != 0) ticks.factor = power_of_ten(exponent);
+    const int decimals = std::max(0, exponent - floor_log10(step));
+    for (double k = first; k <= last; k += 1.0) {
+        // The multiple can leave the range by rounding.
+        const double value = std::clamp(k * step, lowest, highest);
+        ticks.values.push_back(value);
+        ticks.labels.push_back(fixed_decimals(k * step / unit, decimals));
+    }
+    return ticks;
+}
+
+Ticks logarithmic_ticks(double lowest, double highest, int wanted) {
+    if (!(lowest > 0.0) || !(highest >= lowest) || !std::isfinite(highest)) {
+        lowest = 1.0;
+        highest = 10.0;
+    }
+    lowest = std::clamp(lowest, 1e-150, 1e150);
+    highest = std::clamp(highest, 1e-150, 1e150);
+    if (highest < lowest * 1.2) {
+        lowest /= 2.0;
+        highest *= 2.0;
+    }
+    Ticks ticks{lowest, highest, {}, {}, {}};
+    const double decades = std::log10(highest / lowest);
+    const int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(wanted, 2))));
+    const bool between = decades < 2.5;
+    for (int k = static_cast<int>(std::floor(std::log10(lowest))); k <= std::ceil(std::log10(highest)); ++k) {
+        if (k % every != 0) continue;
+        for (const int factor : {1, 2, 5}) {
+            if (factor > 1 && !between) break;
+            const double value = factor * std::pow(10.0, k);
+            if (value < lowest * (1 - 1e-12) || value > highest * (1 + 1e-12)) continue;
+            ticks.values.push_back(std::clamp(value, lowest, highest));
+            if (k >= -2 && k <= 3)
+                ticks.labels.push_back(fixed_decimals(value, std::max(0, -k)));
+            else
+                ticks.labels.push_back((factor == 1 ? std::string{} : std::to_string(factor) + "·") + power_of_ten(k));
+        }
+    }
+    return ticks;
+}
+
+}  // namespace myo
