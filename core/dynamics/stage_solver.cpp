@@ -125,7 +125,10 @@ bool StageSolver::pressure_newton(const Stage& stage, double scale, Matrix3Xd& x
             best = x;
         }
         report.residual = best_residual;
-        if (residual <= options_.tolerance) {
+        // A tolerance below rounding: the residual has stopped falling far below anything physical.
+        const bool at_rounding = without_progress >= 2 && best_residual < 1e-9;
+        if (residual <= options_.tolerance || at_rounding) {
+            x = best;
             report.status = SolveStatus::converged;
             return true;
         }

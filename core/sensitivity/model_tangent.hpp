@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "model/internal_forces.hpp"
+#include "model/model.hpp"
+
+namespace myo {
+
+/// Derivative of a model with respect to one parameter. Empty parts are zero.
+struct ModelTangent {
+    std::vector<Moduli> moduli;        // per cell
+    double damping_s = 0.0;
+    std::vector<Signal> activation;    // per fibre group: d a(t)
+};
+
+/// d/dE: the moduli over E. Asserts youngs_modulus_Pa > 0.
+ModelTangent youngs_modulus_tangent(const Model& model, double youngs_modulus_Pa);
+
+/// d/d damping.
+ModelTangent damping_tangent();
+
+/// Derivative of the gradient dW/dx along the parameter, positions and strain rate held, 3 x n [N per unit of the parameter].
+Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
+                                  const Eigen::VectorXd& rate, double time_s, bool before_jump);
+
+}  // namespace myo

@@ -1,0 +1,108 @@
+#include "sensitivity/tangent_run.hpp"
+
+#include "dynamics/statics.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+/// Carries d(Kinematics)/d(parameter) along a run.
+class TangentFollower {
+public:
+    TangentFollower(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
+                    const std::vector<int>& nodes)
+        : model_(model), options_(options), parameters_(parameters), nodes_(nodes), state_(parameters.size()), kept_(parameters.size()) {}
+
+    void start(StageSolver& solver, const Kinematics& state) {
+        const Body& body = *model_.body;
+        SymmetricSparse K;
+        const Stage stage = static_stage(body, 0.0);
+        if (options_.start == StartKind::equilibrium) K = solver.hessian(stage, state.x);
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            Kinematics& d = state_[p];
+            d.x = d.v = d.force = Matrix3Xd::Zero(3, body.node_count());
+            if (options_.start == StartKind::equilibrium) {
+                const Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, 0.0, true);
+                d.x = scatter(body.pattern, solver.solve_linear(K, gather(body.pattern, -g)));
+            }
+            d.strain = strain_tangent(body, state.x, d.x);
+            d.rate = VectorXd::Zero(d.strain.size());
+            keep(p);
+        }
+    }
+
+    void jump(StageSolver& solver, const Kinematics& state, double t) {
+        const BlockPattern& pattern = model_.body->pattern;
+        const SymmetricSparse K = solver.hessian(jump_stage(state, t), state.x);
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            Kinematics& d = state_[p];
+            Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, t, false);
+            if (model_.damping_s > 0.0) g += viscous_gradient(model_, state.x, d.rate);
+            d.force = scatter(pattern, -(K.selfadjointView<Eigen::Lower>() * gather(pattern, d.x)) - gather(pattern, g));
+        }
+    }
+
+    void step(StageSolver& solver, double t, double h, const std::vector<SolvedStage>& solved) {
+        const Body& body = *model_.body;
+        std::vector<SymmetricSparse> hessians;
+        for (const SolvedStage& stage : solved) hessians.push_back(solver.hessian(stage.stage, stage.solution.x));
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            std::size_t k = 0;
+            const auto solve = [&](const Stage& d_stage, StageSolution& d_solution) {
+                const Stage& stage = solved[k].stage;
+                const StageSolution& solution = solved[k].solution;
+                const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
+                Matrix3Xd g = gradient_tangent(model_, parameters_[p], solution.x, rate, stage.time_s, stage.before_jump);
+                if (model_.damping_s > 0.0) g += viscous_gradient(model_, solution.x, d_stage.rate_history);
+                d_solution.x = scatter(body.pattern, solver.solve_linear(hessians[k], gather(body.pattern, d_stage.constant - g)));
+                d_solution.strain = strain_tangent(body, solution.x, d_solution.x);
+                ++k;
+                return true;
+            };
+            Kinematics next;
+            const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model_.velocity_force_1_s, solve};
+            take_step(options_.integrator, problem, state_[p], next);
+            // The mass couples clamped nodes to their free neighbours; forces on them are reactions.
+            for (int i = 0; i < body.node_count(); ++i)
+                if (body.clamped[static_cast<std::size_t>(i)]) next.force.col(i).setZero();
+            state_[p] = std::move(next);
+            keep(p);
+        }
+    }
+
+    std::vector<NodeTangent> take() { return std::move(kept_); }
+
+private:
+    void keep(std::size_t p) {
+        kept_[p].positions.emplace_back(state_[p].x(Eigen::all, nodes_));
+        kept_[p].velocities.emplace_back(state_[p].v(Eigen::all, nodes_));
+    }
+
+    const Model& model_;
+    const SimulationOptions& options_;
+    const std::vector<ModelTangent>& parameters_;
+    const std::vector<int>& nodes_;
+    std::vector<Kinematics> state_;   // derivatives, per parameter
+    std::vector<NodeTangent> kept_;
+};
+
+}  // namespace
+
+SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
+                                      const std::vector<int>& nodes, const Progress& progress) {
+    TangentFollower follower(model, options, parameters, nodes);
+    RunObserver observer;
+    observer.started = [&](StageSolver& solver, const Kinematics& state) { follower.start(solver, state); };
+    observer.jumped = [&](StageSolver& solver, const Kinematics& state, double t) { follower.jump(solver, state, t); };
+    observer.stepped = [&](StageSolver& solver, double t, double h, const std::vector<SolvedStage>& solved) {
+        follower.step(solver, t, h, solved);
+    };
+    SensitiveTrace result;
+    result.trace = simulate(model, options, progress, observer);
+    result.tangents = follower.take();
+    return result;
+}
+
+}  // namespace myo
