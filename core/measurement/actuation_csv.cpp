@@ -58,6 +58,14 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
             else table.values(static_cast<Eigen::Index>(column) - 1, row) = value;
         }
         if (row > 0 && !(table.time_s(row) > table.time_s(row - 1))) {
+            const bool closes = row == rows - 1 && table.time_s(row) < table.time_s(row - 1);
+            if (closes && table.values.col(row) == table.values.col(row - 1)) {
+                table.warnings.push_back(at_line(path, line.number) + ": the last row goes back to " + format_number(table.time_s(row), 9) +
+                                         " s and repeats the values before it; it is left out");
+                table.time_s.conservativeResize(row);
+                table.values.conservativeResize(Eigen::NoChange, row);
+                break;
+            }
             return Error{"time " + format_number(table.time_s(row), 9) + " s does not ascend from " +
                              format_number(table.time_s(row - 1), 9) + " s in the row before", at_line(path, line.number)};
         }

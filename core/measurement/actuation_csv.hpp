@@ -15,10 +15,13 @@ struct ActuationTable {
     std::vector<std::string> muscles;
     Eigen::VectorXd time_s;      // rows, ascending
     Eigen::MatrixXd values;      // muscles x rows, target stretch a (1 = passive)
+    std::vector<std::string> warnings;   // for a person, with file and line
 };
 
 /// Reads `time_s,<muscle>,...`.
 ///
+/// A last row that goes back in time but repeats the values of the row before says nothing new, for the signal is constant
+/// after its last row: some exports close with such a row. It is left out, with a warning.
 /// Errors, with file and line: no muscle, an empty or duplicated name, fields that are no numbers (nan included), ragged
 /// rows, times that do not ascend, no rows.
 Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path);

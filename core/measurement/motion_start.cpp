@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "base/text.hpp"
@@ -140,20 +139,29 @@ struct OnsetLaw {
 };
 
 OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displacement, double power) {
-    std::vector<Eigen::Vector2d> points;
-    for (Eigen::Index k = 0; k < time_s.size(); ++k) {
-        if (displacement(k) > 0.0) points.emplace_back(time_s(k), std::pow(displacement(k), 1.0 / power));
-    }
     OnsetLaw law;
     law.power = power;
-    if (points.size() < 2) return law;
-    const Eigen::Vector2d mean = std::accumulate(points.begin(), points.end(), Eigen::Vector2d(0.0, 0.0)) / static_cast<double>(points.size());
+    // A line through d^(1/power); weights turn errors of the root back into errors of d, which are all alike.
+    double weight = 0.0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    const auto for_each_point = [&](const auto& visit) {
+        for (Eigen::Index k = 0; k < time_s.size(); ++k) {
+            const double d = displacement(k);
+            if (d > 0.0) visit(Eigen::Vector2d(time_s(k), std::pow(d, 1.0 / power)), std::pow(d, 2.0 * (power - 1.0) / power));
+        }
+    };
+    for_each_point([&](const Eigen::Vector2d& point, double w) {
+        weight += w;
+        mean += w * point;
+    });
+    if (!(weight > 0.0)) return law;
+    mean /= weight;
     double moment = 0.0;
     double spread = 0.0;
-    for (const Eigen::Vector2d& point : points) {
-        moment += (point.x() - mean.x()) * (point.y() - mean.y());
-        spread += (point.x() - mean.x()) * (point.x() - mean.x());
-    }
+    for_each_point([&](const Eigen::Vector2d& point, double w) {
+        moment += w * (point.x() - mean.x()) * (point.y() - mean.y());
+        spread += w * (point.x() - mean.x()) * (point.x() - mean.x());
+    });
     if (!(moment > 0.0) || !(spread > 0.0)) return law;
     law.slope = moment / spread;
     law.start_s = mean.x() - mean.y() / law.slope;
@@ -171,17 +179,22 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
                   const Window& window) {
     const double at_first = movers.time_s(first);
     const double still = movers.time_s(first - 1);
-    // The beginning of the motion only: up to a third of the peak, at most as many samples as the reference is old.
+    // The beginning of the motion only: up to a fifth of the peak, at most as many samples as the reference is old.
     Eigen::Index count = 1;
-    while (count < window.lag && first + count < departure.size() && (count < 3 || departure(first + count) < peak / 3.0)) ++count;
+    while (count < window.lag && first + count < departure.size() && (count < 3 || departure(first + count) < 0.2 * peak)) ++count;
     const Eigen::VectorXd displacement = displacement_along_motion(movers, first, count, window);
     const Eigen::VectorXd times = movers.time_s.segment(first, count);
-    const OnsetLaw linear = fit_onset(times, displacement, 1.0);
-    const OnsetLaw quadratic = fit_onset(times, displacement, 2.0);
-    const OnsetLaw& law = quadratic.squared_error <= linear.squared_error ? quadratic : linear;
-    // The last still sample was within the noise; a law that says otherwise is not to be trusted so far out.
-    if (!std::isfinite(law.squared_error) || law.at(still) > threshold) return 0.5 * (still + at_first);
-    return std::clamp(law.start_s, movers.time_s(0), at_first);
+    // A mass that starts from rest moves as t^2. A line is for slow drives, of which many samples show that it fits better.
+    OnsetLaw law = fit_onset(times, displacement, 2.0);
+    if (count >= 6) {
+        const OnsetLaw linear = fit_onset(times, displacement, 1.0);
+        if (linear.squared_error < 0.25 * law.squared_error) law = linear;
+    }
+    if (!std::isfinite(law.squared_error)) return 0.5 * (still + at_first);
+    // The last still sample was within the noise, so the law may have reached the threshold there, not more; and it is not
+    // to be trusted farther out than half the length of its support.
+    const double earliest = still - std::min(std::pow(threshold, 1.0 / law.power) / law.slope, 0.5 * (times(count - 1) - times(0)));
+    return std::clamp(std::max(law.start_s, earliest), movers.time_s(0), at_first);
 }
 
 std::string seconds_text(double seconds) { return format_number(seconds, 5) + " s"; }

@@ -33,7 +33,7 @@ struct StartOfMotion {
 /// The departure of a marker is its distance from where it was shortly before, so that slow drift does not count; that of
 /// the group is the median over the markers that move, so that a jump of one marker does not. From the first departure
 /// that is motion without doubt the search goes back to the last sample within the noise. The time between the samples
-/// follows from displacement growing as t or t^2, whichever fits better.
+/// follows from the first displacements growing as t^2, or as t for slow drives.
 /// @param labels  markers to look at; empty = all. Fixed markers may be among them
 /// found = false, with a message: nothing moves; the motion has already begun in the first sample (time_s is then the
 /// first sample's); no label is known. Never fails otherwise.

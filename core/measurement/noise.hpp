@@ -20,7 +20,7 @@ struct NoiseEstimate {
 
 /// White noise of each marker, from the stillest stretches of its track.
 ///
-/// Fifth differences of the samples, divided by sqrt(252), have the variance of white noise and all but cancel motion well
+/// Sixth differences of the samples, divided by sqrt(924), have the variance of white noise and all but cancel motion well
 /// below a sixth of the frame rate. Their mean square is taken in short windows; windows that are too large to be chance
 /// are left out as moving, and the threshold follows the estimate until it settles. Samples that repeat their predecessor
 /// (polled streams) are taken out first; gaps split the track.
@@ -28,7 +28,7 @@ struct NoiseEstimate {
 /// Too high: when less than about a tenth of the record is still, or vibration above a sixth of the frame rate never stops.
 /// Too low: when the recording was smoothed, or its noise is slow wander, which only repeated trials can show.
 /// Never below quantum / sqrt(12), the rounding error of the file.
-/// Needs 11 samples in a row without a gap.
+/// Needs 12 samples in a row without a gap.
 std::vector<NoiseEstimate> estimate_noise(const Recording& recording);
 
 /// The same for a single track, 3 x T [m], NaN where occluded.

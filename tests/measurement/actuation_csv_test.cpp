@@ -30,6 +30,18 @@ TEST(ActuationCsv, RoundTrip) {
     EXPECT_EQ(read->values, table.values);
 }
 
+TEST(ActuationCsv, AClosingRowThatGoesBackAndSaysNothingNewIsLeftOut) {
+    const std::string text = "time_s,m\n0,1\n1.9,0.9\n2.3,1\n";
+    const Result<ActuationTable> read = read_actuation_csv(TemporaryFile(text + "2,1\n", "act.csv").path());
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->time_s, Eigen::Vector3d(0.0, 1.9, 2.3));
+    EXPECT_EQ(read->values.cols(), 3);
+    ASSERT_EQ(read->warnings.size(), 1U);
+    EXPECT_THAT(read->warnings[0], HasSubstr("act.csv:5"));
+    EXPECT_THAT(error_of(text + "2,0.9\n"), HasSubstr("act.csv:5: time 2 s does not ascend"));
+    EXPECT_THAT(error_of(text + "2.3,1\n"), HasSubstr("does not ascend"));
+}
+
 TEST(ActuationCsv, EveryErrorHasFileAndLine) {
     EXPECT_EQ(error_of("\xEF\xBB\xBFtime_s,m\r\n0,1\r\n0.1,0.9\r\n\r\n"), "no error");
     EXPECT_THAT(error_of("time_s\n0\n"), HasSubstr("act.csv:1: names no muscle"));
