@@ -1,0 +1,111 @@
+#include "viewport/camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include "viewport/color_map.hpp"
+#include "viewport/view_overlay.hpp"
+
+namespace myo {
+namespace {
+
+const ViewSize size{800, 500};
+const Box box{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}};
+
+TEST(Camera, TargetFallsOnTheMiddle) {
+    const Camera camera = fit({}, size, box);
+    const auto p = project(camera, size, camera.target);
+    ASSERT_TRUE(p);
+    EXPECT_NEAR(p->x(), 400.0, 1e-9);
+    EXPECT_NEAR(p->y(), 250.0, 1e-9);
+    EXPECT_NEAR(p->z(), camera.distance, 1e-12);
+}
+
+TEST(Camera, FitShowsEveryCornerFromEverySide) {
+    for (double yaw = -3.0; yaw < 3.0; yaw += 0.7) {
+        for (double pitch : {-1.5, -0.3, 0.9}) {
+            Camera camera;
+            camera.yaw = yaw;
+            camera.pitch = pitch;
+            for (const ViewSize& view : {size, ViewSize{300, 900}}) {
+                camera = fit(camera, view, box);
+                for (int corner = 0; corner < 8; ++corner) {
+                    const Eigen::Vector3d p((corner & 1) * 0.1, (corner >> 1 & 1) * 0.03, (corner >> 2) * 0.03);
+                    const auto pixel = project(camera, view, p);
+                    ASSERT_TRUE(pixel);
+                    EXPECT_GT(pixel->x(), 0.0);
+                    EXPECT_LT(pixel->x(), view.width);
+                    EXPECT_GT(pixel->y(), 0.0);
+                    EXPECT_LT(pixel->y(), view.height);
+                }
+            }
+        }
+    }
+}
+
+TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
+    const Camera before = fit({}, size, box);
+    const Eigen::Vector2d cursor(650.0, 120.0);
+    const CameraAxes axes = camera_axes(before);
+    const double scale = metres_per_pixel(before, size);
+    const Eigen::Vector3d point = before.target + scale * (250.0 * axes.right + 130.0 * axes.up);
+    const Camera after = zoom(before, size, 0.5, cursor);
+    const auto pixel = project(after, size, point);
+    ASSERT_TRUE(pixel);
+    EXPECT_NEAR(pixel->x(), cursor.x(), 1e-6);
+    EXPECT_NEAR(pixel->y(), cursor.y(), 1e-6);
+    EXPECT_NEAR(after.distance, 0.5 * before.distance, 1e-12);
+}
+
+TEST(Camera, PanMovesTheTargetPlaneWithTheMouse) {
+    const Camera before = fit({}, size, box);
+    const auto pixel = project(pan(before, size, 30.0, -12.0), size, before.target);
+    ASSERT_TRUE(pixel);
+    EXPECT_NEAR(pixel->x(), 430.0, 1e-6);
+    EXPECT_NEAR(pixel->y(), 238.0, 1e-6);
+}
+
+TEST(Camera, StandardViewsLookAlongTheAxes) {
+    const Camera camera = fit({}, size, box);
+    // From -y, x runs to the right and z upwards.
+    const Camera side = turn_to(camera, StandardView::from_y);
+    const auto origin = project(side, size, side.target);
+    const auto along_x = project(side, size, side.target + Eigen::Vector3d(0.01, 0, 0));
+    const auto along_z = project(side, size, side.target + Eigen::Vector3d(0, 0, 0.01));
+    EXPECT_GT(along_x->x(), origin->x() + 1.0);
+    EXPECT_NEAR(along_x->y(), origin->y(), 1e-9);
+    EXPECT_LT(along_z->y(), origin->y() - 1.0);
+    // From above, x right and y upwards.
+    const Camera top = turn_to(camera, StandardView::from_z);
+    EXPECT_GT(project(top, size, top.target + Eigen::Vector3d(0.01, 0, 0))->x(), 401.0);
+    EXPECT_LT(project(top, size, top.target + Eigen::Vector3d(0, 0.01, 0))->y(), 249.0);
+}
+
+TEST(Camera, PointsBehindTheEyeHaveNoPixel) {
+    const Camera camera = fit({}, size, box);
+    EXPECT_FALSE(project(camera, size, camera.target + 2.0 * camera.distance * camera_axes(camera).back));
+}
+
+TEST(ColorMap, LightnessRises) {
+    double last = -1.0;
+    for (int i = 0; i <= 50; ++i) {
+        const Eigen::Vector3f c = color_map(i / 50.0);
+        const double light = static_cast<double>(0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]);
+        EXPECT_GT(light, last);
+        last = light;
+    }
+}
+
+TEST(ScaleBar, IsANiceLengthThatFits) {
+    for (double scale = 1e-6; scale < 1e-2; scale *= 1.37) {
+        const ScaleBar bar = make_scale_bar(scale, 120.0);
+        EXPECT_LE(bar.pixels, 120.0 * (1.0 + 1e-9));
+        EXPECT_GT(bar.pixels, 40.0);
+        EXPECT_NEAR(bar.length_m, bar.pixels * scale, 1e-12);
+    }
+    EXPECT_EQ(make_scale_bar(0.2e-3, 120.0).label, "20 mm");
+    EXPECT_EQ(make_scale_bar(0.01e-3, 120.0).label, "1 mm");
+    EXPECT_EQ(make_scale_bar(0.001e-3, 120.0).label, "100 \xc2\xb5m");
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include "platform/gl_objects.hpp"
+#include "platform/image.hpp"
+#include "platform/interface.hpp"
+#include "platform/offscreen_context.hpp"
+#include "platform/shader_sources.hpp"
+
+namespace myo {
+namespace {
+
+TEST(Shaders, EveryPairCompiles) {
+    auto context = OffscreenContext::make(16, 16);
+    ASSERT_TRUE(context) << context.error().text();
+    for (const char* name : {"interface", "surface", "line", "marker", "backdrop"}) {
+        const auto program = gl::make_program(name);
+        EXPECT_TRUE(program) << (program ? "" : program.error().text());
+    }
+    const auto missing = gl::make_program("no_such_shader");
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().text().find("shaders/no_such_shader.vert"), std::string::npos);
+}
+
+TEST(OffscreenContext, RefusesImpossibleSizes) {
+    EXPECT_FALSE(OffscreenContext::make(0, 16));
+    EXPECT_FALSE(OffscreenContext::make(100000, 16));
+}
+
+TEST(Image, ReadsTheFrameFromTheTop) {
+    auto context = OffscreenContext::make(8, 4);
+    ASSERT_TRUE(context);
+    gl::ClearColor(0.0f, 0.0f, 1.0f, 1.0f);
+    gl::Clear(GL_COLOR_BUFFER_BIT);
+    gl::Enable(GL_SCISSOR_TEST);
+    gl::Scissor(0, 3, 8, 1);  // OpenGL counts rows from below
+    gl::ClearColor(1.0f, 0.0f, 0.0f, 1.0f);
+    gl::Clear(GL_COLOR_BUFFER_BIT);
+    gl::Disable(GL_SCISSOR_TEST);
+    const Image image = read_frame(8, 4);
+    EXPECT_EQ(image.color(3, 0), (std::array<int, 3>{255, 0, 0}));
+    EXPECT_EQ(image.color(3, 1), (std::array<int, 3>{0, 0, 255}));
+}
+
+TEST(Fonts, HoldTheLettersOfTheField) {
+    auto context = OffscreenContext::make(64, 64);
+    ASSERT_TRUE(context);
+    auto interface = Interface::make(ThemeName::dark, 1.0f);
+    ASSERT_TRUE(interface) << interface.error().text();
+    interface->begin_frame(64, 64, 0.02f);
+    interface->end_frame();
+    if (!interface->theme().regular->FindGlyphNoFallback(0x3bd)) GTEST_SKIP() << "skipped: neither Inter nor DejaVu is installed";
+    const ImWchar needed[] = {0x2264, 0xb2, 0xb3, 0xb7, 0xb1, 0xb0, 0x2212, 0x39b, 0x3bd, 0x3c1, 0x3b6, 0x394, 0x2080, 0x2032};
+    for (const ImWchar c : needed) {
+        EXPECT_NE(interface->theme().regular->FindGlyphNoFallback(c), nullptr) << "U+" << std::hex << c;
+        EXPECT_NE(interface->theme().strong->FindGlyphNoFallback(c), nullptr) << "U+" << std::hex << c;
+    }
+}
+
+class InputRules : public testing::Test {
+protected:
+    InputRules() { ImGui::CreateContext(); }
+    ~InputRules() override { ImGui::DestroyContext(); }
+    ImGuiIO& frame() {
+        queue.apply_to_next_frame(ImGui::GetIO());
+        return ImGui::GetIO();
+    }
+    InputQueue queue;
+};
+
+TEST_F(InputRules, PressNeverComesInTheFrameOfAMove) {
+    queue.push(MouseMoved{5, 5});
+    queue.push(MouseMoved{10, 20});
+    queue.push(MouseButton{0, true, {}});
+    queue.push(MouseButton{0, false, {}});
+    EXPECT_EQ(frame().MousePos.y, 20.0f);
+    EXPECT_FALSE(ImGui::GetIO().MouseDown[0]);
+    EXPECT_TRUE(frame().MouseDown[0]);
+    EXPECT_FALSE(frame().MouseDown[0]);
+    EXPECT_TRUE(queue.empty());
+}
+
+TEST_F(InputRules, MoveAfterAReleaseWaits) {
+    queue.push(MouseButton{0, true, {}});
+    queue.push(MouseMoved{50, 5});
+    queue.push(MouseButton{0, false, {}});
+    queue.push(MouseMoved{90, 5});
+    frame();
+    EXPECT_TRUE(frame().MouseDown[0]);
+    EXPECT_EQ(ImGui::GetIO().MousePos.x, 50.0f);
+    EXPECT_FALSE(frame().MouseDown[0]);
+    EXPECT_EQ(ImGui::GetIO().MousePos.x, 50.0f);
+    EXPECT_EQ(frame().MousePos.x, 90.0f);
+}
+
+TEST_F(InputRules, TextNeverComesInTheFrameOfAKey) {
+    queue.push(KeyPressed{ImGuiKey_A, true, {.ctrl = true}});
+    queue.push(TextTyped{'7'});
+    queue.push(TextTyped{'8'});
+    EXPECT_TRUE(frame().KeysDown[ImGuiKey_A]);
+    EXPECT_TRUE(ImGui::GetIO().KeyCtrl);
+    EXPECT_EQ(ImGui::GetIO().InputQueueCharacters.Size, 0);
+    EXPECT_EQ(frame().InputQueueCharacters.Size, 2);
+}
+
+TEST(FramePacer, DrawsThreeFramesAfterAnEvent) {
+    FramePacer pacer;
+    for (int i = 0; i < 3; ++i) pacer.frame_drawn();
+    EXPECT_FALSE(pacer.must_draw(false));
+    EXPECT_TRUE(pacer.must_draw(true));
+    pacer.event_arrived();
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_TRUE(pacer.must_draw(false));
+        pacer.frame_drawn();
+    }
+    EXPECT_FALSE(pacer.must_draw(false));
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,65 @@
+#include "platform/fonts.hpp"
+
+#include <imgui.h>
+#include <imgui_freetype.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace myo {
+namespace {
+
+std::string first_existing(const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(file, ignored)) return file;
+    }
+    return {};
+}
+
+// Latin, Greek, super- and subscripts, dashes and quotes, arrows, the mathematics in use.
+const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x02ff, 0x0370, 0x03ff, 0x1d62, 0x1d6a, 0x2010, 0x2027, 0x2030, 0x2033,
+                               0x2070, 0x209c, 0x2190, 0x2195, 0x2202, 0x2202, 0x2207, 0x2207, 0x2212, 0x2212, 0x221a, 0x221e,
+                               0x2248, 0x2248, 0x2260, 0x2265, 0x22c5, 0x22c5, 0};
+const ImWchar icon_ranges[] = {0xf000, 0xf2e0, 0};
+
+ImFont* add_font(ImFontAtlas& atlas, const std::string& file, const std::string& fallback, const std::string& icons, float pixels) {
+    if (file.empty() && fallback.empty()) {
+        ImFontConfig built_in;
+        built_in.SizePixels = pixels;
+        return atlas.AddFontDefault(&built_in);
+    }
+    const std::string& main = file.empty() ? fallback : file;
+    ImFont* font = atlas.AddFontFromFileTTF(main.c_str(), pixels, nullptr, text_ranges);
+    ImFontConfig merge;
+    merge.MergeMode = true;
+    if (!file.empty() && !fallback.empty()) atlas.AddFontFromFileTTF(fallback.c_str(), pixels, &merge, text_ranges);
+    if (!icons.empty()) {
+        merge.GlyphMinAdvanceX = std::round(pixels * 1.1f);
+        atlas.AddFontFromFileTTF(icons.c_str(), std::round(pixels * 0.95f), &merge, icon_ranges);
+    }
+    return font;
+}
+
+}  // namespace
+
+FontReport load_fonts(Theme& theme) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+    const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
+    const std::string dejavu = "/usr/share/fonts/truetype/dejavu/DejaVuSans";
+    const std::string regular = first_existing({inter + "Regular.otf"});
+    const std::string strong = first_existing({inter + "SemiBold.otf", inter + "Bold.otf"});
+    const std::string fallback = first_existing({dejavu + ".ttf"});
+    const std::string strong_fallback = first_existing({dejavu + "-Bold.ttf", dejavu + ".ttf"});
+    const std::string icons = first_existing({"/usr/share/fonts/opentype/font-awesome/FontAwesome.otf",
+                                              "/usr/share/fonts/truetype/font-awesome/fontawesome-webfont.ttf"});
+    theme.regular = add_font(atlas, regular, fallback, icons, std::round(15.0f * theme.scale));
+    theme.strong = add_font(atlas, strong, strong_fallback, icons, std::round(15.0f * theme.scale));
+    theme.small = add_font(atlas, regular, fallback, icons, std::round(13.0f * theme.scale));
+    ImGui::GetIO().FontDefault = theme.regular;
+    return {regular.empty() ? fallback : regular, icons};
+}
+
+}  // namespace myo

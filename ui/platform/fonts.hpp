@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "platform/theme.hpp"
+
+namespace myo {
+
+/// Icons of Font Awesome 4.7, as UTF-8.
+namespace icon {
+inline constexpr const char* folder = "\xef\x81\xbc";         // f07c
+inline constexpr const char* file = "\xef\x80\x96";           // f016
+inline constexpr const char* play = "\xef\x81\x8b";           // f04b
+inline constexpr const char* pause = "\xef\x81\x8c";          // f04c
+inline constexpr const char* to_start = "\xef\x81\x89";       // f049
+inline constexpr const char* stop = "\xef\x81\x8d";           // f04d
+inline constexpr const char* warning = "\xef\x81\xb1";        // f071
+inline constexpr const char* failure = "\xef\x81\x97";        // f057
+inline constexpr const char* information = "\xef\x81\x9a";    // f05a
+inline constexpr const char* done = "\xef\x81\x98";           // f058
+inline constexpr const char* cube = "\xef\x86\xb2";           // f1b2
+inline constexpr const char* sliders = "\xef\x87\x9e";        // f1de
+inline constexpr const char* rocket = "\xef\x84\xb5";         // f135
+inline constexpr const char* target = "\xef\x81\x9b";         // f05b
+inline constexpr const char* undo = "\xef\x83\xa2";           // f0e2
+inline constexpr const char* redo = "\xef\x80\x9e";           // f01e
+inline constexpr const char* expand = "\xef\x82\xb2";         // f0b2
+inline constexpr const char* up = "\xef\x81\xa2";             // f062
+inline constexpr const char* list = "\xef\x80\xba";           // f03a
+inline constexpr const char* eye = "\xef\x81\xae";            // f06e
+inline constexpr const char* chart = "\xef\x88\x81";          // f201
+}  // namespace icon
+
+/// What was found on the system; an empty name means that the built-in font is used and icons are missing.
+struct FontReport {
+    std::string text_file;
+    std::string icon_file;
+};
+
+/// Builds the atlas of the current ImGui context through FreeType and stores the fonts in the theme.
+///
+/// Text is Inter, with DejaVu for glyphs it lacks (or alone), with ImGui's own font as the last resort.
+FontReport load_fonts(Theme& theme);
+
+}  // namespace myo

@@ -1,0 +1,56 @@
+#include "platform/interface.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace myo {
+
+void Interface::DestroyContext::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
+
+Result<Interface> Interface::make(ThemeName theme, float scale) {
+    auto renderer = ImguiRenderer::make();
+    if (!renderer) return renderer.error();
+    Interface made;
+    made.renderer_ = std::move(*renderer);
+    made.context_.reset(ImGui::CreateContext());
+    made.theme_ = make_theme(theme, scale);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+    return made;
+}
+
+void Interface::rebuild() {
+    apply_theme(theme_, ImGui::GetStyle());
+    load_fonts(theme_);
+    renderer_.upload_fonts(*ImGui::GetIO().Fonts);
+    rebuild_ = false;
+}
+
+void Interface::begin_frame(int width, int height, float seconds) {
+    if (rebuild_) rebuild();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    // ImGui asserts a positive time step; a long pause must not fast-forward its animations.
+    io.DeltaTime = std::clamp(seconds, 1e-4f, 0.25f);
+    input_->apply_to_next_frame(io);
+    items_->clear();
+    ImGui::NewFrame();
+}
+
+void Interface::end_frame() { ImGui::Render(); }
+
+void Interface::draw() const { renderer_.draw(*ImGui::GetDrawData()); }
+
+void Interface::set_theme(ThemeName name, float scale) {
+    scale = std::clamp(scale, 0.75f, 3.0f);
+    if (name == theme_.name && scale == theme_.scale) return;
+    theme_ = make_theme(name, scale);
+    rebuild_ = true;
+}
+
+}  // namespace myo

@@ -1,0 +1,166 @@
+#include "plot/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plot/plot_frame.hpp"
+
+namespace myo {
+namespace {
+
+double wide(float v) { return static_cast<double>(v); }
+
+double x_at(const PlotArea& area, float pixel) {
+    return from_pixel(area.x, wide(pixel), wide(area.pixels.lowest.x), wide(area.pixels.highest.x));
+}
+double y_at(const PlotArea& area, float pixel) {
+    return from_pixel(area.y, wide(pixel), wide(area.pixels.highest.y), wide(area.pixels.lowest.y));
+}
+
+Range all_x(const Plot& plot) {
+    std::vector<const double*> starts;
+    std::vector<long> counts;
+    for (const PlotSeries& s : plot.series) {
+        starts.push_back(s.x.data());
+        counts.push_back(s.x.size());
+    }
+    return padded(range_of(starts, counts), 0.0);
+}
+
+Range all_y(const Plot& plot, const HiddenSeries& hidden) {
+    std::vector<const double*> starts;
+    std::vector<long> counts;
+    static const double zero = 0.0;
+    for (const PlotSeries& s : plot.series) {
+        if (hidden.count(s.name) > 0) continue;
+        starts.push_back(s.y.data());
+        counts.push_back(s.y.size());
+    }
+    if (plot.zero_line) {
+        starts.push_back(&zero);
+        counts.push_back(1);
+    }
+    return padded(range_of(starts, counts), 0.08);
+}
+
+void react_to_zoom(const PlotArea& area, LinkedAxis& x_axis, PlotState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0.0f) return;
+    const double factor = std::pow(0.85, wide(io.MouseWheel));
+    if (io.KeyShift) {
+        state.y = zoomed(area.y, y_at(area, io.MousePos.y), factor);
+    } else {
+        const Range range = zoomed(area.x, x_at(area, io.MousePos.x), factor);
+        // Below this the numbers on the axis would no longer differ.
+        if (range.span() > 1e-9 * std::max(1.0, std::abs(range.highest))) x_axis.range = range;
+    }
+}
+
+void react_to_pan(const PlotArea& area, LinkedAxis& x_axis, PlotState& state) {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (moved.x == 0.0f && moved.y == 0.0f) return;
+    const double dx = wide(moved.x) / wide(area.pixels.width()) * area.x.span();
+    const double dy = wide(moved.y) / wide(area.pixels.height()) * area.y.span();
+    x_axis.range = Range{area.x.lowest - dx, area.x.highest - dx};
+    state.y = Range{area.y.lowest + dy, area.y.highest + dy};
+}
+
+void react_to_box(ImDrawList& list, const PlotArea& area, const Theme& theme, bool hovered, LinkedAxis& x_axis, PlotState& state) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) state.box_start = mouse;
+    if (!state.box_start) return;
+    const ImVec2 lowest{std::min(state.box_start->x, mouse.x), std::min(state.box_start->y, mouse.y)};
+    const ImVec2 highest{std::max(state.box_start->x, mouse.x), std::max(state.box_start->y, mouse.y)};
+    list.AddRectFilled(lowest, highest, packed(theme.accent, 0.18f));
+    list.AddRect(lowest, highest, packed(theme.accent));
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return;
+    if (highest.x - lowest.x > 4.0f && highest.y - lowest.y > 4.0f) {
+        x_axis.range = Range{x_at(area, lowest.x), x_at(area, highest.x)};
+        state.y = Range{y_at(area, highest.y), y_at(area, lowest.y)};
+    }
+    state.box_start.reset();
+}
+
+// Dragging or clicking; returns where the cursor line shall go.
+std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& area, bool active, float grab_width, LinkedAxis& x_axis,
+                                           PlotState& state) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemActivated() && plot.cursor) {
+        const float at = static_cast<float>(to_pixel(area.x, *plot.cursor, wide(area.pixels.lowest.x), wide(area.pixels.highest.x)));
+        state.dragging_cursor = std::abs(at - mouse.x) <= grab_width;
+    }
+    const auto clamped_x = [&] { return std::clamp(x_at(area, mouse.x), area.x.lowest, area.x.highest); };
+    if (active && state.dragging_cursor) return clamped_x();
+    const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4.0f);
+    const bool far = dragged.x != 0.0f || dragged.y != 0.0f;
+    if (active && far) react_to_pan(area, x_axis, state);
+    if (ImGui::IsItemDeactivated()) {
+        const bool was_drag = state.dragging_cursor || far;
+        state.dragging_cursor = false;
+        if (!was_drag && plot.cursor) return clamped_x();
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+float plot_margin_left(const Theme& theme) { return 52.0f * theme.scale; }
+
+PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, ItemRectangles& items, LinkedAxis& x_axis,
+                     PlotState& state, HiddenSeries& hidden) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = theme.small->FontSize;
+    const bool heading = plot.legend || !plot.title.empty();
+    const float top = heading ? line + 8.0f * theme.scale : 4.0f * theme.scale;
+    const float bottom = plot.x_label.empty() ? 4.0f * theme.scale : 2.0f * line + 4.0f * theme.scale;
+    PlotResult result;
+    PlotArea& area = result.area;
+    area.pixels = {{at.x + plot_margin_left(theme), at.y + top}, {at.x + size.x - 8.0f * theme.scale, at.y + size.y - bottom}};
+    if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) {
+        ImGui::Dummy(size);
+        return result;
+    }
+    area.x = x_axis.range ? *x_axis.range : all_x(plot);
+    area.y = state.y ? *state.y : all_y(plot, hidden);
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_plot_frame(list, plot, area, theme);
+    list.AddText(theme.small, line, {at.x + 8.0f * theme.scale, at.y + 3.0f * theme.scale}, packed(theme.text), plot.title.c_str());
+    ImGui::PushClipRect(area.pixels.lowest, area.pixels.highest, true);
+    const auto vertical = [&](double x, ImU32 color, float width) {
+        const float p = static_cast<float>(to_pixel(area.x, x, wide(area.pixels.lowest.x), wide(area.pixels.highest.x)));
+        list.AddLine({p, area.pixels.lowest.y}, {p, area.pixels.highest.y}, color, width);
+        return p;
+    };
+    if (plot.mark) vertical(*plot.mark, packed(theme.muted, 0.8f), 1.0f);
+    for (const PlotSeries& series : plot.series) {
+        if (hidden.count(series.name) == 0) draw_plot_series(list, series, area, theme);
+    }
+    if (plot.cursor) {
+        const float p = vertical(*plot.cursor, packed(theme.accent), 1.5f * theme.scale);
+        items.add(plot.id + "/cursor", {{p - 3.0f, area.pixels.lowest.y}, {p + 3.0f, area.pixels.highest.y}});
+    }
+    ImGui::PopClipRect();
+
+    ImGui::SetCursorScreenPos(area.pixels.lowest);
+    ImGui::InvisibleButton(plot.id.c_str(), {area.pixels.width(), area.pixels.height()});
+    items.mark(plot.id);
+    const bool hovered = ImGui::IsItemHovered();
+    const bool active = ImGui::IsItemActive();
+    result.cursor = react_to_left_button(plot, area, active, 6.0f * theme.scale, x_axis, state);
+    react_to_box(list, area, theme, hovered, x_axis, state);
+    if (hovered) {
+        react_to_zoom(area, x_axis, state);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            x_axis.range.reset();
+            state.y.reset();
+        }
+        if (!active && !state.box_start) draw_plot_crosshair(list, plot, area, theme, hidden);
+    }
+    if (plot.legend) draw_plot_legend(list, plot, area, theme, items, hidden);
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy(size);
+    return result;
+}
+
+}  // namespace myo

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "platform/item_rectangles.hpp"
+#include "platform/theme.hpp"
+#include "plot/ticks.hpp"
+
+namespace myo {
+
+/// One curve; x ascending, NaN in y leaves a gap.
+struct PlotSeries {
+    std::string name;
+    Eigen::VectorXd x;
+    Eigen::VectorXd y;
+    ImVec4 color;
+    bool dots = false;             // dots at the samples instead of a line
+};
+
+/// What a plot shows this frame.
+struct Plot {
+    std::string id;
+    std::string title;             // upper left, with unit: "x [mm]"
+    std::string x_unit = "s";      // for the values at the mouse
+    std::string y_unit = "mm";
+    std::string x_label;           // below the axis; empty = no labels there (a strip of the plot below shows them)
+    std::vector<PlotSeries> series;
+    std::optional<double> cursor;  // vertical line that can be dragged
+    std::optional<double> mark;    // vertical line that stays, as the start of motion
+    bool legend = false;
+    bool zero_line = false;        // y = 0 drawn, and always inside the range
+};
+
+/// The x range of plots that belong together; empty = all data.
+struct LinkedAxis {
+    std::optional<Range> range;
+};
+
+/// What the person did to one plot.
+struct PlotState {
+    std::optional<Range> y;                   // empty = all data
+    std::optional<ImVec2> box_start;          // corner of a box being drawn [pixels]
+    bool dragging_cursor = false;
+};
+
+/// Shared by all plots of a panel: names switched off in the legend.
+using HiddenSeries = std::set<std::string>;
+
+/// Pixels and data of the drawing area, for tests and for what is drawn over it.
+struct PlotArea {
+    Rectangle pixels;
+    Range x;
+    Range y;
+};
+
+struct PlotResult {
+    PlotArea area;
+    std::optional<double> cursor;  // where it was dragged to
+};
+
+/// Space between a plot's left edge and its drawing area [pixels]: equal for all, so that linked plots align.
+float plot_margin_left(const Theme& theme);
+
+/// Draws a plot of the given size at ImGui's cursor and reacts to the mouse.
+///
+/// Wheel: zoom in x about the mouse (with Shift in y); left drag: pan, or move the cursor line when it is grabbed; click: cursor
+/// goes there; right drag: zoom to a box; double click: all data again.
+PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, ItemRectangles& items, LinkedAxis& x_axis,
+                     PlotState& state, HiddenSeries& hidden);
+
+}  // namespace myo

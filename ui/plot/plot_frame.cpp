@@ -1,0 +1,152 @@
+#include "plot/plot_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace myo {
+namespace {
+
+float px(const PlotArea& area, double x) {
+    return static_cast<float>(to_pixel(area.x, x, static_cast<double>(area.pixels.lowest.x), static_cast<double>(area.pixels.highest.x)));
+}
+
+float py(const PlotArea& area, double y) {
+    return static_cast<float>(to_pixel(area.y, y, static_cast<double>(area.pixels.highest.y), static_cast<double>(area.pixels.lowest.y)));
+}
+
+void text(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, const std::string& what) {
+    list.AddText(font, font->FontSize, at, color, what.c_str());
+}
+
+ImVec2 extent(ImFont* font, const std::string& what) { return font->CalcTextSizeA(font->FontSize, 1e6f, 0.0f, what.c_str()); }
+
+}  // namespace
+
+Eigen::Index nearest_sample(const Eigen::VectorXd& x, double value) {
+    if (x.size() == 0) return -1;
+    const double* first = x.data();
+    const double* last = first + x.size();
+    const double* above = std::lower_bound(first, last, value);
+    if (above == last) return x.size() - 1;
+    if (above != first && value - above[-1] < *above - value) --above;
+    return above - first;
+}
+
+void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme) {
+    const Rectangle& r = area.pixels;
+    list.AddRectFilled(r.lowest, r.highest, packed(theme.background));
+    ImFont* font = theme.small;
+    const ImU32 line = packed(theme.border);
+    const ImU32 muted = packed(theme.muted);
+    const Ticks x_ticks = make_ticks(area.x, std::max(2, static_cast<int>(r.width() / (64.0f * theme.scale))));
+    for (const double v : x_ticks.values) {
+        const float x = std::round(px(area, v));
+        list.AddLine({x, r.lowest.y}, {x, r.highest.y}, line);
+        if (plot.x_label.empty()) continue;
+        const std::string label = tick_label(v, x_ticks.step);
+        const float width = extent(font, label).x;
+        // Labels at the ends stay inside, so that neighbours do not touch.
+        const float left = std::clamp(x - 0.5f * width, r.lowest.x, r.highest.x - width);
+        text(list, font, {left, r.highest.y + 2.0f * theme.scale}, muted, label);
+    }
+    const Ticks y_ticks = make_ticks(area.y, std::max(2, static_cast<int>(r.height() / (28.0f * theme.scale))));
+    for (const double v : y_ticks.values) {
+        const float y = std::round(py(area, v));
+        list.AddLine({r.lowest.x, y}, {r.highest.x, y}, line);
+        const std::string label = tick_label(v, y_ticks.step);
+        const ImVec2 size = extent(font, label);
+        const float top = std::clamp(y - 0.5f * size.y, r.lowest.y - 3.0f * theme.scale, r.highest.y - size.y + 3.0f * theme.scale);
+        text(list, font, {r.lowest.x - size.x - 6.0f * theme.scale, top}, muted, label);
+    }
+    if (plot.zero_line && area.y.lowest < 0.0 && area.y.highest > 0.0) {
+        const float y = std::round(py(area, 0.0));
+        list.AddLine({r.lowest.x, y}, {r.highest.x, y}, packed(theme.muted, 0.6f));
+    }
+    if (!plot.x_label.empty()) {
+        const ImVec2 size = extent(font, plot.x_label);
+        text(list, font, {0.5f * (r.lowest.x + r.highest.x - size.x), r.highest.y + size.y + 2.0f * theme.scale}, muted, plot.x_label);
+    }
+}
+
+void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea& area, const Theme& theme) {
+    const ImU32 color = packed(series.color);
+    const float radius = 1.7f * theme.scale;
+    const Eigen::Index count = std::min(series.x.size(), series.y.size());
+    ImVec2 last{};
+    bool open = false;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        if (!std::isfinite(series.y[i]) || !std::isfinite(series.x[i])) {
+            open = false;
+            continue;
+        }
+        const ImVec2 p{px(area, series.x[i]), py(area, series.y[i])};
+        const bool outside = p.x < area.pixels.lowest.x - 50.0f || p.x > area.pixels.highest.x + 50.0f;
+        // Points that fall together are drawn once: traces may hold many samples per pixel.
+        if (series.dots) {
+            if (!outside && (!open || std::abs(p.x - last.x) + std::abs(p.y - last.y) > 0.7f)) {
+                list.AddCircleFilled(p, radius, color, 8);
+                last = p;
+                open = true;
+            }
+            continue;
+        }
+        if (open && std::abs(p.x - last.x) < 0.3f && std::abs(p.y - last.y) < 0.3f && i + 1 < count) continue;
+        const bool both_left = open && p.x < area.pixels.lowest.x && last.x < area.pixels.lowest.x;
+        const bool both_right = open && p.x > area.pixels.highest.x && last.x > area.pixels.highest.x;
+        if (open && !both_left && !both_right) list.AddLine(last, p, color, 1.6f * theme.scale);
+        last = p;
+        open = true;
+    }
+}
+
+void draw_plot_legend(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme, ItemRectangles& items,
+                      HiddenSeries& hidden) {
+    ImFont* font = theme.small;
+    const float row = font->FontSize + 6.0f * theme.scale;
+    float right = area.pixels.highest.x;
+    for (std::size_t i = plot.series.size(); i-- > 0;) {
+        const PlotSeries& series = plot.series[i];
+        const float sample = 14.0f * theme.scale;
+        const float width = extent(font, series.name).x + sample + 14.0f * theme.scale;
+        const Rectangle box{{right - width, area.pixels.lowest.y - row}, {right, area.pixels.lowest.y}};
+        right -= width;
+        if (right < area.pixels.lowest.x) break;
+        const std::string name = plot.id + "/legend/" + series.name;
+        items.add(name, box);
+        const bool hovered = ImGui::IsWindowHovered() && box.contains(ImGui::GetIO().MousePos);
+        if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+            if (hidden.erase(series.name) == 0) hidden.insert(series.name);
+        }
+        const float alpha = hidden.count(series.name) > 0 ? 0.35f : 1.0f;
+        const float y = 0.5f * (box.lowest.y + box.highest.y);
+        const float x = box.lowest.x + 6.0f * theme.scale;
+        if (series.dots) {
+            list.AddCircleFilled({x + 0.5f * sample, y}, 3.0f * theme.scale, packed(series.color, alpha), 12);
+        } else {
+            list.AddLine({x, y}, {x + sample - 2.0f, y}, packed(series.color, alpha), 2.0f * theme.scale);
+        }
+        text(list, font, {x + sample + 2.0f * theme.scale, y - 0.5f * font->FontSize}, packed(hovered ? theme.text : theme.muted, alpha),
+             series.name);
+    }
+}
+
+void draw_plot_crosshair(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme, const HiddenSeries& hidden) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Rectangle& r = area.pixels;
+    list.AddLine({std::round(mouse.x), r.lowest.y}, {std::round(mouse.x), r.highest.y}, packed(theme.muted, 0.5f));
+    list.AddLine({r.lowest.x, std::round(mouse.y)}, {r.highest.x, std::round(mouse.y)}, packed(theme.muted, 0.5f));
+    const double x = from_pixel(area.x, static_cast<double>(mouse.x), static_cast<double>(r.lowest.x), static_cast<double>(r.highest.x));
+    ImGui::BeginTooltip();
+    ImGui::PushFont(theme.small);
+    ImGui::Text("%s %s", value_label(x, 4).c_str(), plot.x_unit.c_str());
+    for (const PlotSeries& series : plot.series) {
+        if (hidden.count(series.name) > 0) continue;
+        const Eigen::Index i = nearest_sample(series.x, x);
+        if (i < 0 || i >= series.y.size()) continue;
+        ImGui::TextColored(series.color, "%s  %s %s", series.name.c_str(), value_label(series.y[i], 4).c_str(), plot.y_unit.c_str());
+    }
+    ImGui::PopFont();
+    ImGui::EndTooltip();
+}
+
+}  // namespace myo

@@ -1,0 +1,43 @@
+#include "viewport/color_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace myo {
+namespace {
+
+// CIE LCh (D65) to sRGB.
+Eigen::Vector3f srgb_from_lch(double L, double C, double hue_deg) {
+    const double hue = hue_deg * std::numbers::pi / 180.0;
+    const double fy = (L + 16.0) / 116.0;
+    const std::array<double, 3> f{fy + C * std::cos(hue) / 500.0, fy, fy - C * std::sin(hue) / 200.0};
+    const std::array<double, 3> white{0.95047, 1.0, 1.08883};
+    Eigen::Vector3d xyz;
+    for (int i = 0; i < 3; ++i) {
+        const double t = f[static_cast<std::size_t>(i)];
+        xyz[i] = white[static_cast<std::size_t>(i)] * (t > 6.0 / 29.0 ? t * t * t : 3.0 * 36.0 / 841.0 * (t - 4.0 / 29.0));
+    }
+    Eigen::Matrix3d to_rgb;
+    to_rgb << 3.2406, -1.5372, -0.4986, -0.9689, 1.8758, 0.0415, 0.0557, -0.2040, 1.0570;
+    const Eigen::Vector3d linear = (to_rgb * xyz).cwiseMax(0.0).cwiseMin(1.0);
+    return linear.unaryExpr([](double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055; })
+        .cast<float>();
+}
+
+}  // namespace
+
+Eigen::Vector3f color_map(double level) {
+    // Lightness, chroma and hue between a few control points: linear lightness, hue turning from violet to yellow.
+    struct Control { double L, C, hue; };
+    constexpr std::array<Control, 5> controls{{{18, 42, 305}, {37, 40, 270}, {55, 34, 200}, {73, 52, 140}, {91, 80, 102}}};
+    const double place = std::clamp(std::isfinite(level) ? level : 0.0, 0.0, 1.0) * (controls.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(place), controls.size() - 2);
+    const double s = place - static_cast<double>(i);
+    const auto mix = [s](double a, double b) { return a + s * (b - a); };
+    const Control &a = controls[i], &b = controls[i + 1];
+    return srgb_from_lch(mix(a.L, b.L), mix(a.C, b.C), mix(a.hue, b.hue));
+}
+
+}  // namespace myo

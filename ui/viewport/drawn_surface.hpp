@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "mesh/surface_mesh.hpp"
+#include "mesh/volume_mesh.hpp"
+
+namespace myo {
+
+/// The triangles that draw a surface: three node numbers each, never indexed on the graphics side, so that a shader tells
+/// corners apart by gl_VertexID % 3.
+///
+/// The side of a triangle that lies inside an element's face is opposite its corner 1; the fourth triangle of a quadratic
+/// face lies inside altogether. shaders/surface.vert relies on it.
+struct DrawnSurface {
+    int face_nodes = 3;           // 3, 4 or 6
+    std::vector<int> corners;     // 3 per triangle
+    bool closed = true;           // back faces are never seen
+
+    std::size_t triangle_count() const { return corners.size() / 3; }
+};
+
+DrawnSurface drawn_surface(const BoundaryFaces& faces);
+DrawnSurface drawn_surface(const SurfaceMesh& surface);
+
+/// x, y, z and value for each corner. values: per node, or empty for zero.
+std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, const Eigen::VectorXd& values);
+
+}  // namespace myo

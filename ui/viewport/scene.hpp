@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/surface_mesh.hpp"
+#include "viewport/camera.hpp"
+#include "viewport/drawn_surface.hpp"
+
+namespace myo {
+
+/// Red, green, blue, alpha, 0 to 1.
+using Color = Eigen::Vector4f;
+
+struct DrawnMarker {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();   // [m]; not drawn when not finite
+    Color color = Color::Ones();
+    bool ring = false;                                    // a ring instead of a sphere
+    std::string label;                                    // beside it, may be empty
+};
+
+struct DrawnLine {
+    Eigen::Matrix3Xd points;                              // polyline [m]; a gap where not finite
+    Color color = Color::Ones();
+    double width = 1.5;                                   // [pixels]
+};
+
+/// A scalar per node, mapped to colours.
+struct DrawnField {
+    std::string name;
+    std::string unit;
+    double lowest = 0.0;
+    double highest = 1.0;
+    Eigen::VectorXd values;
+};
+
+/// All that a 3D view shows, as a value.
+struct DrawnScene {
+    std::shared_ptr<const DrawnSurface> surface;
+    Eigen::Matrix3Xd positions;                           // of the nodes the surface refers to [m]
+    std::optional<DrawnField> field;
+    double body_opacity = 1.0;
+    bool edges = true;
+    bool grid = true;
+    double marker_radius = 1e-3;                          // [m]
+    std::vector<DrawnMarker> markers;
+    std::vector<DrawnLine> lines;
+    Box extent;                                           // of the rest shape: sets the grid and what "fit" shows
+};
+
+struct ViewColors {
+    Color top, bottom, grid, body, edge;
+};
+
+}  // namespace myo

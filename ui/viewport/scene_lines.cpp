@@ -1,0 +1,74 @@
+#include "viewport/scene_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plot/ticks.hpp"
+
+namespace myo {
+namespace {
+
+void append(std::vector<float>& segments, const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Color& color) {
+    for (int k = 0; k < 3; ++k) segments.push_back(static_cast<float>(from[k]));
+    for (int k = 0; k < 3; ++k) segments.push_back(static_cast<float>(to[k]));
+    for (int k = 0; k < 4; ++k) segments.push_back(color[k]);
+}
+
+}  // namespace
+
+void append_segments(std::vector<float>& segments, const DrawnLine& line) {
+    for (Eigen::Index i = 1; i < line.points.cols(); ++i) {
+        if (!line.points.col(i - 1).allFinite() || !line.points.col(i).allFinite()) continue;
+        append(segments, line.points.col(i - 1), line.points.col(i), line.color);
+    }
+}
+
+std::vector<float> grid_segments(const Box& extent, const Color& color) {
+    std::vector<float> segments;
+    const double reach = extent.size().maxCoeff();
+    if (!(reach > 0.0)) return segments;
+    const double cell = nice_step(reach / 5.0);
+    const Eigen::Vector3d center = 0.5 * (extent.lowest + extent.highest);
+    const double x0 = std::round(center.x() / cell) * cell;
+    const double y0 = std::round(center.y() / cell) * cell;
+    const double z = extent.lowest.z() - 0.25 * extent.size().z();
+    constexpr int half = 8;
+    const auto point = [&](int i, int j) { return Eigen::Vector3d(x0 + i * cell, y0 + j * cell, z); };
+    const auto faded = [&](int i, int j) {
+        Color c = color;
+        const double r = std::hypot(i, j) / half;
+        c[3] *= static_cast<float>(std::clamp(1.0 - r * r, 0.0, 1.0));
+        return c;
+    };
+    for (int i = -half; i <= half; ++i) {
+        for (int j = -half; j < half; ++j) {
+            // A quarter of the fade's resolution is enough; each piece has one colour.
+            append(segments, point(i, j), point(i, j + 1), faded(i, j < 0 ? j + 1 : j));
+            append(segments, point(j, i), point(j + 1, i), faded(j < 0 ? j + 1 : j, i));
+        }
+    }
+    return segments;
+}
+
+std::vector<DrawnLine> box_lines(const Box& box, const Color& color, double width) {
+    const auto corner = [&](int bits) {
+        return Eigen::Vector3d(bits & 1 ? box.highest.x() : box.lowest.x(), bits & 2 ? box.highest.y() : box.lowest.y(),
+                               bits & 4 ? box.highest.z() : box.lowest.z());
+    };
+    std::vector<DrawnLine> lines;
+    for (int bits = 0; bits < 8; ++bits) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (bits & (1 << axis)) continue;
+            DrawnLine line;
+            line.points.resize(3, 2);
+            line.points.col(0) = corner(bits);
+            line.points.col(1) = corner(bits | (1 << axis));
+            line.color = color;
+            line.width = width;
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+}  // namespace myo

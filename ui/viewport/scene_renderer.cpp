@@ -1,0 +1,208 @@
+#include "viewport/scene_renderer.hpp"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "viewport/color_map.hpp"
+#include "viewport/scene_lines.hpp"
+
+namespace myo {
+namespace {
+
+constexpr int segment_floats = 10;
+constexpr int marker_floats = 7;
+
+std::vector<float> marker_data(const std::vector<DrawnMarker>& markers, bool ring) {
+    std::vector<float> data;
+    for (const DrawnMarker& marker : markers) {
+        if (marker.ring != ring || !marker.position.allFinite()) continue;
+        for (int k = 0; k < 3; ++k) data.push_back(static_cast<float>(marker.position[k]));
+        for (int k = 0; k < 4; ++k) data.push_back(marker.color[k]);
+    }
+    return data;
+}
+
+}  // namespace
+
+Result<SceneRenderer> SceneRenderer::make() {
+    SceneRenderer renderer;
+    const std::pair<const char*, Program*> programs[] = {
+        {"surface", &renderer.surface_}, {"line", &renderer.line_}, {"marker", &renderer.marker_}, {"backdrop", &renderer.backdrop_}};
+    for (const auto& [name, slot] : programs) {
+        auto program = gl::make_program(name);
+        if (!program) return program.error();
+        slot->program = std::move(*program);
+        slot->vertex_array = gl::make_vertex_array();
+        slot->buffer = gl::make_buffer();
+    }
+    const auto bind = [](const Program& p) {
+        gl::BindVertexArray(p.vertex_array.name());
+        gl::BindBuffer(GL_ARRAY_BUFFER, p.buffer.name());
+    };
+    bind(renderer.surface_);
+    gl::attribute(0, 3, 4, 0);
+    gl::attribute(1, 1, 4, 3);
+    bind(renderer.line_);
+    gl::attribute(0, 3, segment_floats, 0, 1);
+    gl::attribute(1, 3, segment_floats, 3, 1);
+    gl::attribute(2, 4, segment_floats, 6, 1);
+    bind(renderer.marker_);
+    gl::attribute(0, 3, marker_floats, 0);
+    gl::attribute(1, 4, marker_floats, 3);
+    gl::BindVertexArray(0);
+
+    std::vector<unsigned char> pixels;
+    for (int i = 0; i < 256; ++i) {
+        const Eigen::Vector3f c = color_map(i / 255.0);
+        for (int k = 0; k < 3; ++k) pixels.push_back(static_cast<unsigned char>(std::lround(255.0f * c[k])));
+        pixels.push_back(255);
+    }
+    renderer.color_map_ = gl::make_texture(256, 1, pixels.data());
+    return renderer;
+}
+
+Result<void> SceneRenderer::resize(const ViewSize& size, int samples) {
+    if (picture_.width != size.width || picture_.height != size.height) {
+        auto picture = gl::make_render_target(size.width, size.height, 0);
+        if (!picture) return picture.error();
+        picture_ = std::move(*picture);
+    }
+    if (samples > 0 && (target_.width != size.width || target_.height != size.height || target_.samples != samples)) {
+        auto target = gl::make_render_target(size.width, size.height, samples);
+        if (!target) return target.error();
+        target_ = std::move(*target);
+    }
+    return {};
+}
+
+void SceneRenderer::set_camera(const gl::Program& program) const {
+    gl::UseProgram(program.name());
+    gl::UniformMatrix4fv(gl::uniform(program, "view"), 1, GL_FALSE, view_.data());
+    gl::UniformMatrix4fv(gl::uniform(program, "projection"), 1, GL_FALSE, projection_.data());
+}
+
+void SceneRenderer::draw_backdrop(const ViewColors& colors) const {
+    gl::Disable(GL_DEPTH_TEST);
+    gl::UseProgram(backdrop_.program.name());
+    gl::Uniform3f(gl::uniform(backdrop_.program, "top"), colors.top[0], colors.top[1], colors.top[2]);
+    gl::Uniform3f(gl::uniform(backdrop_.program, "bottom"), colors.bottom[0], colors.bottom[1], colors.bottom[2]);
+    gl::BindVertexArray(backdrop_.vertex_array.name());
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    gl::Enable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::draw_lines(const std::vector<float>& segments, double width, double opacity) const {
+    if (segments.empty()) return;
+    set_camera(line_.program);
+    gl::Uniform2f(gl::uniform(line_.program, "size"), static_cast<float>(size_.width), static_cast<float>(size_.height));
+    gl::Uniform1f(gl::uniform(line_.program, "width"), static_cast<float>(width));
+    gl::Uniform1f(gl::uniform(line_.program, "opacity"), static_cast<float>(opacity));
+    gl::BindVertexArray(line_.vertex_array.name());
+    gl::upload(line_.buffer, segments);
+    gl::DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(segments.size() / segment_floats));
+}
+
+void SceneRenderer::upload_scene(const DrawnScene& scene) {
+    if (!scene.surface) return;
+    Eigen::VectorXd levels;
+    if (scene.field) {
+        const double span = scene.field->highest - scene.field->lowest;
+        levels = (scene.field->values.array() - scene.field->lowest) / (span > 0.0 ? span : 1.0);
+    }
+    gl::upload(surface_.buffer, surface_vertices(*scene.surface, scene.positions, levels));
+}
+
+void SceneRenderer::draw_surface(const DrawnScene& scene, const ViewColors& colors) const {
+    if (!scene.surface || scene.surface->corners.empty()) return;
+    const gl::Program& p = surface_.program;
+    set_camera(p);
+    gl::Uniform1i(gl::uniform(p, "face_nodes"), scene.surface->face_nodes);
+    gl::Uniform3f(gl::uniform(p, "base_color"), colors.body[0], colors.body[1], colors.body[2]);
+    gl::Uniform4f(gl::uniform(p, "edge_color"), colors.edge[0], colors.edge[1], colors.edge[2], colors.edge[3]);
+    gl::Uniform1f(gl::uniform(p, "edge_width"), scene.edges ? 0.8f : 0.0f);
+    gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(scene.body_opacity));
+    gl::Uniform1i(gl::uniform(p, "use_field"), scene.field ? 1 : 0);
+    gl::Uniform1i(gl::uniform(p, "color_map"), 0);
+    gl::ActiveTexture(GL_TEXTURE0);
+    gl::BindTexture(GL_TEXTURE_2D, color_map_.name());
+    if (scene.surface->closed) gl::Enable(GL_CULL_FACE);
+    gl::CullFace(GL_BACK);
+    gl::BindVertexArray(surface_.vertex_array.name());
+    gl::DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.surface->corners.size()));
+    gl::Disable(GL_CULL_FACE);
+}
+
+void SceneRenderer::draw_markers(const DrawnScene& scene, bool ring, double opacity) const {
+    const std::vector<float> data = marker_data(scene.markers, ring);
+    if (data.empty()) return;
+    const gl::Program& p = marker_.program;
+    set_camera(p);
+    gl::Uniform1f(gl::uniform(p, "radius"), static_cast<float>(scene.marker_radius * (ring ? 1.55 : 1.0)));
+    gl::Uniform2f(gl::uniform(p, "pixel_limits"), ring ? 6.5f : 4.0f, ring ? 40.0f : 30.0f);
+    gl::Uniform1f(gl::uniform(p, "view_height"), static_cast<float>(size_.height));
+    gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(opacity));
+    gl::Uniform1i(gl::uniform(p, "ring"), ring ? 1 : 0);
+    gl::BindVertexArray(marker_.vertex_array.name());
+    gl::upload(marker_.buffer, data);
+    gl::DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(data.size() / marker_floats));
+}
+
+Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors, const Camera& camera,
+                                   const ViewSize& size, int samples) {
+    const Key key{revision, camera, size, samples};
+    if (drawn_ && *drawn_ == key) return {};
+    if (const auto sized = resize(size, samples); !sized) return sized;
+    if (!uploaded_ || *uploaded_ != revision) upload_scene(scene);
+    uploaded_ = revision;
+    size_ = size;
+    view_ = view_matrix(camera).cast<float>();
+    projection_ = projection_matrix(camera, size).cast<float>();
+
+    const gl::RenderTarget& target = samples > 0 ? target_ : picture_;
+    gl::BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    gl::Viewport(0, 0, size.width, size.height);
+    gl::Disable(GL_SCISSOR_TEST);
+    gl::Enable(GL_BLEND);
+    gl::Enable(GL_PROGRAM_POINT_SIZE);
+    gl::BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl::DepthMask(GL_TRUE);
+    gl::DepthFunc(GL_LEQUAL);
+    gl::Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+    draw_backdrop(colors);
+    if (scene.grid) {
+        gl::DepthMask(GL_FALSE);
+        draw_lines(grid_segments(scene.extent, colors.grid), 1.0, 1.0);
+        gl::DepthMask(GL_TRUE);
+    }
+    draw_surface(scene, colors);
+
+    std::map<double, std::vector<float>> by_width;
+    for (const DrawnLine& line : scene.lines) append_segments(by_width[line.width], line);
+    // What the body hides shows through faintly, so that no marker gets lost; then what is in front.
+    gl::DepthMask(GL_FALSE);
+    for (const bool hidden : {true, false}) {
+        gl::DepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+        const double opacity = hidden ? 0.22 : 1.0;
+        for (const auto& [width, segments] : by_width) draw_lines(segments, width, opacity);
+        if (!hidden) gl::DepthMask(GL_TRUE);
+        draw_markers(scene, false, opacity);
+        draw_markers(scene, true, opacity);
+    }
+    gl::DepthMask(GL_TRUE);
+    gl::DepthFunc(GL_LEQUAL);
+    gl::Disable(GL_DEPTH_TEST);
+    gl::Disable(GL_BLEND);
+    gl::BindVertexArray(0);
+    if (samples > 0) gl::blit(target_, picture_.framebuffer.name(), 0, 0);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    drawn_ = key;
+    ++draw_count_;
+    return {};
+}
+
+void SceneRenderer::blit_to_window(int x, int y) const {
+    if (picture_.width > 0) gl::blit(picture_, 0, x, y);
+}
+
+}  // namespace myo

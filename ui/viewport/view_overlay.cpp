@@ -1,0 +1,141 @@
+#include "viewport/view_overlay.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "plot/ticks.hpp"
+#include "viewport/color_map.hpp"
+
+namespace myo {
+namespace {
+
+ViewSize size_of(const Rectangle& view) { return {static_cast<int>(view.width()), static_cast<int>(view.height())}; }
+
+// Text with a thin halo, legible over any picture.
+void outlined(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, ImU32 halo, const char* text) {
+    for (const ImVec2 d : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)}) {
+        list.AddText(font, font->FontSize, {at.x + d.x, at.y + d.y}, halo, text);
+    }
+    list.AddText(font, font->FontSize, at, color, text);
+}
+
+}  // namespace
+
+ScaleBar make_scale_bar(double metres_per_pixel, double longest) {
+    ScaleBar bar;
+    double step = nice_step(metres_per_pixel * longest);
+    // The smallest nice step above may be too long; the one below it fits.
+    if (step > metres_per_pixel * longest) step = nice_step(step / 2.6);
+    bar.length_m = step;
+    bar.pixels = step / metres_per_pixel;
+    if (step >= 1.0) {
+        bar.label = value_label(step, 1) + " m";
+    } else if (step >= 1e-3 * (1.0 - 1e-9)) {
+        bar.label = value_label(step * 1e3, 1) + " mm";
+    } else {
+        bar.label = value_label(step * 1e6, 1) + " \xc2\xb5m";
+    }
+    return bar;
+}
+
+void draw_scale_bar(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {
+    const float s = theme.scale;
+    const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)), 120.0 * static_cast<double>(s));
+    const float right = view.highest.x - 16.0f * s;
+    const float left = right - static_cast<float>(bar.pixels);
+    const float y = view.highest.y - 16.0f * s;
+    const ImU32 color = packed(theme.text);
+    list.AddLine({left, y}, {right, y}, color, 2.0f * s);
+    list.AddLine({left, y - 5.0f * s}, {left, y + 1.0f}, color, 2.0f * s);
+    list.AddLine({right, y - 5.0f * s}, {right, y + 1.0f}, color, 2.0f * s);
+    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, bar.label.c_str()).x;
+    outlined(list, theme.small, {0.5f * (left + right - width), y - theme.small->FontSize - 6.0f * s}, color,
+             packed(theme.view_bottom, 0.6f), bar.label.c_str());
+}
+
+void draw_axes(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {
+    const float s = theme.scale;
+    const ImVec2 origin{view.lowest.x + 44.0f * s, view.highest.y - 44.0f * s};
+    const CameraAxes axes = camera_axes(camera);
+    struct Axis { Eigen::Vector3d direction; ImVec4 color; const char* name; };
+    std::vector<Axis> all{{Eigen::Vector3d::UnitX(), theme.axis_x, "x"},
+                          {Eigen::Vector3d::UnitY(), theme.axis_y, "y"},
+                          {Eigen::Vector3d::UnitZ(), theme.axis_z, "z"}};
+    // Far axes first, so that the one towards the eye covers them.
+    std::sort(all.begin(), all.end(), [&](const Axis& a, const Axis& b) { return a.direction.dot(axes.back) < b.direction.dot(axes.back); });
+    for (const Axis& axis : all) {
+        const float x = static_cast<float>(axis.direction.dot(axes.right));
+        const float y = static_cast<float>(-axis.direction.dot(axes.up));
+        const ImVec2 tip{origin.x + 26.0f * s * x, origin.y + 26.0f * s * y};
+        list.AddLine(origin, tip, packed(axis.color), 2.0f * s);
+        const float length = std::hypot(x, y);
+        // An axis that points at the eye has no room for its letter at the tip.
+        const float out = length > 0.2f ? 10.0f * s / length : 0.0f;
+        const ImVec2 center{tip.x + out * x, tip.y + out * y};
+        const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, axis.name);
+        if (length > 0.2f) {
+            outlined(list, theme.small, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y}, packed(axis.color),
+                     packed(theme.view_bottom, 0.6f), axis.name);
+        }
+    }
+}
+
+void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& camera, const DrawnScene& scene, const Theme& theme) {
+    const float s = theme.scale;
+    std::vector<Rectangle> taken;
+    for (const DrawnMarker& marker : scene.markers) {
+        if (marker.label.empty() || !marker.position.allFinite()) continue;
+        const auto place = project(camera, size_of(view), marker.position);
+        if (!place) continue;
+        const ImVec2 p{view.lowest.x + static_cast<float>(place->x()), view.lowest.y + static_cast<float>(place->y())};
+        if (!view.contains(p)) continue;
+        const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, marker.label.c_str());
+        // Beside the marker, or below a label that is already there.
+        Rectangle box{{p.x + 12.0f * s, p.y - 0.5f * extent.y}, {p.x + 12.0f * s + extent.x, p.y + 0.5f * extent.y}};
+        const auto overlaps = [&](const Rectangle& other) {
+            return box.lowest.x < other.highest.x && other.lowest.x < box.highest.x && box.lowest.y < other.highest.y &&
+                   other.lowest.y < box.highest.y;
+        };
+        for (int attempt = 0; attempt < 6 && std::any_of(taken.begin(), taken.end(), overlaps); ++attempt) {
+            box.lowest.y += extent.y;
+            box.highest.y += extent.y;
+        }
+        taken.push_back(box);
+        outlined(list, theme.small, box.lowest, packed(theme.text), packed(theme.view_bottom, 0.8f), marker.label.c_str());
+    }
+}
+
+void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField& field, const Theme& theme) {
+    const float s = theme.scale;
+    const float height = std::min(160.0f * s, view.height() - 150.0f * s);
+    if (height < 40.0f) return;
+    const std::string title = field.name + " [" + field.unit + "]";
+    const float title_width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, title.c_str()).x;
+    const float right = view.highest.x - 16.0f * s;
+    const float top = view.lowest.y + 40.0f * s;
+    const ImU32 halo = packed(theme.view_top, 0.8f);
+    outlined(list, theme.small, {right - title_width, top - theme.small->FontSize - 8.0f * s}, packed(theme.text), halo, title.c_str());
+    const float left = right - 14.0f * s;
+    constexpr int steps = 64;
+    for (int i = 0; i < steps; ++i) {
+        const Eigen::Vector3f c = color_map(1.0 - (i + 0.5) / steps);
+        const float y0 = top + height * static_cast<float>(i) / steps;
+        const float y1 = top + height * static_cast<float>(i + 1) / steps;
+        list.AddRectFilled({left, y0}, {right, y1}, packed({c[0], c[1], c[2], 1.0f}));
+    }
+    list.AddRect({left, top}, {right, top + height}, packed(theme.muted));
+    const Ticks ticks = make_ticks({field.lowest, field.highest}, std::max(2, static_cast<int>(height / (28.0f * s))));
+    for (const double v : ticks.values) {
+        const float y = static_cast<float>(to_pixel({field.lowest, field.highest}, v, static_cast<double>(top + height), static_cast<double>(top)));
+        const std::string label = tick_label(v, ticks.step);
+        const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str());
+        list.AddLine({left - 4.0f * s, y}, {left, y}, packed(theme.muted));
+        outlined(list, theme.small, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, packed(theme.text), halo, label.c_str());
+    }
+}
+
+}  // namespace myo

@@ -1,0 +1,105 @@
+#include "viewport/viewport.hpp"
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "platform/fonts.hpp"
+#include "viewport/view_overlay.hpp"
+
+namespace myo {
+namespace {
+
+void react_to_mouse(ViewportState& state, bool hovered, bool active) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ViewSize size = state.size();
+    const double dx = static_cast<double>(io.MouseDelta.x);
+    const double dy = static_cast<double>(io.MouseDelta.y);
+    const Camera before = state.camera;
+    if (active && (dx != 0.0 || dy != 0.0)) {
+        const bool turns = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift;
+        state.camera = turns ? orbit(state.camera, dx, dy) : pan(state.camera, size, dx, dy);
+    }
+    if (hovered && io.MouseWheel != 0.0f) {
+        const Eigen::Vector2d cursor(static_cast<double>(io.MousePos.x - state.pixels.lowest.x),
+                                     static_cast<double>(io.MousePos.y - state.pixels.lowest.y));
+        state.camera = zoom(state.camera, size, std::pow(0.87, static_cast<double>(io.MouseWheel)), cursor);
+    }
+    state.moving = !(state.camera == before);
+}
+
+void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& state) {
+    struct ViewButton { const char* label; const char* name; StandardView view; const char* tip; };
+    static constexpr std::array<ViewButton, 4> buttons{{{"3D", "view/oblique", StandardView::oblique, "Look from the side and above"},
+                                                        {"X", "view/x", StandardView::from_x, "Look along the x axis"},
+                                                        {"Y", "view/y", StandardView::from_y, "Look along the y axis"},
+                                                        {"Z", "view/z", StandardView::from_z, "Look along the z axis, from above"}}};
+    const float s = theme.scale;
+    ImGui::SetCursorScreenPos({state.pixels.lowest.x + 12.0f * s, state.pixels.lowest.y + 12.0f * s});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(4.0f * s, 4.0f * s));
+    const auto tip = [](const char* text) {
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+    };
+    if (ImGui::Button(icon::expand)) state.fit_requested = true;
+    items.mark("view/fit");
+    tip("Show the whole body (F)");
+    for (const ViewButton& button : buttons) {
+        ImGui::SameLine();
+        if (ImGui::Button(button.label)) {
+            state.camera = turn_to(state.camera, button.view);
+            state.fit_requested = true;
+        }
+        items.mark(button.name);
+        tip(button.tip);
+    }
+    ImGui::PopStyleVar();
+}
+
+void draw_empty(ImDrawList& list, const Rectangle& view, const EmptyView& empty, const Theme& theme) {
+    const auto centered = [&](ImFont* font, float size, float y, const ImVec4& color, const std::string& text) {
+        const float wrap = view.width() - 64.0f * theme.scale;
+        const ImVec2 extent = font->CalcTextSizeA(size, 1e6f, wrap, text.c_str());
+        list.AddText(font, size, {view.center().x - 0.5f * extent.x, y}, packed(color), text.c_str(), nullptr, wrap);
+    };
+    const float y = view.center().y;
+    centered(theme.regular, theme.regular->FontSize * 2.4f, y - 84.0f * theme.scale, theme.accent, icon::cube);
+    centered(theme.strong, theme.strong->FontSize, y - 24.0f * theme.scale, theme.text, empty.title);
+    centered(theme.regular, theme.regular->FontSize, y + 4.0f * theme.scale, theme.muted, empty.hint);
+}
+
+}  // namespace
+
+void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme& theme, ItemRectangles& items,
+                   ViewportState& state, bool labels) {
+    const ImVec2 lowest = ImGui::GetWindowPos();
+    const ImVec2 extent = ImGui::GetWindowSize();
+    state.pixels = {{std::floor(lowest.x), std::floor(lowest.y)},
+                    {std::floor(lowest.x + extent.x), std::floor(lowest.y + extent.y)}};
+    state.moving = false;
+    if (state.size().width < 2 || state.size().height < 2) return;
+    items.add("view", state.pixels);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool nothing = !scene.surface && scene.markers.empty();
+    if (nothing) {
+        draw_empty(list, state.pixels, empty, theme);
+        return;
+    }
+    ImGui::SetCursorScreenPos(state.pixels.lowest);
+    ImGui::SetItemAllowOverlap();
+    ImGui::InvisibleButton("view", extent,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::SetItemAllowOverlap();
+    react_to_mouse(state, ImGui::IsItemHovered(), ImGui::IsItemActive());
+    draw_buttons(theme, items, state);
+    if (state.fit_requested) {
+        state.camera = fit(state.camera, state.size(), scene.extent);
+        state.fit_requested = false;
+    }
+    if (labels) draw_marker_labels(list, state.pixels, state.camera, scene, theme);
+    draw_axes(list, state.pixels, state.camera, theme);
+    draw_scale_bar(list, state.pixels, state.camera, theme);
+    if (scene.field) draw_field_legend(list, state.pixels, *scene.field, theme);
+}
+
+}  // namespace myo
