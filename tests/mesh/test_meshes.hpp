@@ -28,6 +28,8 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
+    const std::filesystem::path& path() const { return path_; }
+
 private:
     std::filesystem::path path_;
 };

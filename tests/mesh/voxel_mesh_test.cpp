@@ -1,0 +1,121 @@
+#include "mesh/voxel_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/quality.hpp"
+#include "mesh/surface_check.hpp"
+#include "mesh/surface_reader.hpp"
+#include "mesh/test_meshes.hpp"
+#include "mesh/test_surfaces.hpp"
+
+namespace myo {
+namespace {
+
+VoxelOptions with_edge(double edge) {
+    VoxelOptions options;
+    options.edge = edge;
+    return options;
+}
+
+TEST(Voxelize, BoxIsMetExactly) {
+    const Box box{{0.01, -0.02, 0.0}, {0.11, 0.01, 0.03}};
+    for (const double edge : {0.1, 0.007, 0.0031}) {
+        const auto mesh = voxelize(box_surface(box), with_edge(edge));
+        ASSERT_TRUE(mesh);
+        EXPECT_EQ(mesh->cell_count(), box_cells(box, edge).prod());
+        EXPECT_EQ(bounding_box(mesh->nodes).lowest, box.lowest);
+        EXPECT_EQ(bounding_box(mesh->nodes).highest, box.highest);
+        EXPECT_NEAR(cell_volumes(*mesh).sum(), 9e-5, 1e-17);
+    }
+}
+
+TEST(Voxelize, LShapeIsExactOnItsGrid) {
+    const auto mesh = voxelize(test::l_shape(), with_edge(0.0025));
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->cell_count(), 3 * 4 * 4 * 4);
+    EXPECT_NEAR(cell_volumes(*mesh).sum(), 3e-6, 1e-17);
+}
+
+TEST(Voxelize, CylinderVolumeConverges) {
+    const SurfaceMesh surface = test::cylinder(64, 0.015, 0.06);
+    double previous = 1.0;
+    for (const double edge : {0.005, 0.001, 0.0004}) {
+        const auto mesh = voxelize(surface, with_edge(edge));
+        ASSERT_TRUE(mesh);
+        const double error = std::abs(*mesh_quality(*mesh, &surface).volume_error);
+        EXPECT_LT(error, previous);
+        previous = error;
+    }
+    EXPECT_LT(previous, 0.003);
+}
+
+TEST(Voxelize, OrientationAndRotationOfTheGridPlanesDoNotMatter) {
+    const SurfaceMesh surface = test::cylinder(24, 0.015, 0.06);
+    const auto outward = voxelize(surface, with_edge(0.003)), inward = voxelize(flipped(surface), with_edge(0.003));
+    ASSERT_TRUE(outward && inward);
+    EXPECT_EQ(outward->cells, inward->cells);
+}
+
+TEST(Voxelize, CavityStaysHollowAndOverlapIsOneBody) {
+    const Box outer{{0, 0, 0}, {0.04, 0.04, 0.04}}, inner{{0.01, 0.01, 0.01}, {0.03, 0.03, 0.03}};
+    const auto hollow = voxelize(test::together(box_surface(outer), flipped(box_surface(inner))), with_edge(0.005));
+    ASSERT_TRUE(hollow);
+    EXPECT_EQ(hollow->cell_count(), 8 * 8 * 8 - 4 * 4 * 4);
+    const auto merged = voxelize(test::together(box_surface(outer), box_surface(inner)), with_edge(0.005));
+    ASSERT_TRUE(merged);
+    EXPECT_EQ(merged->cell_count(), 8 * 8 * 8);
+}
+
+TEST(Voxelize, GridPlanesAreMet) {
+    VoxelOptions options = with_edge(0.01);
+    options.planes[0] = {5e-4};
+    const auto mesh = voxelize(box_surface({{0, 0, 0}, {0.1, 0.03, 0.03}}), options);
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ((mesh->nodes.row(0).array() == 5e-4).count(), 16);
+}
+
+TEST(Voxelize, BadInputIsAnError) {
+    SurfaceMesh open = box_surface({{0, 0, 0}, {0.1, 0.03, 0.03}});
+    EXPECT_FALSE(voxelize(open, with_edge(0.0)));
+    EXPECT_FALSE(voxelize(open, with_edge(1e-5)));
+    open.triangles = open.triangles.leftCols(11).eval();
+    const auto result = voxelize(open, with_edge(0.01));
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().what.find("not closed"), std::string::npos);
+    EXPECT_FALSE(voxelize(SurfaceMesh{}, with_edge(0.01)));
+    // A tube with thin walls and a coarse grid: nothing is half full.
+    const SurfaceMesh tube = test::together(box_surface({{0, 0, 0}, {0.1, 0.1, 0.1}}), flipped(box_surface({{1e-3, 1e-3, 1e-3}, {0.099, 0.099, 0.099}})));
+    EXPECT_FALSE(voxelize(tube, with_edge(0.05)));
+}
+
+TEST(Connectivity, NamesWeakJoints) {
+    VolumeMesh mesh = box_hex_mesh({{0, 0, 0}, {0.02, 0.02, 0.01}}, {2, 2, 1});
+    EXPECT_EQ(connectivity(mesh).components, 1);
+    EXPECT_EQ(connectivity(mesh).weak_nodes, 0);
+    mesh.cells = mesh.cells(Eigen::all, std::vector<int>{0, 3}).eval();  // diagonal neighbours: one common edge
+    EXPECT_EQ(connectivity(mesh).components, 2);
+    EXPECT_EQ(connectivity(mesh).weak_edges, 1);
+    EXPECT_EQ(connectivity(mesh).weak_nodes, 2);
+    EXPECT_FALSE(mesh_quality(mesh).messages.empty());
+    EXPECT_EQ(connectivity(tet_box_mesh(test::unequal_box(), {2, 2, 2})).components, 1);
+    EXPECT_EQ(connectivity(tet_box_mesh(test::unequal_box(), {2, 2, 2})).weak_nodes, 0);
+}
+
+TEST(RealGeometry, VoxelVolumesApproachTheSurface) {
+    const auto folder = test::data_folder();
+    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "geometry")) {
+        if (entry.path().extension() != ".stl") continue;
+        const SurfaceMesh surface = weld(*read_surface(entry.path(), 1e-3));
+        const auto mesh = voxelize(surface, with_edge(0.001));
+        ASSERT_TRUE(mesh) << mesh.error().text();
+        const QualityReport report = mesh_quality(*mesh, &surface);
+        // Each wall may be off by half a cell; curved and slanted ones average out.
+        const double half_a_cell = 0.5 * 0.001 * check_surface(surface).area;
+        EXPECT_LT(std::abs(*report.volume_error) * report.volume, 0.5 * half_a_cell) << entry.path();
+        EXPECT_EQ(report.components, 1) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace myo
