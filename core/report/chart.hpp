@@ -12,8 +12,8 @@ namespace myo {
 
 /// What an axis shows. The range follows the data unless it is given.
 struct Axis {
-    std::string label;
-    std::string unit;   // in brackets after the label; empty for numbers without unit
+    std::string label = {};
+    std::string unit = {};   // in brackets after the label; empty for numbers without unit
     std::optional<double> lowest = std::nullopt;
     std::optional<double> highest = std::nullopt;
     bool logarithmic = false;   // values <= 0 are then gaps
@@ -27,9 +27,9 @@ inline constexpr int automatic_colour = -1;   // the next slot; one name has one
 inline constexpr int ink_colour = -2;         // black, for what was measured
 
 struct Series {
-    std::string name;        // in the legend; empty = not listed
-    std::vector<double> x;   // same length as y
-    std::vector<double> y;
+    std::string name = {};        // in the legend; empty = not listed
+    std::vector<double> x = {};   // same length as y
+    std::vector<double> y = {};
     SeriesStyle style = SeriesStyle::line;
     int colour = automatic_colour;
     std::vector<double> half_width = {};   // a pale band y ± half_width; empty or as long as y
@@ -38,19 +38,19 @@ struct Series {
 /// A thin line across the panel at one value, with a word beside it.
 struct ReferenceLine {
     double value = 0.0;
-    std::string label;
+    std::string label = {};
 };
 
 /// A pale stretch of the x axis (a fit window, a load).
 struct Span {
     double from = 0.0;
     double to = 0.0;
-    std::string label;
+    std::string label = {};
 };
 
 struct Panel {
-    Axis y;
-    std::vector<Series> series;
+    Axis y = {};
+    std::vector<Series> series = {};
     double height_px = 240.0;
     std::vector<ReferenceLine> horizontal = {};
     std::vector<ReferenceLine> vertical = {};
@@ -59,23 +59,23 @@ struct Panel {
 
 /// Curves in one panel or in several with a common x axis, from top to bottom.
 struct LineChart {
-    std::string title;
-    Axis x;
-    std::vector<Panel> panels;
+    std::string title = {};
+    Axis x = {};
+    std::vector<Panel> panels = {};
     double width_px = 760.0;
 };
 std::string svg(const LineChart& chart);
 
 /// Bars side by side for each category, from zero.
 struct BarGroup {
-    std::string name;             // in the legend when there are several groups
-    std::vector<double> values;   // one per category; NaN = no bar
+    std::string name = {};             // in the legend when there are several groups
+    std::vector<double> values = {};   // one per category; NaN = no bar
 };
 struct BarChart {
-    std::string title;
-    std::vector<std::string> categories;
-    Axis y;
-    std::vector<BarGroup> groups;
+    std::string title = {};
+    std::vector<std::string> categories = {};
+    Axis y = {};
+    std::vector<BarGroup> groups = {};
     double width_px = 760.0;
     double height_px = 260.0;
 };
@@ -83,10 +83,10 @@ std::string svg(const BarChart& chart);
 
 /// Counts in bins: bin i reaches from edges[i] to edges[i + 1].
 struct Histogram {
-    std::string title;
-    Axis x;
-    std::vector<double> edges;    // ascending, one more than counts
-    std::vector<double> counts;
+    std::string title = {};
+    Axis x = {};
+    std::vector<double> edges = {};    // ascending, one more than counts
+    std::vector<double> counts = {};
     std::string count_label = "count";
     std::vector<ReferenceLine> vertical = {};
     double width_px = 760.0;
@@ -101,17 +101,17 @@ Histogram histogram_of(const std::vector<double>& samples, int wanted_bins = 0);
 
 /// One estimate per row: a dot, its interval, and a tick where the truth or the start value lies.
 struct ErrorBarRow {
-    std::string name;
+    std::string name = {};
     double value = 0.0;
     double lowest = std::numeric_limits<double>::quiet_NaN();    // end of the interval; NaN = none
     double highest = std::numeric_limits<double>::quiet_NaN();
     std::optional<double> reference = std::nullopt;
 };
 struct ErrorBarChart {
-    std::string title;
-    Axis x;
-    std::vector<ErrorBarRow> rows;   // from top to bottom
-    std::string reference_name;      // in the legend
+    std::string title = {};
+    Axis x = {};
+    std::vector<ErrorBarRow> rows = {};   // from top to bottom
+    std::string reference_name = {};      // in the legend
     std::vector<ReferenceLine> vertical = {};
     double width_px = 760.0;
 };

@@ -21,17 +21,17 @@ namespace myo {
 
 /// Plain text; markup in it is shown, not obeyed. A blank line starts a new paragraph.
 struct Paragraph {
-    std::string text;
+    std::string text = {};
 };
 
 /// Unnumbered list.
 struct BulletList {
-    std::vector<std::string> items;
+    std::vector<std::string> items = {};
 };
 
 struct Column {
-    std::string title;
-    std::string unit;    // shown under the title; empty for none
+    std::string title = {};
+    std::string unit = {};    // shown under the title; empty for none
     int digits = 4;      // significant digits of the column's largest number
 };
 
@@ -48,29 +48,29 @@ struct Cell {
 /// Columns whose cells are all numbers are set in figures of equal width, aligned at the point. Rows shorter than the
 /// header are filled with empty cells.
 struct Table {
-    std::string caption;
-    std::vector<Column> columns;
-    std::vector<std::vector<Cell>> rows;
+    std::string caption = {};
+    std::vector<Column> columns = {};
+    std::vector<std::vector<Cell>> rows = {};
 };
 
 /// An SVG document (from chart.hpp) with a caption.
 struct Figure {
-    std::string svg;
-    std::string caption;
+    std::string svg = {};
+    std::string caption = {};
 };
 
 struct WarningBox {
-    std::vector<std::string> lines;   // none = no box
+    std::vector<std::string> lines = {};   // none = no box
 };
 
 /// Monospaced text as it is.
 struct Preformatted {
-    std::string text;
+    std::string text = {};
 };
 
 /// Machine-readable copy inside the page: <script type="application/json" id="...">, invisible.
 struct EmbeddedJson {
-    std::string id;
+    std::string id = {};
     Json value;
 };
 
@@ -78,8 +78,8 @@ struct Block;
 
 /// Closed until clicked; printed open by browsers that can.
 struct Details {
-    std::string summary;
-    std::vector<Block> blocks;
+    std::string summary = {};
+    std::vector<Block> blocks = {};
 };
 
 struct Block {
@@ -90,20 +90,20 @@ struct Block {
 };
 
 struct Section {
-    std::string title;
-    std::vector<Block> blocks;
+    std::string title = {};
+    std::vector<Block> blocks = {};
 };
 
 /// A number worth a tile at the top.
 struct KeyFigure {
-    std::string label;
-    std::string value;   // "2.61 × 10⁵"
-    std::string unit;
-    std::string note;    // "± 0.02", "was 3.1"
+    std::string label = {};
+    std::string value = {};   // "2.61 × 10⁵"
+    std::string unit = {};
+    std::string note = {};    // "± 0.02", "was 3.1"
 };
 
 struct HtmlReport {
-    std::string title;
+    std::string title = {};
     std::vector<std::string> summary = {};     // lines below the title
     std::vector<KeyFigure> key_figures = {};
     WarningBox warnings = {};

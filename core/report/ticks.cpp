@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "report/markup.hpp"
 
@@ -13,6 +14,25 @@ double round_step(double raw) {
     for (const double factor : {1.0, 2.0, 5.0})
         if (raw <= factor * power * (1.0 + 1e-9)) return factor * power;
     return 10.0 * power;
+}
+
+// Powers of ten whose exponent is a multiple of `every`, and 2 and 5 times them when asked for.
+Ticks decade_ticks(double lowest, double highest, int every, bool between) {
+    Ticks ticks{lowest, highest, {}, {}, {}};
+    for (int k = static_cast<int>(std::floor(std::log10(lowest))); k <= std::ceil(std::log10(highest)); ++k) {
+        if (k % every != 0) continue;
+        for (const int factor : {1, 2, 5}) {
+            if (factor > 1 && !between) break;
+            const double value = factor * std::pow(10.0, k);
+            if (value < lowest * (1 - 1e-12) || value > highest * (1 + 1e-12)) continue;
+            ticks.values.push_back(std::clamp(value, lowest, highest));
+            if (k >= -2 && k <= 3)
+                ticks.labels.push_back(fixed_decimals(value, std::max(0, -k)));
+            else
+                ticks.labels.push_back((factor == 1 ? std::string{} : std::to_string(factor) + "·") + power_of_ten(k));
+        }
+    }
+    return ticks;
 }
 
 int floor_log10(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
@@ -75,24 +95,12 @@ Ticks logarithmic_ticks(double lowest, double highest, int wanted) {
         lowest /= 2.0;
         highest *= 2.0;
     }
-    Ticks ticks{lowest, highest, {}, {}, {}};
     const double decades = std::log10(highest / lowest);
-    const int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(wanted, 2))));
-    const bool between = decades < 2.5;
-    for (int k = static_cast<int>(std::floor(std::log10(lowest))); k <= std::ceil(std::log10(highest)); ++k) {
-        if (k % every != 0) continue;
-        for (const int factor : {1, 2, 5}) {
-            if (factor > 1 && !between) break;
-            const double value = factor * std::pow(10.0, k);
-            if (value < lowest * (1 - 1e-12) || value > highest * (1 + 1e-12)) continue;
-            ticks.values.push_back(std::clamp(value, lowest, highest));
-            if (k >= -2 && k <= 3)
-                ticks.labels.push_back(fixed_decimals(value, std::max(0, -k)));
-            else
-                ticks.labels.push_back((factor == 1 ? std::string{} : std::to_string(factor) + "·") + power_of_ten(k));
-        }
+    for (int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(wanted, 2)))); every >= 1; --every) {
+        const Ticks ticks = decade_ticks(lowest, highest, every, decades < 2.5);
+        if (ticks.values.size() >= 2) return ticks;
     }
-    return ticks;
+    return linear_ticks(lowest, highest, wanted);   // less than from one round number to the next
 }
 
 }  // namespace myo

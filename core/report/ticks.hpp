@@ -22,7 +22,8 @@ void make_drawable(double& lowest, double& highest);
 /// when it is drawable.
 Ticks linear_ticks(double lowest, double highest, int wanted);
 
-/// Ticks at powers of ten inside a positive range, with 2 and 5 in between when there are few decades.
+/// Ticks at powers of ten inside a positive range, with 2 and 5 in between when there are few decades, and at equal
+/// distances of the value when there is less than that.
 Ticks logarithmic_ticks(double lowest, double highest, int wanted);
 
 }  // namespace myo
