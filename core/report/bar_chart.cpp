@@ -60,8 +60,8 @@ std::string svg(const BarChart& chart) {
     const bool turned = widest > width / count - 8.0;
 
     double title_height = 0.0, legend_height = 0.0;
-    std::string body = draw_title(chart.title, left, title_height) +
-                       draw_legend(legend_of(chart), left, title_height + 6.0, width, legend_height);
+    std::string body = draw_title(chart.title, left, title_height);
+    body += draw_legend(legend_of(chart), left, title_height + 6.0, width, legend_height);
     const Rectangle area{left, title_height + legend_height + 6.0 + title_of_panel, width, chart.height_px};
     y.scale.from_px += area.top;
     y.scale.to_px += area.top;

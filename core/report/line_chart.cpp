@@ -110,14 +110,15 @@ std::string draw_horizontal_references(const Panel& panel, const Scale& scale, c
     return out;
 }
 
-std::string draw_spans(const Panel& panel, const Scale& scale, const Rectangle& area) {
+std::string draw_spans(const Panel& panel, const Scale& scale, const Rectangle& area, bool words) {
     std::string out;
     for (const Span& span : panel.spans) {
         const double from = std::clamp(scale(span.from), area.left, area.right());
         const double to = std::clamp(scale(span.to), area.left, area.right());
         if (!(to > from)) continue;
-        out += svg_box({from, area.top, to - from, area.height}, ink::shade);
-        out += svg_text(from + 5.0, area.bottom() - 6.0, span.label, {.halo = true});
+        // The words come after the grid, which would run through them.
+        if (words) out += svg_text(from + 5.0, area.bottom() - 6.0, span.label, {.halo = true});
+        else out += svg_box({from, area.top, to - from, area.height}, ink::shade);
     }
     return out;
 }
@@ -158,8 +159,8 @@ DataRange range_of_y(const Panel& panel) {
 
 std::string draw_panel(const LineChart& chart, const Panel& panel, const Rectangle& area, const PlannedAxis& x,
                        const PlannedAxis& y, const std::map<std::string, int>& slots, bool last) {
-    std::string out = draw_spans(panel, x.scale, area) + draw_vertical_axis(panel.y, y, area) +
-                      draw_horizontal_axis(chart.x, x, area, last);
+    std::string out = draw_spans(panel, x.scale, area, false) + draw_vertical_axis(panel.y, y, area) +
+                      draw_horizontal_axis(chart.x, x, area, last) + draw_spans(panel, x.scale, area, true);
     // An inner document clips by itself, without an id that could clash with another figure of the page.
     out += "<svg x=\"" + pixel(area.left) + "\" y=\"" + pixel(area.top) + "\" width=\"" + pixel(area.width) + "\" height=\"" +
            pixel(area.height) + "\" viewBox=\"" + pixel(area.left) + " " + pixel(area.top) + " " + pixel(area.width) + " " +

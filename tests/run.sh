@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything, and runs all tests in one run of ctest: the Release build's, and those of the
+# numerical modules once more with assertions and sanitizers. Ends with ctest's summary; its exit code is the verdict.
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+release=$root/build
+sanitize=$root/build-sanitize
+both=$root/build-both
+jobs=2
+
+# The modules whose memory errors matter most and that run fast; the rest is covered by assertions-off Release tests.
+sanitized=(base solver mesh fem material fibre model measurement report project)
+
+export OPENBLAS_NUM_THREADS=1
+# VTK and Mesa keep allocations until the process ends, which the leak check would report as ours.
+export ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:strict_string_checks=1
+export UBSAN_OPTIONS=print_stacktrace=1
+
+phases=()
+phase() {   # phase NAME COMMAND...: runs the command and keeps the minutes it took
+  local name=$1 start=$SECONDS
+  shift
+  echo "== $name"
+  "$@"
+  phases+=("$(awk -v s=$((SECONDS - start)) -v n="$name" 'BEGIN { printf "%-32s %5.1f min", n, s / 60 }')")
+}
+
+configure() {   # configure FOLDER OPTIONS...
+  local folder=$1
+  shift
+  # A folder that was configured in another place cannot be used again.
+  if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+    rm -rf -- "$folder"
+  fi
+  cmake -S "$root" -B "$folder" -G Ninja --log-level=WARNING "$@"
+}
+
+build_release() {
+  configure "$release" -DCMAKE_BUILD_TYPE=Release
+  cmake --build "$release" -j "$jobs"
+}
+
+build_sanitized() {
+  configure "$sanitize" -DCMAKE_BUILD_TYPE=Debug -DMYOLOOP_SANITIZE=ON
+  local targets=(myoloop-tetgen) module
+  for module in "${sanitized[@]}"; do
+    if compgen -G "$root/tests/$module/*_test.cpp" >/dev/null; then targets+=("test_$module"); fi
+  done
+  cmake --build "$sanitize" -j "$jobs" --target "${targets[@]}"
+}
+
+phase "Packages" bash "$root/app/install_packages.sh" --tests
+phase "Build, Release" build_release
+phase "Build, sanitizers (subset)" build_sanitized
+
+# One ctest over both builds: their test names differ by the prefix "sanitize.".
+mkdir -p "$both"
+printf 'subdirs("%s" "%s")\n' "$release" "$sanitize" >"$both/CTestTestfile.cmake"
+
+echo "== Minutes"
+printf '%s\n' "${phases[@]}"
+echo "== Tests"
+# Test programs outside the subset are not built with sanitizers; ctest knows them as <program>_NOT_BUILT.
+exec ctest --test-dir "$both" --parallel "$jobs" --output-on-failure --no-tests=error --exclude-regex '_NOT_BUILT$'
