@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "project/check_body.hpp"
 #include "project/read_experiment_tables.hpp"
 #include "project/toml_override.hpp"
 #include "project/toml_reader.hpp"
@@ -26,7 +27,8 @@ Experiment read_document(const TomlValue& root, const fs::path& folder) {
     experiment.folder = folder;
     experiment.key_locations = locations(root);
     experiment.key_locations.emplace("", root.where);
-    experiment.name = document.name("name");
+    experiment.name = document.text("name");
+    if (experiment.name.find_first_not_of(" \t\r\n") == std::string::npos) document.fail("name", "must not be empty");
     experiment.description = document.text_or("description", "");
     experiment.geometry = read_geometry(document, folder);
     experiment.clamp_box_m = document.table("clamp", {"box_m"}).box("box_m");
@@ -41,7 +43,9 @@ Experiment read_document(const TomlValue& root, const fs::path& folder) {
     experiment.trials = read_trials(document, folder);
     experiment.effects = read_effects(document);
     check_declarations(experiment);
-    if (std::holds_alternative<BoxGeometry>(experiment.geometry)) check_against_box_body(experiment);
+    // A box is known from the declaration alone; an STL is looked at by who reads it.
+    if (std::holds_alternative<BoxGeometry>(experiment.geometry))
+        if (const Result<void> fits = check_on_body(experiment, *read_body_surface(experiment)); !fits) throw TomlFailure{fits.error()};
     return experiment;
 }
 

@@ -14,7 +14,8 @@ namespace myo {
 ///
 /// @param overrides  keys and values from the command line (`--set key=value`), see override_toml(); an error in one of
 ///                   them has "--set" as its place
-/// Errors: everything that can be seen without the traces and an STL's triangles. `where` is file and line, `what` begins
+/// Errors: everything that can be seen without the traces and an STL's triangles; for those see read_trial.hpp and
+/// check_body.hpp. `where` is file and line, `what` begins
 /// with the key: "trial[1].load[0].box_m: lowest corner is above the highest (z 0.03 > 0.01)".
 Result<Experiment> read_experiment(const std::filesystem::path& folder,
                                    const std::vector<std::pair<std::string, std::string>>& overrides = {});

@@ -26,9 +26,6 @@ std::vector<EffectDeclaration> read_effects(const TomlReader& document);
 /// Names that one table uses and another declares, and what needs two tables to be wrong; adds warnings.
 void check_declarations(Experiment& experiment);
 
-/// Clamp, loads, muscles and rest positions against a body whose shape the declaration gives (kind "box").
-void check_against_box_body(const Experiment& experiment);
-
 /// Fails when a name in `names` occurs twice; `paths[i]` is the key of names[i].
 void check_unique(const Experiment& experiment, const std::vector<std::string>& names, const std::vector<std::string>& paths);
 

@@ -137,7 +137,9 @@ TEST_F(ReadTrial, LeadersOfChainsMultiply) {
     EXPECT_EQ(leaders[0].leader, 0u);
     EXPECT_EQ(leaders[2].leader, 0u);
     EXPECT_EQ(leaders[2].factor, -2.0);
-    EXPECT_NEAR(read_trial_actuation(e, e.trials[0])->values(2, 1), 1.4, 1e-15);
+    const Result<ActuationTable> read = read_trial_actuation(e, e.trials[0]);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_NEAR(read->values(2, 1), 1.4, 1e-15);
 }
 
 TEST_F(ReadTrial, ActuationColumnsMustBeMusclesThatMove) {

@@ -1,0 +1,132 @@
+#include "project/check_body.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "mesh/clipping.hpp"
+#include "mesh/face_shape.hpp"
+#include "mesh/surface_check.hpp"
+#include "mesh/surface_reader.hpp"
+#include "project/read_experiment.hpp"
+
+namespace myo {
+namespace {
+
+Eigen::Matrix3d corners(const SurfaceMesh& surface, Eigen::Index triangle) {
+    Eigen::Matrix3d X;
+    for (int i = 0; i < 3; ++i) X.col(i) = surface.vertices.col(surface.triangles(i, triangle));
+    return X;
+}
+
+// Times the surface winds round the point: 1 inside, 0 outside. Solid angles after Van Oosterom & Strackee 1983.
+double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point) {
+    double angle = 0.0;
+    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+        const Eigen::Matrix3d X = corners(surface, t).colwise() - point;
+        const Eigen::Vector3d a = X.col(0), b = X.col(1), c = X.col(2);
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return angle / (4.0 * std::numbers::pi);
+}
+
+class BodyCheck {
+public:
+    // STL holds 32-bit numbers: a face meant to lie at 0.1 may be 6e-9 off.
+    explicit BodyCheck(const SurfaceMesh& body)
+        : body_(body), tolerance_(1e-7 * bounding_box(body.vertices).size().maxCoeff()) {}
+
+    // A box that no triangle reaches is wholly inside or wholly outside.
+    bool holds_material(const Box& box) const {
+        for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t)
+            if (!part_in(box, t).empty()) return true;
+        return winding_number(body_, 0.5 * (box.lowest + box.highest)) > 0.5;
+    }
+
+    // Touching from outside is not enough to have a volume in common.
+    bool holds_volume(Box box) const {
+        box.lowest.array() += 2.0 * tolerance_;
+        box.highest.array() -= 2.0 * tolerance_;
+        return (box.size().array() > 0.0).all() && holds_material(box);
+    }
+
+    bool holds_surface(const Box& box) const {
+        double area = 0.0;
+        for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t) {
+            const Polygon part = part_in(box, t);
+            for (std::size_t i = 2; i < part.size(); ++i) area += 0.5 * (part[i - 1] - part[0]).cross(part[i] - part[0]).norm();
+        }
+        return area > 4.0 * tolerance_ * bounding_box(body_.vertices).size().maxCoeff();
+    }
+
+    double distance_to_surface(const Eigen::Vector3d& point) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t) {
+            const Eigen::Matrix3Xd X = corners(body_, t);
+            nearest = std::min(nearest, (X * face_shape(3, closest_face_parameters(X, point)) - point).norm());
+        }
+        return nearest;
+    }
+
+    double tolerance() const { return tolerance_; }
+
+private:
+    Polygon part_in(const Box& box, Eigen::Index triangle) const {
+        const Eigen::Matrix3d X = corners(body_, triangle);
+        return clip_to_box({X.col(0), X.col(1), X.col(2)}, box, tolerance_);
+    }
+
+    const SurfaceMesh& body_;
+    double tolerance_;
+};
+
+std::string element(const std::string& table, std::size_t index) { return table + "[" + std::to_string(index) + "]"; }
+
+}  // namespace
+
+Result<SurfaceMesh> read_body_surface(const Experiment& experiment) {
+    if (const auto* box = std::get_if<BoxGeometry>(&experiment.geometry))
+        return box_surface(Box{box->origin_m, box->origin_m + box->size_m});
+    const auto& stl = std::get<StlGeometry>(experiment.geometry);
+    Result<SurfaceMesh> raw = read_surface(stl.file, stl.metres_per_unit, stl.rotation);
+    if (!raw) return Error{"geometry.file: " + raw.error().what, raw.error().where};
+    if (const Result<void> size = check_plausible_size(bounding_box(raw->vertices).size()); !size)
+        return declaration_error(experiment, "geometry.unit", size.error().what);
+    SurfaceMesh body = weld(*raw);
+    const SurfaceReport report = check_surface(body);
+    const std::string file = stl.file.filename().string();
+    if (!report.closed) return declaration_error(experiment, "geometry.file", file + " is not closed: " + std::to_string(report.open_edges) + " open edges");
+    if (report.oriented && !report.outward)
+        return declaration_error(experiment, "geometry.file", file + " is turned inside out; its triangles must face outward");
+    return body;
+}
+
+Result<void> check_on_body(const Experiment& experiment, const SurfaceMesh& body) {
+    const BodyCheck check(body);
+    if (!check.holds_material(experiment.clamp_box_m))
+        return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");
+    for (std::size_t i = 0; i < experiment.muscles.size(); ++i)
+        if (!check.holds_volume(experiment.muscles[i].box_m))
+            return declaration_error(experiment, element("muscle", i) + ".box_m", "the box contains no material of the body");
+    for (std::size_t i = 0; i < experiment.trials.size(); ++i)
+        for (std::size_t j = 0; j < experiment.trials[i].loads.size(); ++j)
+            if (!check.holds_surface(experiment.trials[i].loads[j].box_m))
+                return declaration_error(experiment, element("trial", i) + "." + element("load", j) + ".box_m",
+                                         "the box contains no surface of the body for the load to act on");
+    const double allowed = experiment.markers.max_standoff_m;
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) {
+        const double distance = check.distance_to_surface(marker.rest_m);
+        if (distance > allowed + check.tolerance())
+            return declaration_error(experiment, "markers.rest_m." + marker.name,
+                                     "the rest position is " + format_number(1e3 * distance, 4) +
+                                         " mm off the surface, more than max_standoff_m (" + format_number(1e3 * allowed, 4) + " mm)");
+    }
+    return {};
+}
+
+}  // namespace myo

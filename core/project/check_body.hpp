@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/result.hpp"
+#include "mesh/surface_mesh.hpp"
+#include "project/experiment.hpp"
+
+namespace myo {
+
+/// The declared body's surface in the mesh frame [m]: the box, or the STL scaled, rotated and with its vertices joined.
+///
+/// Errors: an STL that cannot be read, is open or turned inward; a body larger than 10 m or smaller than 1 mm. Each with the
+/// key, at the key's line or the place in the STL.
+Result<SurfaceMesh> read_body_surface(const Experiment& experiment);
+
+/// Clamp, muscles, loads and rest positions against the body.
+///
+/// @param body  closed and outward, mesh frame
+/// Errors, with key and line: a clamp or muscle box without material, a load box without surface, a rest position farther
+/// than max_standoff_m from the surface. Fixed markers are not on the body and may be anywhere.
+Result<void> check_on_body(const Experiment& experiment, const SurfaceMesh& body);
+
+}  // namespace myo
