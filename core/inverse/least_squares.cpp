@@ -1,0 +1,175 @@
+#include "inverse/least_squares.hpp"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace myo {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Evaluates once per point: Ceres asks first for residuals, then, when it accepts the step, for the Jacobian.
+class Evaluator {
+public:
+    Evaluator(const std::vector<Parameter>& parameters, const ResidualFunction& function, const Progress& progress,
+              const LeastSquaresOptions& options, LeastSquaresReport& report)
+        : parameters_(parameters), function_(function), progress_(progress), options_(options), report_(report) {}
+
+    const ResidualEvaluation& at(const VectorXd& values) {
+        for (const auto& [point, evaluation] : cache_)
+            if (point == values) return evaluation;
+        if (cache_.size() == 3) cache_.erase(cache_.begin());
+        cache_.emplace_back(values, function_(values));
+        const ResidualEvaluation& evaluation = cache_.back().second;
+        ++report_.evaluations;
+        if (evaluation.ok) report_.history.push_back({values, 0.5 * evaluation.residuals.squaredNorm()});
+        progress_.report({"fit", static_cast<double>(report_.evaluations), static_cast<double>(options_.max_evaluations), "evaluations",
+                          evaluation.ok ? "rms " + std::to_string(std::sqrt(evaluation.residuals.squaredNorm() /
+                                                                            static_cast<double>(std::max<Eigen::Index>(1, evaluation.residuals.size())))) + " of the noise"
+                                        : evaluation.message});
+        return evaluation;
+    }
+
+    VectorXd physical(const double* scaled) const {
+        VectorXd values(static_cast<Eigen::Index>(parameters_.size()));
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
+            values(static_cast<Eigen::Index>(i)) = scaled[i] * parameters_[i].scale;
+        return values;
+    }
+
+    const std::vector<Parameter>& parameters() const { return parameters_; }
+
+private:
+    const std::vector<Parameter>& parameters_;
+    const ResidualFunction& function_;
+    const Progress& progress_;
+    const LeastSquaresOptions& options_;
+    LeastSquaresReport& report_;
+    std::vector<std::pair<VectorXd, ResidualEvaluation>> cache_;
+};
+
+class ResidualBlock final : public ceres::CostFunction {
+public:
+    ResidualBlock(Evaluator& evaluator, int residuals) : evaluator_(evaluator) {
+        set_num_residuals(residuals);
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(evaluator.parameters().size()));
+    }
+
+    bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
+        const ResidualEvaluation& evaluation = evaluator_.at(evaluator_.physical(blocks[0]));
+        if (!evaluation.ok || evaluation.residuals.size() != num_residuals()) return false;
+        std::copy(evaluation.residuals.begin(), evaluation.residuals.end(), residuals);
+        if (jacobians != nullptr && jacobians[0] != nullptr) {
+            const auto& parameters = evaluator_.parameters();
+            const auto n = static_cast<Eigen::Index>(parameters.size());
+            for (Eigen::Index row = 0; row < evaluation.jacobian.rows(); ++row)
+                for (Eigen::Index i = 0; i < n; ++i)
+                    jacobians[0][row * n + i] = evaluation.jacobian(row, i) * parameters[static_cast<std::size_t>(i)].scale;
+        }
+        return true;
+    }
+
+private:
+    Evaluator& evaluator_;
+};
+
+class StopWhenCancelled final : public ceres::IterationCallback {
+public:
+    explicit StopWhenCancelled(const Progress& progress) : progress_(progress) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+        return progress_.cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    }
+
+private:
+    const Progress& progress_;
+};
+
+/// Deviations and correlations from J'J, in units of the parameters' scales to be well conditioned.
+void set_covariance(const std::vector<Parameter>& parameters, const ResidualEvaluation& end, LeastSquaresReport& report) {
+    const auto n = static_cast<Eigen::Index>(parameters.size());
+    report.deviations = VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
+    report.correlation = Eigen::MatrixXd::Identity(n, n);
+    if (!end.ok) return;
+    VectorXd scale(n);
+    for (Eigen::Index i = 0; i < n; ++i) scale(i) = parameters[static_cast<std::size_t>(i)].scale;
+    const Eigen::MatrixXd J = end.jacobian * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
+    if (eigen.eigenvalues()(0) <= 1e-14 * eigen.eigenvalues()(n - 1)) return;   // a direction the data do not see
+    const double freedom = static_cast<double>(std::max<Eigen::Index>(1, end.residuals.size() - n));
+    const double variance = std::max(1.0, end.residuals.squaredNorm() / freedom);
+    const Eigen::MatrixXd covariance =
+        variance * eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+    const VectorXd deviation = covariance.diagonal().cwiseSqrt();
+    report.deviations = deviation.cwiseProduct(scale);
+    report.correlation = deviation.cwiseInverse().asDiagonal() * covariance * deviation.cwiseInverse().asDiagonal();
+}
+
+}  // namespace
+
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                                     const LeastSquaresOptions& options, const Progress& progress) {
+    LeastSquaresReport report;
+    const auto n = static_cast<Eigen::Index>(parameters.size());
+    report.start.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) report.start(i) = parameters[static_cast<std::size_t>(i)].value;
+    report.values = report.start;
+    Evaluator evaluator(parameters, residuals, progress, options, report);
+    std::vector<double> scaled;
+    for (const Parameter& parameter : parameters) scaled.push_back(parameter.value / parameter.scale);
+
+    const ResidualEvaluation first = evaluator.at(evaluator.physical(scaled.data()));
+    if (!first.ok) {
+        report.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
+        report.message = first.message;
+        return report;
+    }
+    report.cost_before = report.cost_after = 0.5 * first.residuals.squaredNorm();
+    if (n == 0) {
+        report.status = FitStatus::converged;
+        report.deviations.resize(0);
+        report.correlation.resize(0, 0);
+        return report;
+    }
+
+    ceres::Problem problem;
+    problem.AddResidualBlock(new ResidualBlock(evaluator, static_cast<int>(first.residuals.size())), nullptr, scaled.data());
+    for (int i = 0; i < static_cast<int>(n); ++i) {
+        const Parameter& parameter = parameters[static_cast<std::size_t>(i)];
+        if (std::isfinite(parameter.lower)) problem.SetParameterLowerBound(scaled.data(), i, parameter.lower / parameter.scale);
+        if (std::isfinite(parameter.upper)) problem.SetParameterUpperBound(scaled.data(), i, parameter.upper / parameter.scale);
+    }
+    ceres::Solver::Options settings;
+    settings.linear_solver_type = ceres::DENSE_QR;
+    settings.logging_type = ceres::SILENT;
+    settings.max_num_iterations = options.max_evaluations;
+    settings.function_tolerance = options.relative_decrease;
+    settings.parameter_tolerance = options.relative_step;
+    settings.gradient_tolerance = 1e-12;
+    settings.initial_trust_region_radius = 1e4;
+    settings.num_threads = 1;
+    StopWhenCancelled stop(progress);
+    settings.callbacks.push_back(&stop);
+    ceres::Solver::Summary summary;
+    ceres::Solve(settings, &problem, &summary);
+
+    report.values = evaluator.physical(scaled.data());
+    report.cost_after = summary.final_cost;
+    if (progress.cancelled()) {
+        report.status = FitStatus::cancelled;
+        report.message = "stopped by the user";
+    } else if (summary.termination_type == ceres::CONVERGENCE) {
+        report.status = FitStatus::converged;
+    } else {
+        report.status = summary.IsSolutionUsable() ? FitStatus::not_converged : FitStatus::failed;
+        report.message = summary.message;
+    }
+    if (!progress.cancelled()) set_covariance(parameters, evaluator.at(report.values), report);
+    return report;
+}
+
+}  // namespace myo

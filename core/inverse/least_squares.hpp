@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+
+namespace myo {
+
+/// A number to be found.
+struct Parameter {
+    std::string name;                 // with its unit: "youngs_modulus_Pa"
+    double value = 0.0;               // start
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+    double scale = 1.0;               // a change of this size matters
+};
+
+/// Residuals r (m) in units of their standard deviation and J = dr/dp (m x n) at p.
+struct ResidualEvaluation {
+    bool ok = false;                  // false: the model could not be run there; the optimiser steps back
+    std::string message;
+    Eigen::VectorXd residuals;
+    Eigen::MatrixXd jacobian;
+};
+using ResidualFunction = std::function<ResidualEvaluation(const Eigen::VectorXd&)>;
+
+enum class FitStatus { not_run, converged, not_converged, cancelled, failed };
+
+struct FitIterate {
+    Eigen::VectorXd values;
+    double cost = 0.0;                // |r|^2 / 2
+};
+
+struct LeastSquaresReport {
+    FitStatus status = FitStatus::not_run;
+    std::string message;
+    Eigen::VectorXd start;
+    Eigen::VectorXd values;
+    Eigen::VectorXd deviations;       // standard deviations; NaN where the data do not determine the parameter
+    Eigen::MatrixXd correlation;      // n x n
+    double cost_before = 0.0;
+    double cost_after = 0.0;
+    int evaluations = 0;
+    std::vector<FitIterate> history;  // every evaluation, in order
+
+    bool converged() const { return status == FitStatus::converged; }
+};
+
+struct LeastSquaresOptions {
+    int max_evaluations = 60;
+    double relative_decrease = 1e-8;  // of the cost, below which it has converged
+    double relative_step = 1e-7;      // of the parameters
+};
+
+/// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per evaluation.
+///
+/// Deviations: (J'J)^-1 at the end, times the residual variance where that exceeds 1 (the model does not explain the data
+/// to their noise, so the noise alone would promise too much).
+/// Source: Nocedal & Wright 2006, ch. 10; Ceres Solver.
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                                     const LeastSquaresOptions& options = {}, const Progress& progress = {});
+
+}  // namespace myo

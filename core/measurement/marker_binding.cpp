@@ -1,0 +1,75 @@
+#include "measurement/marker_binding.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+#include "fem/shape_functions.hpp"
+#include "material/polar.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Reference coordinates of a point of a cell, by Newton's method from the middle.
+template <class Shape>
+Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Vector3d& point, const Vector3d& middle) {
+    Vector3d xi = middle;
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        const Vector3d error = point - X * Shape::values(xi);
+        const Vector3d step = (X * Shape::derivatives(xi)).inverse() * error;
+        xi += step;
+        if (step.norm() < 1e-14) break;
+    }
+    return xi;
+}
+
+template <class Shape>
+void set_shape(MarkerBinding& binding, const Eigen::Matrix3Xd& X, const Vector3d& point, const Vector3d& middle) {
+    const Vector3d xi = reference_coordinates<Shape>(X, point, middle);
+    const auto D = Shape::derivatives(xi);
+    binding.weights = Shape::values(xi);
+    binding.gradient = D * (X * D).inverse();
+}
+
+/// Below a billionth of a metre an offset is rounding of the rest position.
+bool on_surface(const MarkerBinding& binding) { return binding.standoff_m() < 1e-9; }
+
+}  // namespace
+
+MarkerBinding bind_marker(const VolumeMesh& mesh, const BoundaryLocator& locator, const Vector3d& rest_m) {
+    const BoundaryPoint nearest = closest_boundary_point(locator, rest_m);
+    MarkerBinding binding;
+    Eigen::Matrix3Xd X(3, mesh.cells.rows());
+    for (Eigen::Index a = 0; a < mesh.cells.rows(); ++a) {
+        binding.nodes.push_back(mesh.cells(a, nearest.cell));
+        X.col(a) = mesh.nodes.col(mesh.cells(a, nearest.cell));
+    }
+    switch (mesh.type) {
+        case CellType::hex8: set_shape<Hex8>(binding, X, nearest.point, Vector3d::Zero()); break;
+        case CellType::tet4: set_shape<Tet4>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
+        case CellType::tet10: set_shape<Tet10>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
+    }
+    binding.offset = rest_m - nearest.point;
+    return binding;
+}
+
+Vector3d marker_position(const MarkerBinding& binding, const Eigen::Matrix3Xd& x) {
+    const Vector3d surface = x * binding.weights;
+    if (on_surface(binding)) return surface + binding.offset;
+    return surface + polar_rotation(x * binding.gradient) * binding.offset;
+}
+
+Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx) {
+    const Vector3d surface = dx * binding.weights;
+    if (on_surface(binding)) return surface;
+    const Matrix3d F = x * binding.gradient;
+    const Matrix3d dF = dx * binding.gradient;
+    const Eigen::Matrix<double, 9, 1> dR =
+        polar_rotation_derivative(F, polar_rotation(F)) * Eigen::Map<const Eigen::Matrix<double, 9, 1>>(dF.data());
+    return surface + Eigen::Map<const Matrix3d>(dR.data()) * binding.offset;
+}
+
+}  // namespace myo

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "dynamics/simulate.hpp"
+#include "measurement/marker_binding.hpp"
+#include "sensitivity/tangent_run.hpp"
+
+namespace myo {
+
+/// Markers bound to a body, with the nodes that they need.
+struct MarkerSet {
+    std::vector<MarkerBinding> bindings;
+    std::vector<int> nodes;                    // ascending, each once
+    std::vector<std::vector<int>> positions;   // per binding: where its nodes stand in `nodes`
+};
+MarkerSet marker_set(const VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m);
+
+/// Markers at given times. Between steps the nodes move on cubic Hermite curves through positions and velocities (error of
+/// fourth order in h); before 0 they rest, after the last step they stay.
+struct MarkerTracks {
+    std::vector<Eigen::Matrix3Xd> positions;    // per marker 3 x T [m]
+    std::vector<Eigen::Matrix3Xd> velocities;   // d position / d t [m/s]
+};
+MarkerTracks observe(const Trace& trace, const MarkerSet& markers, const Eigen::VectorXd& times_s);
+
+/// The same with the derivative of the positions with respect to each parameter: [parameter][marker] 3 x T.
+struct SensitiveTracks {
+    MarkerTracks tracks;
+    std::vector<std::vector<Eigen::Matrix3Xd>> tangents;
+};
+SensitiveTracks observe(const SensitiveTrace& run, const MarkerSet& markers, const Eigen::VectorXd& times_s);
+
+}  // namespace myo
