@@ -1,6 +1,5 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
@@ -9,14 +8,12 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <cstring>
 #include <exception>
 #include <string>
 
 #include "base/files.hpp"
 #include "mesh/file_formats.hpp"
 #include "mesh/polygon.hpp"
-#include "mesh/text_scanner.hpp"
 #include "mesh/vtk_session.hpp"
 
 namespace myo {
@@ -162,36 +159,7 @@ Result<CellSoup> cells_of(vtkUnstructuredGrid* grid, const std::filesystem::path
     return soup;
 }
 
-// Numbers after "element vertex" and "element face"; VTK does not say when it found fewer.
-bool counts_in_ply(const std::string& content, long long& vertices, long long& faces) {
-    const std::size_t end = content.find("end_header");
-    if (end == std::string::npos) return false;
-    const std::string header = content.substr(0, end);
-    TextScanner text(header, "");
-    vertices = faces = -1;
-    do {
-        if (text.word_on_line() != "element") continue;
-        const std::string_view what = text.word_on_line();
-        if (what == "vertex" && !text.integer_on_line(vertices)) return false;
-        if (what == "face" && !text.integer_on_line(faces)) return false;
-    } while (text.next_line());
-    const auto size = static_cast<long long>(content.size());
-    return vertices >= 0 && faces >= 0 && vertices <= size && faces <= size;
-}
-
 }  // namespace
-
-Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
-    const auto content = content_beginning_with(path, "ply");
-    if (!content) return content.error();
-    long long vertices = 0, faces = 0;
-    if (!counts_in_ply(*content, vertices, faces)) return Error{"the PLY header is garbled", path.string()};
-    vtkNew<vtkPLYReader> reader;
-    if (!update(*reader, path)) return broken(path);
-    vtkPolyData* data = reader->GetOutput();
-    if (data->GetNumberOfPoints() != vertices || data->GetNumberOfPolys() != faces) return broken(path);
-    return polygons_of(data, path);
-}
 
 Result<PolygonSoup> read_vtp(const std::filesystem::path& path) {
     if (const auto content = content_beginning_with(path, "VTKFile"); !content) return content.error();
