@@ -21,6 +21,24 @@ struct Window {
     Eigen::Index length;
 };
 
+std::vector<Eigen::Index> new_samples(const Recording& recording) {
+    const std::vector<Eigen::Index> repeats = repeated_samples(recording);
+    std::vector<Eigen::Index> samples;
+    for (Eigen::Index t = 0; t < recording.sample_count(); ++t) {
+        if (!std::binary_search(repeats.begin(), repeats.end(), t)) samples.push_back(t);
+    }
+    return samples;
+}
+
+Recording take_samples(const Recording& recording, const std::vector<Eigen::Index>& samples) {
+    Recording result;
+    result.labels = recording.labels;
+    result.rate_Hz = recording.rate_Hz;
+    result.time_s = recording.time_s(samples);
+    for (const Eigen::Matrix3Xd& track : recording.tracks) result.tracks.emplace_back(track(Eigen::all, samples));
+    return result;
+}
+
 Window reference_window(const Recording& recording, const MotionStartOptions& options) {
     const auto samples = [&](double seconds, double least) {
         return static_cast<Eigen::Index>(std::clamp(std::round(seconds * recording.rate_Hz), least, 1e6));
@@ -179,9 +197,13 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
                   const Window& window) {
     const double at_first = movers.time_s(first);
     const double still = movers.time_s(first - 1);
-    // The beginning of the motion only: up to a fifth of the peak, at most as many samples as the reference is old.
+    // The beginning of the motion only: up to a fifth of the peak (half of it for fast bodies, to have three samples), and at
+    // most as many samples as the reference is old.
+    const auto belongs = [&](Eigen::Index k) {
+        return k < window.lag && first + k < departure.size() && departure(first + k) < (k < 3 ? 0.5 : 0.2) * peak;
+    };
     Eigen::Index count = 1;
-    while (count < window.lag && first + count < departure.size() && (count < 3 || departure(first + count) < 0.2 * peak)) ++count;
+    while (belongs(count)) ++count;
     const Eigen::VectorXd displacement = displacement_along_motion(movers, first, count, window);
     const Eigen::VectorXd times = movers.time_s.segment(first, count);
     // A mass that starts from rest moves as t^2. A line is for slow drives, of which many samples show that it fits better.
@@ -191,9 +213,12 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
         if (linear.squared_error < 0.25 * law.squared_error) law = linear;
     }
     if (!std::isfinite(law.squared_error)) return 0.5 * (still + at_first);
-    // The last still sample was within the noise, so the law may have reached the threshold there, not more; and it is not
-    // to be trusted farther out than half the length of its support.
-    const double earliest = still - std::min(std::pow(threshold, 1.0 / law.power) / law.slope, 0.5 * (times(count - 1) - times(0)));
+    // The law may exceed the last still sample and the first moving one by the threshold, not more; and it is not to be
+    // trusted farther out than half the length of its support.
+    const auto time_to_reach = [&](double d) { return std::pow(std::max(d, 0.0), 1.0 / law.power) / law.slope; };
+    const double first_displacement = std::isnan(displacement(0)) ? departure(first) : displacement(0);
+    const double earliest = std::max({still - time_to_reach(threshold), at_first - time_to_reach(first_displacement + threshold),
+                                      still - 0.5 * (times(count - 1) - times(0))});
     return std::clamp(std::max(law.start_s, earliest), movers.time_s(0), at_first);
 }
 
@@ -208,7 +233,9 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
         return result;
     }
     result.time_s = recording.time_s(0);
-    const Result<Recording> chosen = select_labels(recording, labels.empty() ? recording.labels : labels);
+    // Repeats carry no time of their own: without them the steps between samples are those of the motion.
+    const std::vector<Eigen::Index> samples = new_samples(recording);
+    const Result<Recording> chosen = select_labels(take_samples(recording, samples), labels.empty() ? recording.labels : labels);
     if (!chosen) {
         result.message = chosen.error().what;
         return result;
@@ -264,18 +291,17 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
             result.threshold_m = std::max(result.threshold_m, std::min(2.5 * usual, options.gross_fraction * peak));
         }
     }
-    result.first_moving = trace_back(group, *gross, result.threshold_m);
-    result.last_still = result.first_moving - 1;
-    if (result.first_moving <= 1) {
+    const Eigen::Index first = trace_back(group, *gross, result.threshold_m);
+    if (first <= 1) {
         // Sample 0 is its own reference: whether the body rested then cannot be told.
-        result.first_moving = 0;
-        result.last_still = -1;
         result.message = "the motion has begun by the second sample, so the start is taken at the first one, " +
                          seconds_text(result.time_s) + "; give the start if the recording begins later";
         return result;
     }
     result.found = true;
-    result.time_s = onset_time(movers, group, result.first_moving, peak, result.threshold_m, window);
+    result.first_moving = samples[static_cast<std::size_t>(first)];
+    result.last_still = result.first_moving - 1;
+    result.time_s = onset_time(movers, group, first, peak, result.threshold_m, window);
     result.message = "motion starts at " + seconds_text(result.time_s) + " (sample " + std::to_string(result.first_moving) +
                      " is the first to leave the rest by more than " + format_number(1e3 * result.threshold_m, 3) + " mm)";
     return result;
