@@ -1,0 +1,182 @@
+#include "architecture/source_rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+#include <sstream>
+
+namespace myo::test {
+namespace {
+
+std::string first_folder(const std::string& path) { return path.substr(0, path.find('/')); }
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? std::string{} : path.substr(0, slash + 1);
+}
+
+bool ends_with(const std::string& text, std::string_view end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool is_cpp(const std::string& path) { return ends_with(path, ".cpp") || ends_with(path, ".hpp"); }
+
+Fault fault(const SourceFile& file, int line, const std::string& why) {
+    return file.path + ":" + std::to_string(line) + ": " + why;
+}
+
+// Place in the order, or nothing for names that are no module of core.
+std::optional<std::size_t> rank_of(const std::string& module) {
+    const auto found = std::find(module_order.begin(), module_order.end(), module);
+    if (found == module_order.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - module_order.begin());
+}
+
+// Folders in which a file may look for a quoted name, nearest layer first.
+std::vector<std::string> search_folders(const std::string& path) {
+    const std::string layer = first_folder(path);
+    if (layer == "core") return {"core/"};
+    if (layer == "ui") return {"ui/", "core/"};
+    if (layer == "app") return {folder_of(path), "app/", "ui/", "core/"};
+    return {folder_of(path), "tests/", "app/", "ui/", "core/"};
+}
+
+std::string find_included(const SourceFile& file, const Include& include, const FileExists& exists) {
+    for (const std::string& folder : search_folders(file.path))
+        if (exists(folder + include.name)) return folder + include.name;
+    return {};
+}
+
+bool draws(const std::string& header) {
+    for (const char* prefix : {"imgui", "GLFW/", "GL/", "GLES", "EGL/", "epoxy/", "glad/", "stb_", "ft2build", "freetype"})
+        if (header.rfind(prefix, 0) == 0) return true;
+    return false;
+}
+
+std::vector<Fault> core_include_faults(const SourceFile& file, const Include& include) {
+    std::vector<Fault> faults;
+    const std::string module = first_folder(file.path.substr(5));
+    if (draws(include.name)) faults.push_back(fault(file, include.line, "core includes " + include.name + ", which draws"));
+    if (include.name.rfind("vtk", 0) == 0) {
+        if (ends_with(file.path, ".hpp")) faults.push_back(fault(file, include.line, "a header of core includes VTK"));
+        if (module != "mesh" && module != "project")
+            faults.push_back(fault(file, include.line, "only core/mesh and core/project use VTK"));
+    }
+    if (include.name == "iostream") faults.push_back(fault(file, include.line, "core does not print"));
+    if (!include.quoted) return faults;
+    const std::string other = first_folder(include.name);
+    const auto here = rank_of(module), there = rank_of(other);
+    if (there && here && *there > *here)
+        faults.push_back(fault(file, include.line, "core/" + module + " includes core/" + other + ", which comes after it"));
+    return faults;
+}
+
+}  // namespace
+
+const std::vector<std::string> module_order = {"base", "solver", "mesh", "fem", "material", "fibre", "model", "dynamics",
+                                               "sensitivity", "measurement", "effect", "inverse", "diagnosis", "report", "project"};
+
+std::vector<Include> includes_of(const std::string& text) {
+    static const std::regex pattern(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");
+    std::vector<Include> includes;
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        std::smatch match;
+        if (std::regex_search(line, match, pattern)) includes.push_back({match[2], match[1] == "\"", number});
+    }
+    return includes;
+}
+
+std::vector<Fault> include_faults(const SourceFile& file, const FileExists& exists) {
+    std::vector<Fault> faults;
+    if (!is_cpp(file.path)) return faults;
+    const std::string layer = first_folder(file.path);
+    for (const Include& include : includes_of(file.text)) {
+        if (layer == "core") {
+            const std::vector<Fault> more = core_include_faults(file, include);
+            faults.insert(faults.end(), more.begin(), more.end());
+        }
+        if (!include.quoted) continue;
+        const std::string found = find_included(file, include, exists);
+        if (found.empty()) faults.push_back(fault(file, include.line, "\"" + include.name + "\" is no file that this layer may include"));
+    }
+    return faults;
+}
+
+std::vector<Fault> printing_faults(const SourceFile& file) {
+    static const std::regex printing(R"((std::cout|std::cerr|std::clog|\bv?f?printf\s*\(|\bf?puts\s*\(|\bputchar\s*\(|\bperror\s*\())");
+    std::vector<Fault> faults;
+    if (first_folder(file.path) != "core" || !is_cpp(file.path)) return faults;
+    std::istringstream lines(code_only(file.text));
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+        if (std::smatch match; std::regex_search(line, match, printing))
+            faults.push_back(fault(file, number, "core does not print (" + match.str() + ")"));
+    return faults;
+}
+
+std::vector<Fault> length_faults(const SourceFile& file) {
+    const auto lines = std::count(file.text.begin(), file.text.end(), '\n');
+    if (!is_cpp(file.path) || lines <= 500) return {};
+    return {fault(file, 501, "has " + std::to_string(lines) + " lines; look for the second idea")};
+}
+
+std::vector<Fault> machine_path_faults(const SourceFile& file) {
+    // Written in two parts, or this file would break the rule itself.
+    static const std::array<std::string, 5> roots = {std::string("/wo") + "rk/", std::string("/tm") + "p/", std::string("/ho") + "me/",
+                                                     std::string("/ro") + "ot/", std::string("/Us") + "ers/"};
+    std::vector<Fault> faults;
+    std::istringstream lines(file.text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+        for (const std::string& root : roots) {
+            const std::size_t at = line.find(root);
+            // "a/tmp/" is part of a relative path or of an address.
+            const bool absolute = at != std::string::npos && (at == 0 || (!std::isalnum(static_cast<unsigned char>(line[at - 1])) && line[at - 1] != '.' && line[at - 1] != '}'));
+            if (absolute) faults.push_back(fault(file, number, "names " + root + ", a folder of one machine"));
+        }
+    return faults;
+}
+
+std::vector<Fault> module_faults(const std::vector<std::string>& folders_of_core) {
+    std::vector<Fault> faults;
+    for (const std::string& folder : folders_of_core)
+        if (!rank_of(folder)) faults.push_back("core/" + folder + ": is not in the order of modules");
+    return faults;
+}
+
+std::string code_only(std::string_view text) {
+    std::string out(text);
+    const auto blank = [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < std::min(to, out.size()); ++i)
+            if (out[i] != '\n') out[i] = ' ';
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        if (text.substr(i, 2) == "//") {
+            const std::size_t end = std::min(text.find('\n', i), text.size());
+            blank(i, end);
+            i = end;
+        } else if (text.substr(i, 2) == "/*") {
+            const std::size_t end = std::min(text.find("*/", i + 2), text.size() - 2) + 2;
+            blank(i, end);
+            i = end;
+        } else if (text.substr(i, 2) == "R\"") {
+            const std::size_t open = std::min(text.find('(', i), text.size());
+            const std::string close = ")" + std::string(text.substr(i + 2, open - i - 2)) + "\"";
+            const std::size_t end = std::min(text.find(close, open), text.size() - close.size()) + close.size();
+            blank(i, end);
+            i = end;
+        } else if (text[i] == '"' || (text[i] == '\'' && (i == 0 || !std::isalnum(static_cast<unsigned char>(text[i - 1]))))) {
+            std::size_t end = i + 1;   // a quote after a letter or digit separates digits: 1'000
+            while (end < text.size() && text[end] != text[i] && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
+            blank(i + 1, end);
+            i = end + 1;
+        } else {
+            ++i;
+        }
+    }
+    return out;
+}
+
+}  // namespace myo::test
