@@ -30,7 +30,7 @@ TEST(ParseNumber, TakesWholeTextsOnly) {
         ASSERT_TRUE(parse_number(text, value)) << text;
         EXPECT_EQ(value, expected) << text;
     }
-    for (const char* text : {"", "  ", "1,5", "1.0 2.0", "1.0x", "abc", "0x10", "--1", "e5", "+", "1e", "1e999"})
+    for (const char* text : {"", "  ", "1,5", "1.0 2.0", "1.0x", "abc", "0x10", "--1", "e5", "+", "1e", "1e999", "+-5", "-+5", "inf", "-inf", "infinity"})
         EXPECT_FALSE(parse_number(text, value)) << text;
 }
 
