@@ -170,6 +170,7 @@ Result<ActuationTable> read_trial_actuation(const Experiment& experiment, const 
     const std::string file = trial.actuation->filename().string();
     Result<ActuationTable> recorded = read_actuation_csv(*trial.actuation);
     if (!recorded) return Error{key + ": " + recorded.error().what, recorded.error().where};
+    for (const std::string& warning : recorded->warnings) table.warnings.push_back(key + ": " + warning);
     for (const std::string& column : recorded->muscles) {
         if (std::find(recordable.begin(), recordable.end(), column) != recordable.end()) continue;
         std::string reason = "which is no declared muscle";

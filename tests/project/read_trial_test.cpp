@@ -130,6 +130,15 @@ TEST_F(ReadTrial, ActuationHasARowForEveryMuscle) {
     EXPECT_EQ(none->values, Eigen::MatrixXd::Ones(2, 1)) << "no file: passive";
 }
 
+TEST_F(ReadTrial, WarningsOfTheSignalFileArePassedOn) {
+    folder_.write("signal.csv", signal_csv + "0.2,0.8\n");
+    const Experiment e = experiment();
+    const Result<ActuationTable> read = read_trial_actuation(e, e.trials[0]);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->warnings.size(), 1u);
+    EXPECT_THAT(read->warnings[0], StartsWith("trial[0].actuation: "));
+}
+
 TEST_F(ReadTrial, LeadersOfChainsMultiply) {
     const Experiment e = experiment({{"muscle[2]", "{name='third', box_m=[[0.01,0,0],[0.02,0.01,0.01]], fibre=[1,0,0], stiffness_Pa=1, "
                                                    "follows={muscle='right', ratio=4}}"}});
