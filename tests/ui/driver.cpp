@@ -1,0 +1,107 @@
+#include "ui/driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+namespace myo::test {
+
+Driver::Driver(int width_, int height_) : width(width_), height(height_) {
+    auto made = OffscreenContext::make(width, height);
+    if (!made) throw std::runtime_error(made.error().text());
+    context = std::move(*made);
+    workbench.emplace(backend);
+    auto opened = WorkbenchWindow::make(*workbench);
+    if (!opened) throw std::runtime_error(opened.error().text());
+    window = std::move(*opened);
+    settle();
+}
+
+void Driver::frame(double seconds) {
+    const auto drawn = window->draw_frame(width, height, seconds);
+    ASSERT_TRUE(drawn) << drawn.error().text();
+}
+
+void Driver::settle() {
+    do frame();
+    while (!window->input().empty());
+    for (int i = 0; i < 3; ++i) frame();
+}
+
+bool Driver::wait_for_job() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (std::chrono::steady_clock::now() < end) {
+        frame();
+        if (!state().busy()) {
+            settle();
+            return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+}
+
+Rectangle Driver::item(const std::string& name) {
+    const auto found = window->items().find(name);
+    EXPECT_TRUE(found) << "no item " << name << " is shown";
+    return found.value_or(Rectangle{});
+}
+
+void Driver::click(const std::string& name, int button) { click_at(item(name).center(), button); }
+
+void Driver::click_at(const ImVec2& place, int button) {
+    window->input().push(MouseMoved{place.x, place.y});
+    window->input().push(MouseButton{button, true, {}});
+    window->input().push(MouseButton{button, false, {}});
+    settle();
+}
+
+void Driver::double_click(const std::string& name) {
+    const ImVec2 place = item(name).center();
+    window->input().push(MouseMoved{place.x, place.y});
+    for (const bool down : {true, false, true, false}) window->input().push(MouseButton{0, down, {}});
+    settle();
+}
+
+void Driver::drag(const ImVec2& from, const ImVec2& to, int button) {
+    window->input().push(MouseMoved{from.x, from.y});
+    window->input().push(MouseButton{button, true, {}});
+    for (int i = 1; i <= 4; ++i) {
+        const float s = static_cast<float>(i) / 4.0f;
+        window->input().push(MouseMoved{from.x + s * (to.x - from.x), from.y + s * (to.y - from.y)});
+        frame();
+        frame();
+    }
+    window->input().push(MouseButton{button, false, {}});
+    settle();
+}
+
+void Driver::wheel(const ImVec2& place, float notches) {
+    window->input().push(MouseMoved{place.x, place.y});
+    settle();
+    window->input().push(MouseWheel{0.0f, notches});
+    settle();
+}
+
+void Driver::key(int key, Modifiers modifiers) {
+    window->input().push(KeyPressed{key, true, modifiers});
+    window->input().push(KeyPressed{key, false, {}});
+    settle();
+}
+
+void Driver::type(const std::string& text) {
+    for (const char c : text) window->input().push(TextTyped{static_cast<unsigned char>(c)});
+    settle();
+}
+
+Image Driver::picture() { return read_frame(width, height); }
+
+void Driver::open_beam() {
+    window->open("/beam");
+    ASSERT_TRUE(wait_for_job());
+    ASSERT_TRUE(state().body);
+}
+
+}  // namespace myo::test

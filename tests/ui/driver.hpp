@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "panels/workbench_window.hpp"
+#include "platform/image.hpp"
+#include "platform/offscreen_context.hpp"
+#include "ui/swinging_beam.hpp"
+
+namespace myo::test {
+
+/// A workbench without a display, driven by named items as a person would by mouse and keyboard.
+class Driver {
+public:
+    explicit Driver(int width = 1280, int height = 800);
+
+    void frame(double seconds = 1.0 / 60.0);
+    /// Frames until every event is consumed and has shown its effect.
+    void settle();
+    /// Frames until no job runs; false after 20 s.
+    bool wait_for_job();
+
+    /// Asserts (gtest) that the item is there.
+    Rectangle item(const std::string& name);
+    bool has(const std::string& name) { return window->items().find(name).has_value(); }
+
+    void click(const std::string& name, int button = 0);
+    void double_click(const std::string& name);
+    void click_at(const ImVec2& place, int button = 0);
+    void drag(const ImVec2& from, const ImVec2& to, int button = 0);
+    void wheel(const ImVec2& place, float notches);
+    void key(int key, Modifiers modifiers = {});
+    void type(const std::string& text);
+
+    const WorkbenchState& state() const { return workbench->state(); }
+    Image picture();
+    /// Opens the beam and waits for its mesh.
+    void open_beam();
+
+    int width, height;
+    std::shared_ptr<SwingingBeam> backend = std::make_shared<SwingingBeam>();
+    std::optional<OffscreenContext> context;
+    std::optional<Workbench> workbench;
+    std::optional<WorkbenchWindow> window;
+};
+
+}  // namespace myo::test

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <atomic>
+
+#include "commands/backend.hpp"
+
+namespace myo::test {
+
+/// A beam whose tip sinks and swings by a closed form: deflection ~ 1 / E, frequency ~ sqrt(E). Stands in for the core, so
+/// that the workbench can be driven in milliseconds.
+class SwingingBeam : public Backend {
+public:
+    static constexpr double measured_modulus = 2.5e5;   // of the "measured" beam [Pa]
+
+    /// Each step of a run waits this long [s].
+    std::atomic<double> step_delay_s = 0.0;
+
+    std::vector<Choice> materials() const override;
+    std::vector<Choice> integrators() const override;
+    bool needs_unit(const std::filesystem::path& path) const override { return path.extension() == ".stl"; }
+    Result<Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit, const Progress& progress) override;
+    MeshPrediction predict(const Scene& scene, const Settings& settings) const override;
+    Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override;
+    Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress) override;
+    Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
+                                        const Progress& progress) override;
+};
+
+/// Where a point of the beam is at time t.
+Eigen::Vector3d beam_point(const Eigen::Vector3d& rest, double youngs_modulus_Pa, double t);
+
+}  // namespace myo::test

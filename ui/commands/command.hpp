@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "commands/workbench_state.hpp"
+
+// What a person can ask for. Panels emit these; Workbench carries them out at the end of the frame.
+
+namespace myo::command {
+
+struct Open { std::filesystem::path path; std::optional<double> metres_per_unit; };
+struct AnswerUnit { std::optional<double> metres_per_unit; };    // empty = do not open
+/// `goes_on`: the same drag as in the last frame, one step for undo.
+struct ChangeSettings { Settings settings; std::string what; bool goes_on = false; };
+struct Undo {};
+struct Redo {};
+struct BuildMesh {};
+struct Run {};
+struct Calibrate {};
+struct Cancel {};
+struct ChooseTrial { int trial = 0; };
+struct ChooseMarker { int marker = 0; };
+struct SetTime { double time_s = 0.0; };
+struct Play { bool playing = true; };
+struct SetSpeed { double speed = 1.0; };
+struct ChangeView { ViewOptions view; };
+struct SetDampingFrequency { double frequency_Hz = 5.0; };
+struct SetTheme { ThemeName theme = ThemeName::dark; float scale = 1.0f; };
+struct ClearLog {};
+
+}  // namespace myo::command
+
+namespace myo {
+
+using Command = std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo,
+                             command::BuildMesh, command::Run, command::Calibrate, command::Cancel, command::ChooseTrial,
+                             command::ChooseMarker, command::SetTime, command::Play, command::SetSpeed, command::ChangeView,
+                             command::SetDampingFrequency, command::SetTheme, command::ClearLog>;
+
+}  // namespace myo

@@ -1,0 +1,147 @@
+#include "commands/scene_at_time.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "viewport/scene_lines.hpp"
+
+namespace myo {
+namespace {
+
+constexpr double trail_s = 0.5;   // how far back trails reach
+
+Color color_of(const ImVec4& c, float alpha = 1.0f) { return {c.x, c.y, c.z, alpha}; }
+
+Box extent_of(const WorkbenchState& state) {
+    Box box;
+    bool first = true;
+    const auto include = [&](const Eigen::Matrix3Xd& points) {
+        for (Eigen::Index i = 0; i < points.cols(); ++i) {
+            if (!points.col(i).allFinite()) continue;
+            box.lowest = first ? Eigen::Vector3d(points.col(i)) : box.lowest.cwiseMin(points.col(i)).eval();
+            box.highest = first ? Eigen::Vector3d(points.col(i)) : box.highest.cwiseMax(points.col(i)).eval();
+            first = false;
+        }
+    };
+    if (state.body) include(state.body->mesh.nodes);
+    if (state.scene) {
+        if (!state.body) include(state.scene->surface.vertices);
+        for (const SceneMarker& marker : state.scene->markers) include(marker.rest_m);
+    }
+    return box;
+}
+
+// Samples in [t - trail_s, t].
+Eigen::Matrix3Xd trail(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s, double t) {
+    const double* begin = time_s.data();
+    const auto first = std::lower_bound(begin, begin + time_s.size(), t - trail_s) - begin;
+    const auto last = std::upper_bound(begin, begin + time_s.size(), t) - begin;
+    return track.middleCols(first, std::max<std::ptrdiff_t>(0, last - first));
+}
+
+void add_line(DrawnScene& scene, Eigen::Matrix3Xd points, const Color& color, double width) {
+    if (points.cols() > 1) scene.lines.push_back({std::move(points), color, width});
+}
+
+void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
+    const SceneTrial* trial = state.scene_trial();
+    const SimulatedTrial* simulated = state.simulated_trial();
+    const ViewOptions& view = state.view;
+    const TimePlace place = trial ? place_in_time(trial->time_s, state.time_s) : TimePlace{};
+    for (std::size_t m = 0; m < state.scene->markers.size(); ++m) {
+        const std::string label = state.scene->markers[m].name;
+        if (place.index < 0) {
+            drawn.markers.push_back({state.scene->markers[m].rest_m, color_of(theme.measured), false, label});
+            continue;
+        }
+        const Eigen::Vector3d measured = at_time(trial->measured[m], place);
+        if (view.measured) {
+            drawn.markers.push_back({measured, color_of(theme.measured), false, label});
+            if (view.trails) add_line(drawn, trail(trial->measured[m], trial->time_s, state.time_s), color_of(theme.measured, 0.75f), 1.5);
+        }
+        if (!simulated || !view.simulated || simulated->markers[m].cols() != trial->time_s.size()) continue;
+        const Eigen::Vector3d predicted = at_time(simulated->markers[m], place);
+        // The label stays with the measured marker while that is seen.
+        drawn.markers.push_back({predicted, color_of(theme.simulated), true, measured.allFinite() && view.measured ? "" : label});
+        if (view.trails) {
+            add_line(drawn, trail(simulated->markers[m], trial->time_s, state.time_s), color_of(theme.simulated, 0.75f), 1.5);
+        }
+        if (view.errors && view.measured) {
+            Eigen::Matrix3Xd whisker(3, 2);
+            whisker << measured, predicted;
+            add_line(drawn, whisker, color_of(theme.failure), 2.0);
+        }
+    }
+}
+
+void add_displacement(DrawnScene& drawn, const WorkbenchState& state) {
+    const Eigen::Matrix3Xd& rest = state.body->mesh.nodes;
+    DrawnField field;
+    field.name = "Displacement";
+    field.unit = "mm";
+    field.values = 1e3 * (drawn.positions - rest).colwise().norm().transpose();
+    // One scale for the whole trial, so that colours can be compared in time.
+    double highest = 0.0;
+    if (const SimulatedTrial* trial = state.simulated_trial()) {
+        const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / 20);
+        for (std::size_t f = 0; f < trial->frames.size(); f += stride) {
+            highest = std::max(highest, (trial->frames[f] - rest).colwise().norm().maxCoeff());
+        }
+    }
+    field.highest = std::max(1e3 * highest, 1e-3);
+    drawn.field = std::move(field);
+}
+
+}  // namespace
+
+TimePlace place_in_time(const Eigen::VectorXd& time_s, double t) {
+    TimePlace place;
+    if (time_s.size() == 0) return place;
+    const double* begin = time_s.data();
+    const double* end = begin + time_s.size();
+    const auto above = std::upper_bound(begin, end, t) - begin;
+    place.index = std::max<std::ptrdiff_t>(0, above - 1);
+    place.next = std::min<std::ptrdiff_t>(place.index + 1, time_s.size() - 1);
+    const double span = time_s[place.next] - time_s[place.index];
+    place.weight = span > 0.0 ? std::clamp((t - time_s[place.index]) / span, 0.0, 1.0) : 0.0;
+    return place;
+}
+
+Eigen::Vector3d at_time(const Eigen::Matrix3Xd& track, const TimePlace& place) {
+    assert(place.index >= 0 && place.next < track.cols());
+    // A sample that is hit exactly counts even when its neighbour is a gap.
+    if (place.weight <= 0.0) return track.col(place.index);
+    if (place.weight >= 1.0) return track.col(place.next);
+    return (1.0 - place.weight) * track.col(place.index) + place.weight * track.col(place.next);
+}
+
+Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state) {
+    if (!state.body) return state.scene ? state.scene->surface.vertices : Eigen::Matrix3Xd(3, 0);
+    const SimulatedTrial* trial = state.simulated_trial();
+    if (!trial || trial->frames.empty()) return state.body->mesh.nodes;
+    const TimePlace place = place_in_time(trial->frame_time_s, state.time_s);
+    const Eigen::Matrix3Xd& a = trial->frames[static_cast<std::size_t>(place.index)];
+    const Eigen::Matrix3Xd& b = trial->frames[static_cast<std::size_t>(place.next)];
+    return (1.0 - place.weight) * a + place.weight * b;
+}
+
+DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, std::shared_ptr<const DrawnSurface> surface) {
+    DrawnScene drawn;
+    if (!state.scene) return drawn;
+    drawn.surface = std::move(surface);
+    drawn.positions = positions_at_time(state);
+    drawn.edges = state.view.edges;
+    drawn.grid = state.view.grid;
+    drawn.body_opacity = state.view.opacity;
+    drawn.extent = extent_of(state);
+    drawn.marker_radius = 0.012 * drawn.extent.size().norm();
+    if (state.view.displacement && state.body) add_displacement(drawn, state);
+    if (state.view.clamp && state.scene->clamp_m) {
+        for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
+    }
+    add_markers(drawn, state, theme);
+    return drawn;
+}
+
+}  // namespace myo

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "mesh/volume_mesh.hpp"
+
+namespace myo {
+
+/// What a person can set before a run. SI units.
+struct Settings {
+    CellType element = CellType::hex8;
+    double resolution_m = 0.005;            // edge length aimed at
+    std::string material;                   // id of a Choice
+    double youngs_modulus_Pa = 2.6e5;
+    double poissons_ratio = 0.49;
+    double density_kg_m3 = 1070.0;
+    double damping_s = 0.0;                 // Kelvin-Voigt time
+    std::string integrator;                 // id of a Choice
+    double time_step_s = 0.01;
+    double velocity_force_1_s = 0.0;        // Lambda of f = Lambda M v
+
+    bool operator==(const Settings&) const = default;
+};
+
+/// Whether two settings give the same mesh.
+inline bool same_mesh(const Settings& a, const Settings& b) {
+    return a.element == b.element && a.resolution_m == b.resolution_m;
+}
+
+/// Ranges within which the workbench lets a value be set; the backend may still refuse.
+struct Limits {
+    double lowest;
+    double highest;
+};
+inline constexpr Limits youngs_modulus_limits{1e2, 1e9};
+inline constexpr Limits poissons_ratio_limits{0.01, 0.4999};
+inline constexpr Limits density_limits{10.0, 2e4};
+inline constexpr Limits damping_limits{0.0, 1.0};
+inline constexpr Limits time_step_limits{1e-5, 0.1};
+inline constexpr Limits velocity_force_limits{-100.0, 100.0};
+
+}  // namespace myo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "commands/backend.hpp"
+#include "commands/command.hpp"
+#include "commands/undo.hpp"
+#include "commands/workbench_state.hpp"
+
+namespace myo {
+
+/// The workbench without its looks: carries out commands, runs jobs, holds the state.
+class Workbench {
+public:
+    /// @param wake  called from another thread when there is something new to show; may be empty
+    explicit Workbench(std::shared_ptr<Backend> backend, std::function<void()> wake = {});
+
+    const WorkbenchState& state() const { return state_; }
+    void execute(const Command& command);
+
+    /// To be called at the start of each frame: takes results of jobs and moves the time of a playing trial.
+    /// @param seconds  since the last call
+    void advance(double seconds);
+
+    /// Something changes by itself, so frames must go on.
+    bool animating() const { return state_.playing; }
+
+private:
+    void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
+    void show_scene(Scene scene);
+    void build_mesh(std::function<void()> then);
+    void run();
+    void calibrate();
+    void change_settings(const command::ChangeSettings& change);
+    void set_settings(const Settings& settings);
+    void choose_trial(int trial);
+    void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
+    void start(const std::string& name, Job::Work work);
+    /// Says why a job cannot be started now, in the log; false then.
+    bool may_start();
+    bool may_compute();
+    void log(LogLevel level, const std::string& text);
+    void log_failure(const Error& error, const std::string& what);
+
+    std::shared_ptr<Backend> backend_;
+    std::function<void()> wake_;
+    WorkbenchState state_;
+    UndoStack<Settings> undo_;
+    std::unique_ptr<Job> job_;     // last member: its thread ends before anything it uses
+};
+
+}  // namespace myo

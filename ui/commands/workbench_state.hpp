@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/backend.hpp"
+#include "commands/job.hpp"
+#include "commands/settings.hpp"
+#include "platform/theme.hpp"
+
+namespace myo {
+
+enum class LogLevel { information, done, warning, failure };
+
+struct LogLine {
+    LogLevel level = LogLevel::information;
+    std::string text;
+};
+
+/// What the 3D view shows.
+struct ViewOptions {
+    bool edges = true;
+    bool grid = true;
+    bool measured = true;
+    bool simulated = true;
+    bool trails = true;
+    bool errors = true;             // lines from simulated to measured
+    bool labels = true;
+    bool clamp = true;
+    bool displacement = false;      // colour the body by displacement
+    double opacity = 1.0;
+
+    bool operator==(const ViewOptions&) const = default;
+};
+
+/// Everything the panels show. Panels read it and emit commands; only Workbench changes it.
+struct WorkbenchState {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const MeshedBody> body;
+    std::shared_ptr<const RunResult> run;
+    std::shared_ptr<const CalibrationResult> calibration;   // the last one, while its run is shown
+    Settings settings;
+    Settings body_settings;         // with which `body` was meshed
+    Settings run_settings;          // with which `run` was made
+    MeshPrediction prediction;
+    std::vector<Choice> materials;
+    std::vector<Choice> integrators;
+
+    int trial = 0;
+    int marker = 0;
+    double time_s = 0.0;
+    bool playing = false;
+    double speed = 1.0;             // of playing, against real time
+    double damping_frequency_Hz = 5.0;  // at which the numerical damping is shown
+
+    ViewOptions view;
+    ThemeName theme = ThemeName::dark;
+    float scale = 1.0f;
+
+    std::vector<LogLine> log;
+    std::optional<JobView> job;
+    std::optional<std::filesystem::path> unit_question;   // a mesh file waits for its unit
+    bool can_undo = false;
+    bool can_redo = false;
+
+    bool busy() const { return job.has_value(); }
+    bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
+    bool run_is_current() const { return run && settings == run_settings; }
+    const SceneTrial* scene_trial() const {
+        return scene && trial >= 0 && trial < static_cast<int>(scene->trials.size()) ? &scene->trials[static_cast<std::size_t>(trial)]
+                                                                                    : nullptr;
+    }
+    const SimulatedTrial* simulated_trial() const {
+        return run && trial >= 0 && trial < static_cast<int>(run->trials.size()) ? &run->trials[static_cast<std::size_t>(trial)] : nullptr;
+    }
+};
+
+/// First and last time that can be shown, of measurement and simulation together; {0, 0} when there is neither.
+std::array<double, 2> time_span(const WorkbenchState& state);
+
+}  // namespace myo

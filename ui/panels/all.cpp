@@ -1,0 +1,21 @@
+#include "panels/body_panel.hpp"
+#include "panels/log_panel.hpp"
+#include "panels/marker_panel.hpp"
+#include "panels/model_panel.hpp"
+#include "panels/panel.hpp"
+#include "panels/run_panel.hpp"
+
+namespace myo {
+
+std::vector<std::unique_ptr<Panel>> all_panels() {
+    std::vector<std::unique_ptr<Panel>> panels;
+    const auto add = [&panels]<class T>(std::type_identity<T>) { panels.push_back(std::make_unique<T>()); };
+    add(std::type_identity<BodyPanel>());
+    add(std::type_identity<ModelPanel>());
+    add(std::type_identity<RunPanel>());
+    add(std::type_identity<MarkerPanel>());
+    add(std::type_identity<LogPanel>());
+    return panels;
+}
+
+}  // namespace myo

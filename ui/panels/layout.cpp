@@ -1,0 +1,28 @@
+#include "panels/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace myo {
+
+Layout make_layout(float width, float height, float scale, const LayoutSizes& sizes) {
+    const float edge = std::round(4.0f * scale);
+    const float bar = std::round(44.0f * scale);
+    const float timeline = std::round(44.0f * scale);
+    const float rail = std::round(std::clamp(sizes.rail * scale, std::min(240.0f * scale, 0.5f * width), 0.6f * width));
+    const float strip = std::round(std::clamp(sizes.strip * scale, 80.0f, std::max(80.0f, 0.5f * (height - bar - timeline))));
+    const float left = rail + edge;
+    const float strip_top = height - strip;
+    const float timeline_top = strip_top - edge - timeline;
+    Layout layout;
+    layout.bar = {{0.0f, 0.0f}, {width, bar}};
+    layout.rail = {{0.0f, bar}, {rail, height}};
+    layout.rail_edge = {{rail, bar}, {left, height}};
+    layout.view = {{left, bar}, {width, timeline_top}};
+    layout.timeline = {{left, timeline_top}, {width, timeline_top + timeline}};
+    layout.strip_edge = {{left, strip_top - edge}, {width, strip_top}};
+    layout.strip = {{left, strip_top}, {width, height}};
+    return layout;
+}
+
+}  // namespace myo

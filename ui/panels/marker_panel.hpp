@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "panels/panel.hpp"
+#include "plot/plot.hpp"
+
+namespace myo {
+
+/// A marker's x, y and z, simulated over measured, with the residual below.
+class MarkerPanel : public Panel {
+public:
+    std::string name() const override { return "markers"; }
+    std::string title() const override;
+    PanelPlace place() const override { return PanelPlace::strip; }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_choice(PanelContext& context);
+    void draw_component(PanelContext& context, int axis, const ImVec2& size);
+
+    std::array<bool, 3> shown_{true, true, true};
+    LinkedAxis time_;
+    std::array<PlotState, 3> main_;
+    std::array<PlotState, 3> residual_;
+    HiddenSeries hidden_;
+    std::shared_ptr<const Scene> scene_;   // whose plots are zoomed
+    int trial_ = -1;
+    int marker_ = -1;
+};
+
+}  // namespace myo

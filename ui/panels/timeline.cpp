@@ -1,0 +1,108 @@
+#include "panels/timeline.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "platform/fonts.hpp"
+#include "plot/ticks.hpp"
+
+namespace myo {
+namespace {
+
+void draw_trial_choice(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const SceneTrial* trial = state.scene_trial();
+    ImGui::SetNextItemWidth(200.0f * context.theme.scale);
+    const bool open = ImGui::BeginCombo("##trial", trial ? trial->name.c_str() : "no trial");
+    context.items.mark("timeline/trial");
+    if (!open) return;
+    for (std::size_t t = 0; state.scene && t < state.scene->trials.size(); ++t) {
+        const SceneTrial& each = state.scene->trials[t];
+        if (ImGui::Selectable((each.name + "  (" + each.role + ")").c_str(), static_cast<int>(t) == state.trial)) {
+            context.emit(command::ChooseTrial{static_cast<int>(t)});
+        }
+        context.items.mark("timeline/trial/" + each.name);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_track(PanelContext& context, const std::array<double, 2>& span, float width) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const float s = theme.scale;
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("track", {width, height});
+    context.items.mark("timeline/track");
+    const float left = at.x + 8.0f * s;
+    const float right = at.x + width - 8.0f * s;
+    const float middle = at.y + 0.5f * height;
+    const Range range{span[0], span[1]};
+    const auto x_of = [&](double t) { return static_cast<float>(to_pixel(range, t, static_cast<double>(left), static_cast<double>(right))); };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({left, middle - 2.0f * s}, {right, middle + 2.0f * s}, packed(theme.raised), 2.0f * s);
+    if (!(range.span() > 0.0)) return;
+    if (ImGui::IsItemActive()) {
+        context.emit(command::Play{false});
+        context.emit(command::SetTime{from_pixel(range, static_cast<double>(ImGui::GetIO().MousePos.x), static_cast<double>(left),
+                                                 static_cast<double>(right))});
+    }
+    const float x = x_of(std::clamp(state.time_s, span[0], span[1]));
+    list.AddRectFilled({left, middle - 2.0f * s}, {x, middle + 2.0f * s}, packed(theme.accent), 2.0f * s);
+    // Start of motion, when the record begins before it.
+    if (span[0] < 0.0 && span[1] > 0.0) {
+        const float x0 = x_of(0.0);
+        list.AddLine({x0, middle - 9.0f * s}, {x0, middle + 9.0f * s}, packed(theme.measured), 2.0f * s);
+        if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x0) < 5.0f * s) ImGui::SetTooltip("Start of motion, t = 0");
+    }
+    list.AddCircleFilled({x, middle}, 7.0f * s, packed(theme.accent), 24);
+}
+
+}  // namespace
+
+void draw_timeline(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const float s = context.theme.scale;
+    const auto span = time_span(state);
+    const bool movable = span[1] > span[0];
+    draw_trial_choice(context);
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!movable);
+    const ImVec2 square{ImGui::GetFrameHeight() + 8.0f * s, 0.0f};
+    if (ImGui::Button(icon::to_start, square)) context.emit(command::SetTime{span[0]});
+    context.items.mark("timeline/start");
+    ImGui::SameLine();
+    if (ImGui::Button(state.playing ? icon::pause : icon::play, square)) context.emit(command::Play{!state.playing});
+    context.items.mark("timeline/play");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Play or pause (space bar)");
+    ImGui::SameLine();
+
+    static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
+    const std::string time = tick_label(state.time_s, 0.001) + " s";
+    const float speed_width = 84.0f * s;
+    const float time_width = ImGui::CalcTextSize("\xe2\x88\x92" "00.000 s").x;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float width = ImGui::GetContentRegionAvail().x - speed_width - time_width - 2.0f * spacing;
+    draw_track(context, span, std::max(40.0f, width));
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const float shift = time_width - ImGui::CalcTextSize(time.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, shift));
+    ImGui::TextUnformatted(time.c_str());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(speed_width);
+    if (ImGui::BeginCombo("##speed", (value_label(state.speed, 2) + "\xc3\x97").c_str())) {
+        for (const double speed : speeds) {
+            if (ImGui::Selectable((value_label(speed, 2) + "\xc3\x97").c_str(), speed == state.speed)) context.emit(command::SetSpeed{speed});
+        }
+        ImGui::EndCombo();
+    }
+    context.items.mark("timeline/speed");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Speed of playing, against real time");
+    ImGui::EndDisabled();
+}
+
+}  // namespace myo

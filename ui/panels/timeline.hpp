@@ -1,0 +1,10 @@
+#pragma once
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+/// The bar below the view: trial, play and pause, a track to scrub with the start of motion marked, time and speed.
+void draw_timeline(PanelContext& context);
+
+}  // namespace myo

@@ -1,0 +1,143 @@
+#include "panels/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/fonts.hpp"
+
+namespace myo {
+namespace {
+
+float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax().x); }
+
+void tooltip(const Theme& theme, const std::string& tip) {
+    if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(340.0f * theme.scale);
+    ImGui::TextUnformatted(tip.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void row_label(const Theme& theme, const std::string& label, const std::string& tip) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::PopStyleColor();
+    tooltip(theme, tip);
+    ImGui::SameLine(label_width());
+    ImGui::SetNextItemWidth(-1.0f);
+}
+
+void text_row(const Theme& theme, const std::string& label, const std::string& value, const ImVec4* color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
+    ImGui::PushTextWrapPos(label_width() - 4.0f);
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::SameLine(label_width());
+    ImGui::PushStyleColor(ImGuiCol_Text, color != nullptr ? *color : theme.text);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(value.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void muted_text(const Theme& theme, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void notice(const Theme& theme, LogLevel level, const std::string& text) {
+    struct Look { const char* icon; ImVec4 color; };
+    const Look looks[] = {{icon::information, theme.muted}, {icon::done, theme.success}, {icon::warning, theme.warning},
+                          {icon::failure, theme.failure}};
+    const Look& look = looks[static_cast<int>(level)];
+    ImGui::TextColored(look.color, "%s", look.icon);
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 24.0f * theme.scale);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+bool primary_button(const Theme& theme, const std::string& label, const ImVec2& size) {
+    const auto shade = [&](float f) {
+        return ImVec4(theme.accent.x * f, theme.accent.y * f, theme.accent.z * f, 1.0f);
+    };
+    ImGui::PushStyleColor(ImGuiCol_Button, theme.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, shade(0.9f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, shade(0.8f));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme.on_accent);
+    ImGui::PushFont(theme.strong);
+    const bool pressed = ImGui::Button(label.c_str(), size);
+    ImGui::PopFont();
+    ImGui::PopStyleColor(4);
+    return pressed;
+}
+
+bool OpenEdit::goes_on(const std::string& name, bool changed) {
+    if (ImGui::IsItemActivated() && name_ == name) name_.clear();
+    const bool continues = changed && name_ == name;
+    if (changed) name_ = name;
+    if (ImGui::IsItemDeactivated() && name_ == name) name_.clear();
+    return continues;
+}
+
+bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on) {
+    row_label(context.theme, field.label, field.tip);
+    double shown = value / field.per_unit;
+    const double lowest = field.limits.lowest / field.per_unit;
+    const double highest = field.limits.highest / field.per_unit;
+    const float speed = static_cast<float>(std::max(0.004 * std::abs(shown), field.smallest_step));
+    const std::string format = "%.5g" + (field.unit.empty() ? "" : " " + field.unit);
+    bool changed = ImGui::DragScalar(("##" + field.name).c_str(), ImGuiDataType_Double, &shown, speed, &lowest, &highest,
+                                     format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    context.items.mark(field.name);
+    // Typed text may hold anything that reads as a number.
+    if (!std::isfinite(shown)) changed = false;
+    goes_on = edit.goes_on(field.name, changed);
+    if (!ImGui::IsItemActive()) tooltip(context.theme, field.tip + "\n\nDrag, or double-click to type.");
+    if (changed) value = std::clamp(shown * field.per_unit, field.limits.lowest, field.limits.highest);
+    return changed;
+}
+
+bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
+                const std::vector<Choice>& choices, std::string& id) {
+    row_label(context.theme, label, tip);
+    const auto current = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.id == id; });
+    const bool open = ImGui::BeginCombo(("##" + name).c_str(), current != choices.end() ? current->label.c_str() : id.c_str());
+    context.items.mark(name);
+    if (!open) {
+        tooltip(context.theme, current != choices.end() ? current->explanation : tip);
+        return false;
+    }
+    bool changed = false;
+    for (const Choice& choice : choices) {
+        if (ImGui::Selectable(choice.label.c_str(), choice.id == id) && choice.id != id) {
+            id = choice.id;
+            changed = true;
+        }
+        context.items.mark(name + "/" + choice.id);
+        tooltip(context.theme, choice.explanation);
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+std::string with_separators(double count) {
+    std::string digits = std::to_string(static_cast<long long>(std::llround(count)));
+    for (std::size_t i = digits.size(); i > 3 && digits[i - 4] != '-';) {
+        i -= 3;
+        digits.insert(i, ",");
+    }
+    return digits;
+}
+
+}  // namespace myo

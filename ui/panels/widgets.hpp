@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+// Rows of the rail: a label on the left, the value on the right, all aligned.
+
+/// Label in the left column; leaves the cursor at the right one with the remaining width set for the next item.
+void row_label(const Theme& theme, const std::string& label, const std::string& tip = {});
+
+/// A label and a text that wraps.
+void text_row(const Theme& theme, const std::string& label, const std::string& value, const ImVec4* color = nullptr);
+
+/// Wrapped text in the secondary colour.
+void muted_text(const Theme& theme, const std::string& text);
+
+/// A sentence that a person should notice, with an icon.
+void notice(const Theme& theme, LogLevel level, const std::string& text);
+
+/// A button in the accent colour, for the one thing to do next.
+bool primary_button(const Theme& theme, const std::string& label, const ImVec2& size);
+
+/// A number that is dragged, or typed after a double click.
+struct NumberField {
+    std::string label;
+    std::string name;          // of the item, as "model/youngs_modulus"
+    std::string unit;
+    std::string tip;
+    double per_unit = 1.0;     // shown value = value / per_unit
+    Limits limits{0.0, 1.0};   // of the value itself
+    double smallest_step = 1e-3;  // of the shown value, while dragging
+};
+
+/// Which field's edit is going on: changes of one drag are one step for undo.
+class OpenEdit {
+public:
+    /// After the field's item was submitted: whether a change in this frame continues an earlier one.
+    bool goes_on(const std::string& name, bool changed);
+
+private:
+    std::string name_;
+};
+
+/// True when changed; `goes_on` tells whether by the same drag as before.
+bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on);
+
+/// A list; true when another entry was chosen.
+bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
+                const std::vector<Choice>& choices, std::string& id);
+
+/// "12,345"
+std::string with_separators(double count);
+
+}  // namespace myo

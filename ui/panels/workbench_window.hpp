@@ -1,0 +1,83 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/workbench.hpp"
+#include "panels/layout.hpp"
+#include "panels/panel.hpp"
+#include "platform/interface.hpp"
+#include "viewport/scene_renderer.hpp"
+#include "viewport/viewport.hpp"
+
+namespace myo {
+
+/// The whole window: lays out the panels, draws the view under them, and carries out what they ask for. The same for a real
+/// window, for pictures without a display, and for tests.
+class WorkbenchWindow {
+public:
+    /// Needs a current context with loaded functions.
+    /// @param workbench  must outlive the window
+    static Result<WorkbenchWindow> make(Workbench& workbench);
+
+    /// One frame into the default framebuffer. The context has this size [pixels].
+    /// @param seconds  since the last frame
+    /// Error: the driver refuses to draw.
+    Result<void> draw_frame(int width, int height, double seconds);
+
+    /// Whether the next frame may differ from the last.
+    bool must_draw() const;
+    /// An event came in, or a job reported.
+    void wake() { pacer_.event_arrived(); }
+
+    void open(const std::filesystem::path& path) { workbench_->execute(command::Open{path, std::nullopt}); }
+    /// Brings a panel to the front, by its name; false when there is none.
+    bool show_panel(const std::string& name);
+
+    InputQueue& input() { return interface_.input(); }
+    const ItemRectangles& items() { return interface_.items(); }
+    const ViewportState& viewport() const { return viewport_; }
+    const DrawnScene& scene() const { return scene_; }
+    int scene_draw_count() const { return renderer_.draw_count(); }
+
+private:
+    void draw_bar(PanelContext& context);
+    void draw_rail(PanelContext& context);
+    void draw_strip(PanelContext& context);
+    void draw_view(PanelContext& context);
+    void draw_edges();
+    void react_to_keys(PanelContext& context);
+    void update_scene();
+
+    // What the drawn scene was made from.
+    struct SceneKey {
+        std::shared_ptr<const Scene> scene;
+        std::shared_ptr<const MeshedBody> body;
+        std::shared_ptr<const RunResult> run;
+        int trial = 0;
+        double time_s = 0.0;
+        ViewOptions view;
+        ThemeName theme = ThemeName::dark;
+        bool operator==(const SceneKey&) const = default;
+    };
+
+    Workbench* workbench_ = nullptr;
+    Interface interface_;
+    SceneRenderer renderer_;
+    FramePacer pacer_;
+    std::vector<std::unique_ptr<Panel>> panels_;
+    LayoutSizes sizes_;
+    Layout layout_;
+    ViewportState viewport_;
+    DrawnScene scene_;
+    SceneKey scene_key_;
+    std::shared_ptr<const DrawnSurface> surface_;
+    std::uint64_t revision_ = 1;
+    std::string strip_panel_;       // in front
+    std::string wanted_panel_;      // to bring to the front in the next frame
+    bool was_moving_ = false;
+};
+
+}  // namespace myo
