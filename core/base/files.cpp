@@ -26,7 +26,8 @@ Result<void> write_file_with(const fs::path& path, const std::function<bool(cons
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), code);
     if (code) return Error{"folder cannot be made: " + code.message(), path.parent_path().string()};
     // The extension stays at the end: some writers choose the format by it.
-    fs::path temporary = path.parent_path() / ("." + path.stem().string() + "." + std::to_string(::getpid()) + ".part");
+    const std::string name = std::string(".") + path.stem().string() + "." + std::to_string(::getpid()) + ".part";
+    fs::path temporary = path.parent_path() / name;
     temporary += path.extension();
     if (!write(temporary)) {
         fs::remove(temporary, code);

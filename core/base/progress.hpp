@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace myo {
 
@@ -28,6 +29,9 @@ public:
     void report(const ProgressEvent& event) const {
         if (sink_) sink_(event);
     }
+    /// The same cancel flag with another sink (none: silent).
+    Progress with_sink(Sink sink) const { return Progress(std::move(sink), cancel_); }
+
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
 private:

@@ -1,0 +1,190 @@
+#include "project/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "measurement/rigid_motion.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Kind = StudyParameter::Kind;
+
+bool is_calibrated(const Study& study, const std::string& name, const std::vector<std::string>& names) {
+    const std::vector<std::string>& list = names.empty() ? study.experiment.material.calibrate : names;
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+ModelTangent tangent_of(const Study& study, std::size_t trial, const Model& model, const StudyParameter& parameter, double youngs_modulus) {
+    if (parameter.kind == Kind::youngs_modulus) return youngs_modulus_tangent(model, youngs_modulus);
+    if (parameter.kind == Kind::damping) return damping_tangent();
+    ModelTangent tangent;
+    if (parameter.trial == trial) tangent.activation = level_tangent(study.experiment, parameter.index);
+    return tangent;
+}
+
+bool moves_the_body(const StudyParameter& parameter, std::size_t trial) {
+    return parameter.kind == Kind::youngs_modulus || parameter.kind == Kind::damping ||
+           (parameter.kind == Kind::level && parameter.trial == trial);
+}
+
+}  // namespace
+
+StudyValues declared_values(const Study& study) {
+    StudyValues values;
+    values.youngs_modulus_Pa = study.experiment.material.youngs_modulus_Pa;
+    values.damping_s = study.trials.front().model.damping_s;
+    values.start_shift_s.assign(study.trials.size(), 0.0);
+    for (const StudyTrial& trial : study.trials) {
+        std::map<std::size_t, double> levels;
+        for (const std::size_t muscle : trial.free_levels) levels[muscle] = 1.0;
+        values.levels.push_back(std::move(levels));
+    }
+    return values;
+}
+
+std::vector<StudyParameter> study_parameters(const Study& study, const std::vector<std::string>& names) {
+    std::vector<StudyParameter> list;
+    const StudyValues start = declared_values(study);
+    const auto add = [&](Kind kind, std::size_t trial, std::size_t index, const std::string& name, double lower, double upper, double scale,
+                         const std::string& unit) {
+        StudyParameter entry{kind, trial, index, {name, 0.0, lower, upper, scale}, unit};
+        entry.parameter.value = value_of(entry, start);
+        list.push_back(std::move(entry));
+    };
+    const double nominal = start.youngs_modulus_Pa;
+    if (is_calibrated(study, "youngs_modulus", names))
+        add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", 0.02 * nominal, 50.0 * nominal, nominal, "Pa");
+    if (is_calibrated(study, "damping", names)) add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
+
+    const RegistrationDeclaration& registration = study.experiment.registration;
+    if (!registration.known && registration.method == RegistrationMethod::limited) {
+        const double angle = registration.max_rotation_deg * 3.14159265358979323846 / 180.0;
+        const char* axes[] = {"x", "y", "z"};
+        for (std::size_t i = 0; i < 3; ++i)
+            add(Kind::translation, 0, i, std::string("registration_") + axes[i] + "_m", -registration.max_translation_m,
+                registration.max_translation_m, std::max(registration.max_translation_m, 1e-6), "m");
+        for (std::size_t i = 0; i < 3; ++i)
+            add(Kind::rotation, 0, i, std::string("registration_rotation_") + axes[i] + "_rad", -angle, angle, std::max(angle, 1e-6), "rad");
+    }
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const StudyTrial& trial = study.trials[t];
+        if (trial.role != TrialRole::fit) continue;
+        // A start that was found is known to a few frames; the motion tells the rest.
+        const double interval = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
+        if (trial.start_found)
+            add(Kind::start_shift, t, 0, "start_shift_s." + trial.name, -3.0 * interval, 3.0 * interval, interval, "s");
+        for (const std::size_t muscle : trial.free_levels)
+            add(Kind::level, t, muscle, "actuation_level." + trial.name + "." + study.experiment.muscles[muscle].name, 0.05, 10.0, 0.1, "");
+    }
+    return list;
+}
+
+double value_of(const StudyParameter& p, const StudyValues& values) {
+    switch (p.kind) {
+        case Kind::youngs_modulus: return values.youngs_modulus_Pa;
+        case Kind::damping: return values.damping_s;
+        case Kind::translation: return values.translation_m(static_cast<Eigen::Index>(p.index));
+        case Kind::rotation: return values.rotation_rad(static_cast<Eigen::Index>(p.index));
+        case Kind::start_shift: return values.start_shift_s[p.trial];
+        case Kind::level: return values.levels[p.trial].at(p.index);
+    }
+    return 0.0;
+}
+
+void set_value(const StudyParameter& p, double value, StudyValues& values) {
+    switch (p.kind) {
+        case Kind::youngs_modulus: values.youngs_modulus_Pa = value; break;
+        case Kind::damping: values.damping_s = value; break;
+        case Kind::translation: values.translation_m(static_cast<Eigen::Index>(p.index)) = value; break;
+        case Kind::rotation: values.rotation_rad(static_cast<Eigen::Index>(p.index)) = value; break;
+        case Kind::start_shift: values.start_shift_s[p.trial] = value; break;
+        case Kind::level: values.levels[p.trial][p.index] = value; break;
+    }
+}
+
+Model trial_model(const Study& study, std::size_t trial, const StudyValues& values) {
+    Model model = study.trials[trial].model;
+    model.moduli = uniform_moduli(study.body->cell_count(), values.youngs_modulus_Pa, study.experiment.material.poissons_ratio);
+    model.damping_s = values.damping_s;
+    for (const auto& [muscle, level] : values.levels[trial]) model.activation = with_level(study.experiment, model.activation, muscle, level);
+    return model;
+}
+
+TrialPrediction predict_trial(const Study& study, std::size_t index, const StudyValues& values,
+                              const std::vector<StudyParameter>& parameters, const Progress& progress) {
+    const StudyTrial& trial = study.trials[index];
+    const Model model = trial_model(study, index, values);
+    std::vector<ModelTangent> model_tangents;
+    std::vector<int> row_of(parameters.size(), -1);   // which of the run's tangents belongs to a parameter
+    for (std::size_t p = 0; p < parameters.size(); ++p)
+        if (moves_the_body(parameters[p], index)) {
+            row_of[p] = static_cast<int>(model_tangents.size());
+            model_tangents.push_back(tangent_of(study, index, model, parameters[p], values.youngs_modulus_Pa));
+        }
+
+    TrialPrediction result;
+    SensitiveTrace run = simulate_with_tangents(model, trial.options, model_tangents, study.markers.nodes, progress);
+    result.status = run.trace.status;
+    result.message = run.trace.message;
+    if (!run.trace.complete()) {
+        result.trace = std::move(run.trace);
+        return result;
+    }
+
+    // A later start means that every sample was taken at an earlier time of the motion.
+    const Eigen::VectorXd times = trial.measured.time_s.array() - values.start_shift_s[index];
+    const SensitiveTracks seen = observe(run, study.markers, times);
+    const SensitiveTracks origin = observe(run, study.markers, Eigen::VectorXd::Zero(1));
+    const bool displacement = study.experiment.markers.compare == Comparison::displacement;
+    const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
+    const auto samples = trial.measured.sample_count();
+    result.positions_m = seen.tracks.positions;
+    result.tangents.assign(parameters.size(), std::vector<Matrix3Xd>(study.marker_names.size(), Matrix3Xd::Zero(3, samples)));
+    for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
+        const Matrix3Xd& y = trial.measured.tracks[m];
+        const Matrix3Xd& x = seen.tracks.positions[m];
+        Matrix3Xd residual = Matrix3Xd::Constant(3, samples, std::numeric_limits<double>::quiet_NaN());
+        for (Eigen::Index t = trial.first_sample; t < samples; ++t) {
+            if (displacement) residual.col(t) = (x.col(t) - origin.tracks.positions[m].col(0)) - (y.col(t) - trial.reference_m[m]);
+            else residual.col(t) = R * x.col(t) + values.translation_m - y.col(t);
+        }
+        result.residual_m.push_back(std::move(residual));
+        for (std::size_t p = 0; p < parameters.size(); ++p) {
+            const StudyParameter& parameter = parameters[p];
+            Matrix3Xd& d = result.tangents[p][m];
+            if (row_of[p] >= 0) {
+                const auto row = static_cast<std::size_t>(row_of[p]);
+                d = seen.tangents[row][m];
+                if (displacement) d.colwise() -= Vector3d(origin.tangents[row][m].col(0));
+                else d = R * d;
+            } else if (parameter.kind == Kind::translation) {
+                d.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
+            } else if (parameter.kind == Kind::rotation) {
+                for (Eigen::Index t = 0; t < samples; ++t)
+                    d.col(t) = d_rotated_d_omega(values.rotation_rad, x.col(t)).col(static_cast<Eigen::Index>(parameter.index));
+            } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
+                d = displacement ? Matrix3Xd(-seen.tracks.velocities[m]) : Matrix3Xd(-R * seen.tracks.velocities[m]);
+            }
+        }
+    }
+    result.trace = std::move(run.trace);
+    return result;
+}
+
+double rms(const std::vector<Matrix3Xd>& residual_m) {
+    double sum = 0.0;
+    long count = 0;
+    for (const Matrix3Xd& marker : residual_m)
+        for (const double r : marker.reshaped())
+            if (std::isfinite(r)) {
+                sum += r * r;
+                ++count;
+            }
+    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace myo

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "inverse/least_squares.hpp"
+#include "project/study.hpp"
+
+namespace myo {
+
+/// The numbers a fit may move, for all trials. Defaults: what the experiment declares.
+struct StudyValues {
+    double youngs_modulus_Pa = 0.0;
+    double damping_s = 0.0;
+    Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();   // camera = rotation(rotation_rad) mesh + translation
+    Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();
+    std::vector<double> start_shift_s;                         // per trial: t = 0 is that much later than `start_s`
+    std::vector<std::map<std::size_t, double>> levels;         // per trial: muscle -> level of its step
+};
+StudyValues declared_values(const Study& study);
+
+/// One number of StudyValues, with its name, start, bounds and scale, and how to reach it.
+struct StudyParameter {
+    enum class Kind { youngs_modulus, damping, translation, rotation, start_shift, level };
+    Kind kind = Kind::youngs_modulus;
+    std::size_t trial = 0;   // start_shift, level
+    std::size_t index = 0;   // axis, or muscle
+    Parameter parameter;
+    std::string unit;
+};
+
+/// What the experiment leaves unknown: material.calibrate, a limited registration, starts found in fit trials, free levels.
+/// names: restricts youngs_modulus and damping when not empty.
+std::vector<StudyParameter> study_parameters(const Study& study, const std::vector<std::string>& names = {});
+
+double value_of(const StudyParameter& parameter, const StudyValues& values);
+void set_value(const StudyParameter& parameter, double value, StudyValues& values);
+
+/// The trial's model with the values put in.
+Model trial_model(const Study& study, std::size_t trial, const StudyValues& values);
+
+/// Prediction of a trial's samples, in the frame and form in which they are compared.
+struct TrialPrediction {
+    RunStatus status = RunStatus::not_run;
+    std::string message;
+    Trace trace;                                     // all nodes, all steps
+    std::vector<Eigen::Matrix3Xd> positions_m;       // per marker, at every sample of `measured`; mesh frame
+    std::vector<Eigen::Matrix3Xd> residual_m;        // per marker: prediction minus measurement; NaN where occluded or not compared
+    std::vector<std::vector<Eigen::Matrix3Xd>> tangents;   // [parameter][marker] derivative of the residual
+
+    bool ok() const { return status == RunStatus::complete; }
+};
+TrialPrediction predict_trial(const Study& study, std::size_t trial, const StudyValues& values,
+                              const std::vector<StudyParameter>& parameters = {}, const Progress& progress = {});
+
+/// Root mean square over all compared coordinates [m]; NaN when there are none.
+double rms(const std::vector<Eigen::Matrix3Xd>& residual_m);
+
+}  // namespace myo

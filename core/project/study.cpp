@@ -1,0 +1,187 @@
+#include "project/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "material/catalogue.hpp"
+#include "measurement/noise.hpp"
+#include "mesh/region.hpp"
+#include "project/check_body.hpp"
+#include "project/read_experiment.hpp"
+#include "project/read_trial.hpp"
+#include "project/study_frames.hpp"
+
+namespace myo {
+namespace {
+
+/// A damping time nobody declared has to start somewhere: 9 % of critical damping at 10 Hz, as silicones have.
+constexpr double unknown_damping_s = 0.003;
+
+std::vector<FibreGroup> fibre_groups(const Experiment& experiment, const VolumeMesh& mesh) {
+    std::vector<FibreGroup> groups;
+    for (const MuscleDeclaration& muscle : experiment.muscles)
+        groups.push_back(fibres_in_box(mesh, muscle.box_m, muscle.fibre, muscle.stiffness_Pa, muscle.name));
+    return groups;
+}
+
+/// Shares of a total over the surface inside a box, and the same without negative nodal shares (a clipped quadratic face has
+/// some), as a mass must be.
+Result<Eigen::VectorXd> surface_share(const Experiment& experiment, const std::string& key, const Body& body, const Box& box,
+                                      bool positive) {
+    SurfaceIntegral integral = surface_weights(body.mesh, body.boundary, box);
+    if (!(integral.area > 0.0))
+        return declaration_error(experiment, key, "the box holds none of the mesh's surface; choose tetrahedra or a finer resolution");
+    if (positive) integral.weight = integral.weight.cwiseMax(0.0);
+    return Eigen::VectorXd(integral.weight / integral.weight.sum());
+}
+
+Result<void> add_loads(const Experiment& experiment, const TrialDeclaration& trial, Model& model) {
+    for (std::size_t i = 0; i < trial.loads.size(); ++i) {
+        const LoadDeclaration& load = trial.loads[i];
+        const bool is_mass = load.kind == LoadKind::mass;
+        const std::string key = trial_key(experiment, trial) + ".load[" + std::to_string(i) + "].box_m";
+        Result<Eigen::VectorXd> share = surface_share(experiment, key, *model.body, load.box_m, is_mass);
+        if (!share) return share.error();
+        if (is_mass) model.masses.push_back({std::move(*share), load.mass_kg});
+        else model.forces.push_back({std::move(*share), load.force_N, load.from_s, load.until_s});
+    }
+    return {};
+}
+
+Result<void> add_activation(const Experiment& experiment, const TrialDeclaration& declaration, StudyTrial& trial) {
+    const Result<ActuationTable> table = read_trial_actuation(experiment, declaration);
+    if (!table) return table.error();
+    for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
+        Signal signal = Signal::constant(1.0);
+        if (table->time_s.size() > 0) {
+            signal.times_s.assign(table->time_s.begin(), table->time_s.end());
+            const Eigen::VectorXd row = table->values.row(static_cast<Eigen::Index>(m)).transpose();
+            signal.values.assign(row.begin(), row.end());
+        }
+        trial.model.activation.push_back(std::move(signal));
+    }
+    for (const ActuationStep& step : declaration.actuation_steps)
+        for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
+            if (experiment.muscles[m].name != step.muscle) continue;
+            trial.model.activation = with_level(experiment, trial.model.activation, m, step.level.value_or(1.0));
+            if (!step.level) trial.free_levels.push_back(m);
+        }
+    return {};
+}
+
+Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const TrialDeclaration& declaration,
+                                 std::vector<std::string>& warnings) {
+    const Experiment& experiment = study.experiment;
+    StudyTrial trial;
+    trial.name = declaration.name;
+    trial.role = declaration.role;
+    trial.model = model;
+    if (const Result<void> loads = add_loads(experiment, declaration, trial.model); !loads) return loads.error();
+    if (const Result<void> activation = add_activation(experiment, declaration, trial); !activation) return activation.error();
+
+    Result<TrialRecording> recording = read_trial(experiment, declaration);
+    if (!recording) return recording.error();
+    warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
+    if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed) return framed.error();
+
+    trial.options.start = declaration.start == StartState::straight ? StartKind::straight : StartKind::equilibrium;
+    trial.options.integrator = study.settings.integrator;
+    const Eigen::VectorXd& times = trial.measured.time_s;
+    const double interval = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
+    trial.options.h_s = study.settings.h_s.value_or(0.5 * interval);
+    // One step beyond the last sample, so that a start found a little later still has data under every sample.
+    trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
+    return trial;
+}
+
+/// Noise per marker: declared, or estimated in each trial and pooled. Where it cannot be estimated it is the others'.
+void set_noise(const std::vector<Recording>& recordings, Study& study) {
+    const auto count = static_cast<Eigen::Index>(study.marker_names.size());
+    study.noise_m = Eigen::VectorXd::Constant(count, study.experiment.markers.noise_m.value_or(0.0));
+    if (study.experiment.markers.noise_m) return;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), found = Eigen::VectorXd::Zero(count);
+    for (const Recording& recording : recordings)
+        for (Eigen::Index m = 0; m < count; ++m) {
+            const NoiseEstimate estimate = estimate_track_noise(recording.tracks[static_cast<std::size_t>(m)]);
+            if (!estimate.found || !(estimate.sigma_m > 0.0)) continue;
+            sum(m) += estimate.sigma_m * estimate.sigma_m;
+            found(m) += 1.0;
+        }
+    // A tenth of a millimetre, a usual camera's, when nothing is known at all.
+    const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
+    if (found.sum() == 0.0) study.warnings.push_back("markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
+    for (Eigen::Index m = 0; m < count; ++m)
+        study.noise_m(m) = std::max(found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical);
+}
+
+}  // namespace
+
+std::vector<Signal> with_level(const Experiment& experiment, std::vector<Signal> activation, std::size_t leader, double level) {
+    const std::vector<MuscleLeader> leaders = muscle_leaders(experiment);
+    for (std::size_t m = 0; m < leaders.size(); ++m)
+        if (leaders[m].leader == leader) activation[m] = Signal::step(0.0, 1.0, 1.0 + leaders[m].factor * (level - 1.0));
+    return activation;
+}
+
+std::vector<Signal> level_tangent(const Experiment& experiment, std::size_t leader) {
+    std::vector<Signal> tangent;
+    for (const MuscleLeader& muscle : muscle_leaders(experiment))
+        tangent.push_back(Signal::step(0.0, 0.0, muscle.leader == leader ? muscle.factor : 0.0));
+    return tangent;
+}
+
+Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress) {
+    Study study;
+    study.experiment = experiment;
+    study.settings = settings;
+    study.warnings = experiment.warnings;
+    Result<SurfaceMesh> surface = read_body_surface(experiment);
+    if (!surface) return surface.error();
+    study.surface = std::move(*surface);
+    if (const Result<void> fits = check_on_body(experiment, study.surface); !fits) return fits.error();
+
+    if (!experiment.effects.empty())
+        return declaration_error(experiment, "effect[0].id", "'" + experiment.effects.front().id +
+                                                                 "' is a known effect, but this version cannot simulate declared effects");
+    const std::string law = settings.material.value_or(experiment.material.model);
+    const MaterialPointer material = find_material(law);
+    if (!material) return declaration_error(experiment, "material.model", "no material law '" + law + "'");
+
+    Result<StudyMesh> mesh = mesh_body(study.surface, settings.mesh, {experiment.clamp_box_m}, progress);
+    if (!mesh) return mesh.error();
+    study.mesh = std::move(*mesh);
+    study.warnings.insert(study.warnings.end(), study.mesh.warnings.begin(), study.mesh.warnings.end());
+    const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, experiment.clamp_box_m);
+    if (clamped.empty())
+        return declaration_error(experiment, "clamp.box_m", "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
+    study.body = make_body(study.mesh.mesh, study.mesh.element, clamped);
+
+    std::vector<Eigen::Vector3d> rest;
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) {
+        study.marker_names.push_back(marker.name);
+        rest.push_back(marker.rest_m);
+    }
+    study.markers = marker_set(study.mesh.mesh, rest);
+
+    Model model;
+    model.body = study.body;
+    model.material = material;
+    model.moduli = uniform_moduli(study.body->cell_count(), experiment.material.youngs_modulus_Pa, experiment.material.poissons_ratio);
+    model.damping_s = experiment.material.damping_s.value_or(unknown_damping_s);
+    model.density_kg_m3 = experiment.material.density_kg_m3;
+    model.velocity_force_1_s = settings.velocity_force_1_s;
+    model.gravity_m_s2 = experiment.gravity_m_s2;
+    model.fibres = std::make_shared<const std::vector<FibreGroup>>(fibre_groups(experiment, study.mesh.mesh));
+
+    std::vector<Recording> recordings;
+    for (const TrialDeclaration& declaration : experiment.trials) {
+        Result<StudyTrial> trial = prepare_trial(study, model, declaration, study.warnings);
+        if (!trial) return trial.error();
+        recordings.push_back(trial->measured);
+        study.trials.push_back(std::move(*trial));
+    }
+    set_noise(recordings, study);
+    return study;
+}
+
+}  // namespace myo

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "base/result.hpp"
+#include "dynamics/simulate.hpp"
+#include "measurement/observe.hpp"
+#include "measurement/recording.hpp"
+#include "measurement/rigid_motion.hpp"
+#include "model/model.hpp"
+#include "project/experiment.hpp"
+#include "project/study_mesh.hpp"
+
+namespace myo {
+
+/// How the experiment is to be simulated; what is left open is chosen for the data.
+struct StudySettings {
+    MeshRequest mesh;
+    Integrator integrator = Integrator::tr_bdf2;
+    std::optional<double> h_s;             // default: half the sampling interval
+    std::optional<std::string> material;   // id; default: the declared one
+    double velocity_force_1_s = 0.0;       // Lambda
+    int threads = 1;
+};
+
+/// A trial, ready to run and to be compared.
+struct StudyTrial {
+    std::string name;
+    TrialRole role = TrialRole::fit;
+    Model model;                              // with the declared constants; free levels at 1
+    SimulationOptions options;
+    Recording measured;                       // markers on the body, declaration order; mesh frame; t = 0 at the start [s]
+    Eigen::Index first_sample = 0;            // the first one compared (t >= 0)
+    double start_s = 0.0;                     // file time of t = 0
+    bool start_found = false;                 // found in the data, so its exact time may be calibrated
+    std::string start_message;
+    std::vector<Eigen::Vector3d> reference_m; // displacement comparison: mean before the start, mesh frame
+    std::optional<double> registration_rms_m; // rest-pose registration
+    std::vector<std::size_t> free_levels;     // muscles whose step level is unknown
+    std::vector<double> occluded_fraction;    // per marker
+};
+
+/// An experiment folder turned into models and data. Constant while it is used.
+struct Study {
+    Experiment experiment;
+    StudySettings settings;
+    SurfaceMesh surface;
+    StudyMesh mesh;
+    BodyPointer body;
+    MarkerSet markers;
+    std::vector<std::string> marker_names;
+    Eigen::VectorXd noise_m;                  // per marker, 1 sigma per coordinate
+    std::vector<StudyTrial> trials;
+    std::vector<std::string> warnings;
+};
+
+/// Reads traces and geometry, meshes the body, binds markers, registers frames, finds starts.
+/// Errors: every input error of the schema that needs more than the TOML, with key and line.
+Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress = {});
+
+/// a - 1 of every muscle when `leader` steps to `level`: followers take their share.
+std::vector<Signal> with_level(const Experiment& experiment, std::vector<Signal> activation, std::size_t leader, double level);
+
+/// Derivative of with_level() with respect to the level: zero before the step.
+std::vector<Signal> level_tangent(const Experiment& experiment, std::size_t leader);
+
+}  // namespace myo

@@ -1,0 +1,105 @@
+#include "project/study_frames.hpp"
+
+#include <cmath>
+
+#include "measurement/gaps.hpp"
+#include "measurement/motion_start.hpp"
+#include "measurement/recording_edit.hpp"
+#include "measurement/registration.hpp"
+#include "measurement/rest_pose.hpp"
+#include "project/read_experiment.hpp"
+#include "project/read_trial.hpp"
+
+namespace myo {
+namespace {
+
+Result<void> find_start(const Experiment& experiment, const TrialDeclaration& declaration, const Recording& recording,
+                        StudyTrial& trial) {
+    if (declaration.start_s) {
+        trial.start_s = *declaration.start_s;
+        trial.start_message = "start declared at " + std::to_string(trial.start_s) + " s of the file";
+        return {};
+    }
+    if (!is_foreign_recording(experiment, declaration)) {
+        trial.start_message = "t = 0 is the file's";
+        return {};
+    }
+    std::vector<std::string> body_markers;
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) body_markers.push_back(marker.name);
+    const StartOfMotion start = find_motion_start(recording, body_markers);
+    trial.start_message = start.message;
+    trial.start_s = start.time_s;
+    trial.start_found = start.found;
+    if (!start.found && start.last_still < 0 && start.movers.empty())
+        return declaration_error(experiment, trial_key(experiment, declaration) + ".start_s",
+                                 "the start of the motion was not found in the trace (" + start.message + "); state it");
+    return {};
+}
+
+/// Rest-pose registration: camera to mesh by a rigid fit of every marker seen before the start.
+Result<RigidMotion> register_rest_pose(const Experiment& experiment, const TrialDeclaration& declaration, const RestPose& pose,
+                                       StudyTrial& trial) {
+    std::vector<MarkerDeclaration> declared = experiment.markers.on_body;
+    declared.insert(declared.end(), experiment.markers.fixed.begin(), experiment.markers.fixed.end());
+    Eigen::Matrix3Xd rest(3, static_cast<Eigen::Index>(declared.size()));
+    Eigen::VectorXd weights(rest.cols());
+    for (Eigen::Index i = 0; i < rest.cols(); ++i) {
+        rest.col(i) = declared[static_cast<std::size_t>(i)].rest_m;
+        weights(i) = pose.positions_m.col(i).allFinite() ? 1.0 : 0.0;
+    }
+    Eigen::Matrix3Xd seen = pose.positions_m;
+    for (Eigen::Index i = 0; i < seen.cols(); ++i)
+        if (weights(i) == 0.0) seen.col(i).setZero();
+    Result<Registration> fit = rigid_registration(seen, rest, weights);
+    if (!fit) return declaration_error(experiment, trial_key(experiment, declaration) + ".trace", "registration: " + fit.error().what);
+    trial.registration_rms_m = fit->rms_m;
+    return fit->motion;
+}
+
+}  // namespace
+
+bool is_foreign_recording(const Experiment& experiment, const TrialDeclaration& declaration) {
+    return experiment.registration.method == RegistrationMethod::rest_pose || experiment.markers.compare == Comparison::displacement ||
+           declaration.format == TraceFormat::c3d || declaration.format == TraceFormat::columns;
+}
+
+Result<void> place_recording(const Experiment& experiment, const TrialDeclaration& declaration, const Recording& recording,
+                             StudyTrial& trial) {
+    const std::string key = trial_key(experiment, declaration);
+    if (const Result<void> started = find_start(experiment, declaration, recording, trial); !started) return started.error();
+
+    const bool displacement = experiment.markers.compare == Comparison::displacement;
+    const bool rest_registration = !experiment.registration.known && experiment.registration.method == RegistrationMethod::rest_pose;
+    RigidMotion camera_to_mesh;
+    if (displacement || rest_registration) {
+        const Result<RestPose> pose = rest_pose_before(recording, trial.start_s);
+        if (!pose) return declaration_error(experiment, key + ".trace", "no rest pose before the start: " + pose.error().what);
+        if (rest_registration) {
+            const Result<RigidMotion> motion = register_rest_pose(experiment, declaration, *pose, trial);
+            if (!motion) return motion.error();
+            camera_to_mesh = *motion;
+        }
+        if (displacement)
+            for (std::size_t m = 0; m < experiment.markers.on_body.size(); ++m) {
+                const Eigen::Vector3d mean = camera_to_mesh.apply(pose->positions_m.col(static_cast<Eigen::Index>(m)));
+                if (!mean.allFinite())
+                    return declaration_error(experiment, key + ".trace",
+                                             "marker '" + experiment.markers.on_body[m].name + "' is not seen before the start");
+                trial.reference_m.push_back(mean);
+            }
+    }
+
+    Recording placed = transform(shift_time(recording, -trial.start_s), camera_to_mesh);
+    const double end = declaration.end_s ? *declaration.end_s - trial.start_s : placed.time_s(placed.sample_count() - 1);
+    placed = slice_time(placed, placed.time_s(0), end);
+    placed.labels.resize(experiment.markers.on_body.size());
+    placed.tracks.resize(experiment.markers.on_body.size());
+    while (trial.first_sample < placed.sample_count() && placed.time_s(trial.first_sample) < 0.0) ++trial.first_sample;
+    if (trial.first_sample >= placed.sample_count())
+        return declaration_error(experiment, key + ".end_s", "no sample lies between the start and the end of the trial");
+    for (const MarkerGaps& gaps : gap_map(placed)) trial.occluded_fraction.push_back(gaps.occluded_fraction);
+    trial.measured = std::move(placed);
+    return {};
+}
+
+}  // namespace myo

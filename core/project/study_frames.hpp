@@ -1,0 +1,21 @@
+#pragma once
+
+#include "base/result.hpp"
+#include "measurement/recording.hpp"
+#include "project/study.hpp"
+
+namespace myo {
+
+/// Whether a trial's file was recorded without regard to t = 0 or to the mesh frame (the schema's last section): it holds
+/// samples from before the start. Otherwise file time and trial time are the same.
+bool is_foreign_recording(const Experiment& experiment, const TrialDeclaration& declaration);
+
+/// Puts a trial's recording into the mesh frame and the trial's time: fills measured, first_sample, start_s, start_found,
+/// reference_m, registration_rms_m, occluded_fraction.
+///
+/// recording: declared markers on the body first, then the fixed ones; camera frame, file time.
+/// Errors: no start to be found, no rest pose before it, no rigid fit; nothing left between start_s and end_s.
+Result<void> place_recording(const Experiment& experiment, const TrialDeclaration& declaration, const Recording& recording,
+                             StudyTrial& trial);
+
+}  // namespace myo

@@ -1,0 +1,107 @@
+#include "project/study_mesh.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mesh/box_mesh.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "mesh/voxel_mesh.hpp"
+
+namespace myo {
+namespace {
+
+/// The axis that a triangle is normal to, or -1. Slivers without area have none that matters: 3.
+int normal_axis(const SurfaceMesh& surface, Eigen::Index t) {
+    const auto corner = [&](int i) { return Eigen::Vector3d(surface.vertices.col(surface.triangles(i, t))); };
+    const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    const double area = normal.norm();
+    const double edge = std::max((corner(1) - corner(0)).norm(), (corner(2) - corner(0)).norm());
+    if (area <= 1e-9 * edge * edge) return 3;
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(normal(axis)) > (1.0 - 1e-6) * area) return axis;
+    return -1;
+}
+
+/// Coordinates of the surface's axis-aligned faces, joined when nearer than a hundredth of the edge length.
+GridPlanes face_planes(const SurfaceMesh& surface, double edge) {
+    GridPlanes planes;
+    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+        const int axis = normal_axis(surface, t);
+        if (axis < 0 || axis > 2) continue;
+        planes[static_cast<std::size_t>(axis)].push_back(surface.vertices(axis, surface.triangles(0, t)));
+    }
+    for (std::vector<double>& list : planes) {
+        std::sort(list.begin(), list.end());
+        std::vector<double> distinct;
+        for (const double p : list)
+            if (distinct.empty() || p - distinct.back() > 0.01 * edge) distinct.push_back(p);
+        list = std::move(distinct);
+    }
+    return planes;
+}
+
+void add_region_planes(const std::vector<Box>& regions, const Box& bounds, double edge, GridPlanes& planes) {
+    for (const Box& region : regions)
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double p : {region.lowest(axis), region.highest(axis)}) {
+                auto& list = planes[static_cast<std::size_t>(axis)];
+                const bool inside = p > bounds.lowest(axis) + 0.1 * edge && p < bounds.highest(axis) - 0.1 * edge;
+                const bool known = std::any_of(list.begin(), list.end(), [&](double q) { return std::abs(p - q) < 0.1 * edge; });
+                if (inside && !known) list.push_back(p);
+            }
+}
+
+Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double edge, const std::vector<Box>& regions,
+                             const Progress& progress) {
+    const Box bounds = bounding_box(surface.vertices);
+    if (type != CellType::hex8) {
+        TetOptions options;
+        options.type = type;
+        options.edge = edge;
+        return tetrahedralize(surface, options, progress);
+    }
+    GridPlanes planes;
+    if (is_rectilinear(surface)) planes = face_planes(surface, edge);
+    add_region_planes(regions, bounds, edge, planes);
+    if (const std::optional<Box> box = is_box(surface)) return hex_mesh(grid_lines(*box, edge, planes));
+    VoxelOptions options;
+    options.edge = edge;
+    options.planes = planes;
+    return voxelize(surface, options, progress);
+}
+
+}  // namespace
+
+bool is_rectilinear(const SurfaceMesh& surface) {
+    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)
+        if (normal_axis(surface, t) < 0) return false;
+    return true;
+}
+
+ElementKind automatic_element(const SurfaceMesh& surface) {
+    return is_rectilinear(surface) ? ElementKind::hex8 : ElementKind::tet10;
+}
+
+double automatic_resolution(const SurfaceMesh& surface, CellType type) {
+    return std::cbrt(enclosed_volume(surface)) / (type == CellType::hex8 ? 6.0 : 3.0);
+}
+
+Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& request, const std::vector<Box>& regions,
+                            const Progress& progress) {
+    StudyMesh result;
+    result.element = request.element.value_or(automatic_element(surface));
+    const CellType type = cell_type(result.element);
+    result.resolution_m = request.resolution_m.value_or(automatic_resolution(surface, type));
+    if (!(result.resolution_m > 0.0)) return Error{"the edge length must be positive", "--resolution"};
+    Result<VolumeMesh> mesh = make_mesh(surface, type, result.resolution_m, regions, progress);
+    if (!mesh) return mesh.error();
+    result.mesh = std::move(*mesh);
+    result.warnings = mesh_quality(result.mesh, &surface).messages;
+    return result;
+}
+
+}  // namespace myo
