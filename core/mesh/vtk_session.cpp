@@ -1,5 +1,6 @@
 #include "mesh/vtk_session.hpp"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
@@ -32,9 +33,13 @@ VtkSession::VtkSession() : lock_(one_at_a_time()), window_(Window::make()) {
     previous->Register(nullptr);
     previous_ = previous;
     vtkOutputWindow::SetInstance(window_);
+    // VTK writes every message to its log as well, which goes to the terminal.
+    previous_verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 VtkSession::~VtkSession() {
+    vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(previous_verbosity_));
     auto* previous = static_cast<vtkOutputWindow*>(previous_);
     vtkOutputWindow::SetInstance(previous);
     previous->UnRegister(nullptr);

@@ -24,6 +24,7 @@ private:
     std::unique_lock<std::mutex> lock_;
     Window* window_ = nullptr;
     void* previous_ = nullptr;
+    int previous_verbosity_ = 0;
 };
 
 }  // namespace myo
