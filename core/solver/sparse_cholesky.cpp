@@ -1,10 +1,13 @@
 #include "solver/sparse_cholesky.hpp"
 
 #include <cholmod.h>
+#include <omp.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 namespace myo {
 
@@ -15,6 +18,13 @@ struct SparseCholesky::Implementation {
     cholmod_dense* work_y = nullptr;
     cholmod_dense* work_e = nullptr;
     bool positive_definite = false;
+    std::vector<int> starts, rows;         // the pattern that `factor` was analysed for
+
+    /// CHOLMOD would drop entries outside the analysed pattern without a word.
+    bool knows_pattern(const SymmetricSparse& lower) const {
+        return factor != nullptr && std::equal(starts.begin(), starts.end(), lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1) &&
+               std::equal(rows.begin(), rows.end(), lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
+    }
 
     Implementation() {
         cholmod_start(&common);
@@ -64,9 +74,14 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 bool SparseCholesky::factorize(const SymmetricSparse& lower) {
     assert(lower.isCompressed() && lower.rows() == lower.cols());
+    // Debian's CHOLMOD opens OpenMP regions of four threads by itself; on small factors they cost more than they give, and
+    // threads belong to us. Level 0 makes every region of this thread serial.
+    omp_set_max_active_levels(0);
     Implementation& self = *implementation_;
     cholmod_sparse matrix = view(lower);
-    if (self.factor == nullptr || self.factor->n != matrix.nrow) {
+    if (!self.knows_pattern(lower)) {
+        self.starts.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
+        self.rows.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
         cholmod_free_factor(&self.factor, &self.common);
         self.factor = cholmod_analyze(&matrix, &self.common);
     }

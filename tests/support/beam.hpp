@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <vector>
+
+#include "material/catalogue.hpp"
+#include "mesh/region.hpp"
+#include "model/model.hpp"
+#include "support/meshes.hpp"
+
+namespace myo::test {
+
+/// A beam along x from the clamp at x = 0 to the tip at x = length, rectangular cross section.
+struct BeamSpec {
+    ElementKind kind = ElementKind::hex8;
+    Eigen::Vector3i cells{4, 1, 1};
+    Eigen::Vector3d size{0.1, 0.03, 0.03};   // [m]
+    double youngs_modulus_Pa = 263824.0;
+    double poissons_ratio = 0.499;
+    double density_kg_m3 = 1070.0;
+    double gravity_m_s2 = 0.0;               // downwards along z
+    double damping_s = 0.0;
+    const char* material = "neo_hookean";
+    bool clamped = true;
+};
+
+inline Box beam_box(const BeamSpec& spec) { return {Eigen::Vector3d::Zero(), spec.size}; }
+
+inline Model make_beam(const BeamSpec& spec) {
+    const VolumeMesh mesh = box_mesh(spec.kind, beam_box(spec), spec.cells);
+    const double margin = 1e-6 * spec.size(0);
+    const Eigen::Vector3d outside = Eigen::Vector3d::Constant(margin);
+    const Box clamp{-outside, Eigen::Vector3d(0.0, spec.size(1), spec.size(2)) + outside};
+    Model model;
+    model.body = make_body(mesh, spec.kind, spec.clamped ? nodes_in_box(mesh, clamp) : std::vector<int>{});
+    model.material = find_material(spec.material);
+    model.moduli = uniform_moduli(model.body->cell_count(), spec.youngs_modulus_Pa, spec.poissons_ratio);
+    model.density_kg_m3 = spec.density_kg_m3;
+    model.damping_s = spec.damping_s;
+    model.gravity_m_s2 = Eigen::Vector3d(0.0, 0.0, -spec.gravity_m_s2);
+    return model;
+}
+
+/// Shares of the nodes in the mean over the end face; also of an even traction there.
+inline Eigen::VectorXd tip_share(const Model& model, const BeamSpec& spec) {
+    const double margin = 1e-6 * spec.size(0);
+    const Eigen::Vector3d outside = Eigen::Vector3d::Constant(margin);
+    const Box tip{Eigen::Vector3d(spec.size(0), 0.0, 0.0) - outside, spec.size + outside};
+    const SurfaceIntegral integral = surface_weights(model.body->mesh, model.body->boundary, Box{{spec.size(0) - 1e-9 * spec.size(0), 0.0, 0.0}, tip.highest});
+    Eigen::VectorXd share = integral.weight;
+    const std::vector<int> nodes = nodes_in_box(model.body->mesh, tip);
+    std::vector<bool> on_face(static_cast<std::size_t>(share.size()), false);
+    for (const int i : nodes) on_face[static_cast<std::size_t>(i)] = true;
+    for (Eigen::Index i = 0; i < share.size(); ++i)
+        if (!on_face[static_cast<std::size_t>(i)]) share(i) = 0.0;
+    return share / share.sum();
+}
+
+/// Mean displacement of the end face [m].
+inline Eigen::Vector3d tip_displacement(const Model& model, const BeamSpec& spec, const Eigen::Matrix3Xd& x) {
+    return (x - model.body->mesh.nodes) * tip_share(model, spec);
+}
+
+inline double second_moment(const BeamSpec& spec) { return spec.size(1) * std::pow(spec.size(2), 3) / 12.0; }
+inline double section_area(const BeamSpec& spec) { return spec.size(1) * spec.size(2); }
+
+}  // namespace myo::test
