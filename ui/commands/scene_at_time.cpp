@@ -13,23 +13,43 @@ constexpr double trail_s = 0.5;   // how far back trails reach
 
 Color color_of(const ImVec4& c, float alpha = 1.0f) { return {c.x, c.y, c.z, alpha}; }
 
-Box extent_of(const WorkbenchState& state) {
+// Grows a box, which starts empty, by points.
+struct Bounds {
     Box box;
-    bool first = true;
-    const auto include = [&](const Eigen::Matrix3Xd& points) {
+    bool empty = true;
+
+    void include(const Eigen::Matrix3Xd& points) {
         for (Eigen::Index i = 0; i < points.cols(); ++i) {
             if (!points.col(i).allFinite()) continue;
-            box.lowest = first ? Eigen::Vector3d(points.col(i)) : box.lowest.cwiseMin(points.col(i)).eval();
-            box.highest = first ? Eigen::Vector3d(points.col(i)) : box.highest.cwiseMax(points.col(i)).eval();
-            first = false;
+            box.lowest = empty ? Eigen::Vector3d(points.col(i)) : box.lowest.cwiseMin(points.col(i)).eval();
+            box.highest = empty ? Eigen::Vector3d(points.col(i)) : box.highest.cwiseMax(points.col(i)).eval();
+            empty = false;
         }
-    };
-    if (state.body) include(state.body->mesh.nodes);
-    if (state.scene) {
-        if (!state.body) include(state.scene->surface.vertices);
-        for (const SceneMarker& marker : state.scene->markers) include(marker.rest_m);
     }
-    return box;
+};
+
+Bounds rest_bounds(const WorkbenchState& state) {
+    Bounds bounds;
+    if (state.body) bounds.include(state.body->mesh.nodes);
+    if (state.scene) {
+        if (!state.body) bounds.include(state.scene->surface.vertices);
+        for (const SceneMarker& marker : state.scene->markers) bounds.include(marker.rest_m);
+    }
+    return bounds;
+}
+
+// Frames of a trial, thinned: their extremes change little from one to the next.
+constexpr std::size_t looked_at = 20;
+
+Box motion_box(const WorkbenchState& state, Bounds bounds) {
+    if (const SceneTrial* trial = state.scene_trial()) {
+        for (const Eigen::Matrix3Xd& track : trial->measured) bounds.include(track);
+    }
+    if (const SimulatedTrial* trial = state.simulated_trial()) {
+        const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / looked_at);
+        for (std::size_t f = 0; f < trial->frames.size(); f += stride) bounds.include(trial->frames[f]);
+    }
+    return bounds.box;
 }
 
 // Samples in [t - trail_s, t].
@@ -84,7 +104,7 @@ void add_displacement(DrawnScene& drawn, const WorkbenchState& state) {
     // One scale for the whole trial, so that colours can be compared in time.
     double highest = 0.0;
     if (const SimulatedTrial* trial = state.simulated_trial()) {
-        const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / 20);
+        const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / looked_at);
         for (std::size_t f = 0; f < trial->frames.size(); f += stride) {
             highest = std::max(highest, (trial->frames[f] - rest).colwise().norm().maxCoeff());
         }
@@ -134,7 +154,9 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, std::s
     drawn.edges = state.view.edges;
     drawn.grid = state.view.grid;
     drawn.body_opacity = state.view.opacity;
-    drawn.extent = extent_of(state);
+    const Bounds rest = rest_bounds(state);
+    drawn.extent = rest.box;
+    drawn.reach = motion_box(state, rest);
     drawn.marker_radius = 0.012 * drawn.extent.size().norm();
     if (state.view.displacement && state.body) add_displacement(drawn, state);
     if (state.view.clamp && state.scene->clamp_m) {

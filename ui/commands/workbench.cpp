@@ -49,6 +49,8 @@ Workbench::Workbench(std::shared_ptr<Backend> backend, std::function<void()> wak
     : backend_(std::move(backend)), wake_(std::move(wake)) {
     state_.materials = backend_->materials();
     state_.integrators = backend_->integrators();
+    if (!state_.materials.empty()) state_.settings.material = state_.materials.front().id;
+    if (!state_.integrators.empty()) state_.settings.integrator = state_.integrators.front().id;
 }
 
 void Workbench::log(LogLevel level, const std::string& text) { state_.log.push_back({level, text}); }

@@ -38,6 +38,9 @@ Eigen::Vector3d body_size(const WorkbenchState& state) {
 std::string BodyPanel::title() const { return std::string(icon::cube) + "  Body"; }
 
 void BodyPanel::draw(PanelContext& context) {
+    // What was opened from elsewhere (dropped, command line) stands in the field too.
+    if (scene_ != context.state.scene && context.state.scene) path_ = context.state.scene->path.string();
+    scene_ = context.state.scene;
     draw_open(context);
     ask_unit(context);
     if (!context.state.scene) return;
@@ -81,8 +84,8 @@ void BodyPanel::draw_open(PanelContext& context) {
     if (!scene.description.empty()) muted_text(theme, scene.description);
     const Eigen::Vector3d size = 1e3 * body_size(context.state);
     if (size.maxCoeff() > 0.0) {
-        text_row(theme, "Size", value_label(size.x(), 4) + " \xc3\x97 " + value_label(size.y(), 4) + " \xc3\x97 " +
-                                    value_label(size.z(), 4) + " mm");
+        text_row(theme, "Size", plain_label(size.x(), 4) + " \xc3\x97 " + plain_label(size.y(), 4) + " \xc3\x97 " +
+                                    plain_label(size.z(), 4) + " mm");
     }
     if (!scene.cannot_run.empty()) notice(theme, LogLevel::information, scene.cannot_run);
 }

@@ -24,6 +24,7 @@ private:
     std::string path_;
     FileBrowser browser_;
     OpenEdit edit_;
+    std::shared_ptr<const Scene> scene_;
 };
 
 }  // namespace myo

@@ -80,7 +80,7 @@ std::optional<std::filesystem::path> FileBrowser::draw(PanelContext& context) {
     ImGui::BeginChild("entries", {0.0f, -ImGui::GetFrameHeightWithSpacing() - 4.0f * s});
     if (entries_.empty()) muted_text(theme, "Nothing here that can be opened.");
     for (const FolderEntry& entry : entries_) {
-        const char* icon = entry.experiment ? icon::cube : entry.folder ? icon::folder : icon::file;
+        const char* icon = entry.experiment ? icon::cube : entry.folder ? icon::closed_folder : icon::file;
         ImGui::TextColored(entry.experiment ? theme.accent : theme.muted, "%s", icon);
         ImGui::SameLine(32.0f * s);
         if (ImGui::Selectable(entry.name.c_str(), selected_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {

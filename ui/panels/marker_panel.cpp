@@ -116,7 +116,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     if (!compare) return;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     strip.id = "residual/" + axis_name;
-    strip.title = "";
+    strip.note = "simulated \xe2\x88\x92 measured [mm]";
     strip.x_label = "time [s]";
     strip.cursor = state.time_s;
     strip.mark = 0.0;

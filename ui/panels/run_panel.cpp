@@ -102,9 +102,8 @@ void RunPanel::draw_calibration(PanelContext& context) {
     if (!calibration) return;
     heading(context.theme, "Calibrated");
     for (const ParameterRow& row : calibration->parameters) {
-        std::string value = value_label(row.value, 4);
-        if (std::isfinite(row.deviation)) value += " \xc2\xb1 " + value_label(row.deviation, 2);
-        text_row(context.theme, row.name, value + " " + row.unit + "\nfrom " + value_label(row.start, 4) + " " + row.unit);
+        text_row(context.theme, row.name, label_with_deviation(row.value, row.deviation) + " " + row.unit + "\nfrom " +
+                                              plain_label(row.start, 4) + " " + row.unit);
     }
     text_row(context.theme, "rms error", millimetres(calibration->rms_before_m) + " \xe2\x86\x92 " + millimetres(calibration->rms_after_m) + " mm");
 }

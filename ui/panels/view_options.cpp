@@ -9,6 +9,8 @@ namespace myo {
 void draw_view_options(PanelContext& context) {
     if (ImGui::Button((std::string(icon::eye) + "  Show").c_str())) ImGui::OpenPopup("view options");
     context.items.mark("view/options");
+    const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 4.0f * context.theme.scale};
+    ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup("view options")) return;
     struct Option { const char* label; const char* name; bool ViewOptions::* value; };
     static constexpr Option options[] = {{"Measured markers", "view/measured", &ViewOptions::measured},

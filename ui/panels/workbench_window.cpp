@@ -64,6 +64,12 @@ bool WorkbenchWindow::show_panel(const std::string& name) {
     return false;
 }
 
+std::vector<std::string> WorkbenchWindow::panel_names() const {
+    std::vector<std::string> names;
+    for (const auto& panel : panels_) names.push_back(panel->name());
+    return names;
+}
+
 bool WorkbenchWindow::must_draw() const {
     // After a movement one more frame draws the scene with smooth edges.
     return pacer_.must_draw(workbench_->animating() || was_moving_);
@@ -258,8 +264,12 @@ void WorkbenchWindow::update_scene() {
     }
     if (key.scene != scene_key_.scene) {
         viewport_.camera = turn_to(viewport_.camera, StandardView::oblique);
-        viewport_.fit_requested = true;
+        viewport_.untouched = true;
     }
+    // Until a person chooses another view, all of the motion stays in sight.
+    const bool other_motion = key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run || key.trial != scene_key_.trial;
+    if (other_motion && viewport_.untouched) viewport_.fit_requested = true;
+    if (key.run != scene_key_.run && key.run) wanted_panel_ = "run";
     scene_ = scene_at_time(state, interface_.theme(), surface_);
     scene_key_ = key;
     ++revision_;

@@ -35,6 +35,7 @@ public:
     void open(const std::filesystem::path& path) { workbench_->execute(command::Open{path, std::nullopt}); }
     /// Brings a panel to the front, by its name; false when there is none.
     bool show_panel(const std::string& name);
+    std::vector<std::string> panel_names() const;
 
     InputQueue& input() { return interface_.input(); }
     const ItemRectangles& items() { return interface_.items(); }

@@ -10,6 +10,7 @@ namespace myo {
 /// Icons of Font Awesome 4.7, as UTF-8.
 namespace icon {
 inline constexpr const char* folder = "\xef\x81\xbc";         // f07c
+inline constexpr const char* closed_folder = "\xef\x81\xbb";  // f07b
 inline constexpr const char* file = "\xef\x80\x96";           // f016
 inline constexpr const char* play = "\xef\x81\x8b";           // f04b
 inline constexpr const char* pause = "\xef\x81\x8c";          // f04c

@@ -14,6 +14,7 @@ Theme dark() {
     t.background = rgb(0x121418);
     t.panel = rgb(0x1a1d23);
     t.raised = rgb(0x262b34);
+    t.popup = rgb(0x1e2229);
     t.hovered = rgb(0x323946);
     t.border = rgb(0x2e343f);
     t.text = rgb(0xe9ecf1);
@@ -41,6 +42,7 @@ Theme light() {
     t.background = rgb(0xdfe3e9);
     t.panel = rgb(0xf6f7f9);
     t.raised = rgb(0xffffff);
+    t.popup = rgb(0xf6f7f9);
     t.hovered = rgb(0xe3ebf7);
     t.border = rgb(0xc4cbd6);
     t.text = rgb(0x171b22);
@@ -74,7 +76,7 @@ void apply_theme(const Theme& t, ImGuiStyle& style) {
     style = ImGuiStyle();
     style.WindowPadding = {16, 12};
     style.FramePadding = {8, 5};
-    style.ItemSpacing = {8, 8};
+    style.ItemSpacing = {8, 6};
     style.ItemInnerSpacing = {8, 4};
     style.CellPadding = {8, 4};
     style.IndentSpacing = 16;
@@ -100,8 +102,8 @@ void apply_theme(const Theme& t, ImGuiStyle& style) {
     c[ImGuiCol_TextDisabled] = t.muted;
     c[ImGuiCol_WindowBg] = t.panel;
     c[ImGuiCol_ChildBg] = faint(t.panel, 0.0f);
-    c[ImGuiCol_PopupBg] = t.name == ThemeName::dark ? t.raised : t.panel;
-    c[ImGuiCol_Border] = t.border;
+    c[ImGuiCol_PopupBg] = t.popup;
+    c[ImGuiCol_Border] = t.hovered;
     c[ImGuiCol_FrameBg] = t.raised;
     c[ImGuiCol_FrameBgHovered] = t.hovered;
     c[ImGuiCol_FrameBgActive] = t.hovered;

@@ -13,6 +13,7 @@ struct Theme {
     ImVec4 background;             // behind everything
     ImVec4 panel;
     ImVec4 raised;                 // fields, buttons
+    ImVec4 popup;
     ImVec4 hovered;
     ImVec4 border;
     ImVec4 text;

@@ -28,6 +28,7 @@ struct PlotSeries {
 struct Plot {
     std::string id;
     std::string title;             // upper left, with unit: "x [mm]"
+    std::string note;              // inside the area, upper left
     std::string x_unit = "s";      // for the values at the mouse
     std::string y_unit = "mm";
     std::string x_label;           // below the axis; empty = no labels there (a strip of the plot below shows them)

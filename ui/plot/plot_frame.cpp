@@ -49,7 +49,7 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
         const float left = std::clamp(x - 0.5f * width, r.lowest.x, r.highest.x - width);
         text(list, font, {left, r.highest.y + 2.0f * theme.scale}, muted, label);
     }
-    const Ticks y_ticks = make_ticks(area.y, std::max(2, static_cast<int>(r.height() / (28.0f * theme.scale))));
+    const Ticks y_ticks = make_ticks(area.y, std::max(2, static_cast<int>(r.height() / (18.0f * theme.scale))));
     for (const double v : y_ticks.values) {
         const float y = std::round(py(area, v));
         list.AddLine({r.lowest.x, y}, {r.highest.x, y}, line);
@@ -62,6 +62,7 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
         const float y = std::round(py(area, 0.0));
         list.AddLine({r.lowest.x, y}, {r.highest.x, y}, packed(theme.muted, 0.6f));
     }
+    if (!plot.note.empty()) text(list, font, {r.lowest.x + 6.0f * theme.scale, r.lowest.y + 2.0f * theme.scale}, muted, plot.note);
     if (!plot.x_label.empty()) {
         const ImVec2 size = extent(font, plot.x_label);
         text(list, font, {0.5f * (r.lowest.x + r.highest.x - size.x), r.highest.y + size.y + 2.0f * theme.scale}, muted, plot.x_label);

@@ -42,6 +42,7 @@ Ticks make_ticks(const Range& range, int most) {
     ticks.step = nice_step(range.span() / most);
     const auto first = [&] { return std::ceil(range.lowest / ticks.step - 1e-9); };
     const auto last = [&] { return std::floor(range.highest / ticks.step + 1e-9); };
+    // A step is at most `most` apart, so at worst one tick is too many.
     if (last() - first() + 1.0 > most) ticks.step = nice_step(1.5 * ticks.step);
     for (double k = first(); k <= last(); k += 1.0) ticks.values.push_back(k * ticks.step);
     return ticks;
@@ -53,6 +54,17 @@ std::string tick_label(double value, double step) {
     if (largest >= 1e6 || step < 1e-6) return printed("%.*g", 6, value);
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
     return printed("%.*f", decimals, value);
+}
+
+std::string plain_label(double value, int significant_digits) {
+    return std::isfinite(value) ? printed("%.*g", significant_digits, value) : "\xe2\x80\x93";
+}
+
+std::string label_with_deviation(double value, double deviation) {
+    if (!std::isfinite(deviation) || !(deviation > 0.0) || !std::isfinite(value)) return value_label(value, 4);
+    // Two digits of the deviation decide how many of the value mean anything.
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(deviation))), 0, 12);
+    return printed("%.*f", decimals, value) + " \xc2\xb1 " + printed("%.*f", decimals, deviation);
 }
 
 std::string value_label(double value, int significant_digits) {

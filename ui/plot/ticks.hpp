@@ -30,6 +30,12 @@ std::string tick_label(double value, double step);
 /// Value with the given number of significant digits, a true minus sign, "-" when not finite.
 std::string value_label(double value, int significant_digits);
 
+/// As value_label without trailing zeros: "30", "0.25".
+std::string plain_label(double value, int significant_digits);
+
+/// Both numbers with the decimals that the deviation supports; the value alone when the deviation is unknown.
+std::string label_with_deviation(double value, double deviation);
+
 /// Smallest range around all finite values; [0, 1] when there are none.
 Range range_of(const std::vector<const double*>& starts, const std::vector<long>& counts);
 

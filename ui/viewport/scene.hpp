@@ -49,7 +49,8 @@ struct DrawnScene {
     double marker_radius = 1e-3;                          // [m]
     std::vector<DrawnMarker> markers;
     std::vector<DrawnLine> lines;
-    Box extent;                                           // of the rest shape: sets the grid and what "fit" shows
+    Box extent;                                           // of the rest shape: sets the grid
+    Box reach;                                            // of the whole motion: what "fit" shows
 };
 
 struct ViewColors {

@@ -95,7 +95,7 @@ void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& c
         if (!view.contains(p)) continue;
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, marker.label.c_str());
         // Beside the marker, or below a label that is already there.
-        Rectangle box{{p.x + 12.0f * s, p.y - 0.5f * extent.y}, {p.x + 12.0f * s + extent.x, p.y + 0.5f * extent.y}};
+        Rectangle box{{p.x + 16.0f * s, p.y - 0.5f * extent.y}, {p.x + 16.0f * s + extent.x, p.y + 0.5f * extent.y}};
         const auto overlaps = [&](const Rectangle& other) {
             return box.lowest.x < other.highest.x && other.lowest.x < box.highest.x && box.lowest.y < other.highest.y &&
                    other.lowest.y < box.highest.y;

@@ -27,6 +27,7 @@ void react_to_mouse(ViewportState& state, bool hovered, bool active) {
         state.camera = zoom(state.camera, size, std::pow(0.87, static_cast<double>(io.MouseWheel)), cursor);
     }
     state.moving = !(state.camera == before);
+    state.untouched = state.untouched && !state.moving;
 }
 
 void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& state) {
@@ -41,7 +42,10 @@ void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& stat
     const auto tip = [](const char* text) {
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
     };
-    if (ImGui::Button(icon::expand)) state.fit_requested = true;
+    if (ImGui::Button(icon::expand)) {
+        state.fit_requested = true;
+        state.untouched = true;
+    }
     items.mark("view/fit");
     tip("Show the whole body (F)");
     for (const ViewButton& button : buttons) {
@@ -93,7 +97,7 @@ void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme&
     react_to_mouse(state, ImGui::IsItemHovered(), ImGui::IsItemActive());
     draw_buttons(theme, items, state);
     if (state.fit_requested) {
-        state.camera = fit(state.camera, state.size(), scene.extent);
+        state.camera = fit(state.camera, state.size(), scene.reach);
         state.fit_requested = false;
     }
     if (labels) draw_marker_labels(list, state.pixels, state.camera, scene, theme);

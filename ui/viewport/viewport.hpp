@@ -13,6 +13,7 @@ namespace myo {
 struct ViewportState {
     Camera camera;
     bool fit_requested = true;     // show the whole scene in the next frame
+    bool untouched = true;         // the person has not turned or moved it since all was shown
     bool moving = false;           // the camera moved in this frame: draw without multisampling
     Rectangle pixels;              // where the picture belongs in the window
 

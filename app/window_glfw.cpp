@@ -1,0 +1,208 @@
+#include "window_glfw.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <imgui.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "panels/workbench_window.hpp"
+#include "platform/gl.hpp"
+
+namespace myo {
+namespace {
+
+// GLFW reports what went wrong through a callback without context; only the last sentence matters.
+std::string& last_glfw_error() {
+    static std::string text;
+    return text;
+}
+
+struct Library {
+    bool ready = false;
+    Library() {
+        glfwSetErrorCallback([](int, const char* text) { last_glfw_error() = text; });
+        ready = glfwInit() == GLFW_TRUE;
+    }
+    ~Library() {
+        if (ready) glfwTerminate();
+    }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+};
+
+struct DestroyWindow {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+
+int key_of(int key) {
+    static constexpr std::pair<int, int> keys[] = {
+        {GLFW_KEY_TAB, ImGuiKey_Tab},           {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},   {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+        {GLFW_KEY_UP, ImGuiKey_UpArrow},        {GLFW_KEY_DOWN, ImGuiKey_DownArrow},   {GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+        {GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown}, {GLFW_KEY_HOME, ImGuiKey_Home},       {GLFW_KEY_END, ImGuiKey_End},
+        {GLFW_KEY_INSERT, ImGuiKey_Insert},     {GLFW_KEY_DELETE, ImGuiKey_Delete},    {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+        {GLFW_KEY_SPACE, ImGuiKey_Space},       {GLFW_KEY_ENTER, ImGuiKey_Enter},      {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+        {GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter}};
+    for (const auto& [glfw, imgui] : keys) {
+        if (glfw == key) return imgui;
+    }
+    // Letters by what is printed on them, so that Ctrl+Z is where the person's layout has it.
+    const char* name = glfwGetKeyName(key, 0);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return -1;
+    switch (name[0]) {
+        case 'a': return ImGuiKey_A;
+        case 'c': return ImGuiKey_C;
+        case 'v': return ImGuiKey_V;
+        case 'x': return ImGuiKey_X;
+        case 'y': return ImGuiKey_Y;
+        case 'z': return ImGuiKey_Z;
+        case 'f': return key_f;
+        case 'o': return key_o;
+        case 'r': return key_r;
+        default: return -1;
+    }
+}
+
+Modifiers modifiers_of(int bits) {
+    return {(bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_ALT) != 0};
+}
+
+WorkbenchWindow& workbench_of(GLFWwindow* window) { return *static_cast<WorkbenchWindow*>(glfwGetWindowUserPointer(window)); }
+
+void push(GLFWwindow* window, const InputEvent& event) {
+    workbench_of(window).input().push(event);
+    workbench_of(window).wake();
+}
+
+void set_callbacks(GLFWwindow* window) {
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        // Screen units become pixels where the two differ.
+        int screen = 1, pixels = 1, ignored = 0;
+        glfwGetWindowSize(w, &screen, &ignored);
+        glfwGetFramebufferSize(w, &pixels, &ignored);
+        const double ratio = static_cast<double>(pixels) / std::max(1, screen);
+        push(w, MouseMoved{static_cast<float>(x * ratio), static_cast<float>(y * ratio)});
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        if (entered == GLFW_FALSE) push(w, MouseMoved{-1e6f, -1e6f});
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+        push(w, MouseButton{button, action == GLFW_PRESS, modifiers_of(mods)});
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        push(w, MouseWheel{static_cast<float>(x), static_cast<float>(y)});
+    });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
+        // A held key repeats by itself as long as frames are drawn.
+        if (action == GLFW_REPEAT) return workbench_of(w).wake();
+        const int known = key_of(key);
+        if (known >= 0) push(w, KeyPressed{known, action == GLFW_PRESS, modifiers_of(mods)});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { push(w, TextTyped{character}); });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        if (count > 0) workbench_of(w).open(paths[0]);
+        workbench_of(w).wake();
+    });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { workbench_of(w).wake(); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { workbench_of(w).wake(); });
+}
+
+void share_clipboard(GLFWwindow* window) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = window;
+    io.SetClipboardTextFn = [](void* data, const char* text) { glfwSetClipboardString(static_cast<GLFWwindow*>(data), text); };
+    io.GetClipboardTextFn = [](void* data) { return glfwGetClipboardString(static_cast<GLFWwindow*>(data)); };
+}
+
+// The mouse pointers the workbench uses.
+class Pointers {
+public:
+    Pointers()
+        : text_(glfwCreateStandardCursor(GLFW_IBEAM_CURSOR)), sideways_(glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR)),
+          upright_(glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR)) {}
+    void apply(GLFWwindow* window) {
+        const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
+        if (wanted == shown_) return;
+        shown_ = wanted;
+        GLFWcursor* cursor = nullptr;
+        if (wanted == ImGuiMouseCursor_TextInput) cursor = text_;
+        if (wanted == ImGuiMouseCursor_ResizeEW) cursor = sideways_;
+        if (wanted == ImGuiMouseCursor_ResizeNS) cursor = upright_;
+        glfwSetCursor(window, cursor);
+    }
+
+private:
+    GLFWcursor* text_;
+    GLFWcursor* sideways_;
+    GLFWcursor* upright_;
+    ImGuiMouseCursor shown_ = ImGuiMouseCursor_Arrow;
+};
+
+Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindow& view) {
+    using Clock = std::chrono::steady_clock;
+    Pointers pointers;
+    auto last = Clock::now();
+    while (glfwWindowShouldClose(window) == GLFW_FALSE) {
+        const bool busy = workbench.state().busy();
+        if (view.must_draw()) {
+            glfwPollEvents();
+        } else {
+            // A running job's clock ticks even when it reports nothing.
+            glfwWaitEventsTimeout(busy ? 0.2 : 1.0);
+            if (busy) view.wake();
+            if (!view.must_draw()) continue;
+        }
+        int width = 0;
+        int height = 0;
+        glfwGetFramebufferSize(window, &width, &height);
+        if (width < 1 || height < 1) {
+            glfwWaitEventsTimeout(0.2);  // minimised
+            continue;
+        }
+        const auto now = Clock::now();
+        if (const auto drawn = view.draw_frame(width, height, std::chrono::duration<double>(now - last).count()); !drawn) return drawn;
+        last = now;
+        pointers.apply(window);
+        glfwSwapBuffers(window);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> run_window(std::shared_ptr<Backend> backend, const WindowOptions& options) {
+    const Library library;
+    if (!library.ready) {
+        return Error{"cannot open a window: " + last_glfw_error() + ". Without a display, use the subcommands (myoloop --help).", ""};
+    }
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    const std::unique_ptr<GLFWwindow, DestroyWindow> window(glfwCreateWindow(options.width, options.height, "Myoloop", nullptr, nullptr));
+    if (!window) return Error{"cannot open a window: " + last_glfw_error(), ""};
+    glfwMakeContextCurrent(window.get());
+    glfwSwapInterval(1);
+    if (const auto loaded = gl::load(glfwGetProcAddress); !loaded) return loaded;
+
+    Workbench workbench(std::move(backend), [] { glfwPostEmptyEvent(); });
+    float across = 1.0f;
+    float down = 1.0f;
+    glfwGetWindowContentScale(window.get(), &across, &down);
+    workbench.execute(command::SetTheme{ThemeName::dark, options.scale.value_or(across)});
+    auto view = WorkbenchWindow::make(workbench);
+    if (!view) return view.error();
+    glfwSetWindowUserPointer(window.get(), &*view);
+    set_callbacks(window.get());
+    share_clipboard(window.get());
+    if (!options.open.empty()) view->open(options.open);
+    return run_frames(window.get(), workbench, *view);
+}
+
+}  // namespace myo

@@ -1,0 +1,94 @@
+#include "panels/screenshot.hpp"
+
+#include <chrono>
+#include <limits>
+#include <thread>
+
+#include "base/text.hpp"
+#include "commands/workbench.hpp"
+#include "panels/workbench_window.hpp"
+#include "platform/offscreen_context.hpp"
+
+namespace myo {
+namespace {
+
+// Waits until no job runs; its failures are those of the picture.
+Result<void> wait_for_jobs(Workbench& workbench, const Progress& progress) {
+    while (workbench.state().busy()) {
+        workbench.advance(0.0);
+        if (!workbench.state().job) break;
+        progress.report(workbench.state().job->progress);
+        if (progress.cancelled()) {
+            workbench.execute(command::Cancel{});
+            return Error{"stopped", ""};
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    for (const LogLine& line : workbench.state().log) {
+        if (line.level == LogLevel::failure) return Error{line.text, ""};
+    }
+    return {};
+}
+
+template <class Named>
+Result<int> index_of(const std::string& what, const std::string& name, const std::vector<Named>& all) {
+    if (name.empty()) return 0;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].name == name) return static_cast<int>(i);
+        names.push_back(all[i].name);
+    }
+    return Error{"there is no " + what + " \"" + name + "\"; there is " + join(names), ""};
+}
+
+Result<void> choose(Workbench& workbench, const ScreenshotOptions& options) {
+    if (!workbench.state().scene) return {};
+    const Scene& scene = *workbench.state().scene;
+    const auto trial = index_of("trial", options.trial, scene.trials);
+    if (!trial) return trial.error();
+    const auto marker = index_of("marker", options.marker, scene.markers);
+    if (!marker) return marker.error();
+    workbench.execute(command::ChooseTrial{*trial});
+    workbench.execute(command::ChooseMarker{*marker});
+    workbench.execute(command::SetTime{options.time_s.value_or(std::numeric_limits<double>::max())});
+    ViewOptions view = workbench.state().view;
+    view.displacement = options.displacement;
+    workbench.execute(command::ChangeView{view});
+    return {};
+}
+
+}  // namespace
+
+Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const ScreenshotOptions& options, const Progress& progress) {
+    auto context = OffscreenContext::make(options.width, options.height);
+    if (!context) return context.error();
+    Workbench workbench(std::move(backend));
+    workbench.execute(command::SetTheme{options.theme, options.scale});
+    auto window = WorkbenchWindow::make(workbench);
+    if (!window) return window.error();
+    if (!options.panel.empty() && !window->show_panel(options.panel)) {
+        return Error{"there is no panel \"" + options.panel + "\"; there is " + join(window->panel_names()), ""};
+    }
+    if (!options.open.empty()) {
+        workbench.execute(command::Open{options.open, options.metres_per_unit});
+        if (workbench.state().unit_question) {
+            return Error{"the file does not say in which unit its numbers are; give one (mm or m)", options.open.string()};
+        }
+        if (const auto opened = wait_for_jobs(workbench, progress); !opened) return opened.error();
+    }
+    if (workbench.state().scene && workbench.state().scene->cannot_run.empty()) {
+        if (options.calibrate) workbench.execute(command::Calibrate{});
+        else if (options.run) workbench.execute(command::Run{});
+        if (const auto ran = wait_for_jobs(workbench, progress); !ran) return ran.error();
+    }
+    if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
+    if (!options.panel.empty()) window->show_panel(options.panel);
+    // Sizes of texts are known from the second frame on, scrolling from the third.
+    for (int frame = 0; frame < 5; ++frame) {
+        if (const auto drawn = window->draw_frame(options.width, options.height, 0.02); !drawn) return drawn.error();
+        if (frame == 1 && !options.panel.empty()) window->show_panel(options.panel);
+    }
+    return read_frame(options.width, options.height);
+}
+
+}  // namespace myo

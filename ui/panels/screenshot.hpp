@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/progress.hpp"
+#include "base/result.hpp"
+#include "commands/backend.hpp"
+#include "platform/image.hpp"
+#include "platform/theme.hpp"
+
+namespace myo {
+
+struct ScreenshotOptions {
+    std::filesystem::path open;              // empty = the empty workbench
+    std::optional<double> metres_per_unit;   // of a mesh file without unit
+    int width = 1600;                        // [pixels]
+    int height = 900;
+    std::string panel;                       // brought to the front; empty = as it starts
+    std::string trial;                       // shown; empty = the first
+    std::string marker;                      // plotted; empty = the first
+    bool run = true;                         // simulate before drawing, where possible
+    bool calibrate = false;                  // calibrate instead
+    std::optional<double> time_s;            // shown; empty = the end of the trial
+    ThemeName theme = ThemeName::dark;
+    float scale = 1.0f;
+    bool displacement = false;               // colour the body by displacement
+};
+
+/// Draws the workbench without a display.
+///
+/// Errors: what the workbench would show as a failure (the file cannot be opened, the run failed); unknown panel, trial or
+/// marker; cancelled.
+Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const ScreenshotOptions& options, const Progress& progress = {});
+
+}  // namespace myo
