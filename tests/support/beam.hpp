@@ -45,17 +45,10 @@ inline Model make_beam(const BeamSpec& spec) {
 
 /// Shares of the nodes in the mean over the end face; also of an even traction there.
 inline Eigen::VectorXd tip_share(const Model& model, const BeamSpec& spec) {
-    const double margin = 1e-6 * spec.size(0);
-    const Eigen::Vector3d outside = Eigen::Vector3d::Constant(margin);
-    const Box tip{Eigen::Vector3d(spec.size(0), 0.0, 0.0) - outside, spec.size + outside};
-    const SurfaceIntegral integral = surface_weights(model.body->mesh, model.body->boundary, Box{{spec.size(0) - 1e-9 * spec.size(0), 0.0, 0.0}, tip.highest});
-    Eigen::VectorXd share = integral.weight;
-    const std::vector<int> nodes = nodes_in_box(model.body->mesh, tip);
-    std::vector<bool> on_face(static_cast<std::size_t>(share.size()), false);
-    for (const int i : nodes) on_face[static_cast<std::size_t>(i)] = true;
-    for (Eigen::Index i = 0; i < share.size(); ++i)
-        if (!on_face[static_cast<std::size_t>(i)]) share(i) = 0.0;
-    return share / share.sum();
+    const Eigen::Vector3d outside = Eigen::Vector3d::Constant(1e-6 * spec.size(0));
+    const Box tip{Eigen::Vector3d(spec.size(0), 0.0, 0.0), spec.size + outside};   // a face in a side of the box counts
+    const SurfaceIntegral integral = surface_weights(model.body->mesh, model.body->boundary, tip);
+    return integral.weight / integral.weight.sum();
 }
 
 /// Mean displacement of the end face [m].
@@ -65,5 +58,13 @@ inline Eigen::Vector3d tip_displacement(const Model& model, const BeamSpec& spec
 
 inline double second_moment(const BeamSpec& spec) { return spec.size(1) * std::pow(spec.size(2), 3) / 12.0; }
 inline double section_area(const BeamSpec& spec) { return spec.size(1) * spec.size(2); }
+
+/// A dead force over the end face, for ever unless told otherwise.
+inline void push_tip(Model& model, const BeamSpec& spec, const Eigen::Vector3d& force_N) {
+    DeadForce load;
+    load.share = tip_share(model, spec);
+    load.force_N = force_N;
+    model.forces.push_back(load);
+}
 
 }  // namespace myo::test

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/text.hpp"
+
+namespace myo::test {
+
+/// Keeps a measured figure with the test's result (--gtest_output=xml).
+inline void record(const std::string& name, double value) { testing::Test::RecordProperty(name, format_number(value)); }
+
+inline void record(const std::string& name, const std::vector<double>& values) {
+    std::vector<std::string> words;
+    for (const double value : values) words.push_back(format_number(value, 4));
+    testing::Test::RecordProperty(name, join(words));
+}
+
+}  // namespace myo::test
