@@ -3,7 +3,7 @@
 # and draws the picture instead.
 # Use: run.sh [--headless]
 set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 build=$root/build
 
 headless=false

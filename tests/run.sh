@@ -2,7 +2,7 @@
 # Installs what is missing, builds everything, and runs all tests in one run of ctest: the Release build's, and those of the
 # numerical modules once more with assertions and sanitizers. Ends with ctest's summary; its exit code is the verdict.
 set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 release=$root/build
 sanitize=$root/build-sanitize
 both=$root/build-both
