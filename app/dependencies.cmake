@@ -10,6 +10,7 @@ if(NOT PkgConfig_FOUND)
   myoloop_missing("pkg-config" "pkg-config")
 endif()
 find_package(Threads REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
 
 find_package(Eigen3 3.4 QUIET NO_MODULE)
 if(NOT TARGET Eigen3::Eigen)

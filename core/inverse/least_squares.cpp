@@ -1,6 +1,7 @@
 #include "inverse/least_squares.hpp"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -155,6 +156,7 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     StopWhenCancelled stop(progress);
     settings.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
+    FLAGS_minloglevel = google::GLOG_FATAL;   // Ceres prints whole residual vectors where a model could not be run; the report says it
     ceres::Solve(settings, &problem, &summary);
 
     report.values = evaluator.physical(scaled.data());

@@ -53,8 +53,8 @@ struct LeastSquaresReport {
 
 struct LeastSquaresOptions {
     int max_evaluations = 60;
-    double relative_decrease = 1e-8;  // of the cost, below which it has converged
-    double relative_step = 1e-7;      // of the parameters
+    double relative_decrease = 1e-6;  // of the cost, below which it has converged
+    double relative_step = 1e-6;      // of the parameters
 };
 
 /// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per evaluation.

@@ -124,10 +124,15 @@ void add_hourglass(const Eigen::Matrix<double, 3, 8>& x, const Eigen::Matrix<dou
     const Eigen::Matrix<double, 3, 8> f = T * h.Gamma.transpose();
     out.gradient += f;
     if constexpr (WithHessian) {
-        Eigen::Matrix<double, 12, 24> B;   // dh = B dx
-        for (int node = 0; node < 8; ++node)
-            for (int shape = 0; shape < 4; ++shape) B.block<3, 3>(3 * shape, 3 * node) = h.Gamma(node, shape) * h.F_inverse;
-        out.hessian.noalias() += B.transpose() * (K * B);
+        // dh = F^-1 dx Gamma', so each pair of shapes contributes F^-T K_st F^-1, spread over the nodes by Gamma.
+        Eigen::Matrix<double, 24, 12> spread = Eigen::Matrix<double, 24, 12>::Zero();
+        for (int t = 0; t < 4; ++t)
+            for (int s = 0; s < 4; ++s) {
+                const Eigen::Matrix3d block = h.F_inverse.transpose() * K.block<3, 3>(3 * s, 3 * t) * h.F_inverse;
+                for (int node = 0; node < 8; ++node) spread.block<3, 3>(3 * node, 3 * t) += h.Gamma(node, s) * block;
+            }
+        for (int b = 0; b < 8; ++b)
+            for (int t = 0; t < 4; ++t) out.hessian.middleCols<3>(3 * b) += h.Gamma(b, t) * spread.middleCols<3>(3 * t);
         const Eigen::Matrix<double, 8, 3> GF = G * h.F_inverse;
         for (int b = 0; b < 8; ++b)
             for (int a = 0; a < 8; ++a)

@@ -143,6 +143,7 @@ TrialPrediction predict_trial(const Study& study, std::size_t index, const Study
     const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
     const auto samples = trial.measured.sample_count();
     result.positions_m = seen.tracks.positions;
+    for (const Matrix3Xd& start : origin.tracks.positions) result.start_m.emplace_back(start.col(0));
     result.tangents.assign(parameters.size(), std::vector<Matrix3Xd>(study.marker_names.size(), Matrix3Xd::Zero(3, samples)));
     for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
         const Matrix3Xd& y = trial.measured.tracks[m];

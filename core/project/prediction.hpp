@@ -48,6 +48,7 @@ struct TrialPrediction {
     std::string message;
     Trace trace;                                     // all nodes, all steps
     std::vector<Eigen::Matrix3Xd> positions_m;       // per marker, at every sample of `measured`; mesh frame
+    std::vector<Eigen::Vector3d> start_m;            // per marker, at t = 0
     std::vector<Eigen::Matrix3Xd> residual_m;        // per marker: prediction minus measurement; NaN where occluded or not compared
     std::vector<std::vector<Eigen::Matrix3Xd>> tangents;   // [parameter][marker] derivative of the residual
 

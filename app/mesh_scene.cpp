@@ -1,0 +1,83 @@
+#include "mesh_scene.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "material/catalogue.hpp"
+#include "mesh/region.hpp"
+
+namespace myo {
+namespace {
+
+constexpr double release_s = 1.0;
+
+}  // namespace
+
+Experiment mesh_scene_experiment(const SurfaceMesh& surface, const std::string& name) {
+    Experiment experiment;
+    experiment.name = name;
+    experiment.description = "Mesh without an experiment: silicone, held at the lower end of its longest axis and released under gravity.";
+    const Box bounds = bounding_box(surface.vertices);
+    int axis = 0;
+    bounds.size().maxCoeff(&axis);
+    const double margin = 1e-3 * bounds.size()(axis);
+    experiment.clamp_box_m = {bounds.lowest.array() - margin, bounds.highest.array() + margin};
+    experiment.clamp_box_m.highest(axis) = bounds.lowest(axis) + margin;
+    experiment.material.model = neo_hookean()->id();
+    experiment.material.youngs_modulus_Pa = 2.6e5;
+    experiment.material.poissons_ratio = 0.49;
+    experiment.material.density_kg_m3 = 1070.0;
+    experiment.material.damping_s = 0.003;
+    return experiment;
+}
+
+SceneTrial mesh_scene_trial() { return {"release", "", Eigen::VectorXd::LinSpaced(101, 0.0, release_s), {}}; }
+
+Settings mesh_scene_settings(const Experiment& experiment, const SurfaceMesh& surface) {
+    Settings settings;
+    settings.element = cell_type(automatic_element(surface));
+    settings.resolution_m = automatic_resolution(surface, settings.element);
+    settings.material = experiment.material.model;
+    settings.youngs_modulus_Pa = experiment.material.youngs_modulus_Pa;
+    settings.poissons_ratio = experiment.material.poissons_ratio;
+    settings.density_kg_m3 = experiment.material.density_kg_m3;
+    settings.damping_s = experiment.material.damping_s.value_or(0.0);
+    settings.integrator = to_string(Integrator::tr_bdf2);
+    settings.time_step_s = 0.005;
+    return settings;
+}
+
+Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh& surface, const StudySettings& study,
+                                 const Settings& settings, const Progress& progress) {
+    Result<StudyMesh> mesh = mesh_body(surface, study.mesh, {experiment.clamp_box_m}, progress);
+    if (!mesh) return mesh.error();
+    const std::vector<int> held = nodes_in_box(mesh->mesh, experiment.clamp_box_m);
+    if (held.empty()) return Error{"no node lies at the held end; choose a finer resolution", experiment.name};
+    Model model;
+    model.body = make_body(mesh->mesh, mesh->element, held);
+    model.material = find_material(settings.material);
+    if (!model.material) return Error{"no material law '" + settings.material + "'", "material"};
+    model.moduli = uniform_moduli(model.body->cell_count(), settings.youngs_modulus_Pa, settings.poissons_ratio);
+    model.damping_s = settings.damping_s;
+    model.density_kg_m3 = settings.density_kg_m3;
+    model.velocity_force_1_s = settings.velocity_force_1_s;
+    model.gravity_m_s2 = experiment.gravity_m_s2;
+    SimulationOptions options;
+    options.integrator = study.integrator;
+    options.h_s = settings.time_step_s;
+    options.end_s = release_s;
+    const Trace trace = simulate(model, options, progress);
+
+    RunResult result;
+    result.rms_m = std::numeric_limits<double>::quiet_NaN();
+    if (!trace.complete()) result.problem = trace.message;
+    SimulatedTrial shown;
+    shown.name = mesh_scene_trial().name;
+    shown.frames = trace.positions;
+    shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(), static_cast<Eigen::Index>(trace.times_s.size()));
+    shown.rms_m = std::numeric_limits<double>::quiet_NaN();
+    result.trials.push_back(std::move(shown));
+    return result;
+}
+
+}  // namespace myo

@@ -1,0 +1,307 @@
+#include "workbench_backend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "commands/numerical_damping.hpp"
+#include "material/catalogue.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/region.hpp"
+#include "mesh/surface_check.hpp"
+#include "mesh/surface_reader.hpp"
+#include "measurement/rigid_motion.hpp"
+#include "mesh/surface_topology.hpp"
+#include "mesh_scene.hpp"
+#include "project/read_experiment.hpp"
+#include "project/run_study.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Matrix3Xd;
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+bool is_experiment(const fs::path& path) {
+    std::error_code code;
+    return fs::is_directory(path, code) || path.extension() == ".toml";
+}
+
+/// What a scene was opened from.
+struct SceneSource {
+    Experiment experiment;
+    SurfaceMesh surface;
+};
+
+const SceneSource& source_of(const Scene& scene) { return *std::static_pointer_cast<const SceneSource>(scene.source); }
+
+MeshRequest mesh_request(const Settings& settings) { return {default_element(settings.element), settings.resolution_m}; }
+
+StudySettings study_settings(const Settings& settings) {
+    StudySettings result;
+    result.mesh = mesh_request(settings);
+    parse_integrator(settings.integrator, result.integrator);
+    result.h_s = settings.time_step_s;
+    result.material = settings.material;
+    result.velocity_force_1_s = settings.velocity_force_1_s;
+    result.threads = hardware_threads();
+    return result;
+}
+
+Experiment with_settings(Experiment experiment, const Settings& settings) {
+    experiment.material.youngs_modulus_Pa = settings.youngs_modulus_Pa;
+    experiment.material.poissons_ratio = settings.poissons_ratio;
+    experiment.material.density_kg_m3 = settings.density_kg_m3;
+    experiment.material.damping_s = settings.damping_s;
+    return experiment;
+}
+
+/// Where displacements are compared, both curves start from the declared rest position.
+Matrix3Xd shown_measurement(const Study& study, const StudyTrial& trial, std::size_t marker) {
+    Matrix3Xd shown = trial.measured.tracks[marker];
+    if (!trial.reference_m.empty())
+        shown.colwise() += Eigen::Vector3d(study.experiment.markers.on_body[marker].rest_m - trial.reference_m[marker]);
+    return shown;
+}
+
+/// Frequency of the largest measured motion about where it comes to rest [Hz], from its zero crossings; 0 when it does not cross.
+double dominant_frequency(const Study& study) {
+    double largest = 0.0, frequency = 0.0;
+    for (const StudyTrial& trial : study.trials)
+        for (const Matrix3Xd& track : trial.measured.tracks)
+            for (int axis = 0; axis < 3; ++axis) {
+                const Eigen::Index samples = track.cols(), tail = std::max<Eigen::Index>(1, samples / 5);
+                const double rest = track.row(axis).tail(tail).mean();
+                double sum = 0.0, first = 0.0, last = 0.0;
+                int crossings = 0;
+                for (Eigen::Index t = trial.first_sample + 1; t < samples; ++t) {
+                    const double a = track(axis, t - 1) - rest, b = track(axis, t) - rest;
+                    if (!std::isfinite(a * b)) continue;
+                    sum += b * b;
+                    if (a * b >= 0.0) continue;
+                    last = trial.measured.time_s(t - 1) + (trial.measured.time_s(t) - trial.measured.time_s(t - 1)) * a / (a - b);
+                    if (crossings++ == 0) first = last;
+                    if (crossings == 9) break;   // later ones may be noise
+                }
+                if (sum <= largest || crossings < 3) continue;
+                largest = sum;
+                frequency = (crossings - 1) / (2.0 * (last - first));
+            }
+    return frequency;
+}
+
+void fill_from_study(const Study& study, Scene& scene) {
+    const Experiment& experiment = study.experiment;
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) scene.markers.push_back({marker.name, marker.rest_m});
+    for (const StudyTrial& trial : study.trials) {
+        SceneTrial shown{trial.name, trial.role == TrialRole::fit ? "fit" : "validate", trial.measured.time_s, {}};
+        for (std::size_t m = 0; m < scene.markers.size(); ++m) shown.measured.push_back(shown_measurement(study, trial, m));
+        scene.trials.push_back(std::move(shown));
+    }
+    scene.settings.element = study.mesh.mesh.type;
+    scene.settings.resolution_m = study.mesh.resolution_m;
+    scene.settings.material = experiment.material.model;
+    scene.settings.youngs_modulus_Pa = experiment.material.youngs_modulus_Pa;
+    scene.settings.poissons_ratio = experiment.material.poissons_ratio;
+    scene.settings.density_kg_m3 = experiment.material.density_kg_m3;
+    scene.settings.damping_s = study.trials.front().model.damping_s;
+    scene.settings.integrator = to_string(study.settings.integrator);
+    scene.settings.time_step_s = study.trials.front().options.h_s;
+    scene.frequency_Hz = dominant_frequency(study);
+    for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(parameter.parameter.name);
+}
+
+/// Frames of a trace, thinned so that a long run of a large body stays within some 200 MB.
+void add_frames(const Trace& trace, SimulatedTrial& shown) {
+    const double bytes = 24.0 * static_cast<double>(trace.positions.front().cols() * static_cast<Eigen::Index>(trace.positions.size()));
+    const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(bytes / 2e8)));
+    std::vector<double> times;
+    for (std::size_t k = 0; k < trace.positions.size(); k += stride) {
+        times.push_back(trace.times_s[k]);
+        shown.frames.push_back(trace.positions[k]);
+    }
+    shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Eigen::Index>(times.size()));
+}
+
+RunResult shown_run(const Study& study, const StudyRun& run) {
+    RunResult result;
+    result.seconds = run.seconds;
+    result.problem = run.failure;
+    std::vector<Matrix3Xd> all;
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const TrialPrediction& prediction = run.predictions[t];
+        SimulatedTrial shown;
+        shown.name = study.trials[t].name;
+        if (!prediction.trace.positions.empty()) add_frames(prediction.trace, shown);
+        for (std::size_t m = 0; m < study.marker_names.size() && prediction.ok(); ++m) {
+            // The prediction in the form in which it is compared: measurement plus residual, but without the gaps.
+            Matrix3Xd track = small_rotation(run.values.rotation_rad) * prediction.positions_m[m];
+            track.colwise() += run.values.translation_m;
+            if (!study.trials[t].reference_m.empty())
+                track.colwise() += Eigen::Vector3d(study.experiment.markers.on_body[m].rest_m - prediction.start_m[m]);
+            shown.markers.push_back(std::move(track));
+            shown.marker_rms_m.push_back(rms({prediction.residual_m[m]}));
+        }
+        shown.rms_m = rms(prediction.residual_m);
+        all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
+        result.trials.push_back(std::move(shown));
+    }
+    result.rms_m = rms(all);
+    return result;
+}
+
+/// A parameter as a person reads it.
+ParameterRow shown_parameter(const StudyParameter& parameter, double start, double value, double deviation) {
+    struct Style {
+        const char* name;
+        const char* unit;
+        double factor;
+    };
+    static const std::map<std::string, Style> styles = {{"youngs_modulus_Pa", {"Young's modulus E", "kPa", 1e-3}},
+                                                        {"damping_s", {"Damping time", "ms", 1e3}}};
+    const auto found = styles.find(parameter.parameter.name);
+    if (found != styles.end()) {
+        const Style& style = found->second;
+        return {style.name, style.unit, style.factor * start, style.factor * value, style.factor * deviation};
+    }
+    if (parameter.unit == "m") return {parameter.parameter.name, "mm", 1e3 * start, 1e3 * value, 1e3 * deviation};
+    if (parameter.unit == "s") return {parameter.parameter.name, "ms", 1e3 * start, 1e3 * value, 1e3 * deviation};
+    if (parameter.unit == "rad") return {parameter.parameter.name, "mrad", 1e3 * start, 1e3 * value, 1e3 * deviation};
+    return {parameter.parameter.name, parameter.unit, start, value, deviation};
+}
+
+class CoreBackend final : public Backend {
+public:
+    std::vector<Choice> materials() const override {
+        std::vector<Choice> list;
+        const std::map<std::string, std::string> labels = {{"neo_hookean", "Neo-Hookean"},
+                                                           {"corotational", "Corotational"},
+                                                           {"projective_corotational", "Projective corotational (as published)"}};
+        for (const MaterialPointer& law : material_catalogue())
+            list.push_back({law->id(), labels.count(law->id()) > 0 ? labels.at(law->id()) : law->id(), law->formula()});
+        return list;
+    }
+
+    std::vector<Choice> integrators() const override {
+        return {{to_string(Integrator::tr_bdf2), "TR-BDF2", "Second order, no visible damping of its own: for data"},
+                {to_string(Integrator::implicit_euler), "Implicit Euler", "First order, as in the paper: damps by itself",
+                 implicit_euler_damping_ratio}};
+    }
+
+    bool needs_unit(const fs::path& path) const override { return !is_experiment(path); }
+
+    Result<Scene> open(const fs::path& path, std::optional<double> metres_per_unit, const Progress& progress) override {
+        return is_experiment(path) ? open_experiment(path, progress) : open_mesh(path, metres_per_unit);
+    }
+
+    MeshPrediction predict(const Scene& scene, const Settings& settings) const override {
+        if (scene.surface.triangles.cols() == 0) return {};
+        const CountEstimate estimate = estimate_counts(scene.surface, settings.element, settings.resolution_m);
+        return {estimate.cells, estimate.dofs, estimate.exact};
+    }
+
+    Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override {
+        const SceneSource& source = source_of(scene);
+        Result<StudyMesh> made = mesh_body(source.surface, mesh_request(settings), {source.experiment.clamp_box_m}, progress);
+        if (!made) return made.error();
+        const QualityReport quality = mesh_quality(made->mesh, &source.surface);
+        MeshedBody body;
+        body.boundary = boundary_faces(made->mesh);
+        body.dofs = static_cast<double>(quality.dofs);
+        body.report = {{"Elements", std::to_string(quality.cells)},
+                       {"Degrees of freedom", std::to_string(quality.dofs)},
+                       {"Volume", formatted("%.4g cm³", 1e6 * quality.volume)},
+                       {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)), std::abs(quality.volume_error.value_or(0.0)) > 0.02},
+                       {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1},
+                       {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge)}};
+        for (const std::string& message : quality.messages) body.report.push_back({"Note", message, true});
+        body.mesh = std::move(made->mesh);
+        return body;
+    }
+
+    Result<RunResult> simulate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress) override {
+        if (source_of(scene).experiment.trials.empty()) return run_mesh_scene(source_of(scene).experiment, source_of(scene).surface, study_settings(settings), settings, progress);
+        Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
+        if (!study) return study.error();
+        return shown_run(*study, run_study(*study, with_predicted_levels(*study, declared_values(*study)), progress));
+    }
+
+    Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress) override {
+        Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
+        if (!study) return study.error();
+        const Calibration calibration = calibrate_study(*study, {}, progress);
+        CalibrationResult result;
+        result.settings = settings;
+        result.evaluations = calibration.fit.evaluations;
+        result.problem = calibration.fit.message;
+        if (calibration.after.predictions.empty()) return result;   // cancelled, or the model could not be run
+        for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+            const auto k = static_cast<Eigen::Index>(i);
+            result.parameters.push_back(shown_parameter(calibration.parameters[i], calibration.fit.start(k), calibration.fit.values(k),
+                                                        calibration.fit.deviations(k)));
+        }
+        result.rms_before_m = calibration.before.fit_rms_m;
+        result.rms_after_m = calibration.after.fit_rms_m;
+        result.settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
+        result.settings.damping_s = calibration.after.values.damping_s;
+        result.run = shown_run(*study, calibration.after);
+        return result;
+    }
+
+private:
+    static Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
+        const Result<Experiment> experiment = read_experiment(path);
+        if (!experiment) return experiment.error();
+        StudySettings settings;
+        settings.threads = hardware_threads();
+        const Result<Study> study = prepare_study(*experiment, settings, progress);
+        if (!study) return study.error();
+        Scene scene;
+        scene.path = path;
+        scene.name = experiment->name;
+        scene.description = experiment->description;
+        scene.surface = study->surface;
+        scene.clamp_m = experiment->clamp_box_m;
+        scene.warnings = study->warnings;
+        fill_from_study(*study, scene);
+        scene.source = std::make_shared<const SceneSource>(SceneSource{*experiment, study->surface});
+        return scene;
+    }
+
+    static Result<Scene> open_mesh(const fs::path& path, std::optional<double> metres_per_unit) {
+        if (!metres_per_unit) return Error{"the file does not say its unit; choose m or mm", path.string()};
+        const Result<SurfaceMesh> read = read_surface(path, *metres_per_unit);
+        if (!read) return read.error();
+        const SurfaceMesh surface = weld(*read);
+        const SurfaceReport report = check_surface(surface);
+        if (const Result<void> size = check_plausible_size(report.size); !size) return Error{size.error().what, path.string()};
+        if (!report.closed) return Error{"the surface is not closed: " + join(report.messages), path.string()};
+        Scene scene;
+        scene.path = path;
+        scene.name = path.stem().string();
+        scene.surface = report.outward ? surface : flipped(surface);
+        scene.warnings = report.messages;
+        const Experiment experiment = mesh_scene_experiment(scene.surface, scene.name);
+        scene.description = experiment.description;
+        scene.clamp_m = experiment.clamp_box_m;
+        scene.trials.push_back(mesh_scene_trial());
+        scene.settings = mesh_scene_settings(experiment, scene.surface);
+        scene.source = std::make_shared<const SceneSource>(SceneSource{experiment, scene.surface});
+        return scene;
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<Backend> make_core_backend() { return std::make_shared<CoreBackend>(); }
+
+}  // namespace myo
