@@ -103,11 +103,10 @@ void add_displacement(DrawnScene& drawn, const WorkbenchState& state) {
     field.values = 1e3 * (drawn.positions - rest).colwise().norm().transpose();
     // One scale for the whole trial, so that colours can be compared in time.
     double highest = 0.0;
-    if (const SimulatedTrial* trial = state.simulated_trial()) {
-        const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / looked_at);
-        for (std::size_t f = 0; f < trial->frames.size(); f += stride) {
-            highest = std::max(highest, (trial->frames[f] - rest).colwise().norm().maxCoeff());
-        }
+    const SimulatedTrial& trial = *state.simulated_trial();
+    const std::size_t stride = std::max<std::size_t>(1, trial.frames.size() / looked_at);
+    for (std::size_t f = 0; f < trial.frames.size(); f += stride) {
+        highest = std::max(highest, (trial.frames[f] - rest).colwise().norm().maxCoeff());
     }
     field.highest = std::max(1e3 * highest, 1e-3);
     drawn.field = std::move(field);
@@ -158,7 +157,7 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, std::s
     drawn.extent = rest.box;
     drawn.reach = motion_box(state, rest);
     drawn.marker_radius = 0.012 * drawn.extent.size().norm();
-    if (state.view.displacement && state.body) add_displacement(drawn, state);
+    if (state.view.displacement && state.simulated_trial() && !state.simulated_trial()->frames.empty()) add_displacement(drawn, state);
     if (state.view.clamp && state.scene->clamp_m) {
         for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
     }

@@ -7,7 +7,7 @@ namespace myo {
 /// Sizes a person has dragged, in units of the UI scale.
 struct LayoutSizes {
     float rail = 336.0f;
-    float strip = 264.0f;
+    float strip = 288.0f;
 };
 
 /// Where the parts of the window are [pixels].

@@ -78,9 +78,11 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the data (double-click in a plot does the same)");
     const SimulatedTrial* simulated = state.simulated_trial();
     if (simulated && current < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[current])) {
+        const std::string text = "rms of this marker  " + value_label(1e3 * simulated->marker_rms_m[current], 3) + " mm";
         ImGui::SameLine(0.0f, 16.0f * s);
+        if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) return ImGui::NewLine();
         ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(context.theme.muted, "rms of this marker  %s mm", value_label(1e3 * simulated->marker_rms_m[current], 3).c_str());
+        ImGui::TextColored(context.theme.muted, "%s", text.c_str());
     }
 }
 
@@ -107,17 +109,15 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
         const Eigen::VectorXd predicted = 1e3 * simulated->markers[m].row(axis).transpose();
         plot.series.push_back({"simulated", trial.time_s, predicted, theme.simulated, false});
         strip.series.push_back({"simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure, false});
-    } else {
-        plot.x_label = "time [s]";
     }
-    const float residual_height = compare ? std::max(84.0f * theme.scale, 0.36f * size.y) : 0.0f;
+    plot.x_axis = !compare;
+    const float residual_height = compare ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
     const PlotResult main = draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_, main_[a], hidden_);
     if (main.cursor) context.emit(command::SetTime{*main.cursor});
     if (!compare) return;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     strip.id = "residual/" + axis_name;
-    strip.note = "simulated \xe2\x88\x92 measured [mm]";
-    strip.x_label = "time [s]";
+    strip.title = "simulated \xe2\x88\x92 measured [mm]";
     strip.cursor = state.time_s;
     strip.mark = 0.0;
     strip.zero_line = true;

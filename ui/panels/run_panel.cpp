@@ -35,13 +35,14 @@ std::string duration_label(double seconds) {
     return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
-std::string RunPanel::title() const { return std::string(icon::rocket) + "  Run"; }
+std::string RunPanel::title() const { return std::string(icon::done) + "  Result"; }
 
 void RunPanel::draw(PanelContext& context) {
-    draw_buttons(context);
     const WorkbenchState& state = context.state;
     if (!state.run) {
-        if (!state.busy() && state.scene && state.scene->cannot_run.empty()) {
+        if (!state.scene || !state.scene->cannot_run.empty()) {
+            muted_text(context.theme, "Nothing has been run.");
+        } else {
             muted_text(context.theme, "Run simulates every trial with these settings. Calibrate fits the settings to the markers.");
         }
         return;
@@ -54,7 +55,7 @@ void RunPanel::draw(PanelContext& context) {
     draw_errors(context);
 }
 
-void RunPanel::draw_buttons(PanelContext& context) {
+void draw_run_controls(PanelContext& context) {
     const WorkbenchState& state = context.state;
     const Theme& theme = context.theme;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;

@@ -4,7 +4,7 @@
 
 namespace myo {
 
-/// Starts and stops simulation and calibration, and shows what came out.
+/// Shows what a simulation or calibration gave.
 class RunPanel : public Panel {
 public:
     std::string name() const override { return "run"; }
@@ -13,10 +13,12 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    void draw_buttons(PanelContext& context);
     void draw_calibration(PanelContext& context);
     void draw_errors(PanelContext& context);
 };
+
+/// Buttons that start and stop work, with its progress; always in sight at the foot of the rail.
+void draw_run_controls(PanelContext& context);
 
 /// "42 s", "3 min 5 s", "1 h 2 min"
 std::string duration_label(double seconds);

@@ -15,7 +15,8 @@ namespace {
 void draw_trial_choice(PanelContext& context) {
     const WorkbenchState& state = context.state;
     const SceneTrial* trial = state.scene_trial();
-    ImGui::SetNextItemWidth(200.0f * context.theme.scale);
+    // In a narrow window the track needs the room more than the name.
+    ImGui::SetNextItemWidth(std::min(200.0f * context.theme.scale, 0.24f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##trial", trial ? trial->name.c_str() : "no trial");
     context.items.mark("timeline/trial");
     if (!open) return;
@@ -82,7 +83,7 @@ void draw_timeline(PanelContext& context) {
 
     static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
     const std::string time = tick_label(state.time_s, 0.001) + " s";
-    const float speed_width = 84.0f * s;
+    const float speed_width = 72.0f * s;
     const float time_width = ImGui::CalcTextSize("\xe2\x88\x92" "00.000 s").x;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float width = ImGui::GetContentRegionAvail().x - speed_width - time_width - 2.0f * spacing;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "commands/scene_at_time.hpp"
+#include "panels/run_panel.hpp"
 #include "panels/timeline.hpp"
 #include "panels/view_options.hpp"
 #include "panels/widgets.hpp"
@@ -31,7 +32,7 @@ ViewColors view_colors(const Theme& theme) {
     colors.bottom = color(theme.view_bottom);
     colors.grid = color(theme.grid, 0.8f);
     colors.body = color(theme.body);
-    colors.edge = Color(0.05f, 0.07f, 0.10f, 0.55f);
+    colors.edge = Color(0.05f, 0.07f, 0.10f, theme.edge_strength);
     return colors;
 }
 
@@ -143,14 +144,19 @@ void WorkbenchWindow::draw_bar(PanelContext& context) {
 }
 
 void WorkbenchWindow::draw_rail(PanelContext& context) {
-    begin_part("##rail", layout_.rail);
+    begin_part("##rail", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    // The buttons that start and stop work stay in sight at the foot; the rest scrolls above them.
+    ImGui::BeginChild("##scrolling", {0.0f, -(foot_height_ + padding.y)});
     for (const auto& panel : panels_) {
         if (panel->place() != PanelPlace::rail) continue;
         const bool wanted = panel->name() == wanted_panel_;
         if (wanted) ImGui::SetNextItemOpen(true);
         ImGui::PushFont(context.theme.strong);
         ImGui::PushStyleColor(ImGuiCol_Header, context.theme.panel);
+        ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
         const bool open = ImGui::CollapsingHeader((panel->title() + "##" + panel->name()).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+        ImGui::PopStyleVar();
         ImGui::PopStyleColor();
         ImGui::PopFont();
         context.items.mark("panel/" + panel->name());
@@ -163,6 +169,10 @@ void WorkbenchWindow::draw_rail(PanelContext& context) {
         }
         ImGui::Separator();
     }
+    ImGui::EndChild();
+    const float foot_top = ImGui::GetCursorPosY();
+    draw_run_controls(context);
+    foot_height_ = ImGui::GetCursorPosY() - foot_top;
     ImGui::End();
 }
 

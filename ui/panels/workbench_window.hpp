@@ -70,6 +70,7 @@ private:
     FramePacer pacer_;
     std::vector<std::unique_ptr<Panel>> panels_;
     LayoutSizes sizes_;
+    float foot_height_ = 40.0f;     // of the rail's foot, as it was in the last frame
     Layout layout_;
     ViewportState viewport_;
     DrawnScene scene_;

@@ -23,8 +23,10 @@ class ItemRectangles {
 public:
     void clear() { items_.clear(); }
     void add(const std::string& name, const Rectangle& rectangle) { items_[name] = rectangle; }
-    /// Records the item just submitted to ImGui.
-    void mark(const std::string& name) { add(name, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}); }
+    /// Records the item just submitted to ImGui, unless it is scrolled out of sight.
+    void mark(const std::string& name) {
+        if (ImGui::IsItemVisible()) add(name, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+    }
 
     std::optional<Rectangle> find(const std::string& name) const {
         const auto found = items_.find(name);

@@ -15,6 +15,7 @@ Theme dark() {
     t.panel = rgb(0x1a1d23);
     t.raised = rgb(0x262b34);
     t.popup = rgb(0x1e2229);
+    t.plot = rgb(0x121418);
     t.hovered = rgb(0x323946);
     t.border = rgb(0x2e343f);
     t.text = rgb(0xe9ecf1);
@@ -43,6 +44,8 @@ Theme light() {
     t.panel = rgb(0xf6f7f9);
     t.raised = rgb(0xffffff);
     t.popup = rgb(0xf6f7f9);
+    t.plot = rgb(0xffffff);
+    t.edge_strength = 0.38f;
     t.hovered = rgb(0xe3ebf7);
     t.border = rgb(0xc4cbd6);
     t.text = rgb(0x171b22);
@@ -57,7 +60,7 @@ Theme light() {
     t.view_top = rgb(0xffffff);
     t.view_bottom = rgb(0xdde2ea);
     t.grid = rgb(0xa9b2c0);
-    t.body = rgb(0xaeb7c4);
+    t.body = rgb(0xcfd6e0);
     t.axis_x = rgb(0xc92a2a);
     t.axis_y = rgb(0x2b8a3e);
     t.axis_z = rgb(0x1864ab);
@@ -110,11 +113,11 @@ void apply_theme(const Theme& t, ImGuiStyle& style) {
     c[ImGuiCol_TitleBg] = t.panel;
     c[ImGuiCol_TitleBgActive] = t.panel;
     c[ImGuiCol_ScrollbarBg] = faint(t.panel, 0.0f);
-    c[ImGuiCol_ScrollbarGrab] = t.hovered;
+    c[ImGuiCol_ScrollbarGrab] = t.name == ThemeName::dark ? t.hovered : t.border;
     c[ImGuiCol_ScrollbarGrabHovered] = t.muted;
     c[ImGuiCol_ScrollbarGrabActive] = t.muted;
     c[ImGuiCol_CheckMark] = t.accent;
-    c[ImGuiCol_SliderGrab] = t.accent;
+    c[ImGuiCol_SliderGrab] = faint(t.accent, 0.6f);
     c[ImGuiCol_SliderGrabActive] = t.accent;
     c[ImGuiCol_Button] = t.raised;
     c[ImGuiCol_ButtonHovered] = t.hovered;

@@ -14,6 +14,8 @@ struct Theme {
     ImVec4 panel;
     ImVec4 raised;                 // fields, buttons
     ImVec4 popup;
+    ImVec4 plot;                   // drawing area of a plot
+    float edge_strength = 0.55f;   // of element edges on the body
     ImVec4 hovered;
     ImVec4 border;
     ImVec4 text;

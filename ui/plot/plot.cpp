@@ -112,7 +112,7 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
     const float line = theme.small->FontSize;
     const bool heading = plot.legend || !plot.title.empty();
     const float top = heading ? line + 8.0f * theme.scale : 4.0f * theme.scale;
-    const float bottom = plot.x_label.empty() ? 4.0f * theme.scale : 2.0f * line + 4.0f * theme.scale;
+    const float bottom = plot.x_axis ? line + 6.0f * theme.scale : 4.0f * theme.scale;
     PlotResult result;
     PlotArea& area = result.area;
     area.pixels = {{at.x + plot_margin_left(theme), at.y + top}, {at.x + size.x - 8.0f * theme.scale, at.y + size.y - bottom}};

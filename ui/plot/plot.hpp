@@ -28,10 +28,9 @@ struct PlotSeries {
 struct Plot {
     std::string id;
     std::string title;             // upper left, with unit: "x [mm]"
-    std::string note;              // inside the area, upper left
     std::string x_unit = "s";      // for the values at the mouse
     std::string y_unit = "mm";
-    std::string x_label;           // below the axis; empty = no labels there (a strip of the plot below shows them)
+    bool x_axis = true;            // labels below; false when the plot below shows them
     std::vector<PlotSeries> series;
     std::optional<double> cursor;  // vertical line that can be dragged
     std::optional<double> mark;    // vertical line that stays, as the start of motion

@@ -34,7 +34,7 @@ Eigen::Index nearest_sample(const Eigen::VectorXd& x, double value) {
 
 void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme) {
     const Rectangle& r = area.pixels;
-    list.AddRectFilled(r.lowest, r.highest, packed(theme.background));
+    list.AddRectFilled(r.lowest, r.highest, packed(theme.plot));
     ImFont* font = theme.small;
     const ImU32 line = packed(theme.border);
     const ImU32 muted = packed(theme.muted);
@@ -42,14 +42,14 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
     for (const double v : x_ticks.values) {
         const float x = std::round(px(area, v));
         list.AddLine({x, r.lowest.y}, {x, r.highest.y}, line);
-        if (plot.x_label.empty()) continue;
-        const std::string label = tick_label(v, x_ticks.step);
+        if (!plot.x_axis) continue;
+        const std::string label = tick_label(v, x_ticks.step) + " " + plot.x_unit;
         const float width = extent(font, label).x;
         // Labels at the ends stay inside, so that neighbours do not touch.
         const float left = std::clamp(x - 0.5f * width, r.lowest.x, r.highest.x - width);
         text(list, font, {left, r.highest.y + 2.0f * theme.scale}, muted, label);
     }
-    const Ticks y_ticks = make_ticks(area.y, std::max(2, static_cast<int>(r.height() / (18.0f * theme.scale))));
+    const Ticks y_ticks = make_ticks(area.y, std::max(3, static_cast<int>(r.height() / (18.0f * theme.scale))));
     for (const double v : y_ticks.values) {
         const float y = std::round(py(area, v));
         list.AddLine({r.lowest.x, y}, {r.highest.x, y}, line);
@@ -61,11 +61,6 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
     if (plot.zero_line && area.y.lowest < 0.0 && area.y.highest > 0.0) {
         const float y = std::round(py(area, 0.0));
         list.AddLine({r.lowest.x, y}, {r.highest.x, y}, packed(theme.muted, 0.6f));
-    }
-    if (!plot.note.empty()) text(list, font, {r.lowest.x + 6.0f * theme.scale, r.lowest.y + 2.0f * theme.scale}, muted, plot.note);
-    if (!plot.x_label.empty()) {
-        const ImVec2 size = extent(font, plot.x_label);
-        text(list, font, {0.5f * (r.lowest.x + r.highest.x - size.x), r.highest.y + size.y + 2.0f * theme.scale}, muted, plot.x_label);
     }
 }
 
