@@ -46,10 +46,14 @@ std::size_t slot_of(const VolumeMesh& mesh, Eigen::Index cell, int node, std::si
     return static_cast<std::size_t>(cell) * per_cell;
 }
 
-std::vector<Edge> edges_of(const VolumeMesh& mesh, Eigen::Index cell) {
-    std::vector<Edge> edges;
+// Twelve, of which a tetrahedron fills the first six.
+std::array<Edge, 12> edges_of(const VolumeMesh& mesh, Eigen::Index cell) {
+    std::array<Edge, 12> edges;
+    edges.fill({-1, -1});
     const auto add = [&](const auto& table) {
-        for (const auto& e : table) edges.push_back(std::minmax(mesh.cells(e[0], cell), mesh.cells(e[1], cell)));
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            edges[i] = std::minmax(mesh.cells(table[i][0], cell), mesh.cells(table[i][1], cell));
+        }
     };
     if (mesh.type == CellType::hex8) add(hexahedron_edges);
     else add(tetrahedron_edges);
@@ -86,7 +90,9 @@ Connectivity connectivity(const VolumeMesh& mesh) {
             if (node >= 0) at_nodes.join(slot_of(mesh, a.cell, node, corners), slot_of(mesh, b.cell, node, corners));
         }
         const auto edges_a = edges_of(mesh, a.cell), edges_b = edges_of(mesh, b.cell);
+        const auto on_face = [&](int node) { return std::find(a.corners.begin(), a.corners.end(), node) != a.corners.end(); };
         for (std::size_t i = 0; i < sides; ++i) {
+            if (!on_face(edges_a[i].first) || !on_face(edges_a[i].second)) continue;
             const auto same = std::find(edges_b.begin(), edges_b.end(), edges_a[i]);
             if (same == edges_b.end()) continue;
             at_edges.join(static_cast<std::size_t>(a.cell) * sides + i,

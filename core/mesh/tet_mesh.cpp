@@ -135,9 +135,9 @@ Result<void> judge(const ChildEnd& end, const TetOptions& options) {
 }
 
 Result<SurfaceMesh> prepared(const SurfaceMesh& surface) {
+    if (!surface.vertices.allFinite()) return Error{"a vertex's coordinates are not finite numbers", ""};
     SurfaceMesh welded = weld(surface);
     if (welded.triangles.cols() == 0) return Error{"the surface has no triangles", ""};
-    if (!welded.vertices.allFinite()) return Error{"a vertex's coordinates are not finite numbers", ""};
     const SurfaceReport report = check_surface(welded);
     if (!report.meshable()) return Error{report.messages.front(), ""};
     if (!report.oriented) return Error{"neighbouring triangles of the surface turn opposite ways", ""};

@@ -106,6 +106,7 @@ void add_lengths(const std::vector<double>& intervals, const std::vector<double>
 Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& options, const Progress& progress) {
     if (!(options.edge > 0.0) || !std::isfinite(options.edge)) return Error{"the edge length must be positive", ""};
     if (surface.triangles.cols() == 0) return Error{"the surface has no triangles", ""};
+    if (!surface.vertices.allFinite()) return Error{"a vertex's coordinates are not finite numbers", ""};
     const SurfaceTopology topology = surface_topology(surface);
     if (!topology.closed) {
         return Error{"the surface is not closed: " + std::to_string(topology.open_edges).append(" open edges"), ""};

@@ -33,8 +33,9 @@ std::vector<int> representatives(const Eigen::Matrix3Xd& x, double tolerance) {
         GridCell cell{};
         for (std::size_t a = 0; a < 3; ++a) {
             const auto i = static_cast<Eigen::Index>(a);
-            // 9e15 fits in the integer whatever the tolerance is.
-            cell[a] = static_cast<std::int64_t>(std::floor(std::min((x(i, v) - origin[i]) / width, 9e15)));
+            // Far points (and ones that are not numbers) share the last cell: what is compared there is their distance.
+            const double place = std::floor((x(i, v) - origin[i]) / width);
+            cell[a] = static_cast<std::int64_t>(std::abs(place) < 9e15 ? place : 9e15);
         }
         int found = -1;
         for (std::int64_t k = 0; k < 27 && found < 0; ++k) {
