@@ -38,20 +38,6 @@ Bounds rest_bounds(const WorkbenchState& state) {
     return bounds;
 }
 
-// Frames of a trial, thinned: their extremes change little from one to the next.
-constexpr std::size_t looked_at = 20;
-
-Box motion_box(const WorkbenchState& state, Bounds bounds) {
-    if (const SceneTrial* trial = state.scene_trial()) {
-        for (const Eigen::Matrix3Xd& track : trial->measured) bounds.include(track);
-    }
-    if (const SimulatedTrial* trial = state.simulated_trial()) {
-        const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / looked_at);
-        for (std::size_t f = 0; f < trial->frames.size(); f += stride) bounds.include(trial->frames[f]);
-    }
-    return bounds.box;
-}
-
 // Samples in [t - trail_s, t].
 Eigen::Matrix3Xd trail(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s, double t) {
     const double* begin = time_s.data();
@@ -95,20 +81,13 @@ void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
     }
 }
 
-void add_displacement(DrawnScene& drawn, const WorkbenchState& state) {
-    const Eigen::Matrix3Xd& rest = state.body->mesh.nodes;
+void add_displacement(DrawnScene& drawn, const WorkbenchState& state, double largest_m) {
     DrawnField field;
     field.name = "Displacement";
     field.unit = "mm";
-    field.values = 1e3 * (drawn.positions - rest).colwise().norm().transpose();
+    field.values = 1e3 * (drawn.positions - state.body->mesh.nodes).colwise().norm().transpose();
     // One scale for the whole trial, so that colours can be compared in time.
-    double highest = 0.0;
-    const SimulatedTrial& trial = *state.simulated_trial();
-    const std::size_t stride = std::max<std::size_t>(1, trial.frames.size() / looked_at);
-    for (std::size_t f = 0; f < trial.frames.size(); f += stride) {
-        highest = std::max(highest, (trial.frames[f] - rest).colwise().norm().maxCoeff());
-    }
-    field.highest = std::max(1e3 * highest, 1e-3);
+    field.highest = std::max(1e3 * largest_m, 1e-3);
     drawn.field = std::move(field);
 }
 
@@ -145,19 +124,44 @@ Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state) {
     return (1.0 - place.weight) * a + place.weight * b;
 }
 
-DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, std::shared_ptr<const DrawnSurface> surface) {
+MotionSummary summarize_motion(const WorkbenchState& state) {
+    MotionSummary motion;
+    if (state.body) {
+        motion.surface = std::make_shared<DrawnSurface>(drawn_surface(state.body->boundary));
+    } else if (state.scene && state.scene->surface.triangles.cols() > 0) {
+        motion.surface = std::make_shared<DrawnSurface>(drawn_surface(state.scene->surface));
+    }
+    Bounds bounds = rest_bounds(state);
+    motion.rest = bounds.box;
+    if (const SceneTrial* trial = state.scene_trial()) {
+        for (const Eigen::Matrix3Xd& track : trial->measured) bounds.include(track);
+    }
+    if (const SimulatedTrial* trial = state.simulated_trial()) {
+        // Every frame of a long run would take seconds; extremes change little from one to the next.
+        const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / 40);
+        for (std::size_t f = 0; f < trial->frames.size(); f += stride) {
+            bounds.include(trial->frames[f]);
+            const double largest = (trial->frames[f] - state.body->mesh.nodes).colwise().norm().maxCoeff();
+            motion.largest_displacement_m = std::max(motion.largest_displacement_m, largest);
+        }
+    }
+    motion.reach = bounds.box;
+    return motion;
+}
+
+DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion) {
     DrawnScene drawn;
     if (!state.scene) return drawn;
-    drawn.surface = std::move(surface);
+    drawn.surface = motion.surface;
     drawn.positions = positions_at_time(state);
     drawn.edges = state.view.edges;
     drawn.grid = state.view.grid;
     drawn.body_opacity = state.view.opacity;
-    const Bounds rest = rest_bounds(state);
-    drawn.extent = rest.box;
-    drawn.reach = motion_box(state, rest);
-    drawn.marker_radius = 0.012 * drawn.extent.size().norm();
-    if (state.view.displacement && state.simulated_trial() && !state.simulated_trial()->frames.empty()) add_displacement(drawn, state);
+    drawn.extent = motion.rest;
+    drawn.reach = motion.reach;
+    drawn.marker_radius = 0.012 * motion.rest.size().norm();
+    const SimulatedTrial* trial = state.simulated_trial();
+    if (state.view.displacement && trial && !trial->frames.empty()) add_displacement(drawn, state, motion.largest_displacement_m);
     if (state.view.clamp && state.scene->clamp_m) {
         for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
     }

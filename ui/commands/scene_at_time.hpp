@@ -23,8 +23,16 @@ Eigen::Vector3d at_time(const Eigen::Matrix3Xd& track, const TimePlace& place);
 /// Node positions at the current time; the rest shape without a run.
 Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state);
 
-/// The 3D picture of the state's trial at its time.
-/// @param surface  the triangles of the state's body or, without one, of its surface; may be null
-DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, std::shared_ptr<const DrawnSurface> surface);
+/// What of a picture does not change with time.
+struct MotionSummary {
+    Box rest;                           // of body and markers at rest
+    Box reach;                          // of all that the trial's motion covers
+    double largest_displacement_m = 0.0;
+    std::shared_ptr<const DrawnSurface> surface;   // triangles of the body or, before it is meshed, of the surface; may be null
+};
+MotionSummary summarize_motion(const WorkbenchState& state);
+
+/// The 3D picture of the state's trial at its time. `motion` is of the same scene, body, run and trial.
+DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion);
 
 }  // namespace myo

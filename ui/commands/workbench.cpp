@@ -188,8 +188,12 @@ void Workbench::show_scene(Scene scene) {
     state_.marker = 0;
     choose_trial(0);
     state_.prediction = backend_->predict(*state_.scene, state_.settings);
-    log(LogLevel::done, "Opened " + state_.scene->name + ": " + std::to_string(state_.scene->trials.size()) + " trials, " +
-                            std::to_string(state_.scene->markers.size()) + " markers.");
+    const auto counted = [](std::size_t count, const std::string& what) {
+        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    };
+    const bool measured = !state_.scene->trials.empty();
+    log(LogLevel::done, "Opened " + state_.scene->name + (measured ? ": " + counted(state_.scene->trials.size(), "trial") + ", " +
+                                                                         counted(state_.scene->markers.size(), "marker") + "." : "."));
     for (const std::string& warning : state_.scene->warnings) log(LogLevel::warning, warning);
     build_mesh({});
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "commands/scene_at_time.hpp"
 #include "panels/run_panel.hpp"
 #include "panels/timeline.hpp"
 #include "panels/view_options.hpp"
@@ -264,28 +263,24 @@ void WorkbenchWindow::update_scene() {
     const WorkbenchState& state = workbench_->state();
     const SceneKey key{state.scene, state.body, state.run, state.trial, state.time_s, state.view, interface_.theme().name};
     if (key == scene_key_) return;
-    if (key.scene != scene_key_.scene || key.body != scene_key_.body) {
-        surface_.reset();
-        if (state.body) {
-            surface_ = std::make_shared<DrawnSurface>(drawn_surface(state.body->boundary));
-        } else if (state.scene && state.scene->surface.triangles.cols() > 0) {
-            surface_ = std::make_shared<DrawnSurface>(drawn_surface(state.scene->surface));
-        }
-    }
     if (key.scene != scene_key_.scene) {
         viewport_.camera = turn_to(viewport_.camera, StandardView::oblique);
         viewport_.untouched = true;
     }
-    // Until a person chooses another view, all of the motion stays in sight.
-    const bool other_motion = key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run || key.trial != scene_key_.trial;
-    if (other_motion && viewport_.untouched) viewport_.fit_requested = true;
+    if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run || key.trial != scene_key_.trial) {
+        motion_ = summarize_motion(state);
+        // Until a person chooses another view, all of the motion stays in sight.
+        if (viewport_.untouched) viewport_.fit_requested = true;
+    }
     if (key.run != scene_key_.run && key.run) wanted_panel_ = "run";
-    scene_ = scene_at_time(state, interface_.theme(), surface_);
+    scene_ = scene_at_time(state, interface_.theme(), motion_);
     scene_key_ = key;
     ++revision_;
 }
 
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
+    // After a pause without frames, playing must not jump.
+    seconds = std::clamp(seconds, 0.0, 0.25);
     workbench_->advance(seconds);
     const WorkbenchState& state = workbench_->state();
     interface_.set_theme(state.theme, state.scale);

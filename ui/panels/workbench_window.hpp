@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
 #include "panels/layout.hpp"
 #include "panels/panel.hpp"
@@ -75,7 +76,7 @@ private:
     ViewportState viewport_;
     DrawnScene scene_;
     SceneKey scene_key_;
-    std::shared_ptr<const DrawnSurface> surface_;
+    MotionSummary motion_;
     std::uint64_t revision_ = 1;
     std::string strip_panel_;       // in front
     std::string wanted_panel_;      // to bring to the front in the next frame

@@ -49,10 +49,19 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
         const float left = std::clamp(x - 0.5f * width, r.lowest.x, r.highest.x - width);
         text(list, font, {left, r.highest.y + 2.0f * theme.scale}, muted, label);
     }
-    const Ticks y_ticks = make_ticks(area.y, std::max(3, static_cast<int>(r.height() / (18.0f * theme.scale))));
+    const Ticks y_ticks = make_ticks(area.y, std::max(5, static_cast<int>(r.height() / (18.0f * theme.scale))));
+    // In a low plot only every second or fifth line has room for its label; zero keeps its own.
+    const double step_pixels = y_ticks.step / area.y.span() * static_cast<double>(r.height());
+    const double needed = static_cast<double>(font->FontSize);
+    const long every = step_pixels >= needed ? 1 : 2.0 * step_pixels >= needed ? 2 : 5;
+    const auto regular = [&](double v) { return std::lround(v / y_ticks.step) % every == 0; };
+    const auto ends = [&](double v) { return v == y_ticks.values.front() || v == y_ticks.values.back(); };
+    // One number alone gives no scale: then the outermost lines are labelled instead.
+    const bool enough = std::count_if(y_ticks.values.begin(), y_ticks.values.end(), regular) > 1;
     for (const double v : y_ticks.values) {
         const float y = std::round(py(area, v));
         list.AddLine({r.lowest.x, y}, {r.highest.x, y}, line);
+        if (enough ? !regular(v) : !ends(v)) continue;
         const std::string label = tick_label(v, y_ticks.step);
         const ImVec2 size = extent(font, label);
         const float top = std::clamp(y - 0.5f * size.y, r.lowest.y - 3.0f * theme.scale, r.highest.y - size.y + 3.0f * theme.scale);
