@@ -24,6 +24,7 @@ public:
     const ResidualEvaluation& at(const VectorXd& values) {
         for (const auto& [point, evaluation] : cache_)
             if (point == values) return evaluation;
+        if (progress_.cancelled()) return stopped_;
         if (cache_.size() == 3) cache_.erase(cache_.begin());
         cache_.emplace_back(values, function_(values));
         const ResidualEvaluation& evaluation = cache_.back().second;
@@ -52,6 +53,7 @@ private:
     const LeastSquaresOptions& options_;
     LeastSquaresReport& report_;
     std::vector<std::pair<VectorXd, ResidualEvaluation>> cache_;
+    const ResidualEvaluation stopped_{false, "stopped by the user", {}, {}};
 };
 
 class ResidualBlock final : public ceres::CostFunction {

@@ -1,0 +1,112 @@
+#include "inverse/least_squares.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <random>
+
+namespace myo {
+namespace {
+
+/// y = amplitude exp(-rate t), unit noise.
+struct Decay {
+    Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(200, 0.0, 5.0);
+    Eigen::VectorXd y;
+
+    ResidualEvaluation operator()(const Eigen::VectorXd& p) const {
+        ResidualEvaluation e;
+        const Eigen::ArrayXd shape = (-p(1) * t.array()).exp();
+        e.residuals = p(0) * shape.matrix() - y;
+        e.jacobian.resize(t.size(), 2);
+        e.jacobian.col(0) = shape;
+        e.jacobian.col(1) = -p(0) * t.array() * shape;
+        e.ok = true;
+        return e;
+    }
+};
+
+Decay decay_data(unsigned seed) {
+    Decay decay;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise;
+    decay.y = 50.0 * (-0.8 * decay.t.array()).exp();
+    for (double& y : decay.y) y += noise(random);
+    return decay;
+}
+
+const std::vector<Parameter> start = {{"amplitude", 20.0, 0.0, 1e3, 10.0}, {"rate_1_s", 2.0, 0.0, 10.0, 1.0}};
+
+TEST(LeastSquares, CoversTheTruthAsOftenAsItsDeviationsPromise) {
+    int within = 0;
+    constexpr int seeds = 200;
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
+        const Decay decay = decay_data(seed);
+        const LeastSquaresReport report = fit_least_squares(start, decay);
+        ASSERT_TRUE(report.converged()) << report.message;
+        if (std::abs(report.values(1) - 0.8) < report.deviations(1)) ++within;
+    }
+    // 68.3 % of 200 is 137 with a standard deviation of 6.6.
+    EXPECT_NEAR(within, 137, 20);
+}
+
+TEST(LeastSquares, RunsTheModelOncePerPoint) {
+    const Decay decay = decay_data(3);
+    int calls = 0;
+    const LeastSquaresReport report = fit_least_squares(start, [&](const Eigen::VectorXd& p) {
+        ++calls;
+        return decay(p);
+    });
+    EXPECT_EQ(report.evaluations, calls);
+    EXPECT_LE(calls, 12);
+    EXPECT_LT(report.cost_after, report.cost_before);
+}
+
+TEST(LeastSquares, StaysWithinBounds) {
+    const Decay decay = decay_data(4);
+    std::vector<Parameter> bounded = start;
+    bounded[1].lower = 1.0;
+    const LeastSquaresReport report = fit_least_squares(bounded, decay);
+    EXPECT_NEAR(report.values(1), 1.0, 1e-6);
+}
+
+TEST(LeastSquares, StepsBackWhereTheModelCannotBeRun) {
+    const Decay decay = decay_data(5);
+    const LeastSquaresReport report = fit_least_squares(start, [&](const Eigen::VectorXd& p) {
+        if (p(0) > 60.0) return ResidualEvaluation{false, "too large", {}, {}};
+        return decay(p);
+    });
+    EXPECT_TRUE(report.converged()) << report.message;
+    EXPECT_NEAR(report.values(0), 50.0, 3.0);
+}
+
+TEST(LeastSquares, SaysWhenTheFirstPointCannotBeRun) {
+    const LeastSquaresReport report =
+        fit_least_squares(start, [](const Eigen::VectorXd&) { return ResidualEvaluation{false, "no equilibrium", {}, {}}; });
+    EXPECT_EQ(report.status, FitStatus::failed);
+    EXPECT_EQ(report.message, "no equilibrium");
+}
+
+TEST(LeastSquares, GivesNoDeviationForWhatTheDataDoNotSee) {
+    const Decay decay = decay_data(6);
+    const LeastSquaresReport report = fit_least_squares(
+        {{"amplitude", 20.0, 0.0, 1e3, 10.0}, {"rate_1_s", 2.0, 0.0, 10.0, 1.0}, {"unseen", 1.0, 0.0, 2.0, 1.0}}, [&](const Eigen::VectorXd& p) {
+            ResidualEvaluation e = decay(p.head<2>());
+            e.jacobian.conservativeResize(Eigen::NoChange, 3);
+            e.jacobian.col(2).setZero();
+            return e;
+        });
+    EXPECT_TRUE(std::isnan(report.deviations(2)));
+}
+
+TEST(LeastSquares, StopsWhenCancelled) {
+    const Decay decay = decay_data(7);
+    std::atomic<bool> cancel{false};
+    const Progress progress([&](const ProgressEvent& event) { cancel = event.done >= 2; }, &cancel);
+    const LeastSquaresReport report = fit_least_squares(start, decay, {}, progress);
+    EXPECT_EQ(report.status, FitStatus::cancelled);
+    EXPECT_EQ(report.evaluations, 2);
+}
+
+}  // namespace
+}  // namespace myo
