@@ -14,12 +14,14 @@ std::vector<double> step_ends(const Model& model, double h, double end) {
     const auto count = static_cast<long>(std::ceil(end / h - 1e-9));
     for (long k = 1; k <= count; ++k) ends.push_back(static_cast<double>(k) * h);
     for (const double t : jump_times(model))
-        if (t > 0.0 && t < end) ends.push_back(t);
+        if (t > 1e-6 * h && t < end) ends.push_back(t);
     std::sort(ends.begin(), ends.end());
     // A jump within rounding of a step end moves that end, so that no step is tiny.
     std::vector<double> merged;
+    const std::vector<double> jumps = jump_times(model);
     for (const double t : ends)
         if (merged.empty() || t - merged.back() > 1e-6 * h) merged.push_back(t);
+        else if (std::binary_search(jumps.begin(), jumps.end(), t)) merged.back() = t;
     return merged;
 }
 
@@ -74,14 +76,17 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
         trace.velocities.push_back(state.v);
     };
     const auto set_force = [&](double t) {
-        state.force = solver.total_forces(jump_stage(state, t), state.x);
+        state.force = solver.total_forces(jump_stage(state, t), state.x) + model.velocity_force_1_s * (state.v * solver.mass());
         if (observer.jumped) observer.jumped(solver, state, t);
     };
     record(0.0);
-    set_force(0.0);
-
     const std::vector<double> ends = step_ends(model, options.h_s, options.end_s);
     const std::vector<double> jumps = jump_times(model);
+    // A jump within rounding of the start belongs to the start.
+    double loads_from = 0.0;
+    for (const double jump : jumps)
+        if (jump > 0.0 && jump <= 1e-6 * options.h_s) loads_from = jump;
+    set_force(loads_from);
     double t = 0.0;
     for (std::size_t k = 0; k < ends.size(); ++k) {
         if (progress.cancelled()) {

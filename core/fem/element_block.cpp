@@ -148,7 +148,11 @@ Elements make_elements(const VolumeMesh& mesh, ElementKind kind) {
     switch (kind) {
         case ElementKind::hex8_mean_dilatation: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), true);
         case ElementKind::hex8_full: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), false);
-        case ElementKind::tet10: return gauss_block<Tet10, 4>(mesh, tet_degree2(), true);
+        case ElementKind::tet10: {
+            auto block = gauss_block<Tet10, 4>(mesh, tet_degree2(), true);
+            block.point_bulk_over_mu = 2.0 / 3.0;
+            return block;
+        }
         case ElementKind::tet10_full: return gauss_block<Tet10, 4>(mesh, tet_degree2(), false);
         case ElementKind::tet4: return gauss_block<Tet4, 1>(mesh, tet_centroid(), false);
         case ElementKind::hex8: break;

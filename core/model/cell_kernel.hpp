@@ -170,13 +170,15 @@ void evaluate_cell(const ElementBlock<N, Q>& block, int cell, const Eigen::Matri
                 mean_theta += weight / geometry.volume * theta.value;
                 mean_gradient += weight * theta.gradient * G.transpose();
                 if constexpr (WithHessian) theta_hessian[q] = theta.hessian;
-            } else {
-                const ScalarFunction U = in.material->bulk(theta.value, kappa);
+            }
+            const double point_kappa = block.mean_volume ? block.point_bulk_over_mu * mu : kappa;
+            if (point_kappa != 0.0) {
+                const ScalarFunction U = in.material->bulk(theta.value, point_kappa);
                 out.energy += weight * U.value;
                 P += U.first * theta.gradient;
                 if constexpr (WithHessian) {
                     const Eigen::Map<const Eigen::Matrix<double, 9, 1>> g(theta.gradient.data());
-                    A += U.second * g * g.transpose() + (in.pressure ? in.pressure[q] : U.first) * theta.hessian;
+                    A += U.second * g * g.transpose() + (in.pressure && !block.mean_volume ? in.pressure[q] : U.first) * theta.hessian;
                 }
             }
         }
@@ -192,7 +194,7 @@ void evaluate_cell(const ElementBlock<N, Q>& block, int cell, const Eigen::Matri
     }
 
     if (block.mean_volume && in.elastic) {
-        const ScalarFunction U = in.material->bulk(mean_theta, in.elastic->kappa);
+        const ScalarFunction U = in.material->bulk(mean_theta, in.elastic->kappa - block.point_bulk_over_mu * in.elastic->mu);
         out.energy += geometry.volume * U.value;
         out.gradient += U.first * mean_gradient;
         if constexpr (WithHessian) {

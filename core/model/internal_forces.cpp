@@ -111,11 +111,18 @@ void volume_points(const ElementBlock<N, Q>& block, const Material& material, co
 
 VectorXd bulk_pressures(const Model& model, const Matrix3Xd& x, const Matrix3Xd* dx) {
     VectorXd theta, d_theta;
-    std::visit([&](const auto& block) { volume_points(block, *model.material, x, dx, theta, d_theta); }, model.body->elements);
+    double point_bulk_over_mu = 0.0;
+    std::visit(
+        [&](const auto& block) {
+            volume_points(block, *model.material, x, dx, theta, d_theta);
+            if (block.mean_volume) point_bulk_over_mu = block.point_bulk_over_mu;
+        },
+        model.body->elements);
     VectorXd p(theta.size());
     for (int i = 0; i < p.size(); ++i) {
         const auto cell = static_cast<std::size_t>(i / model.body->volume_points_per_cell);
-        const ScalarFunction U = model.material->bulk(theta(i), model.moduli[cell].kappa);
+        const Moduli& m = model.moduli[cell];
+        const ScalarFunction U = model.material->bulk(theta(i), m.kappa - point_bulk_over_mu * m.mu);
         p(i) = U.first + U.second * d_theta(i);
     }
     return p;

@@ -74,7 +74,7 @@ inline Eigen::VectorXd ring(const Model& model, const Mode& mode, Integrator int
     options.integrator = integrator;
     options.h_s = h;
     options.end_s = steps * h;
-    options.solver.tolerance = 1e-10;
+    options.solver.tolerance = 1e-8;
     const Trace trace = simulate(model, options);
     return trace.complete() ? modal_coordinate(model, mode, trace) : Eigen::VectorXd();
 }
