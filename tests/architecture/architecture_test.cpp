@@ -137,6 +137,12 @@ TEST(IncludeRules, FindFilesThatAreNotThere) {
     EXPECT_EQ(faults[0].rfind("core/fem/x.cpp:3: \"base/none.hpp\"", 0), 0u) << faults[0];
 }
 
+TEST(IncludeRules, AcceptWhatCMakeMakesFromATemplate) {
+    const auto template_only = [](const std::string& path) { return path == "app/versions.hpp.in"; };
+    EXPECT_EQ(include_faults({"app/main.cpp", "#include \"versions.hpp\""}, template_only).size(), 0u);
+    EXPECT_EQ(include_faults({"core/base/x.cpp", "#include \"versions.hpp\""}, template_only).size(), 1u);
+}
+
 TEST(PrintingRule, SeesCodeAndNotComments) {
     for (const char* code : {"std::cout << 1;", "std::cerr << 1;", "printf(\"x\");", "std::printf (\"x\");", "fprintf(stderr, \"x\");",
                              "f(); puts(\"x\");", "int a = 1'000; std::cout << a;", "char c = '\"'; printf(\"x\");"})

@@ -43,7 +43,8 @@ std::vector<std::string> search_folders(const std::string& path) {
 
 std::string find_included(const SourceFile& file, const Include& include, const FileExists& exists) {
     for (const std::string& folder : search_folders(file.path))
-        if (exists(folder + include.name)) return folder + include.name;
+        // CMake makes x.hpp from x.hpp.in.
+        if (exists(folder + include.name) || exists(folder + include.name + ".in")) return folder + include.name;
     return {};
 }
 
