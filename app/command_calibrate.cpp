@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "project/output_files.hpp"
+#include "project/study_report.hpp"
+#include "study_command.hpp"
+
+namespace myo {
+namespace {
+
+struct CalibrateCall : StudyCall {
+    std::vector<std::string> parameters;
+};
+
+const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
+
+std::string parameter_lines(const Calibration& calibration) {
+    std::string text;
+    char line[256];
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const StudyParameter& p = calibration.parameters[i];
+        std::snprintf(line, sizeof line, "%s%-34s %12.6g ± %-10.3g %s (start %.6g)", i > 0 ? "\n" : "", p.parameter.name.c_str(),
+                      calibration.fit.values(row), calibration.fit.deviations(row), p.unit.c_str(), calibration.fit.start(row));
+        text += line;
+    }
+    return text;
+}
+
+std::string trial_lines(const Calibration& calibration) {
+    std::size_t width = 5;
+    for (const TrialScore& score : calibration.after.scores) width = std::max(width, score.name.size());
+    const int column = static_cast<int>(std::min<std::size_t>(width, 120));
+    char line[512];
+    std::snprintf(line, sizeof line, "%-*s  %-9s  %9s  %9s", column, "rms [mm]", "", "before", "after");
+    std::string text = line;
+    for (const TrialScore& after : calibration.after.scores) {
+        const TrialScore* before = find_score(calibration.before, after.name);
+        std::snprintf(line, sizeof line, "\n%-*s  %-9s  %s  %s", column, after.name.c_str(), after.role == TrialRole::fit ? "fit" : "predicted",
+                      before != nullptr ? in_millimetres(before->rms_m).c_str() : "", in_millimetres(after.rms_m).c_str());
+        text += line;
+    }
+    return text;
+}
+
+Result<void> write_results(const CalibrateCall& call, const Study& study, const Calibration& calibration, double setup_s) {
+    const RunFacts facts = run_facts(call, setup_s);
+    if (const Result<void> traces = write_traces(call.out, study, calibration.after); !traces) return traces.error();
+    if (const Result<void> page = write_html(call.out / "report.html", study_report(study, calibration, facts)); !page) return page.error();
+    return write_json(call.out / "calibrate.json", calibrate_json(study, calibration, facts));
+}
+
+int calibrate_command(const CalibrateCall& call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    const Progress progress = console.progress();
+    const Stopwatch setup;
+    const Result<Experiment> experiment = open_experiment(call);
+    if (!experiment) return console.refuse(experiment.error());
+    const Result<Study> study = open_study(call, *experiment, progress);
+    const auto stopped = [&] {
+        console.complain("stopped before the fit was complete; nothing was written");
+        return status_stopped;
+    };
+    if (progress.cancelled()) return stopped();
+    if (!study) return console.refuse(study.error());
+    if (study_parameters(*study, call.parameters).empty())
+        return console.refuse({"material.calibrate is empty and nothing else is unknown; name what to fit with --parameters", call.experiment.string()});
+    for (const std::string& warning : study->warnings) console.warn(warning);
+    const double setup_s = setup.seconds();
+    console.print(study->experiment.name);
+
+    const Calibration calibration = calibrate_study(*study, call.parameters, progress);
+    if (progress.cancelled()) return stopped();
+    if (calibration.fit.status == FitStatus::failed || !calibration.before.ok() || !calibration.after.ok()) {
+        const std::string& reason = calibration.fit.status == FitStatus::failed ? calibration.fit.message
+                                    : !calibration.before.ok()                 ? calibration.before.failure
+                                                                               : calibration.after.failure;
+        console.complain("the fit failed: " + reason + "; a smaller --dt, another mesh (--element, --resolution) or a start nearer the truth (--set material.youngs_modulus_Pa=...) may help");
+        return status_failed;
+    }
+    for (const std::string& warning : calibration.warnings) console.warn(warning);
+    if (const Result<void> written = write_results(call, *study, calibration, setup_s); !written) return console.refuse(written.error());
+    console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(calibration) + "\n\n" + std::to_string(calibration.fit.evaluations) +
+                  " evaluations, " + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
+    if (calibration.fit.converged()) return status_done;
+    console.complain("the fit did not converge: " + calibration.fit.message + "; the values so far are written to " + call.out.string() +
+                     "; start from them with --set material.youngs_modulus_Pa=...");
+    return status_failed;
+}
+
+}  // namespace
+
+std::function<int()> declare_calibrate(CLI::App& app) {
+    const auto call = std::make_shared<CalibrateCall>();
+    declare_study_call(app, *call);
+    app.add_option_function<std::string>(
+           "--parameters",
+           [call](const std::string& text) {
+               call->parameters = split_words(text);
+               for (const std::string& name : call->parameters)
+                   if (std::find(material_parameters.begin(), material_parameters.end(), name) == material_parameters.end())
+                       throw CLI::ValidationError("--parameters", unknown_word(name, material_parameters));
+           },
+           "material parameters to fit, instead of material.calibrate: " + join(material_parameters, ","))
+        ->type_name("A,B");
+    return [call] { return calibrate_command(*call); };
+}
+
+}  // namespace myo

@@ -1,0 +1,29 @@
+#include <cstdio>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "dynamics/integrator.hpp"
+#include "exit_status.hpp"
+#include "fem/element_block.hpp"
+#include "library_versions.hpp"
+#include "material/catalogue.hpp"
+
+namespace myo {
+
+std::function<int()> declare_info(CLI::App&) {
+    return [] {
+        const auto line = [](const char* name, const std::string& value) { std::printf("%-12s %s\n", name, value.c_str()); };
+        line("myoloop", MYOLOOP_VERSION);
+        line("compiler", "GCC " __VERSION__);
+        line("threads", std::to_string(hardware_threads()));
+        line("elements", join(element_ids()));
+        line("integrators", join(integrator_ids()));
+        line("materials", join(material_ids()));
+        std::puts("libraries");
+        for (const LibraryVersion& library : library_versions) std::printf("  %-12s %s\n", library.name, library.version);
+        return static_cast<int>(status_done);
+    };
+}
+
+}  // namespace myo

@@ -1,0 +1,75 @@
+#include <charconv>
+#include <memory>
+#include <string_view>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "exit_status.hpp"
+#include "options.hpp"
+#include "panels/screenshot.hpp"
+#include "workbench_backend.hpp"
+
+namespace myo {
+namespace {
+
+struct ScreenshotCall {
+    ScreenshotOptions picture;
+    std::filesystem::path out;
+    bool as_opened = false;
+    bool quiet = false;
+    bool json_progress = false;
+};
+
+void parse_size(const std::string& text, ScreenshotOptions& picture) {
+    const auto side = [](std::string_view word, int& value) {
+        const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+        return code == std::errc{} && end == word.data() + word.size() && value >= 320 && value <= 8192;
+    };
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos || !side(std::string_view(text).substr(0, cross), picture.width) ||
+        !side(std::string_view(text).substr(cross + 1), picture.height))
+        throw CLI::ValidationError("--size", "'" + text + "' is not of the form 1600x900, with sides from 320 to 8192");
+}
+
+int screenshot_command(const ScreenshotCall& call) {
+    Console console(call.quiet, call.json_progress);
+    if (call.picture.open.empty()) return console.refuse({"name an experiment folder or a mesh", ""});
+    if (call.out.empty()) return console.refuse({"name the picture to write", "--out"});
+    if (call.out.extension() != ".png") return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
+    const Progress progress = console.progress();
+    ScreenshotOptions picture = call.picture;
+    picture.run = !call.as_opened && !call.picture.calibrate;
+    const Result<Image> image = draw_screenshot(make_core_backend(), picture, progress);
+    if (progress.cancelled()) {
+        console.complain("stopped; nothing was written");
+        return status_stopped;
+    }
+    if (!image) return console.refuse(image.error());
+    if (const Result<void> written = write_png(*image, call.out); !written) return console.refuse(written.error());
+    console.print(call.out.string());
+    return status_done;
+}
+
+}  // namespace
+
+std::function<int()> declare_screenshot(CLI::App& app) {
+    const auto call = std::make_shared<ScreenshotCall>();
+    app.add_option("FILE", call->picture.open, "experiment folder or mesh")->type_name("");
+    app.add_option("--out", call->out, "picture to write")->type_name("X.png");
+    app.add_option_function<std::string>("--size", [call](const std::string& text) { parse_size(text, call->picture); },
+                                         "width and height in pixels (default 1600x900)")
+        ->type_name("WxH");
+    app.add_option("--panel", call->picture.panel, "panel to bring to the front")->type_name("NAME");
+    app.add_option("--trial", call->picture.trial, "trial to show")->type_name("NAME");
+    app.add_option("--marker", call->picture.marker, "marker to plot")->type_name("NAME");
+    add_optional_number(app, "--time", call->picture.time_s, "time to show [s] (default: the end of the trial)")->type_name("SECONDS");
+    add_unit(app, call->picture.metres_per_unit);
+    app.add_flag("--calibrate", call->picture.calibrate, "calibrate before drawing, instead of a plain run");
+    app.add_flag("--as-opened", call->as_opened, "draw without running anything");
+    app.add_flag("--quiet", call->quiet, "print errors only");
+    app.add_flag("--json-progress", call->json_progress, "progress as one JSON line per event on standard error");
+    return [call] { return screenshot_command(*call); };
+}
+
+}  // namespace myo

@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "project/output_files.hpp"
+#include "project/output_json.hpp"
+#include "study_command.hpp"
+
+namespace myo {
+namespace {
+
+struct SimulateCall : StudyCall {
+    std::string trial;
+    bool vtu = false;
+};
+
+/// About as many frames as an animation needs.
+constexpr int series_frames = 100;
+
+Result<void> check_trial(const Experiment& experiment, const std::string& name) {
+    std::vector<std::string> names;
+    for (const TrialDeclaration& trial : experiment.trials) names.push_back(trial.name);
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
+    return Error{"trial " + unknown_word(name, names), "--trial"};
+}
+
+std::string mesh_line(const Study& study) {
+    return std::to_string(study.mesh.mesh.cell_count()) + " " + to_string(study.mesh.element) + " elements of " +
+           format_number(1e3 * study.mesh.resolution_m, 3) + " mm, " + std::to_string(3 * study.mesh.mesh.node_count()) + " degrees of freedom, " +
+           to_string(study.settings.integrator) + ", " + std::to_string(study.settings.threads) +
+           (study.settings.threads == 1 ? " thread" : " threads");
+}
+
+std::string values_line(const Study& study, const StudyValues& values) {
+    return "E = " + format_number(1e-3 * values.youngs_modulus_Pa, 5) + " kPa, Poisson's ratio " +
+           format_number(study.experiment.material.poissons_ratio, 4) + ", density " + format_number(study.experiment.material.density_kg_m3, 5) +
+           " kg/m3, damping " + format_number(1e3 * values.damping_s, 4) + " ms" +
+           (study.experiment.material.damping_s ? "" : " (assumed: none is declared)");
+}
+
+std::string score_table(const Study& study, const StudyRun& run) {
+    std::size_t width = 5;
+    for (const TrialScore& score : run.scores) width = std::max(width, score.name.size());
+    char line[512];
+    std::string text;
+    const auto add = [&](const char* name, const char* role, const char* steps, const std::string& rms, const std::string& worst) {
+        std::snprintf(line, sizeof line, "%-*s  %-8s  %7s  %9s  %s\n", static_cast<int>(std::min<std::size_t>(width, 120)), name, role, steps, rms.c_str(), worst.c_str());
+        text += line;
+    };
+    add("trial", "role", "steps", "rms [mm]", "worst marker [mm]");
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const TrialScore* score = find_score(run, study.trials[t].name);
+        if (score == nullptr) continue;
+        const auto worst = std::max_element(score->markers.begin(), score->markers.end(),
+                                            [](const MarkerScore& a, const MarkerScore& b) { return !(b.rms_m <= a.rms_m) && b.rms_m == b.rms_m; });
+        add(score->name.c_str(), score->role == TrialRole::fit ? "fit" : "validate",
+            std::to_string(run.predictions[t].trace.times_s.size() - 1).c_str(), in_millimetres(score->rms_m),
+            worst != score->markers.end() ? in_millimetres(worst->rms_m) + "  " + worst->name : "");
+    }
+    text.pop_back();
+    return text;
+}
+
+Result<void> write_results(const SimulateCall& call, const Study& study, const StudyRun& run, double setup_s, const Progress& progress) {
+    if (run.scores.empty()) return {};
+    if (const Result<void> traces = write_traces(call.out, study, run); !traces) return traces.error();
+    if (call.vtu)
+        if (const Result<void> series = write_series(call.out, study, run, series_frames, progress); !series && !progress.cancelled())
+            return series.error();
+    return write_json(call.out / "simulate.json", simulate_json(study, run, run_facts(call, setup_s)));
+}
+
+int simulate_command(const SimulateCall& call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    const Progress progress = console.progress();
+    const Stopwatch setup;
+    const Result<Experiment> experiment = open_experiment(call);
+    if (!experiment) return console.refuse(experiment.error());
+    if (const Result<void> known = check_trial(*experiment, call.trial); !known) return console.refuse(known.error());
+    const Result<Study> study = open_study(call, *experiment, progress);
+    if (progress.cancelled()) {
+        console.complain("stopped before the first trial; nothing was written");
+        return status_stopped;
+    }
+    if (!study) return console.refuse(study.error());
+    for (const std::string& warning : study->warnings) console.warn(warning);
+    const double setup_s = setup.seconds();
+
+    const StudyValues values = with_predicted_levels(*study, declared_values(*study));
+    console.print(study->experiment.name + "\n" + mesh_line(*study) + "\n" + values_line(*study, values));
+    const StudyRun run = run_study(*study, values, progress, call.trial);
+    if (const Result<void> written = write_results(call, *study, run, setup_s, progress); !written) return console.refuse(written.error());
+    if (!run.scores.empty()) console.print("\n" + score_table(*study, run));
+    const std::string kept = std::to_string(run.scores.size()) + " of " + std::to_string(call.trial.empty() ? study->trials.size() : 1) + " trials complete" +
+                             (run.scores.empty() ? "; nothing was written" : "; written to " + call.out.string());
+    if (progress.cancelled()) {
+        console.complain("stopped; " + kept);
+        return status_stopped;
+    }
+    if (!run.ok()) {
+        console.complain(run.failure + " (--dt), another mesh (--element, --resolution) or another --integrator; " + kept);
+        return status_failed;
+    }
+    console.print("\n" + format_number(run.seconds, 3) + " s; written to " + call.out.string());
+    return status_done;
+}
+
+}  // namespace
+
+std::function<int()> declare_simulate(CLI::App& app) {
+    const auto call = std::make_shared<SimulateCall>();
+    declare_study_call(app, *call);
+    app.add_option("--trial", call->trial, "run this trial only")->type_name("NAME");
+    app.add_flag("--vtu", call->vtu, "write each trial as a series of VTU files as well, with a PVD file that joins them");
+    return [call] { return simulate_command(*call); };
+}
+
+}  // namespace myo

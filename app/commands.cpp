@@ -1,0 +1,37 @@
+#include "commands.hpp"
+
+#include <filesystem>
+
+namespace myo {
+namespace {
+
+std::vector<std::string> remembered;
+
+}  // namespace
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> table{
+        {"simulate", "Runs the trials of an experiment folder with its declared model", declare_simulate},
+        {"calibrate", "Fits the declared unknowns of an experiment folder and reports", declare_calibrate},
+        {"mesh", "Meshes a surface, or checks a volume mesh; prints counts and quality", declare_mesh},
+        {"screenshot", "Draws the workbench into a picture, without a display", declare_screenshot},
+        {"effects", "Lists the vocabulary of missing effects", declare_effects},
+        {"info", "Prints version, libraries, threads, elements, integrators, materials", declare_info},
+    };
+    return table;
+}
+
+std::vector<std::string> command_names() {
+    std::vector<std::string> names;
+    for (const Command& command : commands()) names.push_back(command.name);
+    return names;
+}
+
+const std::vector<std::string>& command_line() { return remembered; }
+
+void remember_command_line(int argc, const char* const* argv) {
+    remembered.assign(argv, argv + argc);
+    if (!remembered.empty()) remembered.front() = std::filesystem::path(remembered.front()).filename().string();
+}
+
+}  // namespace myo

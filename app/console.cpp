@@ -1,0 +1,115 @@
+#include "console.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/text.hpp"
+#include "exit_status.hpp"
+#include "interrupt.hpp"
+#include "report/json.hpp"
+
+namespace myo {
+namespace {
+
+std::string one_line(std::string text) {
+    std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return text;
+}
+
+std::string duration_words(double seconds) {
+    char text[32];
+    if (seconds < 60.0) std::snprintf(text, sizeof text, "%.0f s", std::ceil(seconds));
+    else if (seconds < 3600.0) std::snprintf(text, sizeof text, "%d min %02d s", static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
+    else std::snprintf(text, sizeof text, "%.1f h", std::min(seconds / 3600.0, 1e6));
+    return text;
+}
+
+}  // namespace
+
+Console::Console(bool quiet, bool json_progress)
+    : quiet_(quiet), json_progress_(json_progress), terminal_(::isatty(STDERR_FILENO) == 1), task_start_(Clock::now()), last_drawn_(Clock::now()) {}
+
+Console::~Console() { clear_bar(); }
+
+Progress Console::progress() {
+    return Progress([this](const ProgressEvent& event) { show(event); }, &interrupt_flag());
+}
+
+void Console::show(const ProgressEvent& event) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (json_progress_) {
+        const std::string line = progress_line(event) + "\n";
+        std::fputs(line.c_str(), stderr);
+        return;
+    }
+    if (!terminal_ || quiet_) return;
+    const Clock::time_point now = Clock::now();
+    if (event.task != task_) {
+        task_ = event.task;
+        task_start_ = now;
+    }
+    const bool last = event.done >= event.total;
+    if (!last && now - last_drawn_ < std::chrono::milliseconds(100)) return;   // ten times a second is enough to read
+    last_drawn_ = now;
+    bar_shown_ = true;
+    std::fprintf(stderr, "\r\033[K%s", progress_bar(event, std::chrono::duration<double>(now - task_start_).count()).c_str());
+    std::fflush(stderr);
+}
+
+void Console::clear_bar() {
+    if (bar_shown_) std::fputs("\r\033[K", stderr);
+    bar_shown_ = false;
+}
+
+void Console::print(const std::string& text) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    clear_bar();
+    if (quiet_) return;
+    std::fputs((text + "\n").c_str(), stdout);
+    std::fflush(stdout);
+}
+
+void Console::warn(const std::string& text) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    clear_bar();
+    if (!quiet_) std::fputs(("myoloop: warning: " + one_line(text) + "\n").c_str(), stderr);
+}
+
+void Console::complain(const std::string& text) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    clear_bar();
+    std::fputs(("myoloop: " + one_line(text) + "\n").c_str(), stderr);
+}
+
+int Console::refuse(const Error& error) {
+    complain(error.text());
+    return status_wrong;
+}
+
+std::string progress_line(const ProgressEvent& event) {
+    Json json{{"event", "progress"}, {"task", event.task}, {"done", json_number(event.done)}, {"total", json_number(event.total)}, {"unit", event.unit}};
+    if (!event.message.empty()) json["message"] = event.message;
+    return json_line(json);
+}
+
+std::string progress_bar(const ProgressEvent& event, double elapsed_s) {
+    if (event.unit == "evaluations") {
+        std::string text = event.task + "  evaluation " + format_number(event.done, 4) + "  " + duration_words(elapsed_s) + " so far";
+        if (event.done >= 1.0 && event.done < event.total) text += ", at most " + duration_words(elapsed_s * (event.total - event.done) / event.done) + " left";
+        return event.message.empty() ? text : text + "  " + event.message;
+    }
+    const double share = event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 1.0) : 0.0;
+    std::string bar(24, ' ');
+    std::fill_n(bar.begin(), static_cast<std::ptrdiff_t>(std::lround(24.0 * share)), '#');
+    char numbers[96];
+    std::snprintf(numbers, sizeof numbers, "]%4.0f %%  %.4g of %.4g ", 100.0 * share, event.done, event.total);
+    std::string text = event.task + "  [" + bar + numbers + event.unit;
+    // The first moments promise nothing.
+    if (share > 0.01 && share < 1.0 && elapsed_s > 0.5) text += "  " + duration_words(elapsed_s * (1.0 - share) / share) + " left";
+    return event.message.empty() ? text : text + "  " + event.message;
+}
+
+}  // namespace myo

@@ -1,0 +1,26 @@
+#include "interrupt.hpp"
+
+#include <csignal>
+
+namespace myo {
+namespace {
+
+// Signal handlers reach nothing but globals.
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void on_interrupt(int signal) {
+    stop.store(true, std::memory_order_relaxed);
+    std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+}
+
+std::atomic<bool>& interrupt_flag() { return stop; }
+
+}  // namespace myo

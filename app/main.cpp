@@ -1,0 +1,105 @@
+// myoloop: the workbench, and its commands without a window.
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "solver/sparse_cholesky.hpp"
+#include "window_glfw.hpp"
+#include "workbench_backend.hpp"
+
+namespace myo {
+namespace {
+
+int complain(std::string sentence) {
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    std::fprintf(stderr, "myoloop: %s\n", sentence.c_str());
+    return status_wrong;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// What was left over is a mistake: an option that does not exist, or a word too many.
+std::string surplus(const CLI::App& app) {
+    const std::vector<std::string> rest = app.remaining();
+    const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+    if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
+    const std::string name = option->substr(0, option->find('='));
+    return "unknown option " + unknown_word(name, option_names(app));
+}
+
+/// Without a command: a file to open in the workbench, or a word that was meant to be a command.
+int open_or_complain(const std::string& file, const CLI::App& app) {
+    std::error_code code;
+    if (!file.empty() && !std::filesystem::exists(file, code)) {
+        const bool path_like = file.find_first_of("/.") != std::string::npos;
+        if (path_like) return complain(file + ": file not found");
+        return complain("there is no command or file of this name: " + unknown_word(file, command_names()));
+    }
+    if (!app.remaining().empty()) return complain(surplus(app));
+    WindowOptions options;
+    options.open = file;
+    const Result<void> closed = run_window(make_core_backend(), options);
+    return closed ? static_cast<int>(status_done) : complain(closed.error().text());
+}
+
+int run(int argc, char** argv) {
+    remember_command_line(argc, argv);
+    CLI::App app("Myoloop: a workbench for soft robots. Without a command it opens the window.", "myoloop");
+    app.set_version_flag("--version", "myoloop " MYOLOOP_VERSION);
+    app.allow_extras();
+    std::string file;
+    app.add_option("FILE", file, "experiment folder or mesh to open in the workbench")->type_name("");
+
+    std::map<const CLI::App*, std::function<int()>> actions;
+    for (const Command& command : commands()) {
+        CLI::App* sub = app.add_subcommand(command.name, command.summary);
+        sub->allow_extras();
+        actions[sub] = command.declare(*sub);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        return complain(error.what());
+    }
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    if (chosen.empty()) return open_or_complain(file, app);
+    if (!file.empty()) return complain("'" + file + "' stands before the command " + chosen.front()->get_name());
+    if (chosen.size() > 1) return complain("one command at a time: " + chosen[0]->get_name() + " or " + chosen[1]->get_name());
+    if (!chosen.front()->remaining().empty()) return complain(surplus(*chosen.front()));
+    catch_interrupts();
+    return actions.at(chosen.front())();
+}
+
+}  // namespace
+}  // namespace myo
+
+int main(int argc, char** argv) {
+    myo::use_one_blas_thread();
+    try {
+        return myo::run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fputs("myoloop: out of memory; try a coarser mesh (--resolution) or a larger step (--dt)\n", stderr);
+        return myo::status_failed;
+    }
+}

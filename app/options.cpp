@@ -1,0 +1,152 @@
+#include "options.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "dynamics/integrator.hpp"
+#include "fem/element_block.hpp"
+#include "material/catalogue.hpp"
+
+namespace myo {
+namespace {
+
+[[noreturn]] void reject(const std::string& option, const std::string& sentence) { throw CLI::ValidationError(option, sentence); }
+
+double number_of(const std::string& option, const std::string& text) {
+    double value = 0.0;
+    if (!parse_number(text, value) || !std::isfinite(value)) reject(option, "'" + text + "' is not a number");
+    return value;
+}
+
+template <class Integer>
+Integer integer_of(const std::string& option, const std::string& text, Integer lowest) {
+    Integer value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || end != text.data() + text.size() || value < lowest)
+        reject(option, "'" + text + "' is not a whole number from " + std::to_string(lowest) + " on");
+    return value;
+}
+
+}  // namespace
+
+std::string unknown_word(const std::string& word, const std::vector<std::string>& known) {
+    const std::string near = closest_word(word, known);
+    return "'" + word + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") + (near.empty() ? "; known: " : " Known: ") + join(known);
+}
+
+std::vector<std::string> split_words(const std::string& text) {
+    std::vector<std::string> words(1);
+    for (const char c : text) {
+        if (c == ',') words.emplace_back();
+        else words.back() += c;
+    }
+    for (std::string& word : words) {
+        const std::size_t first = word.find_first_not_of(" \t");
+        word = first == std::string::npos ? "" : word.substr(first, word.find_last_not_of(" \t") - first + 1);
+    }
+    return words;
+}
+
+CLI::Option* add_positive_number(CLI::App& app, const std::string& name, std::optional<double>& target, const std::string& help) {
+    return app.add_option_function<std::string>(
+                  name,
+                  [name, &target](const std::string& text) {
+                      const double value = number_of(name, text);
+                      if (!(value > 0.0)) reject(name, "'" + text + "' is not positive");
+                      target = value;
+                  },
+                  help)
+        ->type_name("NUMBER");
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& help) {
+    return app.add_option_function<std::string>(name, [name, &target](const std::string& text) { target = number_of(name, text); }, help)->type_name("NUMBER");
+}
+
+CLI::Option* add_optional_number(CLI::App& app, const std::string& name, std::optional<double>& target, const std::string& help) {
+    return app.add_option_function<std::string>(name, [name, &target](const std::string& text) { target = number_of(name, text); }, help)->type_name("NUMBER");
+}
+
+CLI::Option* add_unit(CLI::App& app, std::optional<double>& metres_per_unit) {
+    return app.add_option_function<std::string>(
+                  "--unit",
+                  [&metres_per_unit](const std::string& unit) {
+                      if (unit != "m" && unit != "mm") reject("--unit", unknown_word(unit, {"m", "mm"}));
+                      metres_per_unit = unit == "m" ? 1.0 : 1e-3;
+                  },
+                  "unit of the lengths in a mesh file: m, mm")
+        ->type_name("UNIT");
+}
+
+CLI::Option* add_count(CLI::App& app, const std::string& name, int& target, const std::string& help) {
+    return app.add_option_function<std::string>(name, [name, &target](const std::string& text) { target = integer_of<int>(name, text, 1); }, help)
+        ->type_name("N");
+}
+
+CLI::Option* add_element(CLI::App& app, const std::string& name, std::optional<ElementKind>& target) {
+    return app.add_option_function<std::string>(
+                  name,
+                  [name, &target](const std::string& id) {
+                      ElementKind kind{};
+                      if (!parse_element(id, kind)) reject(name, unknown_word(id, element_ids()));
+                      target = kind;
+                  },
+                  "element: " + join(element_ids()))
+        ->type_name("NAME");
+}
+
+void add_work_options(CLI::App& app, WorkOptions& options) {
+    add_count(app, "--threads", options.threads, "threads to work with (default: all)");
+    app.add_option_function<std::string>(
+           "--seed", [&options](const std::string& text) { options.seed = integer_of<std::uint64_t>("--seed", text, 0); },
+           "seed, recorded with the results; nothing so far is random")
+        ->type_name("N");
+    app.add_flag("--quiet", options.quiet, "print errors only");
+    app.add_flag("--json-progress", options.json_progress, "progress as one JSON line per event on standard error");
+}
+
+void add_study_options(CLI::App& app, StudyOptions& options) {
+    StudySettings& settings = options.settings;
+    add_element(app, "--element", settings.mesh.element);
+    add_positive_number(app, "--resolution", settings.mesh.resolution_m, "edge length of the mesh [m]")->type_name("METRES");
+    app.add_option_function<std::string>(
+           "--integrator",
+           [&settings](const std::string& id) {
+               if (!parse_integrator(id, settings.integrator)) reject("--integrator", unknown_word(id, integrator_ids()));
+           },
+           "time integration: " + join(integrator_ids()))
+        ->type_name("NAME");
+    add_positive_number(app, "--dt", settings.h_s, "time step [s] (default: half the sampling interval)")->type_name("SECONDS");
+    app.add_option_function<std::string>(
+           "--material",
+           [&settings](const std::string& id) {
+               if (!find_material(id)) reject("--material", unknown_word(id, material_ids()));
+               settings.material = id;
+           },
+           "material law: " + join(material_ids()))
+        ->type_name("NAME");
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&options](const std::vector<std::string>& assignments) {
+               for (const std::string& text : assignments) {
+                   const std::size_t equals = text.find('=');
+                   if (equals == std::string::npos || equals == 0) reject("--set", "'" + text + "' is not of the form key=value");
+                   options.overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+               }
+           },
+           "a key of experiment.toml for this run, as material.density_kg_m3=1100; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->type_size(1)
+        ->expected(-1);
+    add_number(app, "--velocity-force", settings.velocity_force_1_s, "velocity force Lambda M v [1/s]");
+}
+
+StudySettings study_settings(const StudyOptions& options, const WorkOptions& work) {
+    StudySettings settings = options.settings;
+    settings.threads = work.threads > 0 ? work.threads : hardware_threads();
+    return settings;
+}
+
+}  // namespace myo

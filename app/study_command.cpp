@@ -1,0 +1,94 @@
+#include "study_command.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "mesh/quality.hpp"
+#include "project/check_body.hpp"
+#include "project/output_files.hpp"
+#include "project/read_experiment.hpp"
+
+namespace myo {
+namespace {
+
+double physical_memory_bytes() { return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE)); }
+
+/// As many cells as the meshers themselves allow.
+constexpr double most_cells = 2e6;
+
+Result<void> check_resolution(const StudyCall& call, const Experiment& experiment) {
+    if (!call.study.settings.mesh.resolution_m) return {};
+    const Result<SurfaceMesh> surface = read_body_surface(experiment);
+    if (!surface) return {};   // prepare_study() says what is wrong with it
+    const ElementKind element = call.study.settings.mesh.element.value_or(automatic_element(*surface));
+    const double edge = *call.study.settings.mesh.resolution_m;
+    const CountEstimate estimate = estimate_counts(*surface, cell_type(element), edge);
+    if (!(estimate.cells > most_cells)) return {};
+    return Error{"an edge length of " + format_number(edge) + " m would make about " + format_number(estimate.cells, 2) + " elements; the limit is 2 million",
+                 "--resolution"};
+}
+
+Result<void> check_steps(const Study& study) {
+    double bytes = 0.0, steps = 0.0;
+    for (const StudyTrial& trial : study.trials) {
+        const double own = trial.options.end_s / trial.options.h_s;
+        steps += own;
+        bytes += own * static_cast<double>(study.mesh.mesh.node_count()) * 6.0 * sizeof(double);
+    }
+    if (bytes < 0.7 * physical_memory_bytes()) return {};
+    return Error{"the trials would take " + format_number(steps, 2) + " steps, whose states need " + format_number(1e-9 * bytes, 2) +
+                     " GB of memory; choose a larger step or a coarser mesh",
+                 "--dt"};
+}
+
+}  // namespace
+
+void declare_study_call(CLI::App& app, StudyCall& call) {
+    app.add_option("EXP", call.experiment, "experiment folder")->type_name("");
+    app.add_option("--out", call.out, "folder for the results, made when missing")->type_name("DIR");
+    add_study_options(app, call.study);
+    add_work_options(app, call.work);
+}
+
+Result<Experiment> open_experiment(const StudyCall& call) {
+    if (call.experiment.empty()) return Error{"name an experiment folder", ""};
+    if (call.out.empty()) return Error{"name a folder for the results", "--out"};
+    Result<Experiment> experiment = read_experiment(call.experiment, call.study.overrides);
+    if (!experiment) return experiment.error();
+    if (const Result<void> folder = prepare_output_folder(call.out, *experiment); !folder)
+        return Error{folder.error().text(), "--out"};
+    return experiment;
+}
+
+Result<Study> open_study(const StudyCall& call, const Experiment& experiment, const Progress& progress) {
+    if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
+    Result<Study> study = prepare_study(experiment, study_settings(call.study, call.work), progress);
+    if (!study) return study.error();
+    if (const Result<void> few = check_steps(*study); !few) return few.error();
+    return study;
+}
+
+RunFacts run_facts(const StudyCall& call, double setup_s) {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return {MYOLOOP_VERSION, command_line(), setup_s, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u, call.work.seed};
+}
+
+std::string assumed_damping(const Study& study) {
+    if (study.experiment.material.damping_s) return {};
+    return "material.damping_s is not declared; " + format_number(1e3 * study.trials.front().model.damping_s, 4) + " ms is assumed";
+}
+
+std::string in_millimetres(double metres) {
+    char text[32];
+    if (std::isfinite(metres)) std::snprintf(text, sizeof text, "%9.3f", 1e3 * metres);
+    else std::snprintf(text, sizeof text, "%9s", "-");
+    return text;
+}
+
+}  // namespace myo

@@ -1,0 +1,166 @@
+#include "project/output_json.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace myo {
+namespace {
+
+Json size_json(const Study& study) {
+    const double h = study.settings.h_s.value_or(study.trials.front().options.h_s);
+    return {{"dofs", 3 * study.mesh.mesh.node_count()},
+            {"nodes", study.mesh.mesh.node_count()},
+            {"elements", study.mesh.mesh.cell_count()},
+            {"element", to_string(study.mesh.element)},
+            {"resolution_m", study.mesh.resolution_m},
+            {"material", study.settings.material.value_or(study.experiment.material.model)},
+            {"integrator", to_string(study.settings.integrator)},
+            {"dt_s", h},
+            {"threads", study.settings.threads}};
+}
+
+void add_facts(const RunFacts& facts, Json& json) {
+    json["version"] = facts.version;
+    json["command"] = facts.command;
+    if (facts.seed) json["seed"] = *facts.seed;
+}
+
+Json values_json(const Study& study, const StudyValues& values) {
+    return {{"youngs_modulus_Pa", values.youngs_modulus_Pa},
+            {"poissons_ratio", study.experiment.material.poissons_ratio},
+            {"density_kg_m3", study.experiment.material.density_kg_m3},
+            {"damping_s", values.damping_s},
+            {"damping_declared", study.experiment.material.damping_s.has_value()},
+            {"velocity_force_1_s", study.settings.velocity_force_1_s}};
+}
+
+Json markers_json(const TrialScore& score) {
+    Json markers = Json::object();
+    for (const MarkerScore& marker : score.markers)
+        markers[marker.name] = {{"rms_m", json_number(marker.rms_m)},
+                                {"steady_state_m", json_array(Eigen::VectorXd(marker.steady_simulated_m))},
+                                {"steady_measured_m", json_array(Eigen::VectorXd(marker.steady_measured_m))},
+                                {"steady_error_m", json_number(marker.steady_error_m)}};
+    return markers;
+}
+
+Json trial_facts(const Study& study, std::size_t index) {
+    const StudyTrial& trial = study.trials[index];
+    Json json{{"name", trial.name},
+              {"role", trial.role == TrialRole::fit ? "fit" : "validate"},
+              {"start_s", trial.start_s},
+              {"start_found", trial.start_found}};
+    if (trial.registration_rms_m) json["registration_rms_m"] = json_number(*trial.registration_rms_m);
+    json["dt_s"] = trial.options.h_s;
+    return json;
+}
+
+void add_levels(const Study& study, std::size_t trial, const StudyValues& values, Json& json) {
+    for (const auto& [muscle, level] : values.levels[trial]) json["actuation_level"][study.experiment.muscles[muscle].name] = level;
+}
+
+Json parameters_json(const Calibration& calibration) {
+    Json parameters = Json::object();
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        const StudyParameter& p = calibration.parameters[i];
+        const auto row = static_cast<Eigen::Index>(i);
+        parameters[p.parameter.name] = {{"value", json_number(calibration.fit.values(row))},
+                                        {"std", json_number(calibration.fit.deviations(row))},
+                                        {"start", json_number(calibration.fit.start(row))},
+                                        {"unit", p.unit}};
+    }
+    return parameters;
+}
+
+Json correlation_json(const Calibration& calibration) {
+    Json names = Json::array();
+    for (const StudyParameter& p : calibration.parameters) names.push_back(p.parameter.name);
+    return {{"parameters", names}, {"matrix", json_columns(calibration.fit.correlation)}};
+}
+
+}  // namespace
+
+const TrialScore* find_score(const StudyRun& run, const std::string& trial) {
+    const auto found = std::find_if(run.scores.begin(), run.scores.end(), [&](const TrialScore& s) { return s.name == trial; });
+    return found != run.scores.end() ? &*found : nullptr;
+}
+
+Json simulate_json(const Study& study, const StudyRun& run, const RunFacts& facts) {
+    Json json{{"schema", "simulate/1"}};
+    json.update(size_json(study));
+    std::size_t steps = 0;
+    int iterations = 0;
+    Json trials = Json::array();
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const TrialScore* score = find_score(run, study.trials[t].name);
+        if (score == nullptr) continue;
+        const Trace& trace = run.predictions[t].trace;
+        steps += trace.times_s.size() - 1;
+        iterations += trace.newton_iterations;
+        Json trial = trial_facts(study, t);
+        trial["steps"] = trace.times_s.size() - 1;
+        trial["newton_iterations"] = trace.newton_iterations;
+        add_levels(study, t, run.values, trial);
+        trial["rms_m"] = json_number(score->rms_m);
+        trial["markers"] = markers_json(*score);
+        trials.push_back(std::move(trial));
+    }
+    json["steps"] = steps;
+    json["forward_s"] = run.seconds;
+    json["setup_s"] = facts.setup_s;
+    json["iterations_mean"] = steps > 0 ? static_cast<double>(iterations) / static_cast<double>(steps) : 0.0;
+    json["peak_memory_bytes"] = facts.peak_memory_bytes;
+    json["values"] = values_json(study, run.values);
+    if (!run.ok()) json["failure"] = run.failure;
+    json["warnings"] = study.warnings;
+    add_facts(facts, json);
+    json["trials"] = std::move(trials);
+    return json;
+}
+
+Json calibrate_json(const Study& study, const Calibration& calibration, const RunFacts& facts) {
+    assert(calibration.before.ok() && calibration.after.ok());
+    Json json{{"schema", "calibrate/1"},
+              {"parameters", parameters_json(calibration)},
+              {"rms_before_m", json_number(calibration.before.fit_rms_m)},
+              {"rms_after_m", json_number(calibration.after.fit_rms_m)},
+              {"evaluations", calibration.fit.evaluations},
+              {"seconds", calibration.seconds},
+              {"converged", calibration.fit.converged()},
+              {"message", calibration.fit.message}};
+    if (std::isfinite(calibration.after.validation_rms_m)) {
+        json["validation_rms_before_m"] = json_number(calibration.before.validation_rms_m);
+        json["validation_rms_after_m"] = json_number(calibration.after.validation_rms_m);
+    }
+    json["correlation"] = correlation_json(calibration);
+    for (std::size_t m = 0; m < study.marker_names.size(); ++m)
+        json["noise_m"][study.marker_names[m]] = json_number(study.noise_m(static_cast<Eigen::Index>(m)));
+    json["noise_declared"] = study.experiment.markers.noise_m.has_value();
+    std::vector<std::string> warnings = study.warnings;
+    warnings.insert(warnings.end(), calibration.warnings.begin(), calibration.warnings.end());
+    json["warnings"] = warnings;
+    json["values"] = values_json(study, calibration.after.values);
+    json.update(size_json(study));
+    json["setup_s"] = facts.setup_s;
+    json["peak_memory_bytes"] = facts.peak_memory_bytes;
+    add_facts(facts, json);
+    Json trials = Json::array();
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const TrialScore* before = find_score(calibration.before, study.trials[t].name);
+        const TrialScore* after = find_score(calibration.after, study.trials[t].name);
+        assert(before != nullptr && after != nullptr);
+        Json trial = trial_facts(study, t);
+        trial["start_fitted_s"] = study.trials[t].start_s + calibration.after.values.start_shift_s[t];
+        add_levels(study, t, calibration.after.values, trial);
+        trial["rms_before_m"] = json_number(before->rms_m);
+        trial["rms_after_m"] = json_number(after->rms_m);
+        trial["rms_m"] = json_number(after->rms_m);
+        trial["markers"] = markers_json(*after);
+        trials.push_back(std::move(trial));
+    }
+    json["trials"] = std::move(trials);
+    return json;
+}
+
+}  // namespace myo

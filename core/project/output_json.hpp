@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "project/run_study.hpp"
+#include "report/json.hpp"
+
+namespace myo {
+
+/// What only the program knows about a run.
+struct RunFacts {
+    std::string version = {};                   // of the program
+    std::vector<std::string> command = {};      // as it was called
+    double setup_s = 0.0;                       // reading, meshing, preparing
+    std::uint64_t peak_memory_bytes = 0;
+    std::optional<std::uint64_t> seed = {};     // as asked for; nothing in a run is random
+};
+
+/// What lies in simulate.json: size, cost and comparison. Trials that did not complete are left out; `failure` says why.
+Json simulate_json(const Study& study, const StudyRun& run, const RunFacts& facts);
+
+/// What lies in calibrate.json: parameters with deviations and correlation, comparison before and after.
+/// Asserts that both runs completed.
+Json calibrate_json(const Study& study, const Calibration& calibration, const RunFacts& facts);
+
+/// The score of a trial by its name, or null.
+const TrialScore* find_score(const StudyRun& run, const std::string& trial);
+
+}  // namespace myo

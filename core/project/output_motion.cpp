@@ -1,0 +1,66 @@
+#include "project/output_motion.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <complex>
+
+#include "measurement/observe.hpp"
+#include "measurement/rigid_motion.hpp"
+
+namespace myo {
+
+using Eigen::Matrix3Xd;
+
+ComparedMotion compared_motion(const Study& study, std::size_t index, const StudyValues& values, const TrialPrediction& prediction) {
+    assert(prediction.ok());
+    const StudyTrial& trial = study.trials[index];
+    ComparedMotion motion{trial.measured.time_s, trial.measured.tracks, prediction.positions_m};
+    if (study.experiment.markers.compare == Comparison::displacement) {
+        const MarkerTracks origin = observe(prediction.trace, study.markers, Eigen::VectorXd::Zero(1));
+        for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
+            motion.measured_m[m].colwise() -= trial.reference_m[m];
+            motion.simulated_m[m].colwise() -= Eigen::Vector3d(origin.positions[m].col(0));
+        }
+        return motion;
+    }
+    const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
+    for (Matrix3Xd& track : motion.simulated_m) track = ((R * track).colwise() + values.translation_m).eval();
+    return motion;
+}
+
+Recording simulated_recording(const Study& study, std::size_t index, const TrialPrediction& prediction) {
+    assert(prediction.ok());
+    const Recording& measured = study.trials[index].measured;
+    return {study.marker_names, measured.time_s, prediction.positions_m, measured.rate_Hz, {}};
+}
+
+double main_frequency(const Study& study, std::size_t index, const TrialPrediction& prediction) {
+    assert(prediction.ok());
+    const StudyTrial& trial = study.trials[index];
+    const Eigen::Index samples = trial.measured.sample_count() - trial.first_sample;
+    if (samples < 8) return 0.0;
+    const Eigen::VectorXd times = trial.measured.time_s.tail(samples);
+    const double duration = times(samples - 1) - times(0);
+
+    Eigen::VectorXd signal;
+    double largest = 0.0;
+    for (const Matrix3Xd& track : prediction.positions_m)
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            Eigen::VectorXd x = track.row(axis).tail(samples).transpose();
+            x.array() -= x.tail(std::max<Eigen::Index>(1, samples / 5)).mean();
+            if (x.squaredNorm() > largest) largest = x.squaredNorm(), signal = std::move(x);
+        }
+    if (!(largest > 0.0) || !(duration > 0.0)) return 0.0;
+
+    // A scan of the Fourier integral on a grid four times finer than the resolution; records are short.
+    const double highest = std::min(0.5 * static_cast<double>(samples - 1) / duration, 50.0);
+    double best_power = 0.0, best = 0.0;
+    for (double f = 1.0 / duration; f < highest; f += 0.25 / duration) {
+        std::complex<double> sum = 0.0;
+        for (Eigen::Index i = 0; i < samples; ++i) sum += signal(i) * std::polar(1.0, -2.0 * 3.14159265358979323846 * f * times(i));
+        if (std::norm(sum) > best_power) best_power = std::norm(sum), best = f;
+    }
+    return best;
+}
+
+}  // namespace myo

@@ -1,0 +1,115 @@
+#include "project/study_report.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "project/output_motion.hpp"
+#include "project/study_report_parts.hpp"
+#include "report/markup.hpp"
+
+namespace myo {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+std::string millimetres(double metres) { return readable_number(1e3 * metres, 3); }
+
+/// Frequency of the fit trial that vibrates most regularly known: the first that has one.
+double fitted_frequency(const Study& study, const Calibration& calibration) {
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        if (const double f = main_frequency(study, t, calibration.after.predictions[t]); f > 0.0) return f;
+    return 0.0;
+}
+
+KeyFigure modulus_figure(const Calibration& calibration, Eigen::Index row) {
+    const ReadableEstimate shown = readable_estimate(1e-3 * calibration.fit.values(row), 1e-3 * calibration.fit.deviations(row));
+    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation;
+    return {"Young’s modulus", shown.value, "kPa", note + ", declared " + readable_number(1e-3 * calibration.fit.start(row), 4)};
+}
+
+KeyFigure damping_figure(const Study& study, const Calibration& calibration, Eigen::Index row) {
+    const double damping = calibration.fit.values(row);
+    const ReadableEstimate shown = readable_estimate(1e3 * damping, 1e3 * calibration.fit.deviations(row));
+    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation;
+    if (const double f = fitted_frequency(study, calibration); f > 0.0)
+        note += "; damping ratio " + readable_number(damping * pi * f, 2) + " at " + readable_number(f, 2) + " Hz";
+    return {"Damping", shown.value, "ms", note};
+}
+
+std::vector<KeyFigure> key_figures(const Study& study, const Calibration& calibration) {
+    std::vector<KeyFigure> figures;
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        if (calibration.parameters[i].kind == StudyParameter::Kind::youngs_modulus) figures.push_back(modulus_figure(calibration, row));
+        if (calibration.parameters[i].kind == StudyParameter::Kind::damping) figures.push_back(damping_figure(study, calibration, row));
+    }
+    figures.push_back({"Error of the fit (rms)", millimetres(calibration.after.fit_rms_m), "mm",
+                       "was " + millimetres(calibration.before.fit_rms_m) + " as declared"});
+    if (std::isfinite(calibration.after.validation_rms_m))
+        figures.push_back({"Error of the prediction (rms)", millimetres(calibration.after.validation_rms_m), "mm",
+                           "was " + millimetres(calibration.before.validation_rms_m) + "; trials that were not fitted"});
+    figures.push_back({"Noise of the markers", millimetres(std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size()))),
+                       "mm", study.experiment.markers.noise_m ? "declared, per coordinate" : "estimated, per coordinate"});
+    return figures;
+}
+
+std::vector<std::string> summary(const Study& study, const Calibration& calibration) {
+    int fitted = 0;
+    for (const StudyTrial& trial : study.trials) fitted += trial.role == TrialRole::fit ? 1 : 0;
+    const int predicted = static_cast<int>(study.trials.size()) - fitted;
+    const auto trials = [](int n) { return std::to_string(n) + (n == 1 ? " trial" : " trials"); };
+    std::string text = "Calibrated on " + trials(fitted);
+    if (predicted > 0) text += "; " + trials(predicted) + (predicted == 1 ? " is" : " are") + " predicted with the result";
+    text += ". The fit " + std::string(calibration.fit.converged() ? "converged" : "did not converge") + " after " +
+            std::to_string(calibration.fit.evaluations) + " evaluations in " + readable_number(calibration.seconds, 3) + " s.";
+    std::vector<std::string> lines{text};
+    if (!study.experiment.description.empty()) lines.push_back(study.experiment.description);
+    return lines;
+}
+
+Section parameter_section(const Study& study, const Calibration& calibration) {
+    Section section{"Parameters", {parameter_table(study, calibration)}};
+    section.blocks.push_back(Paragraph{"± is one standard deviation, from the noise of the markers; where the model leaves more than noise, it is "
+                                       "enlarged in proportion. It does not cover what the model leaves out."});
+    if (calibration.parameters.size() < 2) return section;
+    Table correlation{"How errors of the parameters go together: 1 and −1 mean that the data tell them apart badly.", {{""}}, {}};
+    const auto n = static_cast<Eigen::Index>(calibration.parameters.size());
+    for (const StudyParameter& p : calibration.parameters) correlation.columns.push_back({readable_parameter(p, study).name, "", 3});
+    for (Eigen::Index i = 0; i < n; ++i) {
+        std::vector<Cell> row{readable_parameter(calibration.parameters[static_cast<std::size_t>(i)], study).name};
+        for (Eigen::Index j = 0; j < n; ++j) row.emplace_back(std::round(100.0 * calibration.fit.correlation(i, j)) / 100.0);
+        correlation.rows.push_back(std::move(row));
+    }
+    section.blocks.push_back(Details{"Correlation", {correlation}});
+    return section;
+}
+
+}  // namespace
+
+ReadableEstimate readable_estimate(double value, double deviation) {
+    if (!std::isfinite(deviation) || !(deviation > 0.0) || !std::isfinite(value)) return {readable_number(value, 4), ""};
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(deviation))));
+    if (decimals > 6) return {readable_number(value, 7), readable_number(deviation, 2)};
+    return {fixed_decimals(value, decimals), fixed_decimals(deviation, decimals)};
+}
+
+HtmlReport study_report(const Study& study, const Calibration& calibration, const RunFacts& facts) {
+    assert(calibration.before.ok() && calibration.after.ok());
+    HtmlReport report;
+    report.title = study.experiment.name;
+    report.summary = summary(study, calibration);
+    report.key_figures = key_figures(study, calibration);
+    report.warnings.lines = calibration.warnings;
+    report.warnings.lines.insert(report.warnings.lines.end(), study.warnings.begin(), study.warnings.end());
+    if (!calibration.fit.converged()) report.warnings.lines.insert(report.warnings.lines.begin(), "The fit did not converge: " + calibration.fit.message);
+    report.sections.push_back({"Trials", {trial_table(study, calibration)}});
+    report.sections.push_back(parameter_section(study, calibration));
+    for (std::size_t t = 0; t < study.trials.size(); ++t) report.sections.push_back(trial_section(study, calibration, t));
+    report.sections.push_back(model_section(study, calibration));
+    report.sections.back().blocks.push_back(EmbeddedJson{"calibrate", calibrate_json(study, calibration, facts)});
+    report.footer = "Myoloop " + facts.version;
+    for (const std::string& word : facts.command) report.footer += (&word == &facts.command.front() ? " — " : " ") + word;
+    return report;
+}
+
+}  // namespace myo

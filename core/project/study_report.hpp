@@ -1,0 +1,21 @@
+#pragma once
+
+#include "project/output_json.hpp"
+#include "project/run_study.hpp"
+#include "report/html_report.hpp"
+
+namespace myo {
+
+/// The page about a calibration: what came out, how well it fits and predicts each trial, and what the model was.
+/// Asserts that both runs completed.
+HtmlReport study_report(const Study& study, const Calibration& calibration, const RunFacts& facts);
+
+/// "283.1 ± 0.4" as its two parts, with as many digits as the deviation has meaning (two of its own); four significant
+/// digits and no deviation when it is not known.
+struct ReadableEstimate {
+    std::string value;
+    std::string deviation;   // empty when unknown
+};
+ReadableEstimate readable_estimate(double value, double deviation);
+
+}  // namespace myo

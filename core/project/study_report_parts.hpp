@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "project/run_study.hpp"
+#include "report/html_report.hpp"
+
+// Sections of the page about a calibration; see study_report.hpp.
+
+namespace myo {
+
+/// A parameter as a person reads it.
+struct ReadableParameter {
+    std::string name;     // "Young's modulus E"
+    std::string unit;     // "kPa"
+    double factor = 1.0;  // shown = factor * SI value
+};
+ReadableParameter readable_parameter(const StudyParameter& parameter, const Study& study);
+
+/// Shown as "fit" or "predicted": a validation trial never entered the fit.
+std::string role_words(TrialRole role);
+
+Table parameter_table(const Study& study, const Calibration& calibration);
+Table trial_table(const Study& study, const Calibration& calibration);
+
+/// One section per trial: figure of the worst marker, steady state, the other markers folded away.
+Section trial_section(const Study& study, const Calibration& calibration, std::size_t trial);
+
+/// Mesh, material, time integration, and the noise.
+Section model_section(const Study& study, const Calibration& calibration);
+
+}  // namespace myo

@@ -1,0 +1,90 @@
+#include <cmath>
+#include <limits>
+
+#include "mesh/quality.hpp"
+#include "project/output_json.hpp"
+#include "project/study_report.hpp"
+#include "project/study_report_parts.hpp"
+#include "report/markup.hpp"
+
+namespace myo {
+namespace {
+
+/// A deviation that is not known shows as a dash.
+Cell deviation_cell(double deviation) { return std::isfinite(deviation) ? Cell(readable_number(deviation, 2)) : Cell("–"); }
+
+}  // namespace
+
+ReadableParameter readable_parameter(const StudyParameter& p, const Study& study) {
+    using Kind = StudyParameter::Kind;
+    const std::string axis(1, "xyz"[p.index % 3]);
+    switch (p.kind) {
+        case Kind::youngs_modulus: return {"Young’s modulus E", "kPa", 1e-3};
+        case Kind::damping: return {"damping", "ms", 1e3};
+        case Kind::translation: return {"camera shift " + axis, "mm", 1e3};
+        case Kind::rotation: return {"camera turn about " + axis, "°", 180.0 / 3.14159265358979323846};
+        case Kind::start_shift: return {"later start of " + study.trials[p.trial].name, "ms", 1e3};
+        case Kind::level: return {"level of " + study.experiment.muscles[p.index].name + " in " + study.trials[p.trial].name, "1", 1.0};
+    }
+    return {p.parameter.name, p.unit, 1.0};
+}
+
+std::string role_words(TrialRole role) { return role == TrialRole::fit ? "fit" : "predicted"; }
+
+Table parameter_table(const Study& study, const Calibration& calibration) {
+    Table table{"", {{"Parameter"}, {"Unit"}, {"Fitted"}, {"±"}, {"Start"}}, {}};
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const ReadableParameter shown = readable_parameter(calibration.parameters[i], study);
+        const double deviation = shown.factor * calibration.fit.deviations(row);
+        const ReadableEstimate estimate = readable_estimate(shown.factor * calibration.fit.values(row), deviation);
+        table.rows.push_back({shown.name, shown.unit, estimate.value, estimate.deviation.empty() ? deviation_cell(deviation) : Cell(estimate.deviation),
+                              readable_number(shown.factor * calibration.fit.start(row), 4)});
+    }
+    return table;
+}
+
+Table trial_table(const Study& study, const Calibration& calibration) {
+    Table table{"Root mean square over all marker coordinates, simulation against measurement.",
+                {{"Trial"}, {"Role"}, {"Before", "mm", 3}, {"After", "mm", 3}, {"Steady state, worst marker", "mm", 3}},
+                {}};
+    for (const StudyTrial& trial : study.trials) {
+        const TrialScore* before = find_score(calibration.before, trial.name);
+        const TrialScore* after = find_score(calibration.after, trial.name);
+        if (before == nullptr || after == nullptr) continue;
+        double worst = std::numeric_limits<double>::quiet_NaN();
+        for (const MarkerScore& marker : after->markers)
+            if (!(marker.steady_error_m <= worst)) worst = std::isfinite(marker.steady_error_m) ? marker.steady_error_m : worst;
+        table.rows.push_back({trial.name, role_words(trial.role), 1e3 * before->rms_m, 1e3 * after->rms_m, 1e3 * worst});
+    }
+    return table;
+}
+
+Section model_section(const Study& study, const Calibration& calibration) {
+    const QualityReport quality = mesh_quality(study.mesh.mesh, &study.surface);
+    const StudyValues& values = calibration.after.values;
+    Table facts{"", {{"Model"}, {""}}, {}};
+    const auto add = [&](const std::string& name, const std::string& value) { facts.rows.push_back({name, value}); };
+    add("Body", readable_number(1e6 * quality.volume, 4) + " cm³, " + readable_number(1e3 * study.experiment.material.density_kg_m3 * quality.volume, 4) + " g");
+    add("Mesh", std::to_string(quality.cells) + " " + to_string(study.mesh.element) + " elements, " + std::to_string(quality.dofs) +
+                    " degrees of freedom, edges of " + readable_number(1e3 * quality.mean_edge, 3) + " mm on average");
+    // What is left of an exact fill is rounding, which would only read as noise.
+    if (quality.volume_error)
+        add("Volume of the mesh", std::abs(*quality.volume_error) < 1e-8 ? "that of the surface"
+                                                                         : readable_number(100.0 * *quality.volume_error, 2) + " % from the surface’s");
+    add("Shape of the elements", quality.measure + " at least " + readable_number(quality.least, 3) + ", " + readable_number(quality.mean, 3) + " on average");
+    add("Material", study.settings.material.value_or(study.experiment.material.model) + ", E = " + readable_number(1e-3 * values.youngs_modulus_Pa, 4) +
+                        " kPa, Poisson’s ratio " + readable_number(study.experiment.material.poissons_ratio, 4) + ", density " +
+                        readable_number(study.experiment.material.density_kg_m3, 4) + " kg/m³");
+    add("Time", to_string(study.settings.integrator) + ", steps of " + readable_number(1e3 * study.trials.front().options.h_s, 3) + " ms");
+    if (study.settings.velocity_force_1_s != 0.0) add("Velocity force Λ", readable_number(study.settings.velocity_force_1_s, 4) + " 1/s");
+
+    Table noise{std::string("Noise of each marker and coordinate, ") + (study.experiment.markers.noise_m ? "as declared." : "estimated from the traces."),
+                {{"Marker"}, {"Noise", "mm", 3}},
+                {}};
+    for (std::size_t m = 0; m < study.marker_names.size(); ++m)
+        noise.rows.push_back({study.marker_names[m], 1e3 * study.noise_m(static_cast<Eigen::Index>(m))});
+    return {"Model and data", {facts, noise}};
+}
+
+}  // namespace myo
