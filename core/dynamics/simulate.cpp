@@ -8,20 +8,24 @@
 namespace myo {
 namespace {
 
-/// Step ends in (0, end]: multiples of h, and the jumps in between.
+/// Step ends in (0, end]: the jumps, and the multiples of h that are not just beside one. A step much shorter than h would
+/// turn the rounding of positions into accelerations.
 std::vector<double> step_ends(const Model& model, double h, double end) {
     std::vector<double> ends;
-    const auto count = static_cast<long>(std::ceil(end / h - 1e-9));
-    for (long k = 1; k <= count; ++k) ends.push_back(static_cast<double>(k) * h);
     for (const double t : jump_times(model))
         if (t > 1e-6 * h && t < end) ends.push_back(t);
+    const std::vector<double> jumps = ends;
+    const auto count = static_cast<long>(std::ceil(end / h - 1e-9));
+    for (long k = 1; k <= count; ++k) {
+        const double t = static_cast<double>(k) * h, beside = k < count ? 0.05 * h : 1e-6 * h;
+        if (std::none_of(jumps.begin(), jumps.end(), [&](double jump) { return std::abs(jump - t) <= beside; })) ends.push_back(t);
+    }
     std::sort(ends.begin(), ends.end());
-    // A jump within rounding of a step end moves that end, so that no step is tiny.
-    std::vector<double> merged;
-    const std::vector<double> jumps = jump_times(model);
-    for (const double t : ends)
-        if (merged.empty() || t - merged.back() > 1e-6 * h) merged.push_back(t);
-        else if (std::binary_search(jumps.begin(), jumps.end(), t)) merged.back() = t;
+    std::vector<double> merged;   // jumps within rounding of each other are one, the last
+    for (const double t : ends) {
+        if (!merged.empty() && t - merged.back() <= 1e-6 * h) merged.pop_back();
+        merged.push_back(t);
+    }
     return merged;
 }
 

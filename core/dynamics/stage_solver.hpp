@@ -78,6 +78,7 @@ private:
     };
     Evaluation evaluate(const Stage& stage, const Eigen::Matrix3Xd& x, HessianKind kind, const Eigen::VectorXd* pressure);
     double force_scale(const Stage& stage, const Eigen::Matrix3Xd& start) const;
+    double rounding_of_forces(const Stage& stage, const Eigen::Matrix3Xd& x) const;
     bool pressure_newton(const Stage& stage, double scale, Eigen::Matrix3Xd& x, StageReport& report);
     bool energy_newton(const Stage& stage, double scale, Eigen::Matrix3Xd& x, StageReport& report);
     bool solve_step(const SymmetricSparse& H, const Eigen::VectorXd& b, double tolerance, Eigen::VectorXd& step, StageReport& report);
