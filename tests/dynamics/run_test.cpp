@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "dynamics/simulate.hpp"
+#include "dynamics/statics.hpp"
+#include "support/beam.hpp"
+#include "support/figures.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+test::BeamSpec soft(const char* element) {
+    test::BeamSpec spec;
+    spec.kind = test::element(element);
+    spec.cells = spec.kind == ElementKind::tet10 ? Eigen::Vector3i(4, 1, 1) : Eigen::Vector3i(7, 2, 2);
+    spec.gravity_m_s2 = 9.81;
+    return spec;
+}
+
+SimulationOptions options_for(Integrator integrator, double h, int steps) {
+    SimulationOptions options;
+    options.integrator = integrator;
+    options.h_s = h;
+    options.end_s = steps * h;
+    return options;
+}
+
+bool all_finite(const Trace& trace) {
+    for (const Matrix3Xd& x : trace.positions)
+        if (!x.allFinite()) return false;
+    for (const Matrix3Xd& v : trace.velocities)
+        if (!v.allFinite()) return false;
+    return trace.positions.size() == trace.times_s.size() && trace.velocities.size() == trace.times_s.size();
+}
+
+TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
+    for (const char* element : {"hex8", "tet10"})
+        for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler})
+            for (const double damping : {0.0, 0.003}) {
+                test::BeamSpec spec = soft(element);
+                spec.damping_s = damping;
+                const Model model = test::make_beam(spec);
+                std::vector<double> newton;
+                for (const double h : {1e-4, 1e-3, 1e-2, 5e-2}) {
+                    const Trace trace = simulate(model, options_for(integrator, h, 8));
+                    EXPECT_TRUE(trace.complete()) << element << " " << h << ": " << trace.message;
+                    EXPECT_EQ(trace.times_s.size(), 9u);
+                    EXPECT_TRUE(all_finite(trace));
+                    newton.push_back(static_cast<double>(trace.newton_iterations) / trace.stages);
+                    EXPECT_LT(newton.back(), 8.0) << element << " " << to_string(integrator) << " " << h;
+                }
+                test::record(std::string(element) + "_" + to_string(integrator) + (damping > 0.0 ? "_damped" : "") + "_newton_per_stage", newton);
+            }
+}
+
+TEST(Run, ReleasedFromEquilibriumUnderTheSameLoadsStaysThere) {
+    for (const char* element : {"hex8", "tet10"}) {
+        const Model model = test::make_beam(soft(element));
+        SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 10);
+        options.start = StartKind::equilibrium;
+        const Trace trace = simulate(model, options);
+        ASSERT_TRUE(trace.complete()) << trace.message;
+        const double sag = (trace.positions.front() - model.body->mesh.nodes).cwiseAbs().maxCoeff();
+        EXPECT_GT(sag, 5e-3);
+        for (const Matrix3Xd& x : trace.positions) EXPECT_LT((x - trace.positions.front()).cwiseAbs().maxCoeff(), 1e-6 * sag);
+    }
+}
+
+/// A load that no step can follow: the run says so, and keeps what was complete and finite.
+TEST(Run, SaysClearlyWhenItDoesNotConverge) {
+    for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler}) {
+        const test::BeamSpec spec = soft("hex8");
+        Model model = test::make_beam(spec);
+        test::push_tip(model, spec, {-1e9, 0.0, 0.0});
+        model.forces.back().from_s = 0.03;
+        const Trace trace = simulate(model, options_for(integrator, 0.01, 10));
+        EXPECT_EQ(trace.status, RunStatus::failed) << to_string(integrator);
+        EXPECT_NE(trace.message.find("did not converge"), std::string::npos) << trace.message;
+        EXPECT_NE(trace.message.find("t = 0.03"), std::string::npos) << trace.message;
+        ASSERT_EQ(trace.times_s.size(), 4u);
+        EXPECT_DOUBLE_EQ(trace.times_s.back(), 0.03);
+        EXPECT_TRUE(all_finite(trace));
+    }
+    const test::BeamSpec spec = soft("hex8");
+    Model model = test::make_beam(spec);
+    test::push_tip(model, spec, {-1e9, 0.0, 0.0});
+    StageSolver solver(model);
+    Matrix3Xd x = model.body->mesh.nodes;
+    const StageReport report = solve_equilibrium(solver, 0.0, x);
+    EXPECT_FALSE(report.ok());
+    EXPECT_NE(report.message.find("no equilibrium was found"), std::string::npos) << report.message;
+    EXPECT_TRUE(x.allFinite());
+}
+
+TEST(Run, IsIdenticalWhenRepeated) {
+    test::BeamSpec spec = soft("hex8");
+    spec.damping_s = 0.002;
+    const Model model = test::make_beam(spec);
+    const SimulationOptions options = options_for(Integrator::tr_bdf2, 0.005, 20);
+    const Trace a = simulate(model, options), b = simulate(model, options);
+    ASSERT_EQ(a.times_s, b.times_s);
+    for (std::size_t n = 0; n < a.times_s.size(); ++n) {
+        EXPECT_EQ(a.positions[n], b.positions[n]);
+        EXPECT_EQ(a.velocities[n], b.velocities[n]);
+    }
+    EXPECT_EQ(a.factorisations, b.factorisations);
+}
+
+TEST(Run, StopsAfterTheCurrentStepWhenCancelled) {
+    const Model model = test::make_beam(soft("hex8"));
+    std::atomic<bool> stop{false};
+    int reports = 0;
+    const Progress progress(
+        [&](const ProgressEvent& event) {
+            EXPECT_EQ(event.unit, "s");
+            EXPECT_DOUBLE_EQ(event.total, 0.05);
+            if (++reports == 3) stop = true;
+        },
+        &stop);
+    const Trace trace = simulate(model, options_for(Integrator::tr_bdf2, 0.005, 10), progress);
+    EXPECT_EQ(trace.status, RunStatus::cancelled);
+    EXPECT_EQ(trace.times_s.size(), 4u);
+    EXPECT_FALSE(trace.message.empty());
+    EXPECT_TRUE(all_finite(trace));
+}
+
+TEST(Run, IntegratorNamesGoThereAndBack) {
+    for (const std::string& id : integrator_ids()) {
+        Integrator integrator{};
+        ASSERT_TRUE(parse_integrator(id, integrator));
+        EXPECT_EQ(to_string(integrator), id);
+    }
+    Integrator integrator{};
+    EXPECT_FALSE(parse_integrator("euler", integrator));
+    EXPECT_EQ(SimulationOptions{}.integrator, Integrator::tr_bdf2);
+}
+
+}  // namespace
+}  // namespace myo
