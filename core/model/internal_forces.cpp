@@ -19,9 +19,9 @@ Eigen::Matrix<double, 3, N> cell_columns(const Eigen::MatrixXi& cells, int cell,
     return columns;
 }
 
-template <int Size>
-void project_positive(Eigen::Matrix<double, Size, Size>& K) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> eigen(K);
+/// Of any size at run time: this path is rare, and fixed sizes would cost minutes of compilation.
+void project_positive(Eigen::Ref<Eigen::MatrixXd> K) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K);
     if (eigen.eigenvalues()(0) >= 0.0) return;
     K = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
 }
@@ -50,7 +50,7 @@ void add_cells(const ElementBlock<N, Q>& block, const Model& model, const Matrix
         out.energy += cell.energy;
         for (int a = 0; a < N; ++a) out.gradient.col(block.cells(a, c)) += cell.gradient.col(a);
         if constexpr (WithHessian) {
-            if (positive && cell.hessian.allFinite()) project_positive<3 * N>(cell.hessian);
+            if (positive && cell.hessian.allFinite()) project_positive(cell.hessian);
             for (int b = 0; b < N; ++b)
                 for (int a = 0; a < N; ++a)
                     model.body->pattern.add(out.hessian, block.cells, c, a, b, cell.hessian.template block<3, 3>(3 * a, 3 * b));
@@ -78,7 +78,7 @@ void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double
         const auto nodes = static_cast<int>(point.shape.size());
         for (int a = 0; a < nodes; ++a) out.gradient.col(cells(a, point.cell)) += point.volume * point.shape(a) * response.gradient;
         if (kind == HessianKind::none) return;
-        if (kind == HessianKind::positive) project_positive<3>(response.hessian);
+        if (kind == HessianKind::positive) project_positive(response.hessian);
         for (int b = 0; b < nodes; ++b)
             for (int a = 0; a < nodes; ++a)
                 model.body->pattern.add(out.hessian, cells, point.cell, a, b,
