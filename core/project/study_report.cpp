@@ -14,7 +14,9 @@ constexpr double pi = 3.14159265358979323846;
 
 std::string millimetres(double metres) { return readable_number(1e3 * metres, 3); }
 
-/// Frequency of the fit trial that vibrates most regularly known: the first that has one.
+double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size())); }
+
+/// Main frequency of the first trial that vibrates.
 double fitted_frequency(const Study& study, const Calibration& calibration) {
     for (std::size_t t = 0; t < study.trials.size(); ++t)
         if (const double f = main_frequency(study, t, calibration.after.predictions[t]); f > 0.0) return f;
@@ -44,12 +46,11 @@ std::vector<KeyFigure> key_figures(const Study& study, const Calibration& calibr
         if (calibration.parameters[i].kind == StudyParameter::Kind::damping) figures.push_back(damping_figure(study, calibration, row));
     }
     figures.push_back({"Error of the fit (rms)", millimetres(calibration.after.fit_rms_m), "mm",
-                       "was " + millimetres(calibration.before.fit_rms_m) + " as declared"});
+                       "was " + millimetres(calibration.before.fit_rms_m) + " as declared; noise " + millimetres(mean_noise(study)) +
+                           (study.experiment.markers.noise_m ? " (declared)" : " (estimated)")});
     if (std::isfinite(calibration.after.validation_rms_m))
         figures.push_back({"Error of the prediction (rms)", millimetres(calibration.after.validation_rms_m), "mm",
                            "was " + millimetres(calibration.before.validation_rms_m) + "; trials that were not fitted"});
-    figures.push_back({"Noise of the markers", millimetres(std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size()))),
-                       "mm", study.experiment.markers.noise_m ? "declared, per coordinate" : "estimated, per coordinate"});
     return figures;
 }
 
@@ -88,9 +89,13 @@ Section parameter_section(const Study& study, const Calibration& calibration) {
 
 ReadableEstimate readable_estimate(double value, double deviation) {
     if (!std::isfinite(deviation) || !(deviation > 0.0) || !std::isfinite(value)) return {readable_number(value, 4), ""};
-    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(deviation))));
-    if (decimals > 6) return {readable_number(value, 7), readable_number(deviation, 2)};
-    return {fixed_decimals(value, decimals), fixed_decimals(deviation, decimals)};
+    // Five significant digits of the value are as many as anyone reads; a deviation below them keeps one digit of its own.
+    const int meaningful = 1 - static_cast<int>(std::floor(std::log10(deviation)));
+    const int readable = value != 0.0 ? 4 - static_cast<int>(std::floor(std::log10(std::abs(value)))) : meaningful;
+    const int decimals = std::max(0, std::min(meaningful, readable));
+    if (decimals > 6) return {readable_number(value, 5), readable_number(deviation, 2)};
+    const bool vanishes = deviation < 0.5 * std::pow(10.0, -decimals);
+    return {fixed_decimals(value, decimals), vanishes ? readable_number(deviation, 1) : fixed_decimals(deviation, decimals)};
 }
 
 HtmlReport study_report(const Study& study, const Calibration& calibration, const RunFacts& facts) {

@@ -10,8 +10,8 @@ namespace myo {
 /// Asserts that both runs completed.
 HtmlReport study_report(const Study& study, const Calibration& calibration, const RunFacts& facts);
 
-/// "283.1 ± 0.4" as its two parts, with as many digits as the deviation has meaning (two of its own); four significant
-/// digits and no deviation when it is not known.
+/// "283.1 ± 0.4" as its two parts, with as many digits as the deviation has meaning (two of its own), five at most; four
+/// significant digits and no deviation when it is not known.
 struct ReadableEstimate {
     std::string value;
     std::string deviation;   // empty when unknown

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "project/output_json.hpp"
@@ -76,7 +77,8 @@ std::string start_paragraph(const Study& study, const Calibration& calibration, 
 
 std::string vector_words(const Eigen::Vector3d& metres) {
     if (!metres.allFinite()) return "–";
-    return fixed_decimals(1e3 * metres.x(), 2) + ", " + fixed_decimals(1e3 * metres.y(), 2) + ", " + fixed_decimals(1e3 * metres.z(), 2);
+    const char* const apart = ",\u00a0";   // stays on one line
+    return fixed_decimals(1e3 * metres.x(), 2) + apart + fixed_decimals(1e3 * metres.y(), 2) + apart + fixed_decimals(1e3 * metres.z(), 2);
 }
 
 Table steady_table(const TrialScore& before, const TrialScore& after, bool displacement) {
@@ -91,6 +93,30 @@ Table steady_table(const TrialScore& before, const TrialScore& after, bool displ
     return table;
 }
 
+/// The markers, the most telling first.
+struct ShownOrder {
+    std::vector<std::size_t> markers;
+    std::string reason;
+};
+
+ShownOrder shown_order(const TrialScore& before, const TrialScore& after) {
+    ShownOrder shown;
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (const MarkerScore& marker : after.markers)
+        if (std::isfinite(marker.rms_m)) least = std::min(least, marker.rms_m), most = std::max(most, marker.rms_m);
+    // Alike within a quarter, the errors only rank the noise; what the fit had to do tells more.
+    const bool alike = !(most > 1.25 * least);
+    shown.reason = alike ? ", the marker with the largest error before the fit; after it all are alike." : ", the marker with the largest error.";
+    shown.markers.resize(after.markers.size());
+    std::iota(shown.markers.begin(), shown.markers.end(), std::size_t{0});
+    const auto badness = [&](std::size_t m) {
+        const double rms_m = (alike ? before : after).markers[m].rms_m;
+        return std::isfinite(rms_m) ? rms_m : -1.0;   // markers that were never seen go last
+    };
+    std::stable_sort(shown.markers.begin(), shown.markers.end(), [&](std::size_t a, std::size_t b) { return badness(a) > badness(b); });
+    return shown;
+}
+
 }  // namespace
 
 Section trial_section(const Study& study, const Calibration& calibration, std::size_t index) {
@@ -103,17 +129,11 @@ Section trial_section(const Study& study, const Calibration& calibration, std::s
     const MarkerFigure figures{study, calibration, index,
                                compared_motion(study, index, calibration.before.values, calibration.before.predictions[index]),
                                compared_motion(study, index, calibration.after.values, calibration.after.predictions[index])};
-    std::vector<std::size_t> order(after->markers.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    // Markers that were never seen go last.
-    const auto badness = [&](std::size_t m) { return std::isfinite(after->markers[m].rms_m) ? after->markers[m].rms_m : -1.0; };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return badness(a) > badness(b); });
-
+    const ShownOrder shown = shown_order(*before, *after);
+    const std::vector<std::size_t>& order = shown.markers;
     section.blocks.push_back(Paragraph{std::string(trial.role == TrialRole::fit ? "" : "Not used in the fit: a prediction. ") +
                                        start_paragraph(study, calibration, index)});
-    const std::size_t worst = order.front();
-    section.blocks.push_back(Figure{svg(figures.chart(worst)), study.marker_names[worst] + ", the marker with the largest error" +
-                                                                   (order.size() > 1 ? "; the others are below." : ".")});
+    section.blocks.push_back(Figure{svg(figures.chart(order.front())), study.marker_names[order.front()] + shown.reason + (order.size() > 1 ? " The others are below." : "")});
     section.blocks.push_back(steady_table(*before, *after, study.experiment.markers.compare == Comparison::displacement));
     Details others{"Figures of the other markers", {}};
     for (std::size_t i = 1; i < order.size(); ++i) others.blocks.push_back(Figure{svg(figures.chart(order[i])), study.marker_names[order[i]] + "."});

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace myo::test {
+
+/// A folder that is gone at the end of the test.
+class Folder {
+public:
+    explicit Folder(const std::string& name) : path_(std::filesystem::path(::testing::TempDir()) / ("myoloop_app_" + name)) {
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::string str(const std::string& file) const { return (path_ / file).string(); }
+    void write(const std::string& file, const std::string& content) const {
+        std::filesystem::create_directories((path_ / file).parent_path());
+        std::ofstream(path_ / file, std::ios::binary) << content;
+    }
+    bool has(const std::string& file) const { return std::filesystem::exists(path_ / file); }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// A 4 x 2 x 2 cm block held at x = 0 and let go under gravity; the trace is made up: a sag that settles.
+inline std::string small_toml() {
+    return R"(schema = "experiment/1"
+name = "small block"
+[geometry]
+kind = "box"
+size_m = [0.04, 0.02, 0.02]
+[clamp]
+box_m = [[-0.0005, -0.001, -0.001], [0.0005, 0.021, 0.021]]
+[material]
+model = "neo_hookean"
+youngs_modulus_Pa = 2.0e4
+poissons_ratio = 0.45
+density_kg_m3 = 1000
+[markers]
+noise_m = 1e-4
+[markers.rest_m]
+tip = [0.04, 0.01, 0.02]
+middle = [0.02, 0.01, 0.02]
+[[trial]]
+name = "drop"
+role = "fit"
+trace = "drop.csv"
+format = "csv"
+start = "straight"
+[[trial]]
+name = "drop again"
+role = "validate"
+trace = "drop.csv"
+format = "csv"
+start = "straight"
+)";
+}
+
+inline std::string small_trace(double end_s = 0.1) {
+    std::string text = "time_s,tip_x_m,tip_y_m,tip_z_m,middle_x_m,middle_y_m,middle_z_m\n";
+    char line[256];
+    const int samples = static_cast<int>(std::lround(end_s / 0.01)) + 1;
+    for (int k = 0; k < samples; ++k) {
+        const double t = 0.01 * k, sag = 2.5e-3 * (1.0 - std::exp(-20.0 * t) * std::cos(60.0 * t));
+        std::snprintf(line, sizeof line, "%.2f,0.04,0.01,%.6f,0.02,0.01,%.6f\n", t, 0.02 - sag, 0.02 - 0.35 * sag);
+        text += line;
+    }
+    return text;
+}
+
+inline void write_small_experiment(const Folder& folder, double end_s = 0.1) {
+    folder.write("exp/experiment.toml", small_toml());
+    folder.write("exp/drop.csv", small_trace(end_s));
+}
+
+/// A box as ASCII STL in millimetres, outward.
+inline std::string box_stl(double lx, double ly, double lz) {
+    const double corner[8][3] = {{0, 0, 0}, {lx, 0, 0}, {lx, ly, 0}, {0, ly, 0}, {0, 0, lz}, {lx, 0, lz}, {lx, ly, lz}, {0, ly, lz}};
+    const int face[12][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+    std::string text = "solid box\n";
+    char line[128];
+    for (const auto& triangle : face) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const int i : triangle) {
+            std::snprintf(line, sizeof line, "vertex %g %g %g\n", corner[i][0], corner[i][1], corner[i][2]);
+            text += line;
+        }
+        text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid box\n";
+}
+
+}  // namespace myo::test
