@@ -29,7 +29,7 @@ struct ScalarFunction {
 ///
 /// The split lets an element replace the volume measure by its mean over the cell, which removes volumetric locking.
 /// Both parts are linear in the moduli (mu, kappa), so that their derivative with respect to the moduli is the same function
-/// at (d mu, d kappa). All laws have the small-strain moduli mu and kappa. An inverted or degenerate F gives non-finite
+/// at (d mu, d kappa). The small-strain moduli are mu and kappa, but for the projective law. A degenerate F gives non-finite
 /// values, and the line search rejects the step.
 class Material {
 public:

@@ -61,7 +61,9 @@ Elastica elastica(double alpha) {
         const int steps = 2000;
         const double ds = 1.0 / steps;
         Eigen::Vector4d y(0.0, start, 0.0, 0.0);   // theta, theta', drop, reach
-        const auto slope = [&](const Eigen::Vector4d& s) { return Eigen::Vector4d(s(1), -alpha * std::cos(s(0)), std::sin(s(0)), std::cos(s(0))); };
+        const auto slope = [&](const Eigen::Vector4d& s) {
+            return Eigen::Vector4d(s(1), -alpha * std::cos(s(0)), std::sin(s(0)), std::cos(s(0)));
+        };
         for (int i = 0; i < steps; ++i) {
             const Eigen::Vector4d k1 = slope(y), k2 = slope(y + 0.5 * ds * k1), k3 = slope(y + 0.5 * ds * k2), k4 = slope(y + ds * k3);
             y += ds / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);

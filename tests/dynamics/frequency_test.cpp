@@ -26,7 +26,9 @@ test::BeamSpec slender(const char* element, double nu) {
 
 /// Smallest root of 1 + cos b cosh b + r b (cos b sinh b - sin b cosh b) = 0: clamped beam with r times its mass at the tip.
 double tip_mass_root(double r) {
-    const auto f = [&](double b) { return 1.0 + std::cos(b) * std::cosh(b) + r * b * (std::cos(b) * std::sinh(b) - std::sin(b) * std::cosh(b)); };
+    const auto f = [&](double b) {
+        return 1.0 + std::cos(b) * std::cosh(b) + r * b * (std::cos(b) * std::sinh(b) - std::sin(b) * std::cosh(b));
+    };
     double low = 0.1, high = 2.0;
     for (int i = 0; i < 100; ++i) (f(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
     return low;

@@ -25,7 +25,8 @@ Vector3d harmonic_displacement(const Vector3d& X) {
 /// A grid under a smooth map, so that no cell is a box and refinement keeps the shape.
 VolumeMesh curved_grid(ElementKind kind, int n) {
     const CellType type = cell_type(kind);
-    VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(test::unit_box(), {n, n, n}) : tet_box_mesh(test::unit_box(), {n, n, n}, CellType::tet4);
+    VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(test::unit_box(), {n, n, n})
+                                             : tet_box_mesh(test::unit_box(), {n, n, n}, CellType::tet4);
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
         const Vector3d X = mesh.nodes.col(i);
         mesh.nodes.col(i) += 0.05 * Vector3d(std::sin(3.0 * X(1)), std::sin(3.0 * X(2)), std::sin(3.0 * X(0)));
@@ -70,8 +71,8 @@ TEST(MeshConvergence, DisplacementConvergesAtTheOrderOfTheElement) {
         std::vector<int> n;
         double order;
     };
-    for (const Run& run : {Run{"hex8", 0.3, {2, 4, 8}, 2.0}, Run{"hex8", 0.499, {2, 4, 8}, 2.0}, Run{"hex8_mean_dilatation", 0.499, {2, 4, 8}, 2.0},
-                           Run{"hex8_full", 0.3, {2, 4, 8}, 2.0}, Run{"tet4", 0.3, {2, 4, 8}, 2.0}, Run{"tet10", 0.3, {1, 2, 4}, 3.0},
+    for (const Run& run : {Run{"hex8", 0.3, {2, 4, 8}, 2.0}, Run{"hex8", 0.499, {2, 4, 8}, 2.0},
+                           Run{"hex8_mean_dilatation", 0.499, {2, 4, 8}, 2.0}, Run{"hex8_full", 0.3, {2, 4, 8}, 2.0}, Run{"tet4", 0.3, {2, 4, 8}, 2.0}, Run{"tet10", 0.3, {1, 2, 4}, 3.0},
                            Run{"tet10", 0.499, {1, 2, 4}, 3.0}, Run{"tet10_full", 0.3, {1, 2, 4}, 3.0}}) {
         std::vector<double> h, error;
         for (const int n : run.n) {
@@ -105,7 +106,8 @@ TEST(MeshConvergence, HomogeneousDeformationIsFoundByTheSolver) {
             model.density_kg_m3 = 1.0;
             const Matrix3Xd exact = test::mapped(mesh, A);
             Matrix3Xd x = exact;
-            for (const int node : model.body->pattern.free_nodes) x.col(node) += 0.005 * Vector3d(std::sin(node), std::cos(node), std::sin(2.0 * node));
+            for (const int node : model.body->pattern.free_nodes)
+                x.col(node) += 0.005 * Vector3d(std::sin(node), std::cos(node), std::sin(2.0 * node));
             SolverOptions options;
             options.tolerance = 1e-6;   // without loads it refers to a millionth of the stiffness; rounding is at 1e-13 of it
             StageSolver solver(model, options);

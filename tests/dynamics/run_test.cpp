@@ -52,7 +52,8 @@ TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
                     newton.push_back(static_cast<double>(trace.newton_iterations) / trace.stages);
                     EXPECT_LT(newton.back(), 8.0) << element << " " << to_string(integrator) << " " << h;
                 }
-                test::record(std::string(element) + "_" + to_string(integrator) + (damping > 0.0 ? "_damped" : "") + "_newton_per_stage", newton);
+                const std::string name = std::string(element) + "_" + to_string(integrator) + (damping > 0.0 ? "_damped" : "");
+                test::record(name + "_newton_per_stage", newton);
             }
 }
 

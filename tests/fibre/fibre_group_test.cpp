@@ -25,9 +25,11 @@ TEST(FibreResponse, AgreesWithDifferences) {
             const auto energy = [&](const VectorXd& v) { return VectorXd::Constant(1, fibre_response(v, a, w).energy); };
             const auto gradient = [&](const VectorXd& v) { return VectorXd(fibre_response(v, a, w).gradient); };
             const auto at_activation = [&](const VectorXd& v) { return VectorXd(fibre_response(s, v(0), w).gradient); };
-            if (r.gradient.norm() > 0.0) test::expect_derivative(r.gradient.transpose(), test::central_differences(energy, s, 1e-5), 1e-8, "gradient");
+            if (r.gradient.norm() > 0.0)
+                test::expect_derivative(r.gradient.transpose(), test::central_differences(energy, s, 1e-5), 1e-8, "gradient");
             test::expect_derivative(r.hessian, test::central_differences(gradient, s, 1e-5), 1e-8, "Hessian");
-            test::expect_equal_to_differences(r.gradient_activation, test::central_differences(at_activation, VectorXd::Constant(1, a), 1e-3), 1e-10, "da");
+            test::expect_equal_to_differences(r.gradient_activation, 
+                                              test::central_differences(at_activation, VectorXd::Constant(1, a), 1e-3), 1e-10, "da");
             EXPECT_LT((r.hessian - r.hessian.transpose()).norm(), 1e-15 * r.hessian.norm());
         }
 }
