@@ -45,11 +45,11 @@ std::vector<KeyFigure> key_figures(const Study& study, const Calibration& calibr
         if (calibration.parameters[i].kind == StudyParameter::Kind::youngs_modulus) figures.push_back(modulus_figure(calibration, row));
         if (calibration.parameters[i].kind == StudyParameter::Kind::damping) figures.push_back(damping_figure(study, calibration, row));
     }
-    figures.push_back({"Error of the fit (rms)", millimetres(calibration.after.fit_rms_m), "mm",
+    figures.push_back({"Fit error (rms)", millimetres(calibration.after.fit_rms_m), "mm",
                        "was " + millimetres(calibration.before.fit_rms_m) + " as declared; noise " + millimetres(mean_noise(study)) +
                            (study.experiment.markers.noise_m ? " (declared)" : " (estimated)")});
     if (std::isfinite(calibration.after.validation_rms_m))
-        figures.push_back({"Error of the prediction (rms)", millimetres(calibration.after.validation_rms_m), "mm",
+        figures.push_back({"Prediction error (rms)", millimetres(calibration.after.validation_rms_m), "mm",
                            "was " + millimetres(calibration.before.validation_rms_m) + "; trials that were not fitted"});
     return figures;
 }

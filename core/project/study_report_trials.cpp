@@ -82,8 +82,8 @@ std::string vector_words(const Eigen::Vector3d& metres) {
 }
 
 Table steady_table(const TrialScore& before, const TrialScore& after, bool displacement) {
-    Table table{std::string("Steady state: mean over the last fifth of the samples, ") + (displacement ? "displacement" : "position") + " x, y, z.",
-                {{"Marker"}, {"Measured", "mm"}, {"Simulated", "mm"}, {"Error", "mm", 3}, {"Error before", "mm", 3}, {"rms of the whole trial", "mm", 3}},
+    Table table{std::string("Steady state, the mean over the last fifth of the samples, and rms of the whole trial; ") + (displacement ? "displacement" : "position") + " x, y, z.",
+                {{"Marker"}, {"Measured", "mm"}, {"Simulated", "mm"}, {"Error", "mm", 3}, {"Error before", "mm", 3}, {"rms", "mm", 3}},
                 {}};
     for (std::size_t m = 0; m < after.markers.size(); ++m) {
         const MarkerScore& marker = after.markers[m];
