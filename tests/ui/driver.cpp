@@ -8,11 +8,14 @@
 
 namespace myo::test {
 
-Driver::Driver(int width_, int height_) : width(width_), height(height_) {
+Driver::Driver(int width_, int height_) : Driver(nullptr, width_, height_) {}
+
+Driver::Driver(std::shared_ptr<Backend> other, int width_, int height_) : width(width_), height(height_) {
     auto made = OffscreenContext::make(width, height);
     if (!made) throw std::runtime_error(made.error().text());
     context = std::move(*made);
-    workbench.emplace(backend);
+    if (other) workbench.emplace(std::move(other));
+    else workbench.emplace(backend);
     auto opened = WorkbenchWindow::make(*workbench);
     if (!opened) throw std::runtime_error(opened.error().text());
     window = std::move(*opened);
@@ -30,8 +33,8 @@ void Driver::settle() {
     for (int i = 0; i < 3; ++i) frame();
 }
 
-bool Driver::wait_for_job() {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+bool Driver::wait_for_job(int seconds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
     while (std::chrono::steady_clock::now() < end) {
         frame();
         if (!state().busy()) {

@@ -15,12 +15,14 @@ namespace myo::test {
 class Driver {
 public:
     explicit Driver(int width = 1280, int height = 800);
+    /// Another backend than the beam.
+    Driver(std::shared_ptr<Backend> backend, int width, int height);
 
     void frame(double seconds = 1.0 / 60.0);
     /// Frames until every event is consumed and has shown its effect.
     void settle();
-    /// Frames until no job runs; false after 20 s.
-    bool wait_for_job();
+    /// Frames until no job runs; false after that many seconds.
+    bool wait_for_job(int seconds = 20);
 
     /// Asserts (gtest) that the item is there.
     Rectangle item(const std::string& name);

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "commands/scene_at_time.hpp"
+#include "ui/driver.hpp"
+#include "workbench_backend.hpp"
+
+namespace myo {
+namespace {
+
+using test::Driver;
+
+bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius) {
+    for (int dy = -radius; dy <= radius; ++dy)
+        for (int dx = -radius; dx <= radius; ++dx) {
+            const int x = static_cast<int>(place.x) + dx, y = static_cast<int>(place.y) + dy;
+            if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
+            const std::array<int, 3> seen = image.color(x, y);
+            if (std::abs(seen[0] - static_cast<int>(255 * color.x)) + std::abs(seen[1] - static_cast<int>(255 * color.y)) +
+                    std::abs(seen[2] - static_cast<int>(255 * color.z)) < 90)
+                return true;
+        }
+    return false;
+}
+
+ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point) {
+    const ViewportState& view = driver.window->viewport();
+    const auto p = project(view.camera, view.size(), point);
+    EXPECT_TRUE(p);
+    return {view.pixels.lowest.x + static_cast<float>(p->x()), view.pixels.lowest.y + static_cast<float>(p->y())};
+}
+
+void scrub_to(Driver& driver, float fraction) {
+    const Rectangle track = driver.item("timeline/track");
+    driver.click_at({track.lowest.x + fraction * track.width(), track.center().y});
+}
+
+/// Asserts that each marker of a kind that is neither occluded nor on the far side is drawn where it projects; their number.
+int seen_markers(Driver& driver, bool simulated) {
+    const Theme theme = make_theme(ThemeName::dark, 1.0f);
+    const Image image = driver.picture();
+    int count = 0;
+    for (const DrawnMarker& marker : driver.window->scene().markers) {
+        if (marker.ring != simulated || !marker.position.allFinite() || marker.position.y() > 0.029) continue;
+        ++count;
+        EXPECT_TRUE(color_near(image, pixel_of(driver, marker.position), simulated ? theme.simulated : theme.measured, 12)) << marker.label;
+    }
+    return count;
+}
+
+TEST(BundledExample, OpensRunsAndScrubs) {
+    Driver driver(make_core_backend(), 1280, 800);
+    driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    ASSERT_TRUE(driver.state().scene) << driver.state().log.back().text;
+    EXPECT_EQ(driver.state().scene->trials.size(), 3u);
+    EXPECT_EQ(driver.state().scene->markers.size(), 5u);
+    ASSERT_TRUE(driver.state().body);
+    EXPECT_NEAR(cell_volumes(driver.state().body->mesh).sum(), 0.12 * 0.03 * 0.02, 1e-12);
+
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job(300));
+    ASSERT_TRUE(driver.state().run) << driver.state().log.back().text;
+    EXPECT_TRUE(driver.state().run_is_current());
+    EXPECT_EQ(driver.state().run->trials.size(), 3u);
+    // The declared modulus is a data sheet's: some millimetres off, and no more than the swing.
+    EXPECT_GT(driver.state().run->rms_m, 1e-3);
+    EXPECT_LT(driver.state().run->rms_m, 2e-2);
+
+    // At rest the measured markers lie on the body; later some may be inside it, for the declared modulus is wrong.
+    scrub_to(driver, 0.0f);
+    EXPECT_GE(seen_markers(driver, false), 3);
+    scrub_to(driver, 0.2f);
+    const double early = driver.state().time_s;
+    EXPECT_NEAR(early, 0.2 * time_span(driver.state())[1], 0.02);
+    const Eigen::Matrix3Xd body = driver.window->scene().positions;
+    EXPECT_EQ(seen_markers(driver, true), 4);
+    // The simulated tip hangs where the simulated body's tip is.
+    const TimePlace place = place_in_time(driver.state().scene_trial()->time_s, early);
+    const Eigen::Vector3d tip = at_time(driver.state().simulated_trial()->markers[0], place);
+    double nearest = 1.0;
+    for (Eigen::Index i = 0; i < body.cols(); ++i) nearest = std::min(nearest, (body.col(i) - tip).norm());
+    EXPECT_LT(nearest, 0.01);
+    EXPECT_LT(tip.z(), 0.0);   // it started at 14 mm and has fallen
+
+    scrub_to(driver, 0.9f);
+    EXPECT_GT(driver.state().time_s, early);
+    EXPECT_GT((driver.window->scene().positions - body).colwise().norm().maxCoeff(), 1e-3);
+}
+
+TEST(BundledExample, CancelsACalibration) {
+    Driver driver(make_core_backend(), 1280, 800);
+    driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    driver.click("run/calibrate");
+    ASSERT_TRUE(driver.state().busy());
+    driver.frame();
+    driver.click("run/cancel");
+    ASSERT_TRUE(driver.wait_for_job(20));
+    EXPECT_FALSE(driver.state().run);
+    EXPECT_FALSE(driver.state().calibration);
+}
+
+}  // namespace
+}  // namespace myo
