@@ -44,6 +44,11 @@ public:
         return values;
     }
 
+    VectorXd scales() const {
+        VectorXd scale(static_cast<Eigen::Index>(parameters_.size()));
+        for (std::size_t i = 0; i < parameters_.size(); ++i) scale(static_cast<Eigen::Index>(i)) = parameters_[i].scale;
+        return scale;
+    }
     const std::vector<Parameter>& parameters() const { return parameters_; }
 
 private:
@@ -68,11 +73,9 @@ public:
         if (!evaluation.ok || evaluation.residuals.size() != num_residuals()) return false;
         std::copy(evaluation.residuals.begin(), evaluation.residuals.end(), residuals);
         if (jacobians != nullptr && jacobians[0] != nullptr) {
-            const auto& parameters = evaluator_.parameters();
-            const auto n = static_cast<Eigen::Index>(parameters.size());
-            for (Eigen::Index row = 0; row < evaluation.jacobian.rows(); ++row)
-                for (Eigen::Index i = 0; i < n; ++i)
-                    jacobians[0][row * n + i] = evaluation.jacobian(row, i) * parameters[static_cast<std::size_t>(i)].scale;
+            using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+            Eigen::Map<RowMajor>(jacobians[0], evaluation.jacobian.rows(), evaluation.jacobian.cols()) =
+                evaluation.jacobian * evaluator_.scales().asDiagonal();
         }
         return true;
     }

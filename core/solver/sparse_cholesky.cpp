@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <vector>
 
 namespace myo {
@@ -48,6 +49,14 @@ struct SparseCholesky::Implementation {
 
 namespace {
 
+/// One thread at a time in CHOLMOD: the serial OpenBLAS underneath is not safe to call from two threads (seen: runs
+/// side by side gave solutions that were not numbers), and METIS draws from one random generator, so that
+/// orderings would depend on what runs beside.
+std::mutex& linear_algebra_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
 cholmod_sparse view(const SymmetricSparse& lower) {
     cholmod_sparse matrix{};
     matrix.nrow = static_cast<std::size_t>(lower.rows());
@@ -77,6 +86,7 @@ bool SparseCholesky::factorize(const SymmetricSparse& lower) {
     // Debian's CHOLMOD opens OpenMP regions of four threads by itself; on small factors they cost more than they give, and
     // threads belong to us. Level 0 makes every region of this thread serial.
     omp_set_max_active_levels(0);
+    const std::lock_guard<std::mutex> lock(linear_algebra_mutex());
     Implementation& self = *implementation_;
     cholmod_sparse matrix = view(lower);
     if (!self.knows_pattern(lower)) {
@@ -103,6 +113,7 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& B) const {
     right.x = const_cast<double*>(B.data());
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
+    const std::lock_guard<std::mutex> lock(linear_algebra_mutex());
     cholmod_solve2(CHOLMOD_A, self.factor, &right, nullptr, &self.solution, nullptr, &self.work_y, &self.work_e, &self.common);
     Eigen::MatrixXd X(B.rows(), B.cols());
     std::memcpy(X.data(), self.solution->x, sizeof(double) * static_cast<std::size_t>(X.size()));
