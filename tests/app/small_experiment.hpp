@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -13,7 +14,7 @@ namespace myo::test {
 /// A folder that is gone at the end of the test.
 class Folder {
 public:
-    explicit Folder(const std::string& name) : path_(std::filesystem::path(::testing::TempDir()) / ("myoloop_app_" + name)) {
+    explicit Folder(const std::string& name) : path_(std::filesystem::path(::testing::TempDir()) / ("myoloop_app_" + name + "_" + std::to_string(::getpid()))) {
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -13,7 +14,7 @@ namespace myo::testing_support {
 class ExperimentFolder {
 public:
     explicit ExperimentFolder(const std::string& name)
-        : path_(std::filesystem::path(::testing::TempDir()) / ("myoloop_" + name)) {
+        : path_(std::filesystem::path(::testing::TempDir()) / ("myoloop_" + name + "_" + std::to_string(::getpid()))) {
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }
