@@ -20,8 +20,6 @@ endif()
 # CHOLMOD ships neither a CMake configuration nor a pkg-config file.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
-find_library(METIS_LIBRARY metis)
-find_library(OPENBLAS_LIBRARY NAMES openblas libopenblas.so.0)
 if(NOT CHOLMOD_INCLUDE_DIR OR NOT CHOLMOD_LIBRARY)
   myoloop_missing("CHOLMOD (SuiteSparse)" "libsuitesparse-dev")
 endif()
