@@ -6,36 +6,74 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 namespace myo {
 namespace {
 
 using Eigen::VectorXd;
 
+/// Progress of the whole fit from what the running evaluation says of itself.
+class EvaluationProgress {
+public:
+    EvaluationProgress(const Progress& outer, int most_evaluations) : outer_(outer), total_(most_evaluations) {}
+
+    Progress inside(int complete, const std::string& message) {
+        return outer_.with_sink([this, complete, message](const ProgressEvent& event) {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            const Clock::time_point now = Clock::now();
+            if (now - last_ < std::chrono::milliseconds(100)) return;   // more than a person can see
+            last_ = now;
+            const double share = event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 0.999) : 0.0;   // whole when evaluated
+            report(complete + share, message);
+        });
+    }
+    void report(double done, const std::string& message) const { outer_.report({"fit", done, total_, "evaluations", message}); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    const Progress& outer_;
+    double total_;
+    std::mutex mutex_;
+    Clock::time_point last_{};
+};
+
+std::string quality_words(const ResidualEvaluation& evaluation) {
+    if (!evaluation.ok) return evaluation.message;
+    const auto count = static_cast<double>(std::max<Eigen::Index>(1, evaluation.residuals.size()));
+    return "rms " + std::to_string(std::sqrt(evaluation.residuals.squaredNorm() / count)) + " of the noise";
+}
+
 /// Evaluates once per point: Ceres asks first for residuals, then, when it accepts the step, for the Jacobian.
 class Evaluator {
 public:
     Evaluator(const std::vector<Parameter>& parameters, const ResidualFunction& function, const Progress& progress,
               const LeastSquaresOptions& options, LeastSquaresReport& report)
-        : parameters_(parameters), function_(function), progress_(progress), options_(options), report_(report) {}
+        : parameters_(parameters), function_(function), progress_(progress), shown_(progress, options.max_evaluations), report_(report) {}
 
     const ResidualEvaluation& at(const VectorXd& values) {
         for (const auto& [point, evaluation] : cache_)
             if (point == values) return evaluation;
         if (progress_.cancelled()) return stopped_;
+        if (report_.evaluations == 0) shown_.report(0.0, {});   // something is seen while the first one is under way
+        ResidualEvaluation fresh = function_(values, shown_.inside(report_.evaluations, last_words_));
+        if (!fresh.ok && progress_.cancelled()) return stopped_;   // ended half-way
         if (cache_.size() == 3) cache_.erase(cache_.begin());
-        cache_.emplace_back(values, function_(values));
+        cache_.emplace_back(values, std::move(fresh));
         const ResidualEvaluation& evaluation = cache_.back().second;
         ++report_.evaluations;
-        if (evaluation.ok) report_.history.push_back({values, 0.5 * evaluation.residuals.squaredNorm()});
-        progress_.report({"fit", static_cast<double>(report_.evaluations), static_cast<double>(options_.max_evaluations), "evaluations",
-                          evaluation.ok ? "rms " + std::to_string(std::sqrt(evaluation.residuals.squaredNorm() /
-                                                                            static_cast<double>(std::max<Eigen::Index>(1, evaluation.residuals.size())))) + " of the noise"
-                                        : evaluation.message});
+        if (evaluation.ok) keep(values, evaluation);
+        last_words_ = quality_words(evaluation);
+        shown_.report(report_.evaluations, last_words_);
         return evaluation;
     }
+
+    /// The evaluation with the least cost so far.
+    const ResidualEvaluation& best() const { return best_; }
 
     VectorXd physical(const double* scaled) const {
         VectorXd values(static_cast<Eigen::Index>(parameters_.size()));
@@ -52,11 +90,24 @@ public:
     const std::vector<Parameter>& parameters() const { return parameters_; }
 
 private:
+    void keep(const VectorXd& values, const ResidualEvaluation& evaluation) {
+        const double cost = 0.5 * evaluation.residuals.squaredNorm();
+        if (report_.history.empty()) report_.cost_before = cost;
+        if (report_.history.empty() || cost < report_.cost_after) {
+            report_.values = values;
+            report_.cost_after = cost;
+            best_ = evaluation;
+        }
+        report_.history.push_back({values, cost});
+    }
+
     const std::vector<Parameter>& parameters_;
     const ResidualFunction& function_;
     const Progress& progress_;
-    const LeastSquaresOptions& options_;
+    EvaluationProgress shown_;
     LeastSquaresReport& report_;
+    std::string last_words_;
+    ResidualEvaluation best_;
     std::vector<std::pair<VectorXd, ResidualEvaluation>> cache_;
     const ResidualEvaluation stopped_{false, "stopped by the user", {}, {}};
 };
@@ -100,7 +151,7 @@ void set_covariance(const std::vector<Parameter>& parameters, const ResidualEval
     const auto n = static_cast<Eigen::Index>(parameters.size());
     report.deviations = VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
     report.correlation = Eigen::MatrixXd::Identity(n, n);
-    if (!end.ok) return;
+    if (!end.ok || n == 0) return;
     VectorXd scale(n);
     for (Eigen::Index i = 0; i < n; ++i) scale(i) = parameters[static_cast<std::size_t>(i)].scale;
     const Eigen::MatrixXd J = end.jacobian * scale.asDiagonal();
@@ -129,16 +180,14 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     for (const Parameter& parameter : parameters) scaled.push_back(parameter.value / parameter.scale);
 
     const ResidualEvaluation first = evaluator.at(evaluator.physical(scaled.data()));
+    set_covariance(parameters, first, report);
     if (!first.ok) {
         report.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
         report.message = first.message;
         return report;
     }
-    report.cost_before = report.cost_after = 0.5 * first.residuals.squaredNorm();
     if (n == 0) {
         report.status = FitStatus::converged;
-        report.deviations.resize(0);
-        report.correlation.resize(0, 0);
         return report;
     }
 
@@ -164,18 +213,16 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     FLAGS_minloglevel = google::GLOG_FATAL;   // Ceres prints whole residual vectors where a model could not be run; the report says it
     ceres::Solve(settings, &problem, &summary);
 
-    report.values = evaluator.physical(scaled.data());
-    report.cost_after = summary.final_cost;
     if (progress.cancelled()) {
         report.status = FitStatus::cancelled;
         report.message = "stopped by the user";
     } else if (summary.termination_type == ceres::CONVERGENCE) {
         report.status = FitStatus::converged;
     } else {
-        report.status = summary.IsSolutionUsable() ? FitStatus::not_converged : FitStatus::failed;
+        report.status = FitStatus::not_converged;
         report.message = summary.message;
     }
-    if (!progress.cancelled()) set_covariance(parameters, evaluator.at(report.values), report);
+    set_covariance(parameters, evaluator.best(), report);
     return report;
 }
 

@@ -27,7 +27,10 @@ struct ResidualEvaluation {
     Eigen::VectorXd residuals;
     Eigen::MatrixXd jacobian;
 };
-using ResidualFunction = std::function<ResidualEvaluation(const Eigen::VectorXd&)>;
+
+/// One evaluation. What it reports, `done` of `total` in any unit, becomes its share of the fit's progress; it may report from
+/// several threads, and stops when the progress is cancelled (ok = false then).
+using ResidualFunction = std::function<ResidualEvaluation(const Eigen::VectorXd& values, const Progress& progress)>;
 
 enum class FitStatus { not_run, converged, not_converged, cancelled, failed };
 
@@ -40,15 +43,17 @@ struct LeastSquaresReport {
     FitStatus status = FitStatus::not_run;
     std::string message;
     Eigen::VectorXd start;
-    Eigen::VectorXd values;
+    Eigen::VectorXd values;           // of the evaluation with the least cost: the first of these, where several are equal
     Eigen::VectorXd deviations;       // standard deviations; NaN where the data do not determine the parameter
     Eigen::MatrixXd correlation;      // n x n
     double cost_before = 0.0;
     double cost_after = 0.0;
-    int evaluations = 0;
-    std::vector<FitIterate> history;  // every evaluation, in order
+    int evaluations = 0;              // complete ones
+    std::vector<FitIterate> history;  // every evaluation where the model could be run, in order
 
     bool converged() const { return status == FitStatus::converged; }
+    /// There are values from at least one evaluation, though the fit may have been stopped or not have converged.
+    bool usable() const { return !history.empty(); }
 };
 
 struct LeastSquaresOptions {
@@ -58,6 +63,9 @@ struct LeastSquaresOptions {
 };
 
 /// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per evaluation.
+///
+/// Cancelled or not converged, it gives the best values so far, with their deviations; status failed means that the model
+/// could not be run at the start. Progress counts evaluations, with the running one as a fraction, at most ten times a second.
 ///
 /// Deviations: (J'J)^-1 at the end, times the residual variance where that exceeds 1 (the model does not explain the data
 /// to their noise, so the noise alone would promise too much).

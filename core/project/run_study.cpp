@@ -203,7 +203,7 @@ Calibration calibrate_study(const Study& study, const std::vector<std::string>& 
     };
     const Progress quiet = progress.with_sink({});   // one event per evaluation, not per step
     result.fit = fit_least_squares(
-        parameters, [&](const Eigen::VectorXd& p) { return evaluate(study, values_at(p), result.parameters, fit_trials, quiet); }, {}, progress);
+        parameters, [&](const Eigen::VectorXd& p, const Progress&) { return evaluate(study, values_at(p), result.parameters, fit_trials, quiet); }, {}, progress);
     if (result.fit.status == FitStatus::cancelled || result.fit.status == FitStatus::failed) {
         result.seconds = seconds_since(start);
         return result;

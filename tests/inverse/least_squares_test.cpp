@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <random>
+#include <thread>
 
 namespace myo {
 namespace {
@@ -14,7 +17,7 @@ struct Decay {
     Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(200, 0.0, 5.0);
     Eigen::VectorXd y;
 
-    ResidualEvaluation operator()(const Eigen::VectorXd& p) const {
+    ResidualEvaluation operator()(const Eigen::VectorXd& p, const Progress& = {}) const {
         ResidualEvaluation e;
         const Eigen::ArrayXd shape = (-p(1) * t.array()).exp();
         e.residuals = p(0) * shape.matrix() - y;
@@ -53,7 +56,7 @@ TEST(LeastSquares, CoversTheTruthAsOftenAsItsDeviationsPromise) {
 TEST(LeastSquares, RunsTheModelOncePerPoint) {
     const Decay decay = decay_data(3);
     int calls = 0;
-    const LeastSquaresReport report = fit_least_squares(start, [&](const Eigen::VectorXd& p) {
+    const LeastSquaresReport report = fit_least_squares(start, [&](const Eigen::VectorXd& p, const Progress&) {
         ++calls;
         return decay(p);
     });
@@ -72,7 +75,7 @@ TEST(LeastSquares, StaysWithinBounds) {
 
 TEST(LeastSquares, StepsBackWhereTheModelCannotBeRun) {
     const Decay decay = decay_data(5);
-    const LeastSquaresReport report = fit_least_squares(start, [&](const Eigen::VectorXd& p) {
+    const LeastSquaresReport report = fit_least_squares(start, [&](const Eigen::VectorXd& p, const Progress&) {
         if (p(0) > 60.0) return ResidualEvaluation{false, "too large", {}, {}};
         return decay(p);
     });
@@ -82,7 +85,7 @@ TEST(LeastSquares, StepsBackWhereTheModelCannotBeRun) {
 
 TEST(LeastSquares, SaysWhenTheFirstPointCannotBeRun) {
     const LeastSquaresReport report =
-        fit_least_squares(start, [](const Eigen::VectorXd&) { return ResidualEvaluation{false, "no equilibrium", {}, {}}; });
+        fit_least_squares(start, [](const Eigen::VectorXd&, const Progress&) { return ResidualEvaluation{false, "no equilibrium", {}, {}}; });
     EXPECT_EQ(report.status, FitStatus::failed);
     EXPECT_EQ(report.message, "no equilibrium");
 }
@@ -90,7 +93,7 @@ TEST(LeastSquares, SaysWhenTheFirstPointCannotBeRun) {
 TEST(LeastSquares, GivesNoDeviationForWhatTheDataDoNotSee) {
     const Decay decay = decay_data(6);
     const LeastSquaresReport report = fit_least_squares(
-        {{"amplitude", 20.0, 0.0, 1e3, 10.0}, {"rate_1_s", 2.0, 0.0, 10.0, 1.0}, {"unseen", 1.0, 0.0, 2.0, 1.0}}, [&](const Eigen::VectorXd& p) {
+        {{"amplitude", 20.0, 0.0, 1e3, 10.0}, {"rate_1_s", 2.0, 0.0, 10.0, 1.0}, {"unseen", 1.0, 0.0, 2.0, 1.0}}, [&](const Eigen::VectorXd& p, const Progress&) {
             ResidualEvaluation e = decay(p.head<2>());
             e.jacobian.conservativeResize(Eigen::NoChange, 3);
             e.jacobian.col(2).setZero();
@@ -99,13 +102,72 @@ TEST(LeastSquares, GivesNoDeviationForWhatTheDataDoNotSee) {
     EXPECT_TRUE(std::isnan(report.deviations(2)));
 }
 
-TEST(LeastSquares, StopsWhenCancelled) {
+TEST(LeastSquares, KeepsTheBestValuesWhenCancelledInAnEvaluation) {
+    const Decay decay = decay_data(7);
+    std::atomic<bool> cancel{false};
+    int calls = 0;
+    const LeastSquaresReport report = fit_least_squares(
+        start,
+        [&](const Eigen::VectorXd& p, const Progress& progress) {
+            cancel = ++calls == 7;
+            return progress.cancelled() ? ResidualEvaluation{false, "stopped half-way", {}, {}} : decay(p);
+        },
+        {}, Progress({}, &cancel));
+    EXPECT_EQ(report.status, FitStatus::cancelled);
+    EXPECT_EQ(report.message, "stopped by the user");
+    EXPECT_EQ(calls, 7);
+    EXPECT_EQ(report.evaluations, 6);   // complete ones
+    ASSERT_TRUE(report.usable());
+    for (const FitIterate& iterate : report.history) EXPECT_GE(iterate.cost, report.cost_after);
+    EXPECT_LT(report.cost_after, report.cost_before);
+    EXPECT_DOUBLE_EQ(0.5 * decay(report.values).residuals.squaredNorm(), report.cost_after);
+    EXPECT_GT(report.deviations.minCoeff(), 0.0);
+}
+
+TEST(LeastSquares, StopsBetweenEvaluations) {
     const Decay decay = decay_data(7);
     std::atomic<bool> cancel{false};
     const Progress progress([&](const ProgressEvent& event) { cancel = event.done >= 2; }, &cancel);
     const LeastSquaresReport report = fit_least_squares(start, decay, {}, progress);
     EXPECT_EQ(report.status, FitStatus::cancelled);
     EXPECT_EQ(report.evaluations, 2);
+    EXPECT_TRUE(report.usable());
+}
+
+TEST(LeastSquares, HasNothingToKeepBeforeTheFirstEvaluation) {
+    std::atomic<bool> cancel{false};
+    const LeastSquaresReport report = fit_least_squares(
+        start,
+        [&](const Eigen::VectorXd&, const Progress&) {
+            cancel = true;
+            return ResidualEvaluation{false, "stopped half-way", {}, {}};
+        },
+        {}, Progress({}, &cancel));
+    EXPECT_EQ(report.status, FitStatus::cancelled);
+    EXPECT_FALSE(report.usable());
+    EXPECT_EQ(report.evaluations, 0);
+    EXPECT_EQ(report.values, report.start);
+    EXPECT_TRUE(std::isnan(report.deviations(0)));
+}
+
+TEST(LeastSquares, ProgressCountsARunningEvaluationAsAFraction) {
+    const Decay decay = decay_data(8);
+    std::vector<double> seen;
+    fit_least_squares(
+        start,
+        [&](const Eigen::VectorXd& p, const Progress& progress) {
+            for (int step = 1; step <= 4; ++step) progress.report({"simulate", 0.5 * step, 2.0, "s", {}});
+            std::this_thread::sleep_for(std::chrono::milliseconds(110));
+            return decay(p);
+        },
+        {}, Progress([&](const ProgressEvent& event) {
+            EXPECT_EQ(event.unit, "evaluations");
+            seen.push_back(event.done);
+        }));
+    // Four reports at once are too many to show; the first of them is seen.
+    ASSERT_GE(seen.size(), 5u);
+    EXPECT_EQ(std::vector<double>(seen.begin(), seen.begin() + 5), (std::vector<double>{0.0, 0.25, 1.0, 1.25, 2.0}));
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
 }
 
 }  // namespace
