@@ -27,10 +27,27 @@ std::string duration_words(double seconds) {
     return text;
 }
 
+std::string bar_of(double share) {
+    std::string bar(24, ' ');
+    std::fill_n(bar.begin(), static_cast<std::ptrdiff_t>(std::lround(24.0 * share)), '#');
+    char percent[16];
+    std::snprintf(percent, sizeof percent, "]%4.0f %%", 100.0 * share);
+    return "[" + bar + percent;
+}
+
+/// The bar is of the running evaluation: how many there will be is not known, only their greatest number.
+std::string evaluation_bar(const ProgressEvent& event, double elapsed_s) {
+    const double complete = std::floor(event.done);
+    std::string text = event.task + "  evaluation " + format_number(complete + 1.0, 4) + " " + bar_of(event.done - complete) + "  " +
+                       duration_words(elapsed_s) + " so far";
+    if (event.done >= 1.0 && event.done < event.total) text += ", at most " + duration_words(elapsed_s * (event.total - event.done) / event.done) + " left";
+    return event.message.empty() ? text : text + "  " + event.message;
+}
+
 }  // namespace
 
 Console::Console(bool quiet, bool json_progress)
-    : quiet_(quiet), json_progress_(json_progress), terminal_(::isatty(STDERR_FILENO) == 1), task_start_(Clock::now()), last_drawn_(Clock::now()) {}
+    : quiet_(quiet), json_progress_(json_progress), terminal_(::isatty(STDERR_FILENO) == 1), task_start_(Clock::now()) {}
 
 Console::~Console() { clear_bar(); }
 
@@ -52,8 +69,7 @@ void Console::show(const ProgressEvent& event) {
         task_start_ = now;
     }
     const bool last = event.done >= event.total;
-    if (!last && now - last_drawn_ < std::chrono::milliseconds(100)) return;   // ten times a second is enough to read
-    last_drawn_ = now;
+    if (!last && !throttle_.ready()) return;
     bar_shown_ = true;
     std::fprintf(stderr, "\r\033[K%s", progress_bar(event, std::chrono::duration<double>(now - task_start_).count()).c_str());
     std::fflush(stderr);
@@ -96,17 +112,9 @@ std::string progress_line(const ProgressEvent& event) {
 }
 
 std::string progress_bar(const ProgressEvent& event, double elapsed_s) {
-    if (event.unit == "evaluations") {
-        std::string text = event.task + "  evaluation " + format_number(event.done, 4) + "  " + duration_words(elapsed_s) + " so far";
-        if (event.done >= 1.0 && event.done < event.total) text += ", at most " + duration_words(elapsed_s * (event.total - event.done) / event.done) + " left";
-        return event.message.empty() ? text : text + "  " + event.message;
-    }
+    if (event.unit == "evaluations") return evaluation_bar(event, elapsed_s);
     const double share = event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 1.0) : 0.0;
-    std::string bar(24, ' ');
-    std::fill_n(bar.begin(), static_cast<std::ptrdiff_t>(std::lround(24.0 * share)), '#');
-    char numbers[96];
-    std::snprintf(numbers, sizeof numbers, "]%4.0f %%  %.4g of %.4g ", 100.0 * share, event.done, event.total);
-    std::string text = event.task + "  [" + bar + numbers + event.unit;
+    std::string text = event.task + "  " + bar_of(share) + "  " + format_number(event.done, 4) + " of " + format_number(event.total, 4) + " " + event.unit;
     // The first moments promise nothing.
     if (share > 0.01 && share < 1.0 && elapsed_s > 0.5) text += "  " + duration_words(elapsed_s * (1.0 - share) / share) + " left";
     return event.message.empty() ? text : text + "  " + event.message;

@@ -6,6 +6,7 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
+#include "base/throttle.hpp"
 
 namespace myo {
 
@@ -46,14 +47,14 @@ private:
     std::mutex mutex_;
     std::string task_;
     Clock::time_point task_start_;
-    Clock::time_point last_drawn_;
+    Throttle throttle_;
     bool bar_shown_ = false;
 };
 
 /// A progress event as one line: {"event":"progress","task":...,"done":...,"total":...,"unit":...,"message":...}
 std::string progress_line(const ProgressEvent& event);
 
-/// "[#####     ]  45 %  1.20 of 2.50 s  8 s left". Evaluations of a fit end when they end: only their greatest number is known.
+/// "[#####     ]  45 %  1.20 of 2.50 s  8 s left"; of a fit "evaluation 4 [#####     ]  45 %  12 s so far, at most 3 min 02 s left".
 std::string progress_bar(const ProgressEvent& event, double elapsed_s);
 
 }  // namespace myo

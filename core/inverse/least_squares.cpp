@@ -6,10 +6,10 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
-#include <mutex>
+
+#include "base/throttle.hpp"
 
 namespace myo {
 namespace {
@@ -23,10 +23,7 @@ public:
 
     Progress inside(int complete, const std::string& message) {
         return outer_.with_sink([this, complete, message](const ProgressEvent& event) {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            const Clock::time_point now = Clock::now();
-            if (now - last_ < std::chrono::milliseconds(100)) return;   // more than a person can see
-            last_ = now;
+            if (!throttle_.ready()) return;
             const double share = event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 0.999) : 0.0;   // whole when evaluated
             report(complete + share, message);
         });
@@ -34,12 +31,9 @@ public:
     void report(double done, const std::string& message) const { outer_.report({"fit", done, total_, "evaluations", message}); }
 
 private:
-    using Clock = std::chrono::steady_clock;
-
     const Progress& outer_;
     double total_;
-    std::mutex mutex_;
-    Clock::time_point last_{};
+    Throttle throttle_;
 };
 
 std::string quality_words(const ResidualEvaluation& evaluation) {

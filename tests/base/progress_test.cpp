@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
 #include <vector>
+
+#include "base/parallel.hpp"
+#include "base/throttle.hpp"
 
 namespace myo {
 namespace {
@@ -23,6 +28,18 @@ TEST(Progress, CopiesShareSinkAndCancelFlag) {
     EXPECT_EQ(done, (std::vector<double>{1, 2}));
     cancel = true;
     EXPECT_TRUE(owner.cancelled() && handed_out.cancelled());
+}
+
+TEST(Throttle, LetsOneOfManyThreadsThroughAtATime) {
+    Throttle throttle;
+    const auto passed = [&] {
+        std::atomic<int> count{0};
+        parallel_tasks(8, 4, [&](int) { count += throttle.ready() ? 1 : 0; });
+        return count.load();
+    };
+    EXPECT_EQ(passed(), 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(101));
+    EXPECT_EQ(passed(), 1);
 }
 
 }  // namespace
