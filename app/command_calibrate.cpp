@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -31,17 +32,17 @@ std::string parameter_lines(const Calibration& calibration) {
     return text;
 }
 
-std::string trial_lines(const Calibration& calibration) {
+std::string trial_lines(const Study& study, const Calibration& calibration) {
     std::size_t width = 5;
-    for (const TrialScore& score : calibration.after.scores) width = std::max(width, score.name.size());
+    for (const StudyTrial& trial : study.trials) width = std::max(width, trial.name.size());
     const int column = static_cast<int>(std::min<std::size_t>(width, 120));
     char line[512];
     std::snprintf(line, sizeof line, "%-*s  %-9s  %9s  %9s", column, "rms [mm]", "", "before", "after");
     std::string text = line;
-    for (const TrialScore& after : calibration.after.scores) {
-        const TrialScore* before = find_score(calibration.before, after.name);
-        std::snprintf(line, sizeof line, "\n%-*s  %-9s  %s  %s", column, after.name.c_str(), after.role == TrialRole::fit ? "fit" : "predicted",
-                      before != nullptr ? in_millimetres(before->rms_m).c_str() : "", in_millimetres(after.rms_m).c_str());
+    const auto shown = [](const TrialScore* score) { return in_millimetres(score != nullptr ? score->rms_m : std::nan("")); };
+    for (const StudyTrial& trial : study.trials) {
+        std::snprintf(line, sizeof line, "\n%-*s  %-9s  %s  %s", column, trial.name.c_str(), trial.role == TrialRole::fit ? "fit" : "predicted",
+                      shown(find_score(calibration.before, trial.name)).c_str(), shown(find_score(calibration.after, trial.name)).c_str());
         text += line;
     }
     return text;
@@ -54,6 +55,26 @@ Result<void> write_results(const CalibrateCall& call, const Study& study, const 
     return write_json(call.out / "calibrate.json", calibrate_json(study, calibration, facts));
 }
 
+const char* const try_words =
+    "; a smaller --dt, another mesh (--element, --resolution) or a start nearer the truth (--set material.youngs_modulus_Pa=...) may help";
+
+/// What is written is said to be only a part, when it is.
+int end_status(const CalibrateCall& call, const Calibration& calibration, Console& console) {
+    const std::string restart = " written to " + call.out.string() + "; start from them with --set material.youngs_modulus_Pa=...";
+    if (calibration.stopped) {
+        console.complain(calibration.fit.converged() ? "stopped before all trials were predicted; the fitted values are written to " + call.out.string()
+                                                     : "stopped before the fit converged; the best values so far are" + restart);
+        return status_stopped;
+    }
+    if (!calibration.fit.converged()) {
+        console.complain("the fit did not converge: " + calibration.fit.message + "; the best values so far are" + restart);
+        return status_failed;
+    }
+    if (calibration.after.ok()) return status_done;
+    console.complain("the fit converged, but with its values " + calibration.after.failure + try_words);
+    return status_failed;
+}
+
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -62,7 +83,7 @@ int calibrate_command(const CalibrateCall& call) {
     if (!experiment) return console.refuse(experiment.error());
     const Result<Study> study = open_study(call, *experiment, progress);
     const auto stopped = [&] {
-        console.complain("stopped before the fit was complete; nothing was written");
+        console.complain("stopped before the first evaluation was complete; nothing was written");
         return status_stopped;
     };
     if (progress.cancelled()) return stopped();
@@ -74,22 +95,16 @@ int calibrate_command(const CalibrateCall& call) {
     console.print(study->experiment.name);
 
     const Calibration calibration = calibrate_study(*study, call.parameters, progress);
-    if (progress.cancelled()) return stopped();
-    if (calibration.fit.status == FitStatus::failed || !calibration.before.ok() || !calibration.after.ok()) {
-        const std::string& reason = calibration.fit.status == FitStatus::failed ? calibration.fit.message
-                                    : !calibration.before.ok()                 ? calibration.before.failure
-                                                                               : calibration.after.failure;
-        console.complain("the fit failed: " + reason + "; a smaller --dt, another mesh (--element, --resolution) or a start nearer the truth (--set material.youngs_modulus_Pa=...) may help");
+    if (!calibration.usable()) {
+        if (calibration.stopped) return stopped();
+        console.complain("the fit failed: " + calibration.fit.message + try_words);
         return status_failed;
     }
     for (const std::string& warning : calibration.warnings) console.warn(warning);
     if (const Result<void> written = write_results(call, *study, calibration, setup_s); !written) return console.refuse(written.error());
-    console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(calibration) + "\n\n" + std::to_string(calibration.fit.evaluations) +
+    console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(*study, calibration) + "\n\n" + std::to_string(calibration.fit.evaluations) +
                   " evaluations, " + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
-    if (calibration.fit.converged()) return status_done;
-    console.complain("the fit did not converge: " + calibration.fit.message + "; the values so far are written to " + call.out.string() +
-                     "; start from them with --set material.youngs_modulus_Pa=...");
-    return status_failed;
+    return end_status(call, calibration, console);
 }
 
 }  // namespace

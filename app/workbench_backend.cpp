@@ -16,8 +16,8 @@
 #include "measurement/rigid_motion.hpp"
 #include "mesh/surface_topology.hpp"
 #include "mesh_scene.hpp"
+#include "project/calibrate_study.hpp"
 #include "project/read_experiment.hpp"
-#include "project/run_study.hpp"
 
 namespace myo {
 namespace {
@@ -239,11 +239,12 @@ public:
         Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
         if (!study) return study.error();
         const Calibration calibration = calibrate_study(*study, {}, progress);
+        if (!calibration.usable()) return Error{calibration.fit.message, ""};
         CalibrationResult result;
         result.settings = settings;
         result.evaluations = calibration.fit.evaluations;
-        result.problem = calibration.fit.message;
-        if (calibration.after.predictions.empty()) return result;   // cancelled, or the model could not be run
+        result.stopped = calibration.stopped;
+        if (!calibration.fit.converged() && !calibration.stopped) result.problem = "The fit did not converge: " + calibration.fit.message;
         for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(i);
             result.parameters.push_back(shown_parameter(calibration.parameters[i], calibration.fit.start(k), calibration.fit.values(k),
@@ -254,6 +255,7 @@ public:
         result.settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
         result.settings.damping_s = calibration.after.values.damping_s;
         result.run = shown_run(*study, calibration.after);
+        result.run.seconds = calibration.seconds;
         return result;
     }
 

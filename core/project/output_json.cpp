@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+
+#include "project/predict_trials.hpp"
 
 namespace myo {
 namespace {
@@ -59,6 +60,9 @@ Json trial_facts(const Study& study, std::size_t index) {
 void add_levels(const Study& study, std::size_t trial, const StudyValues& values, Json& json) {
     for (const auto& [muscle, level] : values.levels[trial]) json["actuation_level"][study.experiment.muscles[muscle].name] = level;
 }
+
+/// Null where the trial did not complete.
+Json rms_json(const TrialScore* score) { return score != nullptr ? json_number(score->rms_m) : Json(); }
 
 Json parameters_json(const Calibration& calibration) {
     Json parameters = Json::object();
@@ -120,7 +124,7 @@ Json simulate_json(const Study& study, const StudyRun& run, const RunFacts& fact
 }
 
 Json calibrate_json(const Study& study, const Calibration& calibration, const RunFacts& facts) {
-    assert(calibration.before.ok() && calibration.after.ok());
+    assert(calibration.usable());
     Json json{{"schema", "calibrate/1"},
               {"parameters", parameters_json(calibration)},
               {"rms_before_m", json_number(calibration.before.fit_rms_m)},
@@ -128,8 +132,9 @@ Json calibrate_json(const Study& study, const Calibration& calibration, const Ru
               {"evaluations", calibration.fit.evaluations},
               {"seconds", calibration.seconds},
               {"converged", calibration.fit.converged()},
+              {"stopped", calibration.stopped},
               {"message", calibration.fit.message}};
-    if (std::isfinite(calibration.after.validation_rms_m)) {
+    if (!trials_with_role(study, TrialRole::validate).empty()) {
         json["validation_rms_before_m"] = json_number(calibration.before.validation_rms_m);
         json["validation_rms_after_m"] = json_number(calibration.after.validation_rms_m);
     }
@@ -147,16 +152,17 @@ Json calibrate_json(const Study& study, const Calibration& calibration, const Ru
     add_facts(facts, json);
     Json trials = Json::array();
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
-        const TrialScore* before = find_score(calibration.before, study.trials[t].name);
-        const TrialScore* after = find_score(calibration.after, study.trials[t].name);
-        assert(before != nullptr && after != nullptr);
         Json trial = trial_facts(study, t);
         trial["start_fitted_s"] = study.trials[t].start_s + calibration.after.values.start_shift_s[t];
         add_levels(study, t, calibration.after.values, trial);
-        trial["rms_before_m"] = json_number(before->rms_m);
-        trial["rms_after_m"] = json_number(after->rms_m);
-        trial["rms_m"] = json_number(after->rms_m);
-        trial["markers"] = markers_json(*after);
+        const TrialScore* before = find_score(calibration.before, study.trials[t].name);
+        const TrialScore* after = find_score(calibration.after, study.trials[t].name);
+        trial["rms_before_m"] = rms_json(before);
+        trial["rms_after_m"] = rms_json(after);
+        trial["rms_m"] = rms_json(after);
+        trial["markers"] = after != nullptr ? markers_json(*after) : Json::object();
+        if (before == nullptr) trial["failure_before"] = calibration.before.predictions[t].message;
+        if (after == nullptr) trial["failure_after"] = calibration.after.predictions[t].message;
         trials.push_back(std::move(trial));
     }
     json["trials"] = std::move(trials);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "project/run_study.hpp"
+#include "project/calibrate_study.hpp"
 #include "report/json.hpp"
 
 namespace myo {
@@ -22,8 +22,8 @@ struct RunFacts {
 /// What lies in simulate.json: size, cost and comparison. Trials that did not complete are left out; `failure` says why.
 Json simulate_json(const Study& study, const StudyRun& run, const RunFacts& facts);
 
-/// What lies in calibrate.json: parameters with deviations and correlation, comparison before and after.
-/// Asserts that both runs completed.
+/// What lies in calibrate.json: parameters with deviations and correlation, comparison before and after. What a trial that did
+/// not complete would have given is null; its failure_before or failure_after says why. Asserts that the calibration is usable.
 Json calibrate_json(const Study& study, const Calibration& calibration, const RunFacts& facts);
 
 /// The score of a trial by its name, or null.

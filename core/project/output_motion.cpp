@@ -4,7 +4,6 @@
 #include <cassert>
 #include <complex>
 
-#include "measurement/observe.hpp"
 #include "measurement/rigid_motion.hpp"
 
 namespace myo {
@@ -16,10 +15,9 @@ ComparedMotion compared_motion(const Study& study, std::size_t index, const Stud
     const StudyTrial& trial = study.trials[index];
     ComparedMotion motion{trial.measured.time_s, trial.measured.tracks, prediction.positions_m};
     if (study.experiment.markers.compare == Comparison::displacement) {
-        const MarkerTracks origin = observe(prediction.trace, study.markers, Eigen::VectorXd::Zero(1));
         for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
             motion.measured_m[m].colwise() -= trial.reference_m[m];
-            motion.simulated_m[m].colwise() -= Eigen::Vector3d(origin.positions[m].col(0));
+            motion.simulated_m[m].colwise() -= prediction.start_m[m];
         }
         return motion;
     }

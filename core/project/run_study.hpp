@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "inverse/least_squares.hpp"
 #include "project/prediction.hpp"
 #include "project/study.hpp"
 
@@ -32,29 +31,19 @@ struct StudyRun {
     StudyValues values;
     std::vector<TrialPrediction> predictions;   // per trial
     std::vector<TrialScore> scores;             // of the trials that completed
-    double fit_rms_m = 0.0;                     // over the fit trials
-    double validation_rms_m = 0.0;              // over the validation trials; NaN when there are none
+    double fit_rms_m = 0.0;                     // over the fit trials; NaN when there are none or one did not complete
+    double validation_rms_m = 0.0;              // over the validation trials, likewise
     double seconds = 0.0;
-    std::string failure;                        // why a trial did not complete; empty when all did
+    std::string failure;                        // why the first trial that did not complete did not; empty when all did
 
     bool ok() const { return failure.empty(); }
 };
 
+/// A run from predictions already made, one per trial of the study; `trials`: those that were asked for.
+StudyRun scored_run(const Study& study, const StudyValues& values, std::vector<TrialPrediction> predictions, const std::vector<std::size_t>& trials);
+
 /// Runs the trials (all, or the named one) on the study's threads. Trials that were not asked for have status not_run.
 StudyRun run_study(const Study& study, const StudyValues& values, const Progress& progress = {}, const std::string& only_trial = {});
-
-/// The declared fit: what the experiment leaves unknown, from its fit trials.
-struct Calibration {
-    std::vector<StudyParameter> parameters;
-    LeastSquaresReport fit;
-    StudyRun before;
-    StudyRun after;
-    double seconds = 0.0;
-    std::vector<std::string> warnings;
-};
-
-/// names: restricts which material parameters are moved (youngs_modulus, damping); empty: what the experiment says.
-Calibration calibrate_study(const Study& study, const std::vector<std::string>& names = {}, const Progress& progress = {});
 
 /// Levels of validation trials, from the condition by a curve through the fit trials' levels.
 /// Where the conditions do not tell (none shared, or a single value), the mean of the levels.

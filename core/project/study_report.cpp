@@ -18,8 +18,10 @@ double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNo
 
 /// Main frequency of the first trial that vibrates.
 double fitted_frequency(const Study& study, const Calibration& calibration) {
-    for (std::size_t t = 0; t < study.trials.size(); ++t)
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        if (!calibration.after.predictions[t].ok()) continue;
         if (const double f = main_frequency(study, t, calibration.after.predictions[t]); f > 0.0) return f;
+    }
     return 0.0;
 }
 
@@ -48,10 +50,24 @@ std::vector<KeyFigure> key_figures(const Study& study, const Calibration& calibr
     figures.push_back({"Fit error (rms)", millimetres(calibration.after.fit_rms_m), "mm",
                        "was " + millimetres(calibration.before.fit_rms_m) + " as declared; noise " + millimetres(mean_noise(study)) +
                            (study.experiment.markers.noise_m ? " (declared)" : " (estimated)")});
-    if (std::isfinite(calibration.after.validation_rms_m))
+    if (std::isfinite(calibration.after.validation_rms_m)) {
+        const double before = calibration.before.validation_rms_m;
         figures.push_back({"Prediction error (rms)", millimetres(calibration.after.validation_rms_m), "mm",
-                           "was " + millimetres(calibration.before.validation_rms_m) + "; trials that were not fitted"});
+                           (std::isfinite(before) ? "was " + millimetres(before) + "; " : "") + "trials that were not fitted"});
+    }
     return figures;
+}
+
+/// How the fit ended; empty when it converged and everything was run.
+std::string ending(const Calibration& calibration) {
+    if (calibration.fit.converged()) return calibration.stopped ? "The user stopped before all trials were predicted." : "";
+    if (calibration.stopped) return "The user stopped the fit before it converged: these are the best values up to then.";
+    return "The fit did not converge: " + calibration.fit.message;
+}
+
+std::string fit_words(const Calibration& calibration) {
+    if (calibration.fit.converged()) return "converged";
+    return calibration.stopped ? "was stopped" : "did not converge";
 }
 
 std::vector<std::string> summary(const Study& study, const Calibration& calibration) {
@@ -61,7 +77,7 @@ std::vector<std::string> summary(const Study& study, const Calibration& calibrat
     const auto trials = [](int n) { return std::to_string(n) + (n == 1 ? " trial" : " trials"); };
     std::string text = "Calibrated on " + trials(fitted);
     if (predicted > 0) text += "; " + trials(predicted) + (predicted == 1 ? " is" : " are") + " predicted with the result";
-    text += ". The fit " + std::string(calibration.fit.converged() ? "converged" : "did not converge") + " after " +
+    text += ". The fit " + fit_words(calibration) + " after " +
             std::to_string(calibration.fit.evaluations) + " evaluations in " + readable_number(calibration.seconds, 3) + " s.";
     std::vector<std::string> lines{text};
     if (!study.experiment.description.empty()) lines.push_back(study.experiment.description);
@@ -99,14 +115,14 @@ ReadableEstimate readable_estimate(double value, double deviation) {
 }
 
 HtmlReport study_report(const Study& study, const Calibration& calibration, const RunFacts& facts) {
-    assert(calibration.before.ok() && calibration.after.ok());
+    assert(calibration.usable());
     HtmlReport report;
     report.title = study.experiment.name;
     report.summary = summary(study, calibration);
     report.key_figures = key_figures(study, calibration);
     report.warnings.lines = calibration.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), study.warnings.begin(), study.warnings.end());
-    if (!calibration.fit.converged()) report.warnings.lines.insert(report.warnings.lines.begin(), "The fit did not converge: " + calibration.fit.message);
+    if (const std::string end = ending(calibration); !end.empty()) report.warnings.lines.insert(report.warnings.lines.begin(), end);
     report.sections.push_back({"Trials", {trial_table(study, calibration)}});
     report.sections.push_back(parameter_section(study, calibration));
     for (std::size_t t = 0; t < study.trials.size(); ++t) report.sections.push_back(trial_section(study, calibration, t));

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "project/output_json.hpp"
-#include "project/run_study.hpp"
 #include "report/html_report.hpp"
 
 namespace myo {
 
 /// The page about a calibration: what came out, how well it fits and predicts each trial, and what the model was.
-/// Asserts that both runs completed.
+/// Of a trial that did not complete it says why. Asserts that the calibration is usable.
 HtmlReport study_report(const Study& study, const Calibration& calibration, const RunFacts& facts);
 
 /// "283.1 ± 0.4" as its two parts, with as many digits as the deviation has meaning (two of its own), five at most; four

@@ -13,6 +13,18 @@ namespace {
 /// A deviation that is not known shows as a dash.
 Cell deviation_cell(double deviation) { return std::isfinite(deviation) ? Cell(readable_number(deviation, 2)) : Cell("–"); }
 
+// Of a trial that did not complete: not a number, which a table shows as a dash.
+
+double rms_mm(const TrialScore* score) { return score != nullptr ? 1e3 * score->rms_m : std::numeric_limits<double>::quiet_NaN(); }
+
+double worst_steady_mm(const TrialScore* score) {
+    double worst = std::numeric_limits<double>::quiet_NaN();
+    if (score == nullptr) return worst;
+    for (const MarkerScore& marker : score->markers)
+        if (!(marker.steady_error_m <= worst)) worst = std::isfinite(marker.steady_error_m) ? marker.steady_error_m : worst;
+    return 1e3 * worst;
+}
+
 }  // namespace
 
 ReadableParameter readable_parameter(const StudyParameter& p, const Study& study) {
@@ -51,11 +63,7 @@ Table trial_table(const Study& study, const Calibration& calibration) {
     for (const StudyTrial& trial : study.trials) {
         const TrialScore* before = find_score(calibration.before, trial.name);
         const TrialScore* after = find_score(calibration.after, trial.name);
-        if (before == nullptr || after == nullptr) continue;
-        double worst = std::numeric_limits<double>::quiet_NaN();
-        for (const MarkerScore& marker : after->markers)
-            if (!(marker.steady_error_m <= worst)) worst = std::isfinite(marker.steady_error_m) ? marker.steady_error_m : worst;
-        table.rows.push_back({trial.name, role_words(trial.role), 1e3 * before->rms_m, 1e3 * after->rms_m, 1e3 * worst});
+        table.rows.push_back({trial.name, role_words(trial.role), rms_mm(before), rms_mm(after), worst_steady_mm(after)});
     }
     return table;
 }

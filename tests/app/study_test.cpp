@@ -35,6 +35,18 @@ void expect_clean(const Folder& folder) {
     }
 }
 
+/// What --json-progress has written among the warnings.
+std::vector<json> progress_events(const ProgramRun& run) {
+    std::vector<json> events;
+    std::istringstream lines(run.err);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("myoloop: ", 0) == 0) continue;
+        events.push_back(json::parse(line));
+        EXPECT_EQ(events.back().at("event"), "progress");
+    }
+    return events;
+}
+
 TEST(Simulate, WritesEveryKeyOfTheContract) {
     const Folder folder("simulate");
     write_small_experiment(folder);
@@ -126,16 +138,11 @@ TEST(Simulate, ProgressIsJsonWhenAsked) {
     write_small_experiment(folder);
     const ProgramRun run = run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--json-progress"}));
     ASSERT_EQ(run.status, 0);
-    std::istringstream lines(run.err);
-    int events = 0;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.rfind("myoloop: warning", 0) == 0) continue;
-        const json event = json::parse(line);
-        EXPECT_EQ(event.at("event"), "progress");
-        EXPECT_LE(event.at("done").get<double>(), event.at("total").get<double>() + 1e-9);
-        ++events;
-    }
-    EXPECT_GT(events, 20);
+    const std::vector<json> events = progress_events(run);
+    ASSERT_FALSE(events.empty());
+    for (const json& event : events) EXPECT_LE(event.at("done").get<double>(), event.at("total").get<double>());
+    EXPECT_EQ(events.back()["task"], "simulate");
+    EXPECT_EQ(events.back()["done"], events.back()["total"]);
     const ProgramRun quiet = run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--quiet"}));
     EXPECT_EQ(quiet.out + quiet.err, "");
 }
@@ -203,14 +210,77 @@ TEST(Calibrate, FitsOnlyWhatIsNamed) {
     EXPECT_FALSE(j["parameters"].contains("damping_s"));
 }
 
-TEST(Calibrate, CtrlCWritesNothing) {
+TEST(Calibrate, CtrlCInTheFirstEvaluationWritesNothing) {
     const Folder folder("interrupt_fit");
     write_small_experiment(folder, 2.0);
     const ProgramRun run = run_program({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.004", "--json-progress"}, "\"fit\"");
     EXPECT_EQ(run.status, 130);
     EXPECT_LT(run.seconds_after_signal, 2.0);
+    EXPECT_THAT(run.err, HasSubstr("nothing was written"));
     EXPECT_FALSE(folder.has("out/calibrate.json"));
     EXPECT_FALSE(folder.has("out/report.html"));
+}
+
+TEST(Calibrate, CtrlCKeepsTheBestValuesSoFar) {
+    const Folder folder("interrupt_kept");
+    write_small_experiment(folder, 2.0);
+    const ProgramRun run = run_program({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.004", "--json-progress"},
+                                       "\"task\":\"fit\",\"done\":1.");
+    EXPECT_EQ(run.status, 130) << run.err;
+    EXPECT_LT(run.seconds_after_signal, 5.0);   // it writes a page, and runs nothing more
+    EXPECT_THAT(run.err, HasSubstr("stopped before the fit converged"));
+    EXPECT_THAT(run.err, HasSubstr("written to"));
+    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    EXPECT_EQ(j.at("converged"), false);
+    EXPECT_EQ(j.at("stopped"), true);
+    EXPECT_GE(j.at("evaluations").get<int>(), 1);
+    EXPECT_LE(j.at("rms_after_m").get<double>(), j.at("rms_before_m").get<double>());
+    EXPECT_GT(j["parameters"]["youngs_modulus_Pa"].at("std").get<double>(), 0.0);
+    EXPECT_GT(j["trials"][0].at("rms_after_m").get<double>(), 0.0);
+    EXPECT_TRUE(j["trials"][1].at("rms_after_m").is_null());
+    EXPECT_THAT(j["trials"][1].at("failure_after"), HasSubstr("stopped"));
+    const std::string page = content_of(folder.path() / "out/report.html");
+    EXPECT_THAT(page, HasSubstr("The user stopped the fit before it converged"));
+    EXPECT_EQ(page.find("nan"), std::string::npos);
+    EXPECT_TRUE(folder.has("out/drop.csv"));
+    EXPECT_FALSE(folder.has("out/drop_again.csv"));
+}
+
+TEST(Calibrate, ProgressMovesWithinAnEvaluation) {
+    const Folder folder("fit_progress");
+    write_small_experiment(folder, 0.6);
+    const ProgramRun run = run_program({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.005", "--json-progress", "--parameters", "youngs_modulus"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    double last = 0.0;
+    int inside = 0;
+    for (const json& event : progress_events(run)) {
+        if (event.at("task") != "fit") continue;
+        const double done = event.at("done");
+        EXPECT_GE(done, last);
+        last = done;
+        inside += done != std::floor(done) ? 1 : 0;
+    }
+    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    EXPECT_EQ(last, j.at("evaluations").get<double>());
+    EXPECT_GE(inside, 3);
+    EXPECT_LE(inside, 10.0 * j.at("seconds").get<double>() + 1.0);
+}
+
+TEST(Calibrate, KeepsTheFitWhenAPredictionFails) {
+    const Folder folder("failed_prediction");
+    write_small_experiment(folder);
+    // No block of rubber carries this.
+    folder.write("exp/experiment.toml", small_toml() + "load = [{kind = \"force\", box_m = [[0.039, -0.001, -0.001], [0.041, 0.021, 0.021]], force_N = [1e6, 0, 0]}]\n");
+    const ProgramRun run = run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out")}));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.err, HasSubstr("the fit converged, but with its values trial drop again"));
+    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    EXPECT_EQ(j.at("converged"), true);
+    EXPECT_EQ(j.at("stopped"), false);
+    EXPECT_TRUE(j.at("validation_rms_after_m").is_null());
+    EXPECT_NE(j["trials"][1].at("failure_before"), "");
+    EXPECT_THAT(content_of(folder.path() / "out/report.html"), HasSubstr("Not run with the fitted values: "));
+    EXPECT_TRUE(folder.has("out/drop.csv"));
 }
 
 TEST(Simulate, ARealExampleRuns) {

@@ -4,9 +4,11 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/small_experiment.hpp"
+#include "project/calibrate_study.hpp"
 #include "project/level_curve.hpp"
 #include "project/read_experiment.hpp"
-#include "project/run_study.hpp"
+#include "project/study_report.hpp"
 
 namespace myo {
 namespace {
@@ -38,6 +40,39 @@ TEST(Study, CalibratesTheBundledExample) {
     EXPECT_LT(calibration.after.validation_rms_m, 3e-4);
     EXPECT_GT(calibration.before.fit_rms_m, 1e-3);
     EXPECT_GT(calibration.fit.deviations(0), 0.0);
+}
+
+TEST(Study, ReportsAFitWhoseDeclaredValuesCannotPredict) {
+    const test::Folder folder("study");
+    test::write_small_experiment(folder);
+    const Study study = prepared(folder.path() / "exp", 0.01);
+    Calibration calibration = calibrate_study(study);
+    ASSERT_TRUE(calibration.fit.converged()) << calibration.fit.message;
+    EXPECT_EQ(calibration.before.predictions[0].trace.positions.size(), 0u);
+    EXPECT_GT(calibration.after.predictions[0].trace.positions.size(), 0u);
+    const auto json_with = [&](bool complete_before, bool complete_after) {
+        for (StudyRun* run : {&calibration.before, &calibration.after}) {
+            std::vector<TrialPrediction> predictions = run->predictions;
+            const bool complete = run == &calibration.before ? complete_before : complete_after;
+            predictions[1].status = complete ? RunStatus::complete : RunStatus::failed;
+            predictions[1].message = complete ? "" : "it became unstable";
+            *run = scored_run(study, run->values, predictions, {0, 1});
+        }
+        const std::string page = html(study_report(study, calibration, {}));
+        EXPECT_EQ(page.find("Not run with the declared values: it became unstable.") != std::string::npos, !complete_before);
+        EXPECT_EQ(page.find("Not run with the fitted values: it became unstable.") != std::string::npos, !complete_after);
+        EXPECT_EQ(page.find("nan"), std::string::npos);
+        return calibrate_json(study, calibration, {});
+    };
+    const Json whole = json_with(true, true), half = json_with(false, true);
+    EXPECT_FALSE(whole["trials"][1].contains("failure_before"));
+    EXPECT_EQ(half["trials"][1]["failure_before"], "it became unstable");
+    EXPECT_TRUE(half["trials"][1]["rms_before_m"].is_null());
+    EXPECT_TRUE(half["validation_rms_before_m"].is_null());
+    for (const char* key : {"parameters", "rms_before_m", "rms_after_m", "validation_rms_after_m"}) EXPECT_EQ(half[key], whole[key]) << key;
+    EXPECT_EQ(half["trials"][1]["markers"], whole["trials"][1]["markers"]);
+    const Json none = json_with(false, false);
+    EXPECT_TRUE(none["trials"][1]["markers"].empty());
 }
 
 TEST(Study, FindsTheTruthOfTheControlExample) {

@@ -89,17 +89,51 @@ TEST(BundledExample, OpensRunsAndScrubs) {
     EXPECT_GT((driver.window->scene().positions - body).colwise().norm().maxCoeff(), 1e-3);
 }
 
-TEST(BundledExample, CancelsACalibration) {
-    Driver driver(make_core_backend(), 1280, 800);
+/// Cancels a calibration of the bundled example on a coarse mesh once it has done this many evaluations.
+void cancel_calibration_at(Driver& driver, double evaluations) {
     driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    Settings coarse = driver.state().settings;
+    coarse.resolution_m = 0.01;
+    driver.workbench->execute(command::ChangeSettings{coarse, "resolution"});
+    driver.workbench->execute(command::BuildMesh{});
     ASSERT_TRUE(driver.wait_for_job(60));
     driver.click("run/calibrate");
     ASSERT_TRUE(driver.state().busy());
     driver.frame();
+    while (driver.state().busy() && driver.state().job->progress.done < evaluations) driver.frame();
+    ASSERT_TRUE(driver.state().busy());
     driver.click("run/cancel");
     ASSERT_TRUE(driver.wait_for_job(20));
+}
+
+TEST(BundledExample, CancelsACalibrationThatHasNoValuesYet) {
+    Driver driver(make_core_backend(), 1280, 800);
+    ASSERT_NO_FATAL_FAILURE(cancel_calibration_at(driver, 0.0));
     EXPECT_FALSE(driver.state().run);
     EXPECT_FALSE(driver.state().calibration);
+    EXPECT_EQ(driver.state().log.back().level, LogLevel::information);
+}
+
+TEST(BundledExample, KeepsTheBestValuesOfACancelledCalibration) {
+    Driver driver(make_core_backend(), 1280, 800);
+    ASSERT_NO_FATAL_FAILURE(cancel_calibration_at(driver, 2.5));
+    ASSERT_TRUE(driver.state().calibration) << driver.state().log.back().text;
+    const CalibrationResult& kept = *driver.state().calibration;
+    EXPECT_TRUE(kept.stopped);
+    EXPECT_GE(kept.evaluations, 2);
+    EXPECT_LE(kept.rms_after_m, kept.rms_before_m);
+    EXPECT_EQ(driver.state().settings, kept.settings);
+    EXPECT_TRUE(driver.state().can_undo);
+    // The validation trial was not run: it shows the body at rest and its measured markers only.
+    ASSERT_TRUE(driver.state().run_is_current());
+    for (int trial = 0; trial < 3; ++trial) {
+        driver.workbench->execute(command::ChooseTrial{trial});
+        driver.settle();
+        const bool fitted = driver.state().scene_trial()->role == "fit";
+        EXPECT_EQ(driver.state().simulated_trial()->frames.empty(), !fitted);
+        EXPECT_EQ(driver.window->scene().positions.cols(), driver.state().body->mesh.nodes.cols());
+    }
 }
 
 }  // namespace

@@ -113,6 +113,7 @@ struct CalibrationResult {
     int evaluations = 0;
     Settings settings;                            // with the calibrated values
     RunResult run;                                // with the calibrated values
+    bool stopped = false;                         // by the user: these are the best values up to then
     std::string problem;
 };
 
@@ -141,6 +142,7 @@ public:
     virtual Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                        const Progress& progress) = 0;
 
+    /// Cancelled, it gives the best values so far; an error when there are none yet.
     virtual Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                                 const Progress& progress) = 0;
 };

@@ -304,24 +304,26 @@ void Workbench::calibrate() {
         auto result = std::make_shared<Result<CalibrationResult>>(backend_->calibrate(*scene, *body, settings, progress));
         const bool cancelled = progress.cancelled();
         return [this, result, cancelled] {
-            if (cancelled) {
-                log(LogLevel::information, "Calibration cancelled; the settings are unchanged.");
-            } else if (!*result) {
-                log_failure(result->error(), "Calibration failed");
-            } else {
-                state_.calibration = std::make_shared<CalibrationResult>(std::move(**result));
-                const CalibrationResult& c = *state_.calibration;
-                undo_.record(state_.settings, "calibration", false);
-                state_.can_undo = true;
-                state_.can_redo = false;
-                set_settings(c.settings);
-                show_run(std::shared_ptr<const RunResult>(state_.calibration, &c.run), c.settings);
-                if (!c.problem.empty()) log(LogLevel::warning, c.problem);
-                log(LogLevel::done, "Calibrated: rms error " + millimetres(c.rms_before_m) + " before, " + millimetres(c.rms_after_m) +
-                                        " after, " + std::to_string(c.evaluations) + " evaluations.");
-            }
+            if (!*result && cancelled) log(LogLevel::information, "Calibration cancelled before it had any values; the settings are unchanged.");
+            else if (!*result) log_failure(result->error(), "Calibration failed");
+            else show_calibration(std::move(**result));
         };
     });
+}
+
+void Workbench::show_calibration(CalibrationResult result) {
+    state_.calibration = std::make_shared<CalibrationResult>(std::move(result));
+    const CalibrationResult& c = *state_.calibration;
+    undo_.record(state_.settings, "calibration", false);
+    state_.can_undo = true;
+    state_.can_redo = false;
+    set_settings(c.settings);
+    show_run(std::shared_ptr<const RunResult>(state_.calibration, &c.run), c.settings);
+    if (!c.problem.empty()) log(LogLevel::warning, c.problem);
+    const std::string errors = "rms error " + millimetres(c.rms_before_m) + " before, " + millimetres(c.rms_after_m) + " after, " +
+                               std::to_string(c.evaluations) + (c.evaluations == 1 ? " evaluation." : " evaluations.");
+    if (c.stopped) log(LogLevel::warning, "Calibration stopped; the best values so far are kept: " + errors);
+    else log(LogLevel::done, "Calibrated: " + errors);
 }
 
 }  // namespace myo

@@ -36,6 +36,7 @@ private:
     void set_settings(const Settings& settings);
     void choose_trial(int trial);
     void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
+    void show_calibration(CalibrationResult result);
     void start(const std::string& name, Job::Work work);
     /// Says why a job cannot be started now, in the log; false then.
     bool may_start();

@@ -69,11 +69,11 @@ void draw_run_controls(PanelContext& context) {
         const std::string inside = job.progress.total > 0.0 ? value_label(100.0 * job.fraction(), 2) + " %" : "working";
         ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, inside.c_str());
         context.items.mark("run/progress");
-        if (!job.progress.message.empty()) {
-            muted_text(theme, job.progress.message);
-        } else if (job.progress.total > 0.0 && !job.progress.unit.empty()) {
-            muted_text(theme, with_separators(job.progress.done) + " of " + with_separators(job.progress.total) + " " + job.progress.unit);
-        }
+        std::string counted;
+        if (job.progress.total > 0.0 && !job.progress.unit.empty())
+            counted = with_separators(job.progress.done) + " of " + with_separators(job.progress.total) + " " + job.progress.unit;
+        const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
+        if (const std::string text = counted + between + job.progress.message; !text.empty()) muted_text(theme, text);
         ImGui::BeginDisabled(job.cancelling);
         if (ImGui::Button((std::string(icon::stop) + "  Cancel").c_str(), {-1.0f, 0.0f})) context.emit(command::Cancel{});
         context.items.mark("run/cancel");
@@ -101,7 +101,7 @@ void draw_run_controls(PanelContext& context) {
 void RunPanel::draw_calibration(PanelContext& context) {
     const auto& calibration = context.state.calibration;
     if (!calibration) return;
-    heading(context.theme, "Calibrated");
+    heading(context.theme, calibration->stopped ? "Calibration, stopped" : "Calibrated");
     for (const ParameterRow& row : calibration->parameters) {
         text_row(context.theme, row.name, label_with_deviation(row.value, row.deviation) + " " + row.unit + "\nfrom " +
                                               plain_label(row.start, 4) + " " + row.unit);

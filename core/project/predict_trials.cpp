@@ -1,0 +1,57 @@
+#include "project/predict_trials.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+#include "base/parallel.hpp"
+#include "base/throttle.hpp"
+
+namespace myo {
+namespace {
+
+/// Joins the progress of trials that run side by side into one: seconds of simulated time done of all.
+class JoinedProgress {
+public:
+    JoinedProgress(const Study& study, const std::vector<PredictionTask>& tasks, const Progress& outer) : outer_(outer), done_(tasks.size(), 0.0) {
+        for (const PredictionTask& task : tasks) total_ += study.trials[task.trial].options.end_s;
+    }
+    Progress of(std::size_t task) {
+        return outer_.with_sink([this, task](const ProgressEvent& event) {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            sum_ += event.done - done_[task];
+            done_[task] = event.done;
+            const bool last = sum_ >= total_;
+            if (last || throttle_.ready()) outer_.report({event.task, std::min(sum_, total_), total_, event.unit, event.message});
+        });
+    }
+
+private:
+    const Progress& outer_;
+    std::mutex mutex_;
+    std::vector<double> done_;
+    double sum_ = 0.0;
+    double total_ = 0.0;
+    Throttle throttle_;
+};
+
+}  // namespace
+
+std::vector<TrialPrediction> predict_trials(const Study& study, const std::vector<PredictionTask>& tasks,
+                                            const std::vector<StudyParameter>& parameters, const Progress& progress) {
+    std::vector<TrialPrediction> predictions(tasks.size());
+    JoinedProgress joined(study, tasks, progress);
+    parallel_tasks(static_cast<int>(tasks.size()), study.settings.threads, [&](int index) {
+        const auto i = static_cast<std::size_t>(index);
+        predictions[i] = predict_trial(study, tasks[i].trial, *tasks[i].values, parameters, joined.of(i));
+    });
+    return predictions;
+}
+
+std::vector<std::size_t> trials_with_role(const Study& study, TrialRole role) {
+    std::vector<std::size_t> list;
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        if (study.trials[t].role == role) list.push_back(t);
+    return list;
+}
+
+}  // namespace myo

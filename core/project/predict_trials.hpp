@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "project/prediction.hpp"
+
+namespace myo {
+
+/// One trial to be run with these values, which outlive the run.
+struct PredictionTask {
+    std::size_t trial = 0;
+    const StudyValues* values = nullptr;
+};
+
+/// Runs the tasks side by side on the study's threads; one prediction per task. Progress is the simulated time of all together
+/// [s], at most ten times a second. A trial that cannot be run, or that was cancelled, says so in its prediction.
+std::vector<TrialPrediction> predict_trials(const Study& study, const std::vector<PredictionTask>& tasks,
+                                            const std::vector<StudyParameter>& parameters = {}, const Progress& progress = {});
+
+/// The trials that are fitted, or those that are predicted.
+std::vector<std::size_t> trials_with_role(const Study& study, TrialRole role);
+
+}  // namespace myo
