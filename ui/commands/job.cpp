@@ -69,7 +69,8 @@ JobView Job::view() const {
     }
     view.name = content_->name;
     view.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - content_->start).count();
-    view.remaining_s = remaining_time(view.fraction(), view.elapsed_s);
+    // Of a fit's evaluations only the greatest number is known.
+    if (view.progress.unit != "evaluations") view.remaining_s = remaining_time(view.fraction(), view.elapsed_s);
     view.cancelling = content_->cancel;
     return view;
 }

@@ -66,7 +66,8 @@ void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
             drawn.markers.push_back({measured, color_of(theme.measured), false, label});
             if (view.trails) add_line(drawn, trail(trial->measured[m], trial->time_s, state.time_s), color_of(theme.measured, 0.75f), 1.5);
         }
-        if (!simulated || !view.simulated || simulated->markers[m].cols() != trial->time_s.size()) continue;
+        // A trial that did not complete has no simulated markers.
+        if (!simulated || !view.simulated || m >= simulated->markers.size() || simulated->markers[m].cols() != trial->time_s.size()) continue;
         const Eigen::Vector3d predicted = at_time(simulated->markers[m], place);
         // The label stays with the measured marker while that is seen.
         drawn.markers.push_back({predicted, color_of(theme.simulated), true, measured.allFinite() && view.measured ? "" : label});
