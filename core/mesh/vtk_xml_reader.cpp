@@ -281,41 +281,45 @@ Result<void> add_points(const XmlVtkParser& parser, const Piece& piece, std::vec
     return {};
 }
 
-}  // namespace
-
-Result<CellSoup> read_vtu(const std::filesystem::path& path) {
+/// Reads the pieces of a file one after the other into one soup.
+///
+/// @param points_of  where in a soup points go
+/// @param add_cells  (parser, piece, index of its first point, soup) -> Result<void>
+template <class Soup, class AddCells>
+Result<Soup> read_pieces(const std::filesystem::path& path, std::string_view kind, std::vector<Eigen::Vector3d> Soup::*points_of,
+                         const AddCells& add_cells) {
     const auto content = read_file(path);
     if (!content) return content.error();
     if (content->empty()) return Error{"the file is empty", path.string()};
     XmlVtkParser parser(*content, path);
-    const auto pieces = parser.pieces("UnstructuredGrid");
+    const auto pieces = parser.pieces(kind);
     if (!pieces) return pieces.error();
-    CellSoup soup;
+    Soup soup;
     for (const Piece& piece : *pieces) {
-        const std::size_t first = soup.nodes.size();
-        if (const auto points = add_points(parser, piece, soup.nodes); !points) return points.error();
+        const std::size_t first = (soup.*points_of).size();
+        if (const auto points = add_points(parser, piece, soup.*points_of); !points) return points.error();
+        if (const Result<void> cells = add_cells(parser, piece, first, soup); !cells) return cells.error();
+    }
+    return soup;
+}
+
+}  // namespace
+
+Result<CellSoup> read_vtu(const std::filesystem::path& path) {
+    const auto add_cells = [&](const XmlVtkParser& parser, const Piece& piece, std::size_t first, CellSoup& soup) -> Result<void> {
         const auto connectivity = array_named(parser, piece, "Cells", "connectivity");
         const auto offsets = array_named(parser, piece, "Cells", "offsets");
         const auto types = array_named(parser, piece, "Cells", "types");
         for (const auto* part : {&connectivity, &offsets, &types}) {
             if (!*part) return part->error();
         }
-        if (const auto added = add_vtk_cells(*connectivity, *offsets, *types, first, path, soup); !added) return added.error();
-    }
-    return soup;
+        return add_vtk_cells(*connectivity, *offsets, *types, first, path, soup);
+    };
+    return read_pieces(path, "UnstructuredGrid", &CellSoup::nodes, add_cells);
 }
 
 Result<PolygonSoup> read_vtp(const std::filesystem::path& path) {
-    const auto content = read_file(path);
-    if (!content) return content.error();
-    if (content->empty()) return Error{"the file is empty", path.string()};
-    XmlVtkParser parser(*content, path);
-    const auto pieces = parser.pieces("PolyData");
-    if (!pieces) return pieces.error();
-    PolygonSoup soup;
-    for (const Piece& piece : *pieces) {
-        const std::size_t first = soup.vertices.size();
-        if (const auto points = add_points(parser, piece, soup.vertices); !points) return points.error();
+    const auto add_polygons = [&](const XmlVtkParser& parser, const Piece& piece, std::size_t first, PolygonSoup& soup) -> Result<void> {
         for (const bool strips : {false, true}) {
             const auto connectivity = array_named(parser, piece, strips ? "Strips" : "Polys", "connectivity");
             const auto offsets = array_named(parser, piece, strips ? "Strips" : "Polys", "offsets");
@@ -323,8 +327,9 @@ Result<PolygonSoup> read_vtp(const std::filesystem::path& path) {
             if (!offsets) return offsets.error();
             if (const auto added = add_vtk_polygons(*connectivity, *offsets, strips, first, path, soup); !added) return added.error();
         }
-    }
-    return soup;
+        return {};
+    };
+    return read_pieces(path, "PolyData", &PolygonSoup::vertices, add_polygons);
 }
 
 }  // namespace myo

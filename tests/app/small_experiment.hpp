@@ -1,41 +1,12 @@
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "support/folder.hpp"
+
 namespace myo::test {
-
-/// A folder that is gone at the end of the test.
-class Folder {
-public:
-    explicit Folder(const std::string& name) : path_(std::filesystem::path(::testing::TempDir()) / ("myoloop_app_" + name + "_" + std::to_string(::getpid()))) {
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    std::string str(const std::string& file) const { return (path_ / file).string(); }
-    void write(const std::string& file, const std::string& content) const {
-        std::filesystem::create_directories((path_ / file).parent_path());
-        std::ofstream(path_ / file, std::ios::binary) << content;
-    }
-    bool has(const std::string& file) const { return std::filesystem::exists(path_ / file); }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// A 4 x 2 x 2 cm block held at x = 0 and let go under gravity; the trace is made up: a sag that settles.
 inline std::string small_toml() {

@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/program.hpp"
 #include "app/small_experiment.hpp"
 #include "measurement/trace_csv.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo::test {
 namespace {
@@ -22,6 +22,14 @@ const std::vector<std::string> coarse{"--resolution", "0.01"};
 std::vector<std::string> call(std::vector<std::string> words, const std::vector<std::string>& more = coarse) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
+}
+
+/// The parsed result of a command that wrote to "out".
+json json_of(const Folder& folder, const std::string& command) { return json::parse(content_of(folder.path() / "out" / (command + ".json"))); }
+
+/// A command on this experiment, interrupted as soon as a text stands in its progress.
+ProgramRun interrupted(const Folder& folder, const std::string& command, const std::string& resolution, const std::string& when) {
+    return run_program({command, folder.str("exp"), "--out", folder.str("out"), "--resolution", resolution, "--json-progress"}, when);
 }
 
 /// No null and no NaN anywhere, and no temporary file left.
@@ -54,7 +62,7 @@ TEST(Simulate, WritesEveryKeyOfTheContract) {
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("damping 3 ms (assumed"));
     EXPECT_THAT(run.out, HasSubstr("drop again"));
-    const json j = json::parse(content_of(folder.path() / "out/simulate.json"));
+    const json j = json_of(folder, "simulate");
     EXPECT_EQ(j.at("schema"), "simulate/1");
     EXPECT_EQ(j.at("element"), "hex8");
     EXPECT_EQ(j.at("elements"), 4 * 2 * 2);
@@ -84,7 +92,7 @@ TEST(Simulate, TracesAreAtTheSampleTimesAndMatchTheirScore) {
     EXPECT_NEAR(simulated->tracks[0](2, 0), 0.02, 1e-12);   // it starts at rest
     double sum = 0.0;
     for (std::size_t m = 0; m < 2; ++m) sum += (simulated->tracks[m] - measured->tracks[m]).squaredNorm();
-    const json j = json::parse(content_of(folder.path() / "out/simulate.json"));
+    const json j = json_of(folder, "simulate");
     ASSERT_EQ(j["trials"].size(), 1u);
     EXPECT_NEAR(j["trials"][0]["rms_m"].get<double>(), std::sqrt(sum / 66.0), 1e-12);
 }
@@ -94,7 +102,7 @@ TEST(Simulate, OptionsReachTheModel) {
     write_small_experiment(folder);
     const auto simulated = [&](const std::vector<std::string>& more) {
         EXPECT_EQ(run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--quiet"}, more)).status, 0);
-        return json::parse(content_of(folder.path() / "out/simulate.json"));
+        return json_of(folder, "simulate");
     };
     const double plain = simulated(coarse)["trials"][0]["rms_m"];
     const json tet = simulated({"--resolution", "0.01", "--element", "tet10", "--integrator", "implicit_euler", "--dt", "0.002", "--material", "corotational"});
@@ -165,7 +173,7 @@ TEST(Simulate, BrokenInputIsOneSentenceWithItsPlace) {
 TEST(Simulate, CtrlCStopsAtOnceAndKeepsNothingHalf) {
     const Folder folder("interrupt");
     write_small_experiment(folder, 20.0);
-    const ProgramRun run = run_program({"simulate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.002", "--json-progress"}, "\"simulate\"");
+    const ProgramRun run = interrupted(folder, "simulate", "0.002", "\"simulate\"");
     EXPECT_EQ(run.status, 130);
     EXPECT_LT(run.seconds_after_signal, 2.0);
     EXPECT_THAT(run.err, HasSubstr("stopped"));
@@ -179,7 +187,7 @@ TEST(Calibrate, WritesEveryKeyOfTheContractAndAPage) {
     write_small_experiment(folder, 0.3);
     const ProgramRun run = run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out")}));
     ASSERT_EQ(run.status, 0) << run.err;
-    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    const json j = json_of(folder, "calibrate");
     EXPECT_EQ(j.at("schema"), "calibrate/1");
     EXPECT_EQ(j.at("converged"), true);
     for (const char* name : {"youngs_modulus_Pa", "damping_s"})
@@ -205,7 +213,7 @@ TEST(Calibrate, FitsOnlyWhatIsNamed) {
     const Folder folder("parameters");
     write_small_experiment(folder);
     ASSERT_EQ(run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--parameters", "youngs_modulus", "--quiet"})).status, 0);
-    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    const json j = json_of(folder, "calibrate");
     EXPECT_TRUE(j["parameters"].contains("youngs_modulus_Pa"));
     EXPECT_FALSE(j["parameters"].contains("damping_s"));
 }
@@ -213,7 +221,7 @@ TEST(Calibrate, FitsOnlyWhatIsNamed) {
 TEST(Calibrate, CtrlCInTheFirstEvaluationWritesNothing) {
     const Folder folder("interrupt_fit");
     write_small_experiment(folder, 2.0);
-    const ProgramRun run = run_program({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.004", "--json-progress"}, "\"fit\"");
+    const ProgramRun run = interrupted(folder, "calibrate", "0.004", "\"fit\"");
     EXPECT_EQ(run.status, 130);
     EXPECT_LT(run.seconds_after_signal, 2.0);
     EXPECT_THAT(run.err, HasSubstr("nothing was written"));
@@ -224,13 +232,12 @@ TEST(Calibrate, CtrlCInTheFirstEvaluationWritesNothing) {
 TEST(Calibrate, CtrlCKeepsTheBestValuesSoFar) {
     const Folder folder("interrupt_kept");
     write_small_experiment(folder, 2.0);
-    const ProgramRun run = run_program({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.004", "--json-progress"},
-                                       "\"task\":\"fit\",\"done\":1.");
+    const ProgramRun run = interrupted(folder, "calibrate", "0.004", "\"task\":\"fit\",\"done\":1.");
     EXPECT_EQ(run.status, 130) << run.err;
     EXPECT_LT(run.seconds_after_signal, 5.0);   // it writes a page, and runs nothing more
     EXPECT_THAT(run.err, HasSubstr("stopped before the fit converged"));
     EXPECT_THAT(run.err, HasSubstr("written to"));
-    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    const json j = json_of(folder, "calibrate");
     EXPECT_EQ(j.at("converged"), false);
     EXPECT_EQ(j.at("stopped"), true);
     EXPECT_GE(j.at("evaluations").get<int>(), 1);
@@ -260,7 +267,7 @@ TEST(Calibrate, ProgressMovesWithinAnEvaluation) {
         last = done;
         inside += done != std::floor(done) ? 1 : 0;
     }
-    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    const json j = json_of(folder, "calibrate");
     EXPECT_EQ(last, j.at("evaluations").get<double>());
     EXPECT_GE(inside, 3);
     EXPECT_LE(inside, 10.0 * j.at("seconds").get<double>() + 1.0);
@@ -274,7 +281,7 @@ TEST(Calibrate, KeepsTheFitWhenAPredictionFails) {
     const ProgramRun run = run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out")}));
     EXPECT_EQ(run.status, 1);
     EXPECT_THAT(run.err, HasSubstr("the fit converged, but with its values trial drop again"));
-    const json j = json::parse(content_of(folder.path() / "out/calibrate.json"));
+    const json j = json_of(folder, "calibrate");
     EXPECT_EQ(j.at("converged"), true);
     EXPECT_EQ(j.at("stopped"), false);
     EXPECT_TRUE(j.at("validation_rms_after_m").is_null());
@@ -284,14 +291,12 @@ TEST(Calibrate, KeepsTheFitWhenAPredictionFails) {
 }
 
 TEST(Simulate, ARealExampleRuns) {
-    const char* named = std::getenv("MYOLOOP_DATA");
-    const fs::path data = named != nullptr ? fs::path(named) : fs::path(MYOLOOP_SOURCE_DIR) / ".." / "shared";
-    const fs::path example = data / "experiments" / "example_none";
-    if (!fs::is_directory(example)) GTEST_SKIP() << "skipped: no data";
+    const fs::path example = shared_data("experiments/example_none");
+    if (example.empty()) GTEST_SKIP() << "skipped: no data";
     const Folder folder("example");
     const ProgramRun run = run_program(call({"simulate", example.string(), "--out", folder.str("out"), "--trial", "gravity_release"}));
     ASSERT_EQ(run.status, 0) << run.err;
-    const json j = json::parse(content_of(folder.path() / "out/simulate.json"));
+    const json j = json_of(folder, "simulate");
     // The declared modulus is a data sheet's: near, not right.
     EXPECT_LT(j["trials"][0]["rms_m"].get<double>(), 2e-3);
     const Result<Recording> measured = read_trace_csv(example / "gravity_release.csv"), simulated = read_trace_csv(folder.path() / "out/gravity_release.csv");

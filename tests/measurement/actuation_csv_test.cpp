@@ -11,10 +11,7 @@ namespace {
 using test::TemporaryFile;
 using testing::HasSubstr;
 
-std::string error_of(const std::string& text) {
-    const Result<ActuationTable> read = read_actuation_csv(TemporaryFile(text, "act.csv").path());
-    return read ? "no error" : read.error().text();
-}
+std::string error_of(const std::string& text) { return test::error_of_reading(read_actuation_csv, text, "act.csv"); }
 
 TEST(ActuationCsv, RoundTrip) {
     ActuationTable table;

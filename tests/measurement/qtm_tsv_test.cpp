@@ -12,10 +12,7 @@ using test::TemporaryFile;
 using testing::HasSubstr;
 
 Result<Recording> read_text(const std::string& text) { return read_qtm_tsv(TemporaryFile(text, "take.tsv").path()); }
-std::string error_of(const std::string& text) {
-    const Result<Recording> read = read_text(text);
-    return read ? "no error" : read.error().text();
-}
+std::string error_of(const std::string& text) { return test::error_of_reading(read_qtm_tsv, text, "take.tsv"); }
 
 const std::string names = "MARKER_NAMES\ta\tb\n";
 const std::string counts = "NO_OF_FRAMES\t3\nNO_OF_MARKERS\t2\n";

@@ -12,13 +12,14 @@
 #include "measurement/registration.hpp"
 #include "measurement/rest_pose.hpp"
 #include "measurement/trace_csv.hpp"
+#include "support/shared_data.hpp"
 #include "test_files.hpp"
 
 namespace myo {
 namespace {
 
-#define NEED_DATA(folder)                            \
-    const std::filesystem::path folder = test::data_folder(); \
+#define NEED_DATA(folder, part)                                        \
+    const std::filesystem::path folder = test::shared_data(part); \
     if (folder.empty()) GTEST_SKIP() << "skipped: no data"
 
 struct Take {
@@ -41,9 +42,9 @@ const std::vector<Take> c3d_takes{
     {"arm/segment-400mbar.c3d", 600, segment_labels, 175}};
 
 TEST(RealData, C3dFilesAreReadWithTheirStartsWithinTwoFrames) {
-    NEED_DATA(folder);
+    NEED_DATA(folder, "data/mocap");
     for (const Take& take : c3d_takes) {
-        const Result<Recording> read = read_c3d(folder / "data/mocap" / take.file);
+        const Result<Recording> read = read_c3d(folder / take.file);
         ASSERT_TRUE(read) << read.error().text();
         EXPECT_EQ(read->sample_count(), take.samples) << take.file;
         EXPECT_EQ(read->labels, take.labels) << take.file;
@@ -58,9 +59,9 @@ TEST(RealData, C3dFilesAreReadWithTheirStartsWithinTwoFrames) {
 }
 
 TEST(RealData, PressureSweepStartsAndRepeats) {
-    NEED_DATA(folder);
+    NEED_DATA(folder, "data/mocap");
     for (const char* name : {"075", "125", "175", "225", "275", "325", "375"}) {
-        const Result<Recording> read = read_trace_csv(folder / "data/mocap/arm_pressure_sweep" / (std::string(name) + "mbar.csv"));
+        const Result<Recording> read = read_trace_csv(folder / "arm_pressure_sweep" / (std::string(name) + "mbar.csv"));
         ASSERT_TRUE(read) << read.error().text();
         EXPECT_EQ(read->sample_count(), 150);
         EXPECT_EQ(read->labels.size(), 7U);
@@ -76,8 +77,8 @@ TEST(RealData, PressureSweepStartsAndRepeats) {
 }
 
 TEST(RealData, FishHasNoHeaderAndMovesFromRowTwo) {
-    NEED_DATA(folder);
-    const Result<Recording> read = read_columns(folder / "data/mocap/fish/soft_fish_data.csv", {{"spine", "base_1", "base_2", "base_3"}, 1e-3, ';', 100.0});
+    NEED_DATA(folder, "data/mocap");
+    const Result<Recording> read = read_columns(folder / "fish/soft_fish_data.csv", {{"spine", "base_1", "base_2", "base_3"}, 1e-3, ';', 100.0});
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->sample_count(), 198);
     const StartOfMotion start = find_motion_start(*read);
@@ -87,13 +88,13 @@ TEST(RealData, FishHasNoHeaderAndMovesFromRowTwo) {
 }
 
 TEST(RealData, BeamRestPoseFitsTheNominalOne) {
-    NEED_DATA(folder);
+    NEED_DATA(folder, "data/mocap");
     Eigen::Matrix3Xd nominal(3, 6);
     nominal.transpose() << 0, 15, 36, 0, -6, 24, 0, 36, 6, -94, -10, -1, -94, 40, 27.5, -94, 40, 0;
     nominal *= 1e-3;
     for (const Take& take : c3d_takes) {
         if (take.labels != beam_labels) continue;
-        const Result<Recording> read = read_c3d(folder / "data/mocap" / take.file);
+        const Result<Recording> read = read_c3d(folder / take.file);
         ASSERT_TRUE(read);
         const StartOfMotion start = find_motion_start(*read);
         const Result<RestPose> pose = rest_pose(*read, start.first_moving);
@@ -112,8 +113,8 @@ TEST(RealData, BeamRestPoseFitsTheNominalOne) {
 }
 
 TEST(RealData, BeamNoiseIsThatOfTheReadme) {
-    NEED_DATA(folder);
-    const Result<Recording> read = read_c3d(folder / "data/mocap/beam/beam_gravity_V2_a.c3d");
+    NEED_DATA(folder, "data/mocap");
+    const Result<Recording> read = read_c3d(folder / "beam/beam_gravity_V2_a.c3d");
     ASSERT_TRUE(read);
     for (const NoiseEstimate& estimate : estimate_noise(*read)) {
         EXPECT_GT(estimate.sigma_m, 2e-6) << estimate.label;   // 3 to 6 um, the white part of it
@@ -122,9 +123,9 @@ TEST(RealData, BeamNoiseIsThatOfTheReadme) {
 }
 
 TEST(RealData, ExampleTracesAreReadAndTheirNoiseIsTheTrueOne) {
-    NEED_DATA(folder);
+    NEED_DATA(folder, "experiments");
     int traces = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "experiments")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const std::filesystem::path& path = entry.path();
         const std::string name = path.filename().string();
         if (name.ends_with("_actuation.csv")) {

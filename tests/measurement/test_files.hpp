@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -38,12 +37,11 @@ private:
     std::filesystem::path path_;
 };
 
-/// The folder of the measured data, or an empty path when it is not here.
-inline std::filesystem::path data_folder() {
-    const char* variable = std::getenv("MYOLOOP_DATA");
-    const std::filesystem::path folder = variable != nullptr ? std::filesystem::path(variable) : std::filesystem::path(MYOLOOP_SOURCE_DIR) / ".." / "shared";
-    std::error_code code;
-    return std::filesystem::is_directory(folder / "data" / "mocap", code) ? folder : std::filesystem::path();
+/// What a reader says of a file with this content.
+template <class Read>
+std::string error_of_reading(const Read& read, const std::string& content, const std::string& name) {
+    const auto result = read(TemporaryFile(content, name).path());
+    return result ? "no error" : result.error().text();
 }
 
 /// A recording of normal numbers around places up to half a metre away, with a gap in every marker when asked.

@@ -12,10 +12,7 @@ using test::TemporaryFile;
 using testing::HasSubstr;
 
 Result<Recording> read_text(const std::string& text) { return read_trace_csv(TemporaryFile(text, "trace.csv").path()); }
-std::string error_of(const std::string& text) {
-    const Result<Recording> read = read_text(text);
-    return read ? "no error" : read.error().text();
-}
+std::string error_of(const std::string& text) { return test::error_of_reading(read_trace_csv, text, "trace.csv"); }
 
 const std::string header = "time_s,a_x_m,a_y_m,a_z_m\n";
 

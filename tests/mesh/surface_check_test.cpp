@@ -8,6 +8,7 @@
 #include "mesh/surface_topology.hpp"
 #include "mesh/test_meshes.hpp"
 #include "mesh/test_surfaces.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo {
 namespace {
@@ -125,19 +126,15 @@ TEST(Weld, ZeroToleranceJoinsEqualPointsOnly) {
 }
 
 TEST(RealGeometry, AllFilesAreClosedAndOutward) {
-    const auto folder = test::data_folder();
-    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
-    int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "geometry")) {
-        if (entry.path().extension() != ".stl") continue;
-        const auto surface = read_surface(entry.path(), 1e-3);
+    const std::vector<std::filesystem::path> bodies = test::shared_bodies();
+    if (bodies.empty()) GTEST_SKIP() << "skipped: no data";
+    for (const std::filesystem::path& path : bodies) {
+        const auto surface = read_surface(path, 1e-3);
         ASSERT_TRUE(surface) << surface.error().text();
         const SurfaceReport report = check_surface(weld(*surface));
-        EXPECT_TRUE(report.closed && report.manifold && report.oriented && report.outward && report.plausible) << entry.path();
-        EXPECT_EQ(report.self_intersections, 0) << entry.path();
-        ++files;
+        EXPECT_TRUE(report.closed && report.manifold && report.oriented && report.outward && report.plausible) << path;
+        EXPECT_EQ(report.self_intersections, 0) << path;
     }
-    EXPECT_GT(files, 0);
 }
 
 }  // namespace

@@ -34,14 +34,6 @@ private:
     std::filesystem::path path_;
 };
 
-/// Folder of the measured data, or empty when it is not there.
-inline std::filesystem::path data_folder() {
-    const char* variable = std::getenv("MYOLOOP_DATA");
-    const std::filesystem::path folder =
-        variable != nullptr ? std::filesystem::path(variable) : std::filesystem::path(MYOLOOP_SOURCE_DIR) / ".." / "shared";
-    return std::filesystem::is_directory(folder / "data") ? folder / "data" : std::filesystem::path();
-}
-
 inline Box unequal_box() { return {{-0.01, 0.02, 0.005}, {0.05, 0.04, 0.045}}; }
 
 /// One small mesh of each cell type on the same box.

@@ -14,6 +14,7 @@
 #include "mesh/surface_reader.hpp"
 #include "mesh/test_meshes.hpp"
 #include "mesh/test_surfaces.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo {
 namespace {
@@ -163,14 +164,13 @@ TEST_F(Tetrahedralize, RunsInSeveralThreadsAtOnce) {
 }
 
 TEST_F(Tetrahedralize, RealGeometry) {
-    const auto folder = test::data_folder();
-    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "geometry")) {
-        if (entry.path().extension() != ".stl") continue;
-        const SurfaceMesh surface = weld(*read_surface(entry.path(), 1e-3));
+    const std::vector<std::filesystem::path> bodies = test::shared_bodies();
+    if (bodies.empty()) GTEST_SKIP() << "skipped: no data";
+    for (const std::filesystem::path& path : bodies) {
+        const SurfaceMesh surface = weld(*read_surface(path, 1e-3));
         const auto mesh = tetrahedralize(surface, with_edge(0.006, CellType::tet10));
-        ASSERT_TRUE(mesh) << entry.path() << ": " << mesh.error().text();
-        EXPECT_LT(std::abs(*mesh_quality(*mesh, &surface).volume_error), 1e-6) << entry.path();
+        ASSERT_TRUE(mesh) << path << ": " << mesh.error().text();
+        EXPECT_LT(std::abs(*mesh_quality(*mesh, &surface).volume_error), 1e-6) << path;
     }
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/surface_reader.hpp"
 #include "mesh/test_meshes.hpp"
 #include "mesh/test_surfaces.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo {
 namespace {
@@ -102,18 +103,17 @@ TEST(Connectivity, NamesWeakJoints) {
 }
 
 TEST(RealGeometry, VoxelVolumesApproachTheSurface) {
-    const auto folder = test::data_folder();
-    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "geometry")) {
-        if (entry.path().extension() != ".stl") continue;
-        const SurfaceMesh surface = weld(*read_surface(entry.path(), 1e-3));
+    const std::vector<std::filesystem::path> bodies = test::shared_bodies();
+    if (bodies.empty()) GTEST_SKIP() << "skipped: no data";
+    for (const std::filesystem::path& path : bodies) {
+        const SurfaceMesh surface = weld(*read_surface(path, 1e-3));
         const auto mesh = voxelize(surface, with_edge(0.001));
         ASSERT_TRUE(mesh) << mesh.error().text();
         const QualityReport report = mesh_quality(*mesh, &surface);
         // Each wall may be off by half a cell; curved and slanted ones average out.
         const double half_a_cell = 0.5 * 0.001 * check_surface(surface).area;
-        EXPECT_LT(std::abs(*report.volume_error) * report.volume, 0.5 * half_a_cell) << entry.path();
-        EXPECT_EQ(report.components, 1) << entry.path();
+        EXPECT_LT(std::abs(*report.volume_error) * report.volume, 0.5 * half_a_cell) << path;
+        EXPECT_EQ(report.components, 1) << path;
     }
 }
 

@@ -8,6 +8,7 @@
 #include "project/experiment_folder.hpp"
 #include "project/good_experiment.hpp"
 #include "project/read_experiment.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo {
 namespace {
@@ -34,7 +35,7 @@ protected:
         return check_on_body(*e, *body);
     }
 
-    ExperimentFolder folder_;
+    Folder folder_;
     std::string toml_;
 };
 
@@ -86,11 +87,10 @@ TEST_F(CheckBody, BrokenSurfacesNameTheirKey) {
 }
 
 TEST(CheckBodyOfSharedExamples, AllFit) {
-    const std::filesystem::path data = data_folder();
-    if (data.empty()) GTEST_SKIP() << "skipped: no data";
-    for (const auto& entry : std::filesystem::directory_iterator(data / "experiments")) {
-        if (!std::filesystem::exists(entry.path() / "experiment.toml")) continue;
-        const Result<Experiment> e = read_experiment(entry.path());
+    const std::vector<std::filesystem::path> folders = test::shared_experiments();
+    if (folders.empty()) GTEST_SKIP() << "skipped: no data";
+    for (const std::filesystem::path& folder : folders) {
+        const Result<Experiment> e = read_experiment(folder);
         ASSERT_TRUE(e) << e.error().text();
         const Result<SurfaceMesh> body = read_body_surface(*e);
         ASSERT_TRUE(body) << body.error().text();

@@ -114,7 +114,7 @@ trial = "step"
 )";
 
 /// The TOML, and a file for each name in it.
-inline void write_files(const ExperimentFolder& folder, const std::string& toml) {
+inline void write_files(const Folder& folder, const std::string& toml) {
     folder.write("experiment.toml", toml);
     for (const char* file : {"release.csv", "step.txt", "check.tsv", "signal.csv", "body.stl"}) folder.write(file, "-");
 }

@@ -26,7 +26,7 @@ class SpoiledExperiment : public testing::TestWithParam<Mutation> {};
 
 TEST_P(SpoiledExperiment, IsReportedWithKeyAndLine) {
     const Mutation& m = GetParam();
-    const ExperimentFolder folder("spoiled");
+    const Folder folder("spoiled");
     const std::string toml = replaced(good_toml, m.from, m.to);
     write_files(folder, toml);
     const Result<Experiment> read = read_experiment(folder.path());
@@ -202,7 +202,7 @@ const std::vector<Mutation> mutations = {
 INSTANTIATE_TEST_SUITE_P(ReadExperiment, SpoiledExperiment, testing::ValuesIn(mutations));
 
 TEST(ReadExperiment, NeedsAFitTrial) {
-    const ExperimentFolder folder("no_fit");
+    const Folder folder("no_fit");
     std::string toml = replaced(good_toml, "role = \"fit\"", "role = \"validate\"");
     toml = replaced(toml, "role = \"fit\"", "role = \"validate\"");
     for (int i = 0; i < 2; ++i) toml = replaced(toml, "actuation_step = { left = \"free\" }\n", "");
@@ -221,7 +221,7 @@ TEST(ReadExperiment, NeedsAFitTrial) {
 }
 
 TEST(ReadExperiment, RestPoseNeedsThreePointsOffALine) {
-    const ExperimentFolder folder("rest_pose");
+    const Folder folder("rest_pose");
     const std::string toml = replaced(good_toml, "max_translation_m = 0.001\nmax_rotation_deg = 0.5", "method = \"rest_pose\"");
     write_files(folder, toml);
     EXPECT_TRUE(read_experiment(folder.path()));
@@ -234,7 +234,7 @@ TEST(ReadExperiment, RestPoseNeedsThreePointsOffALine) {
 }
 
 TEST(ReadExperiment, SurvivesGarbage) {
-    const ExperimentFolder folder("garbage");
+    const Folder folder("garbage");
     for (std::size_t cut = 0; cut < good_toml.size(); cut += 37) {   // truncated anywhere
         write_files(folder, good_toml.substr(0, cut));
         const Result<Experiment> read = read_experiment(folder.path());

@@ -9,6 +9,7 @@
 #include "project/effect_vocabulary.hpp"
 #include "project/experiment_folder.hpp"
 #include "project/good_experiment.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo {
 namespace {
@@ -19,7 +20,7 @@ using testing::StartsWith;
 using namespace testing_support;
 
 TEST(ReadExperiment, TakesEveryValueOfTheSchema) {
-    const ExperimentFolder folder("good");
+    const Folder folder("good");
     write_files(folder, good_toml);
     const Result<Experiment> read = read_experiment(folder.path());
     ASSERT_TRUE(read) << read.error().text();
@@ -75,7 +76,7 @@ TEST(ReadExperiment, TakesEveryValueOfTheSchema) {
 }
 
 TEST(ReadExperiment, DefaultsAreTheSchemas) {
-    const ExperimentFolder folder("defaults");
+    const Folder folder("defaults");
     write_files(folder, R"(schema = "experiment/1"
 name = "least"
 geometry = { kind = "stl", file = "body.stl", unit = "mm" }
@@ -103,7 +104,7 @@ trial = [{ name = "a", role = "fit", trace = "release.csv", format = "csv", star
 }
 
 TEST(ReadExperiment, RotationMapsTheFile) {
-    const ExperimentFolder folder("rotation");
+    const Folder folder("rotation");
     const std::string stl = replaced(good_toml, "kind = \"box\"\nsize_m = [0.1, 0.03, 0.03]\norigin_m = [0.0, 0.0, 0.0]",
                                      "kind = \"stl\"\nfile = \"body.stl\"\nunit = \"mm\"\nrotation = [[0,0,-1],[0,1,0],[1,0,0]]");
     write_files(folder, stl);
@@ -122,7 +123,7 @@ TEST(ReadExperiment, RotationMapsTheFile) {
 }
 
 TEST(ReadExperiment, KnowsWhereKeysStand) {
-    const ExperimentFolder folder("locations");
+    const Folder folder("locations");
     write_files(folder, good_toml);
     const Result<Experiment> read = read_experiment(folder.path(), {{"trial[0].load[0].mass_kg", "0.1"}});
     ASSERT_TRUE(read) << read.error().text();
@@ -137,7 +138,7 @@ TEST(ReadExperiment, KnowsWhereKeysStand) {
 }
 
 TEST(ReadExperiment, TakesAFileInPlaceOfTheFolder) {
-    const ExperimentFolder folder("file");
+    const Folder folder("file");
     write_files(folder, good_toml);
     folder.write("experiment_augmented.toml", replaced(good_toml, "2.6e5", "3.1e5"));
     const Result<Experiment> read = read_experiment(folder.path() / "experiment_augmented.toml");
@@ -147,7 +148,7 @@ TEST(ReadExperiment, TakesAFileInPlaceOfTheFolder) {
 }
 
 TEST(ReadExperiment, MissingFilesAreOneSentence) {
-    const ExperimentFolder folder("missing");
+    const Folder folder("missing");
     const Result<Experiment> empty_folder = read_experiment(folder.path());
     ASSERT_FALSE(empty_folder);
     EXPECT_EQ(empty_folder.error().where, (folder.path() / "experiment.toml").string());
@@ -160,7 +161,7 @@ TEST(ReadExperiment, MissingFilesAreOneSentence) {
 }
 
 TEST(ReadExperiment, OverridesSpeakToml) {
-    const ExperimentFolder folder("overrides");
+    const Folder folder("overrides");
     write_files(folder, good_toml);
     const Result<Experiment> read = read_experiment(folder.path(), {{"material.youngs_modulus_Pa", "3e5"},
                                                                     {"trial[0].start_s", "0.6"},
@@ -182,7 +183,7 @@ TEST(ReadExperiment, OverridesSpeakToml) {
 }
 
 TEST(ReadExperiment, BadOverridesSaySo) {
-    const ExperimentFolder folder("bad_overrides");
+    const Folder folder("bad_overrides");
     write_files(folder, good_toml);
     struct Case { const char* key; const char* value; const char* word; };
     for (const Case& c : {Case{"material.youngs_modulus", "3e5", "youngs_modulus_Pa"},
@@ -210,25 +211,21 @@ TEST(ReadExperiment, BadOverridesSaySo) {
 }
 
 TEST(ReadExperiment, SharedExamplesParse) {
-    const std::filesystem::path data = data_folder();
-    if (data.empty()) GTEST_SKIP() << "skipped: no data";
-    int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(data / "experiments")) {
-        if (!std::filesystem::exists(entry.path() / "experiment.toml")) continue;
-        const Result<Experiment> read = read_experiment(entry.path());
+    const std::vector<std::filesystem::path> folders = test::shared_experiments();
+    if (folders.empty()) GTEST_SKIP() << "skipped: no data";
+    for (const std::filesystem::path& folder : folders) {
+        const Result<Experiment> read = read_experiment(folder);
         EXPECT_TRUE(read) << read.error().text();
         // The fish has one trial only.
-        const bool expect_warning = entry.path().filename() == "real_fish";
+        const bool expect_warning = folder.filename() == "real_fish";
         EXPECT_TRUE(!read || read->warnings.empty() != expect_warning);
-        ++count;
     }
-    EXPECT_GT(count, 0);
 }
 
 TEST(ReadExperiment, RealBeamHasItsDeclaredValues) {
-    const std::filesystem::path data = data_folder();
-    if (data.empty()) GTEST_SKIP() << "skipped: no data";
-    const Result<Experiment> read = read_experiment(data / "experiments" / "real_beam");
+    const std::filesystem::path folder = test::shared_data("experiments/real_beam");
+    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
+    const Result<Experiment> read = read_experiment(folder);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->registration.method, RegistrationMethod::rest_pose);
     EXPECT_EQ(read->markers.on_body.size(), 3u);

@@ -8,6 +8,7 @@
 #include "project/experiment_folder.hpp"
 #include "project/good_experiment.hpp"
 #include "project/read_experiment.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo {
 namespace {
@@ -48,7 +49,7 @@ protected:
         return (folder_.path() / "experiment.toml").string() + ":" + std::to_string(line_of(good_toml, part));
     }
 
-    ExperimentFolder folder_;
+    Folder folder_;
 };
 
 TEST_F(ReadTrial, PutsTracksUnderDeclaredNamesAndOrder) {
@@ -170,12 +171,11 @@ TEST_F(ReadTrial, ActuationColumnsMustBeMusclesThatMove) {
 }
 
 TEST(ReadTrialOfSharedExamples, EveryTraceAndSignalIsRead) {
-    const std::filesystem::path data = data_folder();
-    if (data.empty()) GTEST_SKIP() << "skipped: no data";
+    const std::vector<std::filesystem::path> folders = test::shared_experiments();
+    if (folders.empty()) GTEST_SKIP() << "skipped: no data";
     int traces = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(data / "experiments")) {
-        if (!std::filesystem::exists(entry.path() / "experiment.toml")) continue;
-        const Result<Experiment> e = read_experiment(entry.path());
+    for (const std::filesystem::path& folder : folders) {
+        const Result<Experiment> e = read_experiment(folder);
         ASSERT_TRUE(e) << e.error().text();
         for (const TrialDeclaration& trial : e->trials) {
             const Result<TrialRecording> read = read_trial(*e, trial);
@@ -193,9 +193,8 @@ TEST(ReadTrialOfSharedExamples, EveryTraceAndSignalIsRead) {
 }
 
 TEST(ReadTrialOfSharedExamples, BothFormsOfOneTraceAgree) {
-    const std::filesystem::path data = data_folder();
-    if (data.empty()) GTEST_SKIP() << "skipped: no data";
-    const std::filesystem::path folder = data / "experiments" / "example_none";
+    const std::filesystem::path folder = test::shared_data("experiments/example_none");
+    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
     const Result<Experiment> csv = read_experiment(folder);
     const Result<Experiment> tsv = read_experiment(folder, {{"trial[0].trace", "gravity_release.tsv"}, {"trial[0].format", "qtm_tsv"}});
     ASSERT_TRUE(csv && tsv);

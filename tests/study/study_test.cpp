@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include "app/small_experiment.hpp"
@@ -9,14 +8,10 @@
 #include "project/level_curve.hpp"
 #include "project/read_experiment.hpp"
 #include "project/study_report.hpp"
+#include "support/shared_data.hpp"
 
 namespace myo {
 namespace {
-
-std::filesystem::path data_folder() {
-    const char* set = std::getenv("MYOLOOP_DATA");
-    return set != nullptr ? std::filesystem::path(set) : std::filesystem::path(MYOLOOP_SOURCE_DIR) / ".." / "shared";
-}
 
 Study prepared(const std::filesystem::path& folder, double resolution_m) {
     const Result<Experiment> experiment = read_experiment(folder);
@@ -76,8 +71,8 @@ TEST(Study, ReportsAFitWhoseDeclaredValuesCannotPredict) {
 }
 
 TEST(Study, FindsTheTruthOfTheControlExample) {
-    const std::filesystem::path folder = data_folder() / "experiments/example_none";
-    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "skipped: no data";
+    const std::filesystem::path folder = test::shared_data("experiments/example_none");
+    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
     const Study study = prepared(folder, 0.01);
     const Calibration calibration = calibrate_study(study);
     ASSERT_TRUE(calibration.fit.converged()) << calibration.fit.message;
@@ -88,8 +83,8 @@ TEST(Study, FindsTheTruthOfTheControlExample) {
 }
 
 TEST(Study, PlacesRealRecordingsInTheMeshFrame) {
-    const std::filesystem::path folder = data_folder() / "experiments/real_beam";
-    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "skipped: no data";
+    const std::filesystem::path folder = test::shared_data("experiments/real_beam");
+    if (folder.empty()) GTEST_SKIP() << "skipped: no data";
     const Study study = prepared(folder, 0.01);
     for (const StudyTrial& trial : study.trials) {
         EXPECT_TRUE(trial.start_found);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
 #include <thread>
 
@@ -105,6 +107,28 @@ void Driver::open_beam() {
     window->open("/beam");
     ASSERT_TRUE(wait_for_job());
     ASSERT_TRUE(state().body);
+}
+
+ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point) {
+    const ViewportState& view = driver.window->viewport();
+    const auto p = project(view.camera, view.size(), point);
+    EXPECT_TRUE(p);
+    return {view.pixels.lowest.x + static_cast<float>(p->x()), view.pixels.lowest.y + static_cast<float>(p->y())};
+}
+
+bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius) {
+    const auto distance = [&](const std::array<int, 3>& seen) {
+        return std::abs(seen[0] - static_cast<int>(255 * color.x)) + std::abs(seen[1] - static_cast<int>(255 * color.y)) +
+               std::abs(seen[2] - static_cast<int>(255 * color.z));
+    };
+    for (int dy = -radius; dy <= radius; ++dy) {
+        for (int dx = -radius; dx <= radius; ++dx) {
+            const int x = static_cast<int>(place.x) + dx, y = static_cast<int>(place.y) + dy;
+            if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
+            if (distance(image.color(x, y)) < 90) return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace myo::test

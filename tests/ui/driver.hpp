@@ -48,4 +48,10 @@ public:
     std::optional<WorkbenchWindow> window;
 };
 
+/// Pixel of the window where a point of the scene [m] falls. Asserts (gtest) that it does.
+ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point);
+
+/// Whether a picture has this colour, nearly, at most `radius` pixels from the place in x and in y.
+bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius);
+
 }  // namespace myo::test

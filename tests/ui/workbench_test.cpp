@@ -17,31 +17,6 @@ namespace {
 
 using test::Driver;
 
-int distance(const std::array<int, 3>& a, const ImVec4& b) {
-    return std::abs(a[0] - static_cast<int>(255 * b.x)) + std::abs(a[1] - static_cast<int>(255 * b.y)) +
-           std::abs(a[2] - static_cast<int>(255 * b.z));
-}
-
-// Pixel of the window where a point of the scene falls.
-ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point) {
-    const ViewportState& view = driver.window->viewport();
-    const auto p = project(view.camera, view.size(), point);
-    EXPECT_TRUE(p);
-    return {view.pixels.lowest.x + static_cast<float>(p->x()), view.pixels.lowest.y + static_cast<float>(p->y())};
-}
-
-bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius) {
-    for (int dy = -radius; dy <= radius; ++dy) {
-        for (int dx = -radius; dx <= radius; ++dx) {
-            const int x = static_cast<int>(place.x) + dx;
-            const int y = static_cast<int>(place.y) + dy;
-            if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
-            if (distance(image.color(x, y), color) < 90) return true;
-        }
-    }
-    return false;
-}
-
 TEST(Workbench, OpensByTypingAPath) {
     Driver driver;
     EXPECT_FALSE(driver.state().scene);
@@ -100,7 +75,7 @@ TEST(Workbench, RunsScrubsAndDrawsMarkersWhereTheyProject) {
         const bool hidden = marker.position.y() > 0.029;  // on the far side
         if (hidden || !marker.position.allFinite()) continue;
         (marker.ring ? rings : spheres) += 1;
-        EXPECT_TRUE(color_near(image, pixel_of(driver, marker.position), marker.ring ? theme.simulated : theme.measured, 12))
+        EXPECT_TRUE(test::color_near(image, test::pixel_of(driver, marker.position), marker.ring ? theme.simulated : theme.measured, 12))
             << marker.label << (marker.ring ? " simulated" : " measured");
     }
     EXPECT_EQ(spheres, 3);
@@ -262,7 +237,7 @@ TEST(Viewport, DragTurnsWheelZoomsButtonsLookAlongAxes) {
     EXPECT_NEAR(driver.window->viewport().camera.pitch, 0.0, 1e-12);
     // All of the body is in sight again.
     for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, 0.03, 0.03)}) {
-        EXPECT_TRUE(driver.item("view").contains(pixel_of(driver, corner)));
+        EXPECT_TRUE(driver.item("view").contains(test::pixel_of(driver, corner)));
     }
 }
 

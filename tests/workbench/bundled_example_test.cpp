@@ -11,26 +11,6 @@ namespace {
 
 using test::Driver;
 
-bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius) {
-    for (int dy = -radius; dy <= radius; ++dy)
-        for (int dx = -radius; dx <= radius; ++dx) {
-            const int x = static_cast<int>(place.x) + dx, y = static_cast<int>(place.y) + dy;
-            if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
-            const std::array<int, 3> seen = image.color(x, y);
-            if (std::abs(seen[0] - static_cast<int>(255 * color.x)) + std::abs(seen[1] - static_cast<int>(255 * color.y)) +
-                    std::abs(seen[2] - static_cast<int>(255 * color.z)) < 90)
-                return true;
-        }
-    return false;
-}
-
-ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point) {
-    const ViewportState& view = driver.window->viewport();
-    const auto p = project(view.camera, view.size(), point);
-    EXPECT_TRUE(p);
-    return {view.pixels.lowest.x + static_cast<float>(p->x()), view.pixels.lowest.y + static_cast<float>(p->y())};
-}
-
 void scrub_to(Driver& driver, float fraction) {
     const Rectangle track = driver.item("timeline/track");
     driver.click_at({track.lowest.x + fraction * track.width(), track.center().y});
@@ -44,7 +24,7 @@ int seen_markers(Driver& driver, bool simulated) {
     for (const DrawnMarker& marker : driver.window->scene().markers) {
         if (marker.ring != simulated || !marker.position.allFinite() || marker.position.y() > 0.029) continue;
         ++count;
-        EXPECT_TRUE(color_near(image, pixel_of(driver, marker.position), simulated ? theme.simulated : theme.measured, 12)) << marker.label;
+        EXPECT_TRUE(test::color_near(image, test::pixel_of(driver, marker.position), simulated ? theme.simulated : theme.measured, 12)) << marker.label;
     }
     return count;
 }

@@ -1,77 +1,55 @@
 #include "platform/theme.hpp"
 
+#include <initializer_list>
+
 namespace myo {
 namespace {
 
-ImVec4 rgb(unsigned hex, float alpha = 1.0f) {
+ImVec4 rgb(unsigned hex) {
     const auto part = [hex](unsigned shift) { return static_cast<float>((hex >> shift) & 0xffu) / 255.0f; };
-    return {part(16), part(8), part(0), alpha};
+    return {part(16), part(8), part(0), 1.0f};
 }
 
-Theme dark() {
-    Theme t;
-    t.name = ThemeName::dark;
-    t.background = rgb(0x121418);
-    t.panel = rgb(0x1a1d23);
-    t.raised = rgb(0x262b34);
-    t.popup = rgb(0x1e2229);
-    t.plot = rgb(0x121418);
-    t.hovered = rgb(0x323946);
-    t.border = rgb(0x2e343f);
-    t.text = rgb(0xe9ecf1);
-    t.muted = rgb(0xa0a9b8);
-    t.accent = rgb(0x4c9dff);
-    t.on_accent = rgb(0x08121f);
-    t.measured = rgb(0xffb347);
-    t.simulated = rgb(0x59b4ff);
-    t.warning = rgb(0xf2c14e);
-    t.failure = rgb(0xff7b72);
-    t.success = rgb(0x6fd08c);
-    t.view_top = rgb(0x2a303a);
-    t.view_bottom = rgb(0x171a20);
-    t.grid = rgb(0x4a5362);
-    t.body = rgb(0xb9c1cc);
-    t.axis_x = rgb(0xff6b6b);
-    t.axis_y = rgb(0x7bd88f);
-    t.axis_z = rgb(0x6aa9ff);
-    return t;
-}
-
-Theme light() {
-    Theme t;
-    t.name = ThemeName::light;
-    t.background = rgb(0xdfe3e9);
-    t.panel = rgb(0xf6f7f9);
-    t.raised = rgb(0xffffff);
-    t.popup = rgb(0xf6f7f9);
-    t.plot = rgb(0xffffff);
-    t.edge_strength = 0.38f;
-    t.hovered = rgb(0xe3ebf7);
-    t.border = rgb(0xc4cbd6);
-    t.text = rgb(0x171b22);
-    t.muted = rgb(0x556070);
-    t.accent = rgb(0x1a66d6);
-    t.on_accent = rgb(0xffffff);
-    t.measured = rgb(0xc96a00);
-    t.simulated = rgb(0x1a66d6);
-    t.warning = rgb(0x8f6400);
-    t.failure = rgb(0xc0342b);
-    t.success = rgb(0x1c7a3c);
-    t.view_top = rgb(0xffffff);
-    t.view_bottom = rgb(0xdde2ea);
-    t.grid = rgb(0xa9b2c0);
-    t.body = rgb(0xcfd6e0);
-    t.axis_x = rgb(0xc92a2a);
-    t.axis_y = rgb(0x2b8a3e);
-    t.axis_z = rgb(0x1864ab);
-    return t;
-}
+/// One colour of both themes, 0xRRGGBB.
+struct Swatch {
+    ImVec4 Theme::*color;
+    unsigned dark, light;
+};
+constexpr Swatch palette[] = {
+    {&Theme::background, 0x121418, 0xdfe3e9},
+    {&Theme::panel, 0x1a1d23, 0xf6f7f9},
+    {&Theme::raised, 0x262b34, 0xffffff},
+    {&Theme::popup, 0x1e2229, 0xf6f7f9},
+    {&Theme::plot, 0x121418, 0xffffff},
+    {&Theme::hovered, 0x323946, 0xe3ebf7},
+    {&Theme::border, 0x2e343f, 0xc4cbd6},
+    {&Theme::text, 0xe9ecf1, 0x171b22},
+    {&Theme::muted, 0xa0a9b8, 0x556070},
+    {&Theme::accent, 0x4c9dff, 0x1a66d6},
+    {&Theme::on_accent, 0x08121f, 0xffffff},
+    {&Theme::measured, 0xffb347, 0xc96a00},
+    {&Theme::simulated, 0x59b4ff, 0x1a66d6},
+    {&Theme::warning, 0xf2c14e, 0x8f6400},
+    {&Theme::failure, 0xff7b72, 0xc0342b},
+    {&Theme::success, 0x6fd08c, 0x1c7a3c},
+    {&Theme::view_top, 0x2a303a, 0xffffff},
+    {&Theme::view_bottom, 0x171a20, 0xdde2ea},
+    {&Theme::grid, 0x4a5362, 0xa9b2c0},
+    {&Theme::body, 0xb9c1cc, 0xcfd6e0},
+    {&Theme::axis_x, 0xff6b6b, 0xc92a2a},
+    {&Theme::axis_y, 0x7bd88f, 0x2b8a3e},
+    {&Theme::axis_z, 0x6aa9ff, 0x1864ab},
+};
 
 }  // namespace
 
 Theme make_theme(ThemeName name, float scale) {
-    Theme theme = name == ThemeName::dark ? dark() : light();
+    const bool light = name == ThemeName::light;
+    Theme theme;
+    theme.name = name;
     theme.scale = scale;
+    theme.edge_strength = light ? 0.38f : 0.55f;
+    for (const Swatch& swatch : palette) theme.*swatch.color = rgb(light ? swatch.light : swatch.dark);
     return theme;
 }
 
@@ -100,43 +78,26 @@ void apply_theme(const Theme& t, ImGuiStyle& style) {
         color.w = alpha;
         return color;
     };
-    ImVec4* c = style.Colors;
-    c[ImGuiCol_Text] = t.text;
-    c[ImGuiCol_TextDisabled] = t.muted;
-    c[ImGuiCol_WindowBg] = t.panel;
-    c[ImGuiCol_ChildBg] = faint(t.panel, 0.0f);
-    c[ImGuiCol_PopupBg] = t.popup;
-    c[ImGuiCol_Border] = t.hovered;
-    c[ImGuiCol_FrameBg] = t.raised;
-    c[ImGuiCol_FrameBgHovered] = t.hovered;
-    c[ImGuiCol_FrameBgActive] = t.hovered;
-    c[ImGuiCol_TitleBg] = t.panel;
-    c[ImGuiCol_TitleBgActive] = t.panel;
-    c[ImGuiCol_ScrollbarBg] = faint(t.panel, 0.0f);
-    c[ImGuiCol_ScrollbarGrab] = t.name == ThemeName::dark ? t.hovered : t.border;
-    c[ImGuiCol_ScrollbarGrabHovered] = t.muted;
-    c[ImGuiCol_ScrollbarGrabActive] = t.muted;
-    c[ImGuiCol_CheckMark] = t.accent;
-    c[ImGuiCol_SliderGrab] = faint(t.accent, 0.6f);
-    c[ImGuiCol_SliderGrabActive] = t.accent;
-    c[ImGuiCol_Button] = t.raised;
-    c[ImGuiCol_ButtonHovered] = t.hovered;
-    c[ImGuiCol_ButtonActive] = t.border;
-    c[ImGuiCol_Header] = faint(t.accent, 0.22f);
-    c[ImGuiCol_HeaderHovered] = t.hovered;
-    c[ImGuiCol_HeaderActive] = t.hovered;
-    c[ImGuiCol_Separator] = t.border;
-    c[ImGuiCol_SeparatorHovered] = t.accent;
-    c[ImGuiCol_SeparatorActive] = t.accent;
-    c[ImGuiCol_PlotHistogram] = t.accent;
-    c[ImGuiCol_TextSelectedBg] = faint(t.accent, 0.35f);
-    c[ImGuiCol_DragDropTarget] = t.accent;
-    c[ImGuiCol_NavHighlight] = t.accent;
-    c[ImGuiCol_ModalWindowDimBg] = {0.0f, 0.0f, 0.0f, 0.5f};
-    c[ImGuiCol_TableHeaderBg] = t.panel;
-    c[ImGuiCol_TableBorderLight] = t.border;
-    c[ImGuiCol_TableBorderStrong] = t.border;
-    c[ImGuiCol_TableRowBgAlt] = faint(t.raised, 0.5f);
+    const auto use = [&](const ImVec4& color, std::initializer_list<ImGuiCol> places) {
+        for (const ImGuiCol place : places) style.Colors[place] = color;
+    };
+    use(t.text, {ImGuiCol_Text});
+    use(t.muted, {ImGuiCol_TextDisabled, ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive});
+    use(t.panel, {ImGuiCol_WindowBg, ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TableHeaderBg});
+    use(faint(t.panel, 0.0f), {ImGuiCol_ChildBg, ImGuiCol_ScrollbarBg});
+    use(t.popup, {ImGuiCol_PopupBg});
+    use(t.hovered, {ImGuiCol_Border, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered,
+                    ImGuiCol_HeaderActive});
+    use(t.raised, {ImGuiCol_FrameBg, ImGuiCol_Button});
+    use(t.name == ThemeName::dark ? t.hovered : t.border, {ImGuiCol_ScrollbarGrab});
+    use(t.accent, {ImGuiCol_CheckMark, ImGuiCol_SliderGrabActive, ImGuiCol_SeparatorHovered, ImGuiCol_SeparatorActive,
+                   ImGuiCol_PlotHistogram, ImGuiCol_DragDropTarget, ImGuiCol_NavHighlight});
+    use(faint(t.accent, 0.6f), {ImGuiCol_SliderGrab});
+    use(t.border, {ImGuiCol_ButtonActive, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong});
+    use(faint(t.accent, 0.22f), {ImGuiCol_Header});
+    use(faint(t.accent, 0.35f), {ImGuiCol_TextSelectedBg});
+    use({0.0f, 0.0f, 0.0f, 0.5f}, {ImGuiCol_ModalWindowDimBg});
+    use(faint(t.raised, 0.5f), {ImGuiCol_TableRowBgAlt});
 }
 
 ImU32 packed(const ImVec4& color, float alpha) {

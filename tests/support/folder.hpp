@@ -1,0 +1,39 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace myo::test {
+
+/// A folder that is gone at the end of the test.
+class Folder {
+public:
+    explicit Folder(const std::string& name)
+        : path_(std::filesystem::path(::testing::TempDir()) / ("myoloop_" + name + "_" + std::to_string(::getpid()))) {
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::string str(const std::string& file) const { return (path_ / file).string(); }
+    void write(const std::string& file, const std::string& content) const {
+        std::filesystem::create_directories((path_ / file).parent_path());
+        std::ofstream(path_ / file, std::ios::binary) << content;
+    }
+    bool has(const std::string& file) const { return std::filesystem::exists(path_ / file); }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace myo::test
