@@ -7,6 +7,7 @@ const std::vector<MaterialPointer>& material_catalogue() {
         neo_hookean(),
         corotational(),
         projective_corotational(),
+        st_venant_kirchhoff(),
     };
     return laws;
 }

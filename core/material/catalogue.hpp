@@ -10,6 +10,7 @@ namespace myo {
 MaterialPointer neo_hookean();
 MaterialPointer corotational();
 MaterialPointer projective_corotational();
+MaterialPointer st_venant_kirchhoff();
 
 /// Every material law; a new one is a file and a line in catalogue.cpp.
 const std::vector<MaterialPointer>& material_catalogue();

@@ -1,43 +1,42 @@
 #include "material/catalogue.hpp"
 #include "material/polar.hpp"
+#include "material/tensors.hpp"
 
 namespace myo {
 namespace {
 
-using Eigen::Matrix3d;
-
 /// Corotational linear elasticity mu |F - R|^2 + lambda/2 tr(R'F - I)^2, written with kappa = lambda + 2/3 mu:
 /// mu |F - R|^2 - mu/3 theta^2 + kappa/2 theta^2, theta = tr(R'F) - 3.
 /// Source: Sifakis & Barbič 2012, sec. 3.4.
-class Corotational final : public Material {
+class Corotational final : public MaterialOf<Corotational> {
 public:
     std::string id() const override { return "corotational"; }
     std::string formula() const override { return "μ |F − R|² + λ/2 tr(RᵀF − I)²"; }
 
-    TensorFunction distortion(const Matrix3d& F, double mu, double, bool with_hessian) const override {
-        const Matrix3d R = polar_rotation(F);
-        const double theta = (R.transpose() * F).trace() - 3.0;
-        TensorFunction W;
-        W.value = mu * (F - R).squaredNorm() - mu / 3.0 * theta * theta;
-        W.gradient = 2.0 * mu * (F - R) - 2.0 / 3.0 * mu * theta * R;
-        if (!with_hessian) return W;
-        const Matrix9d dR = polar_rotation_derivative(F, R);
-        const Eigen::Map<const Eigen::Matrix<double, 9, 1>> r(R.data());
+    template <class T>
+    static void respond_at(const Matrix3<T>& F, const T& mu, const T&, bool with_hessian, LawResponse<T>& out) {
+        const Matrix3<T> R = polar_rotation(F);
+        const Matrix3<T> D = F - R;
+        const T theta = double_dot(R, F) - T(3.0);
+        out.distortion.value = mu * (double_dot(D, D) - T(1.0 / 3.0) * theta * theta);
+        out.distortion.gradient = (D * T(2.0) - R * (T(2.0 / 3.0) * theta)) * mu;
+        out.volume.value = theta;
+        out.volume.gradient = R;
+        if (!with_hessian) return;
+        out.volume.hessian = polar_rotation_derivative(F, R);
         // mu |F - R|^2 has the gradient 2 mu (F - R) because R'dR is skew.
-        W.hessian = 2.0 * mu * (Matrix9d::Identity() - dR) - 2.0 / 3.0 * mu * (r * r.transpose() + theta * dR);
-        return W;
+        const T spin = T(2.0) + T(2.0 / 3.0) * theta;
+        for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
+            T entry = T(-2.0 / 3.0) * R(i, j) * R(k, l) - spin * out.volume.hessian(row, column);
+            if (row == column) entry += T(2.0);
+            out.distortion.hessian(row, column) = mu * entry;
+        });
     }
 
-    TensorFunction volume_measure(const Matrix3d& F, bool with_hessian) const override {
-        const Matrix3d R = polar_rotation(F);
-        TensorFunction theta;
-        theta.value = (R.transpose() * F).trace() - 3.0;
-        theta.gradient = R;
-        if (with_hessian) theta.hessian = polar_rotation_derivative(F, R);
-        return theta;
+    template <class T>
+    static ScalarFunctionOf<T> bulk_at(const T& theta, const T& kappa) {
+        return {T(0.5) * kappa * theta * theta, kappa * theta, kappa};
     }
-
-    ScalarFunction bulk(double theta, double kappa) const override { return {kappa / 2.0 * theta * theta, kappa * theta, kappa}; }
 };
 
 }  // namespace

@@ -3,10 +3,46 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "material/lanes.hpp"
+#include "material/tensors.hpp"
+
 namespace myo {
+namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+template <class T>
+Matrix9<T> rotation_derivative(const Matrix3<T>& F, const Matrix3<T>& R) {
+    Matrix3<T> S;   // symmetric part of R'F
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            T sum = T(0.0);
+            for (int k = 0; k < 3; ++k) sum += R(k, i) * F(k, j) + R(k, j) * F(k, i);
+            S(i, j) = T(0.5) * sum;
+        }
+    const T trace = S(0, 0) + S(1, 1) + S(2, 2);
+    Matrix3<T> A = -S;
+    for (int i = 0; i < 3; ++i) A(i, i) += trace;
+    const Matrix3<T> C = cofactor(A);   // A is symmetric: A^-1 = C / det A
+    const T inverse_determinant = T(1.0) / (A(0, 0) * C(0, 0) + A(1, 0) * C(1, 0) + A(2, 0) * C(2, 0));
+    Matrix9<T> dR;
+    for (int l = 0; l < 3; ++l)
+        for (int k = 0; k < 3; ++k) {
+            // R'dF for dF = e_k e_l' has the row k of R in column l; its axial vector is e_l x (that row).
+            const int next = (l + 1) % 3, last = (l + 2) % 3;
+            T w[3];
+            for (int i = 0; i < 3; ++i) w[i] = inverse_determinant * (C(i, last) * R(k, next) - C(i, next) * R(k, last));
+            for (int i = 0; i < 3; ++i) {
+                dR(i, k + 3 * l) = R(i, 1) * w[2] - R(i, 2) * w[1];
+                dR(i + 3, k + 3 * l) = R(i, 2) * w[0] - R(i, 0) * w[2];
+                dR(i + 6, k + 3 * l) = R(i, 0) * w[1] - R(i, 1) * w[0];
+            }
+        }
+    return dR;
+}
+
+}  // namespace
 
 SignedSvd signed_svd(const Matrix3d& F) {
     const Eigen::JacobiSVD<Matrix3d> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -27,23 +63,31 @@ Matrix3d polar_rotation(const Matrix3d& F) {
     return svd.U * svd.V.transpose();
 }
 
-Matrix9d polar_rotation_derivative(const Matrix3d& F, const Matrix3d& R) {
-    const Matrix3d S = R.transpose() * F;
-    const Matrix3d A = (S.trace() * Matrix3d::Identity() - 0.5 * (S + S.transpose())).inverse();
-    Matrix9d dR;
-    for (int l = 0; l < 3; ++l)
-        for (int k = 0; k < 3; ++k) {
-            // R'dF for dF = e_k e_l' has the row k of R in column l.
-            Matrix3d W = Matrix3d::Zero();
-            W.col(l) = R.row(k).transpose();
-            const Matrix3d skew = W - W.transpose();
-            const Vector3d w = A * Vector3d(skew(2, 1), skew(0, 2), skew(1, 0));
-            Matrix3d cross;
-            cross << 0.0, -w.z(), w.y(), w.z(), 0.0, -w.x(), -w.y(), w.x(), 0.0;
-            const Matrix3d column = R * cross;
-            dR.col(k + 3 * l) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(column.data());
+Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
+    using std::experimental::any_of;
+    Matrix3<Pack> R = F;
+    PackMask open(true);
+    for (int iteration = 0; iteration < 12 && any_of(open); ++iteration) {
+        const Matrix3<Pack> C = cofactor(R);
+        const Pack J = R(0, 0) * C(0, 0) + R(1, 0) * C(1, 0) + R(2, 0) * C(2, 0);
+        if (iteration == 0 && any_of(!(J > 0.05))) break;   // those lanes need more than this iteration
+        const Pack half = Pack(0.5), share = half / J;
+        Pack change = 0.0;
+        for (int k = 0; k < 9; ++k) {
+            Pack& entry = R(k % 3, k / 3);
+            const Pack next = half * entry + share * C(k % 3, k / 3);
+            change += (next - entry) * (next - entry);
+            entry = next;
         }
-    return dR;
+        open = !(change < 1e-20);   // quadratic: the step after this change is below rounding
+    }
+    if (any_of(open))
+        for (int lane = 0; lane < pack_width; ++lane)
+            if (open[static_cast<std::size_t>(lane)]) set_lane(R, lane, polar_rotation(Matrix3d(lane_of(F, lane))));
+    return R;
 }
+
+Matrix9<double> polar_rotation_derivative(const Matrix3d& F, const Matrix3d& R) { return rotation_derivative(F, R); }
+Matrix9<Pack> polar_rotation_derivative(const Matrix3<Pack>& F, const Matrix3<Pack>& R) { return rotation_derivative(F, R); }
 
 }  // namespace myo

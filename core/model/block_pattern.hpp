@@ -21,6 +21,11 @@ struct BlockPattern {
 
     int unknowns() const { return 3 * free_count; }
 
+    /// Whether the block (a, b) of a cell lies in the stored triangle and is free.
+    bool stores(int nodes_per_cell, int cell, int a, int b) const {
+        return cell_blocks[static_cast<std::size_t>((cell * nodes_per_cell + b) * nodes_per_cell + a)] >= 0;
+    }
+
     /// Adds the block (a, b) of a cell, where entry(r, s) is d2W / dx_ra dx_sb. Skips what is clamped or above the diagonal.
     template <class Block>
     void add(SymmetricSparse& matrix, const Eigen::MatrixXi& cells, int cell, int a, int b, const Block& entry) const {

@@ -7,7 +7,8 @@ BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>&
     body->mesh = std::move(mesh);
     body->boundary = boundary_faces(body->mesh);
     body->kind = kind;
-    body->elements = make_elements(body->mesh, kind);
+    body->cells = pack_elements(make_elements(body->mesh, kind));
+    body->incidence = node_incidence(body->mesh);
     body->clamped.assign(static_cast<std::size_t>(body->mesh.node_count()), false);
     for (const int node : clamped_nodes) body->clamped[static_cast<std::size_t>(node)] = true;
     body->pattern = block_pattern(body->mesh, body->clamped);
@@ -18,11 +19,11 @@ BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>&
     body->unit_mass.setFromTriplets(triplets.begin(), triplets.end());
 
     std::visit(
-        [&](const auto& block) {
-            body->volume_points_per_cell = block.mean_volume ? 1 : block.points;
-            body->strains_per_cell = block.strains_per_cell();
+        [&](const auto& cells) {
+            body->volume_points_per_cell = cells.volumes_per_cell();
+            body->strains_per_cell = cells.strains_per_cell();
         },
-        body->elements);
+        body->cells);
     return body;
 }
 

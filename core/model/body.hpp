@@ -9,6 +9,7 @@
 #include "fem/element_block.hpp"
 #include "mesh/volume_mesh.hpp"
 #include "model/block_pattern.hpp"
+#include "model/packed_cells.hpp"
 
 namespace myo {
 
@@ -17,7 +18,8 @@ struct Body {
     VolumeMesh mesh;
     BoundaryFaces boundary;
     ElementKind kind = ElementKind::hex8;
-    Elements elements;
+    PackedElements cells;
+    NodeIncidence incidence;
     std::vector<bool> clamped;                    // per node
     BlockPattern pattern;
     Eigen::SparseMatrix<double> unit_mass;        // n x n [m3]: consistent mass for density 1
@@ -26,8 +28,10 @@ struct Body {
 
     int cell_count() const { return static_cast<int>(mesh.cell_count()); }
     int node_count() const { return static_cast<int>(mesh.node_count()); }
-    int volume_points() const { return cell_count() * volume_points_per_cell; }
-    int strain_count() const { return cell_count() * strains_per_cell; }
+    int pack_count() const { return (cell_count() + pack_width - 1) / pack_width; }
+    /// Entries of the per-cell fields of pressures and strains; see PackedCells.
+    int volume_points() const { return pack_count() * pack_width * volume_points_per_cell; }
+    int strain_count() const { return pack_count() * pack_width * strains_per_cell; }
     /// Degrees of freedom before clamping, as the field counts them.
     int dofs() const { return 3 * node_count(); }
 };

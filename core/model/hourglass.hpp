@@ -2,14 +2,11 @@
 
 #include <Eigen/Core>
 
-#include "fem/element_block.hpp"
+#include "model/packed_cells.hpp"
 
 namespace myo {
 
-using Matrix34d = Eigen::Matrix<double, 3, 4>;
-using Matrix12d = Eigen::Matrix<double, 12, 12>;
-
-/// Stiffness of the twelve hourglass strains h (3 x 4, as a vector of columns), energy = h'Kh / 2 [J]; linear in mu.
+/// Stiffness of the twelve hourglass strains h (3 x 4), energy = mu/2 h : K h [J].
 ///
 /// The strains that vary linearly over a box of half edges a, b, c answer with 2 mu |strain|^2 / 2 where they bend it (no
 /// parasitic shear, and no volume response: the cell's mean carries it) and with mu where they twist it. This is the enhanced-strain
@@ -18,35 +15,49 @@ using Matrix12d = Eigen::Matrix<double, 12, 12>;
 /// is incompatible modes with mean dilatation (test ElementAccuracy in tests/dynamics).
 /// h = F^-1 x gamma is the strain variation relative to the deformed cell, so the energy does not see rotations.
 /// Source: Simo & Rifai 1990; Puso 2000, "A highly efficient enhanced assumed strain physically stabilized hexahedral element".
-inline Matrix12d hourglass_stiffness(const HourglassGeometry& geometry, double volume, double mu) {
-    const double a = geometry.half_length(0), b = geometry.half_length(1), c = geometry.half_length(2);
-    const double linear = volume / 3.0, bilinear = volume / 9.0;   // integrals of zeta^2 and of xi^2 eta^2
-    const double aa = 1.0 / (a * a), bb = 1.0 / (b * b), cc = 1.0 / (c * c);
-    const auto at = [](int coordinate, int shape) { return coordinate + 3 * shape; };   // shapes: eta zeta, xi zeta, xi eta, all
-    Matrix12d K = Matrix12d::Zero();
-    // Bending: normal strains along x, y, z that vary along another axis.
-    K(at(0, 1), at(0, 1)) = K(at(0, 2), at(0, 2)) = 2.0 * linear * mu * aa;
-    K(at(1, 0), at(1, 0)) = K(at(1, 2), at(1, 2)) = 2.0 * linear * mu * bb;
-    K(at(2, 0), at(2, 0)) = K(at(2, 1), at(2, 1)) = 2.0 * linear * mu * cc;
-    // Torsion: one shear p / lp + q / lq that varies along the third axis.
-    const auto torsion = [&](int p, double lp, int q, double lq) {
-        K(p, p) += linear * mu / (lp * lp);
-        K(q, q) += linear * mu / (lq * lq);
-        K(p, q) += linear * mu / (lp * lq);
-        K(q, p) += linear * mu / (lp * lq);
+///
+/// In the cell's frame K is diagonal but for torsion: three squares (h_p / l_p + h_q / l_q)^2.
+struct HourglassStiffness {
+    struct Torsion {
+        int row_p, shape_p, row_q, shape_q;
+        Pack p, q;                            // 1 / l_p, 1 / l_q
     };
-    torsion(at(0, 0), b, at(1, 1), a);   // along zeta: xy
-    torsion(at(0, 0), c, at(2, 2), a);   // along eta: xz
-    torsion(at(1, 1), c, at(2, 2), b);   // along xi: yz
-    // The bilinear shape, with its deviatoric part.
-    K(at(0, 3), at(0, 3)) = bilinear * mu * (4.0 / 3.0 * aa + bb + cc);
-    K(at(1, 3), at(1, 3)) = bilinear * mu * (aa + 4.0 / 3.0 * bb + cc);
-    K(at(2, 3), at(2, 3)) = bilinear * mu * (aa + bb + 4.0 / 3.0 * cc);
+    Eigen::Matrix<Pack, 3, 4> diagonal;       // coordinate x shape (eta zeta, xi zeta, xi eta, all); without torsion
+    std::array<Torsion, 3> torsion;
+    Pack torsion_weight;
 
-    if (geometry.frame.isIdentity(1e-12)) return K;
-    Matrix12d Q = Matrix12d::Zero();
-    for (int shape = 0; shape < 4; ++shape) Q.block<3, 3>(3 * shape, 3 * shape) = geometry.frame;
-    return Q * K * Q.transpose();
-}
+    HourglassStiffness(const PackHourglass& geometry, const Pack& volume) {
+        std::array<Pack, 3> inverse, squared;
+        for (std::size_t i = 0; i < 3; ++i) {
+            inverse[i] = 1.0 / geometry.half_length[i];
+            squared[i] = inverse[i] * inverse[i];
+        }
+        const Pack linear = volume * (1.0 / 3.0), bilinear = volume * (1.0 / 9.0);   // integrals of zeta^2 and of xi^2 eta^2
+        for (int r = 0; r < 3; ++r) {
+            const auto i = static_cast<std::size_t>(r);
+            // Bending: normal strains along an axis that vary along another one.
+            for (int s = 0; s < 3; ++s) diagonal(r, s) = s == r ? Pack(0.0) : 2.0 * linear * squared[i];
+            // The bilinear shape, with its deviatoric part.
+            diagonal(r, 3) = bilinear * (squared[0] + squared[1] + squared[2] + (1.0 / 3.0) * squared[i]);
+        }
+        torsion[0] = {0, 0, 1, 1, inverse[1], inverse[0]};   // along zeta: xy
+        torsion[1] = {0, 0, 2, 2, inverse[2], inverse[0]};   // along eta: xz
+        torsion[2] = {1, 1, 2, 2, inverse[2], inverse[1]};   // along xi: yz
+        torsion_weight = linear;
+    }
+
+    /// K h.
+    Eigen::Matrix<Pack, 3, 4> apply(const Eigen::Matrix<Pack, 3, 4>& h) const {
+        Eigen::Matrix<Pack, 3, 4> result;
+        for (int s = 0; s < 4; ++s)
+            for (int r = 0; r < 3; ++r) result(r, s) = diagonal(r, s) * h(r, s);
+        for (const Torsion& t : torsion) {
+            const Pack stress = torsion_weight * (t.p * h(t.row_p, t.shape_p) + t.q * h(t.row_q, t.shape_q));
+            result(t.row_p, t.shape_p) += t.p * stress;
+            result(t.row_q, t.shape_q) += t.q * stress;
+        }
+        return result;
+    }
+};
 
 }  // namespace myo

@@ -1,10 +1,10 @@
 #include "model/internal_forces.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cassert>
 
 #include "model/cell_kernel.hpp"
+#include "model/fibre_forces.hpp"
+#include "model/positive_part.hpp"
 
 namespace myo {
 namespace {
@@ -12,150 +12,159 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-template <int N>
-Eigen::Matrix<double, 3, N> cell_columns(const Eigen::MatrixXi& cells, int cell, const Matrix3Xd& x) {
-    Eigen::Matrix<double, 3, N> columns;
-    for (int a = 0; a < N; ++a) columns.col(a) = x.col(cells(a, cell));
-    return columns;
+/// f(cell) of the pack's cells; past the last cell, of the last.
+template <class Cells, class Value>
+Pack pack_of(const Cells& cells, int pack, const Value& value) {
+    return Pack([&](auto lane) { return value(static_cast<std::size_t>(std::min(pack * pack_width + static_cast<int>(lane), cells.cell_count - 1))); });
 }
 
-/// Of any size at run time: this path is rare, and fixed sizes would cost minutes of compilation.
-void project_positive(Eigen::Ref<Eigen::MatrixXd> K) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K);
-    if (eigen.eigenvalues()(0) >= 0.0) return;
-    K = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
-}
-
-CellInput cell_input(const Model& model, const InternalInput& input, int cell, int strains_per_cell) {
-    const auto c = static_cast<std::size_t>(cell);
-    CellInput in;
+template <class Cells>
+PackInput pack_input(const Model& model, const Cells& cells, const InternalInput& input, int pack) {
+    const Stiffness& stiffness = *input.stiffness;
+    PackInput in;
     in.material = model.material.get();
-    if (!input.stiffness->elastic.empty()) in.elastic = &input.stiffness->elastic[c];
-    if (!input.stiffness->viscous.empty() && input.rate.history != nullptr) {
-        in.viscous = &input.stiffness->viscous[c];
-        in.rate_factor = input.rate.factor;
-        in.rate_history = input.rate.history->data() + cell * strains_per_cell;
+    in.elastic = !stiffness.elastic.empty();
+    in.viscous = !stiffness.viscous.empty() && input.rate.history != nullptr;
+    if (in.elastic) {
+        in.mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].mu; });
+        in.kappa = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].kappa; });
     }
-    if (input.pressure) in.pressure = input.pressure->data() + cell * model.body->volume_points_per_cell;
+    if (in.viscous) {
+        in.viscous_mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.viscous[c].mu; });
+        in.rate_factor = input.rate.factor;
+        in.rate_history = input.rate.history->data() + pack * cells.strains_per_cell() * pack_width;
+    }
+    if (input.pressure) in.pressure = input.pressure->data() + pack * cells.volumes_per_cell() * pack_width;
     return in;
 }
 
-template <bool WithHessian, int N, int Q>
-void add_cells(const ElementBlock<N, Q>& block, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive,
-               InternalEnergy& out) {
-    CellOutput<N> cell;
-    for (int c = 0; c < block.cell_count(); ++c) {
-        const CellInput in = cell_input(model, input, c, block.strains_per_cell());
-        evaluate_cell<WithHessian>(block, c, cell_columns<N>(block.cells, c, x), in, cell);
-        out.energy += cell.energy;
-        for (int a = 0; a < N; ++a) out.gradient.col(block.cells(a, c)) += cell.gradient.col(a);
-        if constexpr (WithHessian) {
-            if (positive && cell.hessian.allFinite()) project_positive(cell.hessian);
-            for (int b = 0; b < N; ++b)
-                for (int a = 0; a < N; ++a)
-                    model.body->pattern.add(out.hessian, block.cells, c, a, b, cell.hessian.template block<3, 3>(3 * a, 3 * b));
+/// Adds one lane's blocks to the assembled matrix, transposed where the free numbering turns a pair round.
+template <int N>
+void assemble_lane(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, int lane, const PackOutput<N>& out, SymmetricSparse& matrix) {
+    const auto l = static_cast<std::size_t>(lane);
+    for (int b = 0; b < N; ++b)
+        for (int a = b; a < N; ++a) {
+            const Matrix3<Pack>& block = out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))];
+            if (pattern.stores(N, cell, a, b)) pattern.add(matrix, cells, cell, a, b, [&](int r, int s) { return static_cast<double>(block(r, s)[l]); });
+            else pattern.add(matrix, cells, cell, b, a, [&](int r, int s) { return static_cast<double>(block(s, r)[l]); });
         }
+}
+
+template <int N>
+void project_cells_positive(int lanes, PackOutput<N>& out) {
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
+        Eigen::MatrixXd K(3 * N, 3 * N);
+        const auto for_each_entry = [&](const auto& visit) {
+            for (int b = 0; b < N; ++b)
+                for (int a = b; a < N; ++a)
+                    for (int s = 0; s < 3; ++s)
+                        for (int r = 0; r < 3; ++r) visit(3 * a + r, 3 * b + s, out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))](r, s));
+        };
+        for_each_entry([&](int row, int column, Pack& value) { K(row, column) = K(column, row) = value[lane]; });
+        if (!K.allFinite()) continue;
+        project_positive(K);
+        for_each_entry([&](int row, int column, Pack& value) { value[lane] = K(row, column); });
     }
 }
 
-/// Visits every fibre point with its stretch vector s = F m.
-template <class Visit>
-void for_each_fibre_point(const Model& model, const Matrix3Xd& x, const Visit& visit) {
-    const Eigen::MatrixXi& cells = model.body->mesh.cells;
-    for (std::size_t g = 0; g < model.fibres->size(); ++g)
-        for (const FibrePoint& point : (*model.fibres)[g].points) {
-            Eigen::Vector3d s = Eigen::Vector3d::Zero();
-            for (int a = 0; a < point.shape.size(); ++a) s += point.shape(a) * x.col(cells(a, point.cell));
-            visit(g, point, s);
+/// Sums the cells' nodal vectors (see NodeIncidence) at the nodes.
+void add_at_nodes(const NodeIncidence& incidence, const std::vector<Pack>& field, Matrix3Xd& nodal) {
+    const auto* values = reinterpret_cast<const double*>(field.data());
+    for (Eigen::Index i = 0; i < nodal.cols(); ++i) {
+        double x = 0.0, y = 0.0, z = 0.0;
+        for (int k = incidence.start[static_cast<std::size_t>(i)]; k < incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
+            const double* at = values + incidence.offset[static_cast<std::size_t>(k)];
+            x += at[0];
+            y += at[pack_width];
+            z += at[2 * pack_width];
         }
+        nodal.col(i) += Eigen::Vector3d(x, y, z);
+    }
 }
 
-void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double>& activation, HessianKind kind, InternalEnergy& out) {
-    const Eigen::MatrixXi& cells = model.body->mesh.cells;
-    for_each_fibre_point(model, x, [&](std::size_t g, const FibrePoint& point, const Eigen::Vector3d& s) {
-        FibreResponse response = fibre_response(s, activation[g], (*model.fibres)[g].stiffness_Pa);
-        out.energy += point.volume * response.energy;
-        const auto nodes = static_cast<int>(point.shape.size());
-        for (int a = 0; a < nodes; ++a) out.gradient.col(cells(a, point.cell)) += point.volume * point.shape(a) * response.gradient;
-        if (kind == HessianKind::none) return;
-        if (kind == HessianKind::positive) project_positive(response.hessian);
-        for (int b = 0; b < nodes; ++b)
-            for (int a = 0; a < nodes; ++a)
-                model.body->pattern.add(out.hessian, cells, point.cell, a, b,
-                                        Eigen::Matrix3d(point.volume * point.shape(a) * point.shape(b) * response.hessian));
-    });
+template <bool WithHessian, int N, int Q>
+void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive, InternalEnergy& out) {
+    static thread_local std::vector<Pack> forces;   // per cell node; kept, because this runs thousands of times a second
+    forces.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
+    PackOutput<N> result;
+    for (int pack = 0; pack < cells.pack_count(); ++pack) {
+        const PackInput in = pack_input(model, cells, input, pack);
+        evaluate_pack<WithHessian>(cells, pack, gather_lanes<N>(cells.lane_nodes[static_cast<std::size_t>(pack)], x), in, result);
+        const int lanes = cells.lanes_used(pack);
+        for (int lane = 0; lane < lanes; ++lane) out.energy += result.energy[static_cast<std::size_t>(lane)];
+        std::copy(result.gradient.data(), result.gradient.data() + 3 * N, forces.begin() + pack * 3 * N);
+        if constexpr (WithHessian) {
+            if (positive) project_cells_positive(lanes, result);
+            for (int lane = 0; lane < lanes; ++lane)
+                assemble_lane<N>(model.body->pattern, model.body->mesh.cells, pack * pack_width + lane, lane, result, out.hessian);
+        }
+    }
+    add_at_nodes(model.body->incidence, forces, out.gradient);
 }
 
-/// theta of each volume point and its derivative along dx (zero when dx is null).
+/// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
 template <int N, int Q>
-void volume_points(const ElementBlock<N, Q>& block, const Material& material, const Matrix3Xd& x, const Matrix3Xd* dx,
-                   VectorXd& theta, VectorXd& d_theta) {
-    const int per_cell = block.mean_volume ? 1 : Q;
-    theta.setZero(block.cell_count() * per_cell);
-    d_theta.setZero(theta.size());
-    for (int c = 0; c < block.cell_count(); ++c) {
-        const auto& geometry = block.geometry[static_cast<std::size_t>(c)];
-        const auto xe = cell_columns<N>(block.cells, c, x);
-        Eigen::Matrix<double, 3, N> de = Eigen::Matrix<double, 3, N>::Zero();
-        if (dx) de = cell_columns<N>(block.cells, c, *dx);
+VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const Matrix3Xd* dx) {
+    const int per_cell = cells.volumes_per_cell();
+    VectorXd pressure(cells.pack_count() * per_cell * pack_width);
+    if (!model.material->has_split()) return VectorXd::Zero(pressure.size());
+    LawResponse<Pack> law;
+    for (int pack = 0; pack < cells.pack_count(); ++pack) {
+        const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
+        const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
+        const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
+        const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
+        Pack theta = 0.0, d_theta = 0.0;
         for (int q = 0; q < Q; ++q) {
             const auto& G = geometry.gradient[static_cast<std::size_t>(q)];
-            const TensorFunction measure = material.volume_measure(xe * G, false);
-            const double share = block.mean_volume ? geometry.weight[static_cast<std::size_t>(q)] / geometry.volume : 1.0;
-            const int point = c * per_cell + (block.mean_volume ? 0 : q);
-            theta(point) += share * measure.value;
-            d_theta(point) += share * measure.gradient.cwiseProduct(de * G).sum();
+            model.material->respond(deformation_gradient<N>(gather_lanes<N>(nodes, x), G), mu, kappa, false, law);
+            const Pack share = cells.mean_volume ? geometry.weight[static_cast<std::size_t>(q)] / geometry.volume : Pack(1.0);
+            if (!cells.mean_volume) theta = d_theta = 0.0;
+            theta += share * law.volume.value;
+            if (dx) d_theta += share * double_dot(law.volume.gradient, deformation_gradient<N>(gather_lanes<N>(nodes, *dx), G));
+            if (cells.mean_volume && q + 1 < Q) continue;
+            const ScalarFunctionOf<Pack> U = model.material->bulk(theta, cells.mean_volume ? kappa - cells.point_bulk_over_mu * mu : kappa);
+            const Pack p = U.first + U.second * d_theta;
+            p.copy_to(pressure.data() + (pack * per_cell + (cells.mean_volume ? 0 : q)) * pack_width, std::experimental::element_aligned);
         }
     }
-}
-
-VectorXd bulk_pressures(const Model& model, const Matrix3Xd& x, const Matrix3Xd* dx) {
-    VectorXd theta, d_theta;
-    double point_bulk_over_mu = 0.0;
-    std::visit(
-        [&](const auto& block) {
-            volume_points(block, *model.material, x, dx, theta, d_theta);
-            if (block.mean_volume) point_bulk_over_mu = block.point_bulk_over_mu;
-        },
-        model.body->elements);
-    VectorXd p(theta.size());
-    for (int i = 0; i < p.size(); ++i) {
-        const auto cell = static_cast<std::size_t>(i / model.body->volume_points_per_cell);
-        const Moduli& m = model.moduli[cell];
-        const ScalarFunction U = model.material->bulk(theta(i), m.kappa - point_bulk_over_mu * m.mu);
-        p(i) = U.first + U.second * d_theta(i);
-    }
-    return p;
+    return pressure;
 }
 
 /// Strains of every cell at x, or their derivative along dx when dx is given.
 template <int N, int Q>
-void collect_strains(const ElementBlock<N, Q>& block, const Matrix3Xd& x, const Matrix3Xd* dx, VectorXd& result) {
-    const int per_cell = block.strains_per_cell();
-    result.resize(block.cell_count() * per_cell);
-    for (int c = 0; c < block.cell_count(); ++c) {
-        const auto& geometry = block.geometry[static_cast<std::size_t>(c)];
-        const auto xe = cell_columns<N>(block.cells, c, x);
-        Eigen::Matrix<double, 3, N> de = Eigen::Matrix<double, 3, N>::Zero();
-        if (dx) de = cell_columns<N>(block.cells, c, *dx);
+VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const Matrix3Xd* dx) {
+    const int per_cell = cells.strains_per_cell();
+    VectorXd result(cells.pack_count() * per_cell * pack_width);
+    for (int pack = 0; pack < cells.pack_count(); ++pack) {
+        const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
+        const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
+        const auto xe = gather_lanes<N>(nodes, x), de = gather_lanes<N>(nodes, dx ? *dx : x);
+        const auto store = [&](int i, const Pack& value) {
+            value.copy_to(result.data() + (pack * per_cell + i) * pack_width, std::experimental::element_aligned);
+        };
         for (int q = 0; q < Q; ++q) {
             const auto& G = geometry.gradient[static_cast<std::size_t>(q)];
-            const Eigen::Matrix3d F = xe * G;
-            Eigen::Matrix<double, 6, 1> e = green_strain(F);
-            if (dx) {
-                const Eigen::Matrix3d H = F.transpose() * (de * G);
-                const Eigen::Matrix3d S = 0.5 * (H + H.transpose());
-                e << S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0);
-            }
-            result.segment<6>(c * per_cell + 6 * q) = e;
+            const Matrix3<Pack> F = deformation_gradient<N>(xe, G);
+            const PackStrain e = dx ? green_strain_tangent(F, deformation_gradient<N>(de, G)) : green_strain(F);
+            for (int i = 0; i < 6; ++i) store(6 * q + i, e[static_cast<std::size_t>(i)]);
         }
         if constexpr (N == 8 && Q == 1)
-            if (!block.hourglass.empty()) {
-                const HourglassStrain h = hourglass_strain(xe, geometry.gradient[0], block.hourglass[static_cast<std::size_t>(c)]);
-                const Matrix34d value = dx ? Matrix34d(h.F_inverse * de * h.Gamma) : h.strain;
-                result.segment<12>(c * per_cell + 6) = Eigen::Map<const Eigen::Matrix<double, 12, 1>>(value.data());
+            if (!cells.hourglass.empty()) {
+                const HourglassStrain h = hourglass_strain(xe, geometry.gradient[0], cells.hourglass[static_cast<std::size_t>(pack)]);
+                for (int s = 0; s < 4; ++s)
+                    for (int i = 0; i < 3; ++i) {
+                        Pack value = h.strain(i, s);
+                        if (dx) {
+                            value = 0.0;
+                            for (int a = 0; a < 8; ++a)
+                                value += h.Gamma(a, s) * (h.F_inverse(i, 0) * de(0, a) + h.F_inverse(i, 1) * de(1, a) + h.F_inverse(i, 2) * de(2, a));
+                        }
+                        store(6 + i + 3 * s, value);
+                    }
             }
     }
+    return result;
 }
 
 }  // namespace
@@ -177,11 +186,11 @@ InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const Int
     if (kind != HessianKind::none) out.hessian = model.body->pattern.zero;
     const bool positive = kind == HessianKind::positive;
     std::visit(
-        [&](const auto& block) {
-            if (kind == HessianKind::none) add_cells<false>(block, model, x, input, positive, out);
-            else add_cells<true>(block, model, x, input, positive, out);
+        [&](const auto& cells) {
+            if (kind == HessianKind::none) add_cells<false>(cells, model, x, input, positive, out);
+            else add_cells<true>(cells, model, x, input, positive, out);
         },
-        model.body->elements);
+        model.body->cells);
     if (input.stiffness->fibres && !model.fibres->empty()) {
         assert(input.activation != nullptr && input.activation->size() == model.fibres->size());
         add_fibres(model, x, *input.activation, kind, out);
@@ -189,20 +198,20 @@ InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const Int
     return out;
 }
 
-VectorXd pressures(const Model& model, const Matrix3Xd& x) { return bulk_pressures(model, x, nullptr); }
+VectorXd pressures(const Model& model, const Matrix3Xd& x) {
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, x, nullptr); }, model.body->cells);
+}
 
-VectorXd predicted_pressures(const Model& model, const Matrix3Xd& x, const Matrix3Xd& dx) { return bulk_pressures(model, x, &dx); }
+VectorXd predicted_pressures(const Model& model, const Matrix3Xd& x, const Matrix3Xd& dx) {
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, x, &dx); }, model.body->cells);
+}
 
 VectorXd strains(const Body& body, const Matrix3Xd& x) {
-    VectorXd result;
-    std::visit([&](const auto& block) { collect_strains(block, x, nullptr, result); }, body.elements);
-    return result;
+    return std::visit([&](const auto& cells) { return pack_strains(cells, x, nullptr); }, body.cells);
 }
 
 VectorXd strain_tangent(const Body& body, const Matrix3Xd& x, const Matrix3Xd& dx) {
-    VectorXd result;
-    std::visit([&](const auto& block) { collect_strains(block, x, &dx, result); }, body.elements);
-    return result;
+    return std::visit([&](const auto& cells) { return pack_strains(cells, x, &dx); }, body.cells);
 }
 
 Matrix3Xd viscous_gradient(const Model& model, const Matrix3Xd& x, const VectorXd& rate) {
@@ -213,18 +222,6 @@ Matrix3Xd viscous_gradient(const Model& model, const Matrix3Xd& x, const VectorX
     input.stiffness = &viscous_only;
     input.rate = {0.0, &rate};
     return internal_energy(model, x, input, HessianKind::none).gradient;
-}
-
-Matrix3Xd activation_gradient(const Model& model, const Matrix3Xd& x, const std::vector<double>& activation,
-                              const std::vector<double>& d_activation) {
-    Matrix3Xd gradient = Matrix3Xd::Zero(3, x.cols());
-    const Eigen::MatrixXi& cells = model.body->mesh.cells;
-    for_each_fibre_point(model, x, [&](std::size_t g, const FibrePoint& point, const Eigen::Vector3d& s) {
-        const FibreResponse response = fibre_response(s, activation[g], (*model.fibres)[g].stiffness_Pa);
-        for (int a = 0; a < point.shape.size(); ++a)
-            gradient.col(cells(a, point.cell)) += d_activation[g] * point.volume * point.shape(a) * response.gradient_activation;
-    });
-    return gradient;
 }
 
 }  // namespace myo

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace myo {
+
+/// Replaces a symmetric matrix by the nearest positive semi-definite one.
+void project_positive(Eigen::Ref<Eigen::MatrixXd> K);
+
+}  // namespace myo
