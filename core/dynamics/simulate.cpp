@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/extrapolation.hpp"
 #include "dynamics/statics.hpp"
 
 namespace myo {
@@ -91,6 +92,8 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
     for (const double jump : jumps)
         if (jump > 0.0 && jump <= 1e-6 * options.h_s) loads_from = jump;
     set_force(loads_from);
+    Extrapolation past;
+    past.restart(0.0, state.x);
     double t = 0.0;
     for (std::size_t k = 0; k < ends.size(); ++k) {
         if (progress.cancelled()) {
@@ -105,13 +108,18 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
         const auto solve = [&](Stage& stage, StageSolution& solution) {
             if (std::abs(stage.time_s - ends[k]) < 1e-9 * h) stage.time_s = ends[k];
             stage.before_jump = jump_at_end && stage.time_s == ends[k];
-            solution.x = solved.empty() ? Eigen::Matrix3Xd(state.x + (stage.time_s - t) * state.v) : solved.back().solution.x;
+            const auto without_past = [&]() -> Eigen::Matrix3Xd {
+                return solved.empty() ? Eigen::Matrix3Xd(state.x + (stage.time_s - t) * state.v) : solved.back().solution.x;
+            };
+            const std::optional<Eigen::Matrix3Xd> continued = past.at(stage.time_s);
+            solution.x = continued ? *continued : without_past();
             for (int i = 0; i < body.node_count(); ++i)
                 if (body.clamped[static_cast<std::size_t>(i)]) solution.x.col(i) = body.mesh.nodes.col(i);
             last = solver.solve(stage, solution.x);
             count(last, trace);
             if (!last.ok()) return false;
             solution.strain = strains(body, solution.x);
+            past.add(stage.time_s, solution.x);
             solved.push_back({stage, solution});
             return true;
         };
@@ -126,7 +134,10 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
         state = std::move(next);
         t = ends[k];
         record(t);
-        if (jump_at_end) set_force(t);
+        if (jump_at_end) {
+            set_force(t);
+            past.restart(t, state.x);
+        }
         if (!state.v.allFinite()) {
             trace.status = RunStatus::failed;
             trace.message = where_it_failed(t, h, "the motion is no longer finite");

@@ -25,7 +25,7 @@ public:
             d.x = d.v = d.force = Matrix3Xd::Zero(3, body.node_count());
             if (options_.start == StartKind::equilibrium) {
                 const Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, 0.0, true);
-                d.x = scatter(body.pattern, solver.solve_linear(K, gather(body.pattern, -g)));
+                d.x = scatter(body.pattern, solver.solve_linear(K, stage, state.x, gather(body.pattern, -g)));
             }
             d.strain = strain_tangent(body, state.x, d.x);
             d.rate = VectorXd::Zero(d.strain.size());
@@ -47,24 +47,32 @@ public:
 
     void step(StageSolver& solver, double t, double h, const std::vector<SolvedStage>& solved) {
         const Body& body = *model_.body;
-        std::vector<SymmetricSparse> hessians;
-        for (const SolvedStage& stage : solved) hessians.push_back(solver.hessian(stage.stage, stage.solution.x));
-        for (std::size_t p = 0; p < parameters_.size(); ++p) {
-            std::size_t k = 0;
-            const auto solve = [&](const Stage& d_stage, StageSolution& d_solution) {
-                const Stage& stage = solved[k].stage;
-                const StageSolution& solution = solved[k].solution;
-                const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
-                Matrix3Xd g = gradient_tangent(model_, parameters_[p], solution.x, rate, stage.time_s, stage.before_jump);
-                if (model_.damping_s > 0.0) g += viscous_gradient(model_, solution.x, d_stage.rate_history);
-                d_solution.x = scatter(body.pattern, solver.solve_linear(hessians[k], gather(body.pattern, d_stage.constant - g)));
+        // Every parameter's step runs up to stage k, leaves its right-hand side there and is run again once all of them are solved
+        // together: the passes over matrix and factor are what costs.
+        std::vector<std::vector<StageSolution>> d_solved(parameters_.size());
+        for (std::size_t k = 0; k < solved.size(); ++k) {
+            const Stage& stage = solved[k].stage;
+            const StageSolution& solution = solved[k].solution;
+            const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
+            Eigen::MatrixXd B(body.pattern.unknowns(), static_cast<Eigen::Index>(parameters_.size()));
+            for (std::size_t p = 0; p < parameters_.size(); ++p)
+                run_step(solver, t, h, p, d_solved[p], [&](const Stage& d_stage) {
+                    Matrix3Xd g = gradient_tangent(model_, parameters_[p], solution.x, rate, stage.time_s, stage.before_jump);
+                    if (model_.damping_s > 0.0) g += viscous_gradient(model_, solution.x, d_stage.rate_history);
+                    B.col(static_cast<Eigen::Index>(p)) = gather(body.pattern, d_stage.constant - g);
+                });
+            if (guesses_.size() <= k) guesses_.resize(k + 1);
+            const Eigen::MatrixXd X = solver.solve_linear(solver.hessian(stage, solution.x), stage, solution.x, B, guesses_[k].next());
+            guesses_[k].add(X);
+            for (std::size_t p = 0; p < parameters_.size(); ++p) {
+                StageSolution d_solution;
+                d_solution.x = scatter(body.pattern, X.col(static_cast<Eigen::Index>(p)));
                 d_solution.strain = strain_tangent(body, solution.x, d_solution.x);
-                ++k;
-                return true;
-            };
-            Kinematics next;
-            const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model_.velocity_force_1_s, solve};
-            take_step(options_.integrator, problem, state_[p], next);
+                d_solved[p].push_back(std::move(d_solution));
+            }
+        }
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            Kinematics next = run_step(solver, t, h, p, d_solved[p], [](const Stage&) {});
             // The mass couples clamped nodes to their free neighbours; forces on them are reactions.
             for (int i = 0; i < body.node_count(); ++i)
                 if (body.clamped[static_cast<std::size_t>(i)]) next.force.col(i).setZero();
@@ -76,6 +84,34 @@ public:
     std::vector<NodeTangent> take() { return std::move(kept_); }
 
 private:
+    /// Where to start the linear solves: the solutions of the last two steps, continued.
+    struct Guess {
+        Eigen::MatrixXd last, before_last;
+        Eigen::MatrixXd next() const { return before_last.size() > 0 ? Eigen::MatrixXd(2.0 * last - before_last) : last; }
+        void add(const Eigen::MatrixXd& X) {
+            before_last = std::move(last);
+            last = X;
+        }
+    };
+
+    /// One parameter's step with the stage solutions at hand; at the first stage without one, its derivative goes to `stop`.
+    template <class Stop>
+    Kinematics run_step(StageSolver& solver, double t, double h, std::size_t p, const std::vector<StageSolution>& d_solved, const Stop& stop) const {
+        std::size_t k = 0;
+        const auto solve = [&](const Stage& d_stage, StageSolution& d_solution) {
+            if (k == d_solved.size()) {
+                stop(d_stage);
+                return false;
+            }
+            d_solution = d_solved[k++];
+            return true;
+        };
+        Kinematics next;
+        const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model_.velocity_force_1_s, solve};
+        take_step(options_.integrator, problem, state_[p], next);
+        return next;
+    }
+
     void keep(std::size_t p) {
         kept_[p].positions.emplace_back(state_[p].x(Eigen::all, nodes_));
         kept_[p].velocities.emplace_back(state_[p].v(Eigen::all, nodes_));
@@ -86,6 +122,7 @@ private:
     const std::vector<ModelTangent>& parameters_;
     const std::vector<int>& nodes_;
     std::vector<Kinematics> state_;   // derivatives, per parameter
+    std::vector<Guess> guesses_;      // per stage of a step
     std::vector<NodeTangent> kept_;
 };
 

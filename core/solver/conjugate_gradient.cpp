@@ -1,43 +1,88 @@
 #include "solver/conjugate_gradient.hpp"
 
 namespace myo {
+namespace {
 
-ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const LinearOperator& preconditioner, const Eigen::VectorXd& b,
-                                           double tolerance, int max_iterations) {
-    ConjugateGradientReport report;
-    report.solution = Eigen::VectorXd::Zero(b.size());
-    const double scale = b.norm();
-    if (scale == 0.0) {
-        report.relative_residual = 0.0;
-        report.converged = true;
-        return report;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+
+RowVectorXd column_dots(const MatrixXd& A, const MatrixXd& B) { return A.cwiseProduct(B).colwise().sum(); }
+
+/// Y = A X with the columns of a row side by side, K of them known to the compiler (Eigen::Dynamic: not).
+template <int K>
+MatrixXd product_of(const SymmetricSparse& lower, const MatrixXd& X) {
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, K, K == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+    const Rows x = X;
+    Rows y = Rows::Zero(X.rows(), X.cols());
+    for (int j = 0; j < lower.outerSize(); ++j) {
+        Eigen::Matrix<double, 1, K> sum = Eigen::Matrix<double, 1, K>::Zero(1, X.cols());
+        for (SymmetricSparse::InnerIterator entry(lower, j); entry; ++entry) {
+            const Eigen::Index i = entry.row();
+            sum += entry.value() * x.row(i);
+            if (i != j) y.row(i) += entry.value() * x.row(j);
+        }
+        y.row(j) += sum;
     }
-    Eigen::VectorXd r = b;
-    Eigen::VectorXd z = preconditioner(r);
-    Eigen::VectorXd p = z;
-    double rz = r.dot(z);
+    return y;
+}
+
+}  // namespace
+
+ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const LinearOperator& preconditioner, const MatrixXd& B,
+                                           double tolerance, int max_iterations, const MatrixXd& guess) {
+    ConjugateGradientReport report;
+    MatrixXd& X = report.solution;
+    X = guess.size() == 0 ? MatrixXd::Zero(B.rows(), B.cols()) : guess;
+    const RowVectorXd scale = B.colwise().norm();
+    for (Eigen::Index k = 0; k < B.cols(); ++k)
+        if (scale(k) == 0.0) X.col(k).setZero();
+    MatrixXd R = B;
+    if (guess.size() > 0) R -= A(X);
+    const auto open = [&]() -> Eigen::Array<bool, 1, Eigen::Dynamic> { return R.colwise().norm().array() > tolerance * scale.array(); };
+    const auto finish = [&]() {
+        report.relative_residual = 0.0;
+        for (Eigen::Index k = 0; k < B.cols(); ++k)
+            if (scale(k) > 0.0) report.relative_residual = std::max(report.relative_residual, R.col(k).norm() / scale(k));
+        report.converged = !report.negative_curvature && !open().any();
+        return report;
+    };
+    if (!open().any()) return finish();
+    MatrixXd Z = preconditioner(R);
+    MatrixXd P = Z;
+    RowVectorXd rz = column_dots(R, Z);
     while (report.iterations < max_iterations) {
-        const Eigen::VectorXd Ap = A(p);
-        const double curvature = p.dot(Ap);
+        const MatrixXd AP = A(P);
+        const RowVectorXd curvature = column_dots(P, AP);
+        const auto active = open();
         ++report.iterations;
-        if (!(curvature > 0.0)) {
-            report.negative_curvature = true;
-            return report;
+        for (Eigen::Index k = 0; k < B.cols(); ++k) {
+            if (!active(k)) continue;
+            if (!(curvature(k) > 0.0)) {
+                report.negative_curvature = true;
+                return finish();
+            }
+            const double alpha = rz(k) / curvature(k);
+            X.col(k) += alpha * P.col(k);
+            R.col(k) -= alpha * AP.col(k);
         }
-        const double alpha = rz / curvature;
-        report.solution += alpha * p;
-        r -= alpha * Ap;
-        report.relative_residual = r.norm() / scale;
-        if (report.relative_residual <= tolerance) {
-            report.converged = true;
-            return report;
-        }
-        z = preconditioner(r);
-        const double rz_next = r.dot(z);
-        p = z + rz_next / rz * p;
+        if (!open().any()) break;
+        Z = preconditioner(R);
+        const RowVectorXd rz_next = column_dots(R, Z);
+        for (Eigen::Index k = 0; k < B.cols(); ++k)
+            if (rz(k) != 0.0) P.col(k) = Z.col(k) + rz_next(k) / rz(k) * P.col(k);
         rz = rz_next;
     }
-    return report;
+    return finish();
+}
+
+MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
+    switch (X.cols()) {
+        case 1: return product_of<1>(lower, X);
+        case 2: return product_of<2>(lower, X);
+        case 3: return product_of<3>(lower, X);
+        case 4: return product_of<4>(lower, X);
+        default: return product_of<Eigen::Dynamic>(lower, X);
+    }
 }
 
 }  // namespace myo

@@ -10,6 +10,8 @@
 #include <mutex>
 #include <vector>
 
+#include "solver/supernodal_factor.hpp"
+
 namespace myo {
 
 struct SparseCholesky::Implementation {
@@ -18,6 +20,7 @@ struct SparseCholesky::Implementation {
     cholmod_dense* solution = nullptr;   // work space that CHOLMOD reuses between solves
     cholmod_dense* work_y = nullptr;
     cholmod_dense* work_e = nullptr;
+    SupernodalFactor single;
     bool positive_definite = false;
     std::vector<int> starts, rows;         // the pattern that `factor` was analysed for
 
@@ -74,6 +77,26 @@ cholmod_sparse view(const SymmetricSparse& lower) {
     return matrix;
 }
 
+/// CHOLMOD's supernodal factor, cast. The permutation and the pattern are copied with it: they are small beside the values.
+SupernodalFactor single_precision(const cholmod_factor& factor) {
+    assert(factor.is_super && factor.is_ll && factor.xtype == CHOLMOD_REAL);
+    const auto* permutation = static_cast<const int*>(factor.Perm);
+    const auto* columns = static_cast<const int*>(factor.super);
+    const auto* row_starts = static_cast<const int*>(factor.pi);
+    const auto* value_starts = static_cast<const int*>(factor.px);
+    const auto* rows = static_cast<const int*>(factor.s);
+    const auto* values = static_cast<const double*>(factor.x);
+    SupernodalFactor f;
+    f.permutation.assign(permutation, permutation + factor.n);
+    f.first_column.assign(columns, columns + factor.nsuper + 1);
+    f.first_row.assign(row_starts, row_starts + factor.nsuper + 1);
+    f.first_value.assign(value_starts, value_starts + factor.nsuper + 1);
+    f.rows.assign(rows, rows + factor.ssize);
+    f.values.resize(factor.xsize);
+    std::transform(values, values + factor.xsize, f.values.begin(), [](double v) { return static_cast<float>(v); });
+    return f;
+}
+
 }  // namespace
 
 SparseCholesky::SparseCholesky() : implementation_(std::make_unique<Implementation>()) {}
@@ -97,6 +120,7 @@ bool SparseCholesky::factorize(const SymmetricSparse& lower) {
     }
     self.positive_definite = self.factor != nullptr && cholmod_factorize(&matrix, self.factor, &self.common) != 0 &&
                              self.common.status == CHOLMOD_OK && self.factor->minor == self.factor->n;
+    if (self.positive_definite) self.single = single_precision(*self.factor);
     return self.positive_definite;
 }
 
@@ -118,6 +142,11 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& B) const {
     Eigen::MatrixXd X(B.rows(), B.cols());
     std::memcpy(X.data(), self.solution->x, sizeof(double) * static_cast<std::size_t>(X.size()));
     return X;
+}
+
+Eigen::MatrixXd SparseCholesky::solve_single(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
+    assert(has_factor());
+    return implementation_->single.solve(B);
 }
 
 double SparseCholesky::factor_entries() const { return implementation_->common.lnz; }

@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-const LinearOperator nothing = [](const VectorXd& v) { return v; };
+const LinearOperator nothing = [](const MatrixXd& V) { return V; };
 
 MatrixXd spd(int n) {
     std::srand(9);
@@ -19,7 +19,7 @@ MatrixXd spd(int n) {
 }
 
 LinearOperator product(const MatrixXd& A) {
-    return [&A](const VectorXd& v) { return VectorXd(A * v); };
+    return [&A](const MatrixXd& V) { return MatrixXd(A * V); };
 }
 
 TEST(ConjugateGradient, IsExactInAsManyStepsAsUnknowns) {
@@ -38,7 +38,7 @@ TEST(ConjugateGradient, NeedsOneStepPerDistinctEigenvalueAndOneWithTheInverse) {
     const MatrixXd A = d.asDiagonal();
     const VectorXd b = VectorXd::Ones(9);
     EXPECT_EQ(conjugate_gradient(product(A), nothing, b, 1e-12, 50).iterations, 3);
-    const LinearOperator inverse = [&](const VectorXd& v) { return VectorXd(v.cwiseQuotient(d)); };
+    const LinearOperator inverse = [&](const MatrixXd& V) { return MatrixXd(d.cwiseInverse().asDiagonal() * V); };
     EXPECT_EQ(conjugate_gradient(product(A), inverse, b, 1e-12, 50).iterations, 1);
 }
 
@@ -56,6 +56,34 @@ TEST(ConjugateGradient, ReportsNegativeCurvatureAndTheIterationLimit) {
     EXPECT_FALSE(limited.negative_curvature);
     EXPECT_EQ(limited.iterations, 2);
     EXPECT_NEAR(limited.relative_residual, (B * limited.solution - VectorXd::Ones(10)).norm() / std::sqrt(10.0), 1e-12);
+}
+
+/// Columns run side by side as they do alone; a good guess saves iterations.
+TEST(ConjugateGradient, SolvesColumnsSideBySideAndStartsFromAGuess) {
+    const MatrixXd A = spd(12);
+    MatrixXd B = MatrixXd::Random(12, 4);
+    B.col(2).setZero();
+    const ConjugateGradientReport together = conjugate_gradient(product(A), nothing, B, 1e-10, 100);
+    ASSERT_TRUE(together.converged);
+    EXPECT_LT((A * together.solution - B).norm(), 1e-9 * B.norm());
+    for (int k = 0; k < 4; ++k) {
+        const ConjugateGradientReport alone = conjugate_gradient(product(A), nothing, B.col(k), 1e-10, 100);
+        EXPECT_LT((together.solution.col(k) - alone.solution).norm(), 1e-7 * (1.0 + alone.solution.norm())) << k;
+        EXPECT_LE(alone.iterations, together.iterations);
+    }
+    const ConjugateGradientReport guessed = conjugate_gradient(product(A), nothing, B, 1e-10, 100, together.solution + MatrixXd::Constant(12, 4, 1e-7));
+    EXPECT_TRUE(guessed.converged);
+    EXPECT_LT(guessed.iterations, together.iterations);
+    EXPECT_LT((A * guessed.solution - B).norm(), 1e-9 * B.norm());
+}
+
+TEST(SymmetricProduct, IsTheFullMatrixTimesTheColumns) {
+    const MatrixXd A = spd(9);
+    const SymmetricSparse lower = MatrixXd(A.triangularView<Eigen::Lower>()).sparseView();
+    for (const int columns : {1, 2, 3, 4, 7}) {
+        const MatrixXd X = MatrixXd::Random(9, columns);
+        EXPECT_LT((symmetric_product(lower, X) - A * X).norm(), 1e-13 * (A * X).norm()) << columns;
+    }
 }
 
 TEST(ConjugateGradient, ZeroRightHandSideIsDoneAtOnce) {

@@ -49,6 +49,25 @@ TEST(SparseCholesky, SolvesAsEigenDoesForSeveralRightHandSides) {
     }
 }
 
+/// The copy in single precision solves to its precision, for one and for several columns, of any size of numbers.
+TEST(SparseCholesky, SinglePrecisionSolvesToItsPrecision) {
+    for (const int n : {1, 2, 30, 400}) {
+        const SymmetricSparse H = random_matrix(n, 13, 4.0);
+        std::srand(5);
+        MatrixXd B = MatrixXd::Random(n, 5);
+        B.col(1) *= 1e60;    // beyond the range of single precision
+        B.col(2) *= 1e-60;
+        B.col(3).setZero();
+        SparseCholesky factor;
+        ASSERT_TRUE(factor.factorize(H));
+        const MatrixXd exact = factor.solve(B), X = factor.solve_single(B);
+        for (int k = 0; k < 5; ++k) {
+            EXPECT_LE((X.col(k) - exact.col(k)).norm(), 1e-4 * exact.col(k).norm()) << n << " column " << k;
+            EXPECT_LE((factor.solve_single(B.col(k)) - exact.col(k)).norm(), 1e-4 * exact.col(k).norm()) << n << " column " << k << " alone";
+        }
+    }
+}
+
 TEST(SparseCholesky, NewValuesReuseThePatternAndAnotherSizeIsAnalysedAnew) {
     SparseCholesky solver;
     SymmetricSparse H = random_matrix(60, 1, 1.0);

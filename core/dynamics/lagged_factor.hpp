@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "dynamics/stage_problem.hpp"
+#include "solver/sparse_cholesky.hpp"
+
+namespace myo {
+
+/// The factor of an earlier Hessian, kept while it pays and turned with the body.
+///
+/// A rotated body has a rotated Hessian, so the factor serves large motions when right-hand sides are turned back to where it was
+/// made, node by node, and solutions forth: p = W A^-1 W' b, W = R_now R_factored' per node.
+/// It is renewed when the iterations it cost beyond those of a fresh one would have paid for one, by operation counts rather than by
+/// the clock, so that runs are repeatable.
+class LaggedFactor {
+public:
+    /// Factors the exact Hessian at x or, where that is not definite, the one of positive cells. False: neither is.
+    bool renew(const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report);
+
+    /// Factors a given matrix, made at x.
+    bool renew_with(const SymmetricSparse& H, const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report);
+
+    /// Turns the factor to the body's present positions x.
+    void turn_to(const Body& body, const Eigen::Matrix3Xd& x);
+
+    /// p = W A^-1 W' b for one or more columns.
+    Eigen::MatrixXd solve(const BlockPattern& pattern, const Eigen::MatrixXd& b) const;
+
+    bool has_factor() const { return factor_.has_factor(); }
+    /// Whether a stage with this inertia should renew the factor before it starts.
+    bool is_stale(double inertia_1_s2) const;
+    void mark_stale() { stale_ = true; }
+
+    /// Counts a stage's iterations: those beyond the two that a fresh factor needs are its price.
+    void charge(int iterations, const Body& body);
+
+    /// Iterations that cost as much as a new factor.
+    int iterations_per_factorisation(const Body& body) const;
+
+private:
+    SparseCholesky factor_;
+    Eigen::Matrix<double, 9, Eigen::Dynamic> factored_rotations_;
+    Eigen::Matrix<double, 9, Eigen::Dynamic> warp_;   // W per node
+    double inertia_1_s2_ = -1.0;
+    long extra_iterations_ = 0;
+    bool stale_ = true;
+};
+
+}  // namespace myo

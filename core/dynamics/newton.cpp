@@ -1,0 +1,114 @@
+#include "dynamics/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/conjugate_gradient.hpp"
+
+namespace myo {
+
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double tolerance, const StageProblem& problem, const Matrix3Xd& x,
+                            LaggedFactor& factor, StageReport& report, MatrixXd& solution, const MatrixXd& guess) {
+    const Body& body = *problem.model().body;
+    bool fresh = false;
+    if (factor.is_stale(problem.stage().inertia_1_s2)) {
+        if (!factor.renew_with(H, problem, x, report)) return false;
+        fresh = true;
+    } else {
+        factor.turn_to(body, x);
+    }
+    while (true) {
+        const int limit = std::max(30, factor.iterations_per_factorisation(body));
+        const ConjugateGradientReport cg =
+            conjugate_gradient([&](const MatrixXd& V) { return symmetric_product(H, V); },
+                               [&](const MatrixXd& V) { return factor.solve(body.pattern, V); }, B, tolerance, limit, guess);
+        report.linear_iterations += cg.iterations;
+        if (cg.converged) {
+            factor.charge(cg.iterations, body);
+            solution = cg.solution;
+            return true;
+        }
+        if (fresh || !factor.renew_with(H, problem, x, report)) return false;
+        fresh = true;
+    }
+}
+
+bool mixed_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor, Matrix3Xd& x, StageReport& report) {
+    const Model& model = problem.model();
+    VectorXd pressure = pressures(model, x);
+    Matrix3Xd best = x;
+    double best_residual = std::numeric_limits<double>::infinity();
+    int without_progress = 0;
+    for (int iteration = 0; iteration < options.max_newton_iterations; ++iteration, ++report.newton_iterations) {
+        const StageProblem::Evaluation now = problem.evaluate(x, HessianKind::exact, &pressure);
+        const double residual = now.residual.norm() / scale;
+        if (!std::isfinite(residual)) break;
+        if (residual < 0.5 * best_residual) without_progress = 0;
+        else ++without_progress;
+        if (residual < best_residual) {
+            best_residual = residual;
+            best = x;
+        }
+        report.residual = best_residual;
+        // A tolerance below rounding: the residual has stopped falling far below anything physical.
+        const bool at_rounding = without_progress >= 2 && best_residual < 1e-9;
+        if (residual <= options.tolerance || at_rounding) {
+            x = best;
+            return true;
+        }
+        if (without_progress > 6) break;
+        MatrixXd step;
+        const double accuracy = std::clamp(0.1 * residual, 1e-6, 1e-2);
+        if (!solve_by_lagged_factor(now.hessian, -now.residual, accuracy, problem, x, factor, report, step)) break;
+        const Matrix3Xd dx = scatter(problem.pattern(), step);
+        pressure = predicted_pressures(model, x, dx);
+        if (!pressure.allFinite()) break;
+        x += dx;
+    }
+    x = best;
+    report.residual = best_residual;
+    return false;
+}
+
+bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor, Matrix3Xd& x, StageReport& report) {
+    for (int iteration = 0; iteration < 5 * options.max_newton_iterations; ++iteration, ++report.newton_iterations) {
+        StageProblem::Evaluation now = problem.evaluate(x, HessianKind::exact);
+        const double residual = now.residual.norm() / scale;
+        report.residual = residual;
+        if (!std::isfinite(residual)) {
+            report.status = SolveStatus::not_finite;
+            return false;
+        }
+        if (residual <= options.tolerance) return true;
+        if (!factor.renew_with(now.hessian, problem, x, report)) {
+            now.hessian = problem.evaluate(x, HessianKind::positive).hessian;
+            // Statics of a body with a zero mode still needs a definite matrix: a small shift along the mass.
+            if (!factor.renew_with(now.hessian, problem, x, report)) {
+                const SymmetricSparse& inertia = problem.constants().inertia;
+                now.hessian.coeffs() += 1e-6 * now.hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
+                if (!factor.renew_with(now.hessian, problem, x, report)) return false;
+            }
+        }
+        const VectorXd step = -factor.solve(problem.pattern(), now.residual);
+        const double slope = now.residual.dot(step);
+        const Matrix3Xd dx = scatter(problem.pattern(), step);
+        double length = 1.0;
+        bool accepted = false;
+        for (int halving = 0; halving < 40 && !accepted; ++halving, length *= 0.5) {
+            const StageProblem::Evaluation trial = problem.evaluate(x + length * dx, HessianKind::none);
+            // Below rounding of the potential the residual decides.
+            accepted = trial.residual.allFinite() && (trial.potential <= now.potential + 1e-4 * length * slope ||
+                                                      trial.residual.norm() < 0.9 * now.residual.norm());
+            if (accepted) x += length * dx;
+        }
+        if (!accepted) return false;
+    }
+    return false;
+}
+
+}  // namespace myo

@@ -1,0 +1,68 @@
+#include "dynamics/projective_metric.hpp"
+
+#include <vector>
+
+namespace myo {
+namespace {
+
+/// Adds the Laplacian of a block's points, weighted with their stiffness.
+template <int N, int Q>
+void add_laplacian(const PackedCells<N, Q>& cells, const Model& model, std::vector<Eigen::Triplet<double>>& entries) {
+    const std::vector<int>& free = model.body->pattern.free_index;
+    for (int cell = 0; cell < cells.cell_count; ++cell) {
+        const auto pack = static_cast<std::size_t>(cell / pack_width), lane = static_cast<std::size_t>(cell % pack_width);
+        const Moduli& m = model.moduli[static_cast<std::size_t>(cell)];
+        const double stiffness = 2.0 * m.mu + (m.kappa - 2.0 / 3.0 * m.mu);
+        const PackGeometry<N, Q>& geometry = cells.geometry[pack];
+        const auto node = [&](int a) { return free[static_cast<std::size_t>(cells.lane_nodes[pack][static_cast<std::size_t>(a)][lane])]; };
+        for (int b = 0; b < N; ++b)
+            for (int a = 0; a < N; ++a) {
+                if (node(a) < 0 || node(b) < 0 || node(a) < node(b)) continue;
+                double sum = 0.0;
+                for (std::size_t q = 0; q < Q; ++q)
+                    for (int j = 0; j < 3; ++j)
+                        sum += static_cast<double>(geometry.weight[q][lane]) * static_cast<double>(geometry.gradient[q](a, j)[lane]) *
+                               static_cast<double>(geometry.gradient[q](b, j)[lane]);
+                if (!cells.hourglass.empty()) {
+                    // One point leaves the hourglass motions free; they get a stiffness of the same size.
+                    const PackHourglass& hourglass = cells.hourglass[pack];
+                    const double a2 = hourglass.half_length[0][lane] * hourglass.half_length[0][lane];
+                    for (int s = 0; s < 4; ++s)
+                        sum += static_cast<double>(geometry.volume[lane]) / a2 * static_cast<double>(hourglass.gamma(a, s)[lane]) *
+                               static_cast<double>(hourglass.gamma(b, s)[lane]);
+                }
+                entries.emplace_back(node(a), node(b), stiffness * sum);
+            }
+    }
+}
+
+}  // namespace
+
+bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report) {
+    const double inertia = problem.stage().inertia_1_s2;
+    if (factor_.has_factor() && inertia == inertia_1_s2_) return true;
+    const Model& model = problem.model();
+    const std::vector<int>& free = model.body->pattern.free_index;
+    std::vector<Eigen::Triplet<double>> entries;
+    std::visit([&](const auto& cells) { add_laplacian(cells, model, entries); }, model.body->cells);
+    const Eigen::SparseMatrix<double>& mass = problem.constants().mass;
+    for (int column = 0; column < mass.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, column); entry; ++entry) {
+            const int i = free[static_cast<std::size_t>(entry.row())], j = free[static_cast<std::size_t>(column)];
+            if (j >= 0 && i >= j) entries.emplace_back(i, j, inertia * entry.value());
+        }
+    SymmetricSparse matrix(model.body->pattern.free_count, model.body->pattern.free_count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    inertia_1_s2_ = inertia;
+    ++report.factorisations;
+    return factor_.factorize(matrix);
+}
+
+Eigen::VectorXd ProjectiveMetric::solve(const Eigen::VectorXd& b) const {
+    const Eigen::Index nodes = b.size() / 3;
+    const Eigen::MatrixXd rows = Eigen::Map<const Eigen::MatrixXd>(b.data(), 3, nodes).transpose();
+    const Eigen::MatrixXd solution = factor_.solve_single(rows).transpose();
+    return Eigen::Map<const Eigen::VectorXd>(solution.data(), solution.size());
+}
+
+}  // namespace myo

@@ -1,0 +1,72 @@
+#include "dynamics/quasi_newton.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace myo {
+
+using Eigen::VectorXd;
+
+void CurvaturePairs::add(const VectorXd& s, const VectorXd& y) {
+    const double sy = s.dot(y);
+    if (!(sy > 1e-12 * s.norm() * y.norm())) return;
+    if (pairs_.size() == most_) pairs_.erase(pairs_.begin());
+    pairs_.push_back({s, y, 1.0 / sy});
+}
+
+VectorXd CurvaturePairs::direction(const VectorXd& g, const std::function<VectorXd(const VectorXd&)>& metric) const {
+    VectorXd q = -g;
+    std::vector<double> alpha(pairs_.size());
+    for (std::size_t i = pairs_.size(); i-- > 0;) {
+        alpha[i] = pairs_[i].inverse_sy * pairs_[i].s.dot(q);
+        q -= alpha[i] * pairs_[i].y;
+    }
+    VectorXd p = metric(q);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) p += (alpha[i] - pairs_[i].inverse_sy * pairs_[i].y.dot(p)) * pairs_[i].s;
+    return p;
+}
+
+QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOptions& options,
+                               const std::function<VectorXd(const VectorXd&)>& metric, Eigen::Matrix3Xd& x) {
+    QuasiNewtonResult result;
+    CurvaturePairs pairs(options.pairs);
+    StageProblem::Evaluation now = problem.evaluate(x, HessianKind::none);
+    int slow = 0;
+    while (true) {
+        result.residual = now.residual.norm() / options.scale;
+        if (!std::isfinite(result.residual)) return result;
+        if (result.residual <= options.tolerance) {
+            result.converged = true;
+            return result;
+        }
+        if (result.iterations >= options.max_iterations || slow >= 2) return result;
+        ++result.iterations;
+        VectorXd p = pairs.direction(now.residual, metric);
+        double slope = now.residual.dot(p);
+        if (!(slope < 0.0)) {
+            if (pairs.empty()) return result;   // the metric is of no use here
+            pairs.clear();
+            p = pairs.direction(now.residual, metric);
+            slope = now.residual.dot(p);
+            if (!(slope < 0.0)) return result;
+        }
+        double length = 1.0;
+        StageProblem::Evaluation next;
+        Eigen::Matrix3Xd trial;
+        bool accepted = false;
+        for (int shortening = 0; shortening < 4 && !accepted; ++shortening, length *= 0.3) {
+            trial = x + scatter(problem.pattern(), length * p);
+            next = problem.evaluate(trial, HessianKind::none);
+            // Near the end rounding hides the potential's decrease, and the residual decides.
+            accepted = next.residual.allFinite() && (next.residual.norm() < 0.9 * now.residual.norm() || next.potential <= now.potential + 1e-4 * length * slope);
+            if (accepted) break;
+        }
+        if (!accepted) return result;
+        slow = next.residual.norm() > options.slow_contraction * now.residual.norm() ? slow + 1 : 0;
+        pairs.add(length * p, next.residual - now.residual);
+        x = std::move(trial);
+        now = std::move(next);
+    }
+}
+
+}  // namespace myo

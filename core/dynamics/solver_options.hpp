@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace myo {
+
+/// How a stage is solved. All stop on the same residual, so that they compare.
+enum class Strategy {
+    automatic,       // lagged Newton, then Newton where it does not converge
+    lagged_newton,   // quasi-Newton in the metric of an earlier Hessian
+    newton,          // Newton with the pressures as lagged unknowns
+    projective,      // quasi-Newton in the metric of projective dynamics, factored once: the paper's
+};
+
+std::string to_string(Strategy strategy);
+std::vector<std::string> strategy_ids();
+/// False when there is no strategy of this name.
+bool parse_strategy(const std::string& id, Strategy& strategy);
+
+struct SolverOptions {
+    Strategy strategy = Strategy::automatic;
+    double tolerance = 1e-7;            // residual over the forces on the body
+    double tangent_tolerance = 1e-10;   // relative residual of the linear solves of sensitivities
+    int max_newton_iterations = 40;
+};
+
+}  // namespace myo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace myo {
+
+/// One implicit stage of an integrator: find x with
+///   inertia M x + dW/dx(x; rate) = constant + f_ext(t),   rate = rate_factor strain(x) + rate_history.
+/// inertia = 0 is statics.
+struct Stage {
+    double time_s = 0.0;
+    double inertia_1_s2 = 0.0;
+    Eigen::Matrix3Xd constant;          // 3 x n [N]
+    double rate_factor_1_s = 0.0;
+    Eigen::VectorXd rate_history;       // strain_count entries [1/s]; empty in statics
+    bool before_jump = false;           // loads and activations are taken from the left of time_s
+};
+
+enum class SolveStatus { not_run, converged, not_converged, not_finite };
+
+struct StageReport {
+    SolveStatus status = SolveStatus::not_run;
+    int newton_iterations = 0;
+    int linear_iterations = 0;
+    int factorisations = 0;
+    double residual = 0.0;              // relative to the forces on the body
+    std::string message;
+
+    bool ok() const { return status == SolveStatus::converged; }
+};
+
+}  // namespace myo

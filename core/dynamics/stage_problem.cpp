@@ -1,0 +1,86 @@
+#include "dynamics/stage_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+/// M (x) I over the free unknowns, stored in the body's pattern.
+SymmetricSparse inertia_in_pattern(const Body& body, const Eigen::SparseMatrix<double>& mass) {
+    SymmetricSparse inertia = body.pattern.zero;
+    for (int column = 0; column < mass.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, column); entry; ++entry) {
+            const int i = body.pattern.free_index[static_cast<std::size_t>(entry.row())];
+            const int j = body.pattern.free_index[static_cast<std::size_t>(column)];
+            if (j < 0 || i < j) continue;
+            for (int r = 0; r < 3; ++r) inertia.coeffRef(3 * i + r, 3 * j + r) += entry.value();
+        }
+    return inertia;
+}
+
+}  // namespace
+
+StageConstants stage_constants(const Model& model) {
+    StageConstants constants{&model, mass_matrix(model), {}, stiffness(model)};
+    constants.inertia = inertia_in_pattern(*model.body, constants.mass);
+    return constants;
+}
+
+StageProblem::StageProblem(const StageConstants& constants, const Stage& stage)
+    : constants_(constants),
+      stage_(stage),
+      activation_(activations(*constants.model, stage.time_s, stage.before_jump)),
+      dead_(stage.constant + external_forces(*constants.model, constants.mass, stage.time_s, stage.before_jump)) {}
+
+StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind kind, const VectorXd* pressure) const {
+    InternalInput input;
+    input.stiffness = &constants_.stiffness;
+    input.activation = &activation_;
+    if (stage_.rate_history.size() > 0) input.rate = {stage_.rate_factor_1_s, &stage_.rate_history};
+    input.pressure = pressure;
+    InternalEnergy internal = internal_energy(model(), x, input, kind);
+
+    Evaluation result;
+    result.potential = internal.energy - dead_.cwiseProduct(x).sum();
+    internal.gradient -= dead_;
+    if (stage_.inertia_1_s2 != 0.0) {
+        const Matrix3Xd momentum = stage_.inertia_1_s2 * (x * constants_.mass);
+        result.potential += 0.5 * momentum.cwiseProduct(x).sum();
+        internal.gradient += momentum;
+    }
+    result.residual = gather(pattern(), internal.gradient);
+    if (kind != HessianKind::none) {
+        result.hessian = std::move(internal.hessian);
+        result.hessian.coeffs() += stage_.inertia_1_s2 * constants_.inertia.coeffs();
+    }
+    return result;
+}
+
+double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const {
+    const double external = gather(pattern(), dead_ - stage_.constant).norm();
+    const double inertial = gather(pattern(), stage_.constant - stage_.inertia_1_s2 * (start * constants_.mass)).norm();
+    // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
+    const double volume = model().body->unit_mass.sum();
+    const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
+    return std::max({external + inertial, elastic, rounding_of_forces(start) / tolerance, 1e-30});
+}
+
+/// Norm below which the residual is noise: F is known to eps |x| / edge, which the bulk modulus turns into a nodal force over
+/// edge^2, and the inertia of a short step multiplies eps |x| too; n nodes add as sqrt(n). Without it free vibrations at
+/// nu = 0.499 stall at tolerances of 1e-8 (implicit Euler, whose first force after a release is small) and 1e-9.
+double StageProblem::rounding_of_forces(const Matrix3Xd& x) const {
+    const Body& body = *model().body;
+    const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff() + x.rowwise().mean().norm();
+    const double edge = std::cbrt(body.unit_mass.sum() / body.cell_count());
+    double stiffest = 0.0;
+    for (const Moduli& m : model().moduli) stiffest = std::max({stiffest, m.kappa, m.mu});
+    const double inertia = std::abs(stage_.inertia_1_s2) * constants_.mass.sum() / body.node_count();
+    return std::numeric_limits<double>::epsilon() * extent * (stiffest * edge + inertia) * std::sqrt(static_cast<double>(body.node_count()));
+}
+
+}  // namespace myo

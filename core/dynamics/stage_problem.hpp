@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "dynamics/stage.hpp"
+#include "model/internal_forces.hpp"
+#include "model/model.hpp"
+#include "solver/sparse_cholesky.hpp"
+
+namespace myo {
+
+/// What the stages of one model share.
+struct StageConstants {
+    const Model* model = nullptr;
+    Eigen::SparseMatrix<double> mass;    // n x n [kg]
+    SymmetricSparse inertia;             // mass over the free unknowns, in the body's pattern
+    Stiffness stiffness;
+};
+StageConstants stage_constants(const Model& model);
+
+/// A stage as a minimisation over the free unknowns.
+class StageProblem {
+public:
+    StageProblem(const StageConstants& constants, const Stage& stage);
+
+    struct Evaluation {
+        double potential = 0.0;         // [J], up to a constant
+        Eigen::VectorXd residual;       // its gradient [N]
+        SymmetricSparse hessian;        // empty unless asked for
+    };
+    /// pressure: of the geometric stiffness, see InternalInput; null = the current one.
+    Evaluation evaluate(const Eigen::Matrix3Xd& x, HessianKind kind, const Eigen::VectorXd* pressure = nullptr) const;
+
+    const Model& model() const { return *constants_.model; }
+    const BlockPattern& pattern() const { return model().body->pattern; }
+    const StageConstants& constants() const { return constants_; }
+    const Stage& stage() const { return stage_; }
+
+    /// The forces that act on the body, inertia at the start among them [N]: what a residual is measured against.
+    double force_scale(const Eigen::Matrix3Xd& start, double tolerance) const;
+
+private:
+    double rounding_of_forces(const Eigen::Matrix3Xd& x) const;
+
+    const StageConstants& constants_;
+    const Stage& stage_;
+    std::vector<double> activation_;
+    Eigen::Matrix3Xd dead_;              // constant + f_ext
+};
+
+}  // namespace myo

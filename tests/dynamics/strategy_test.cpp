@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "dynamics/simulate.hpp"
+#include "support/beam.hpp"
+#include "support/figures.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+Trace run(const Model& model, Strategy strategy, Integrator integrator, double tolerance) {
+    SimulationOptions options;
+    options.integrator = integrator;
+    options.h_s = 0.01;
+    options.end_s = 0.2;
+    options.solver.strategy = strategy;
+    options.solver.tolerance = tolerance;
+    Trace trace = simulate(model, options);
+    EXPECT_TRUE(trace.complete()) << to_string(strategy) << ": " << trace.message;
+    return trace;
+}
+
+/// Largest distance between two runs, relative to the largest motion.
+double difference(const Trace& a, const Trace& b) {
+    double largest = 0.0, motion = 0.0;
+    for (std::size_t k = 0; k < a.positions.size(); ++k) {
+        largest = std::max(largest, (a.positions[k] - b.positions[k]).cwiseAbs().maxCoeff());
+        motion = std::max(motion, (a.positions[k] - a.positions[0]).cwiseAbs().maxCoeff());
+    }
+    return largest / motion;
+}
+
+TEST(Strategies, GiveTheSameTrajectory) {
+    struct Case {
+        const char* element;
+        const char* material;
+        double poisson, damping_s;
+    };
+    for (const Case& c : {Case{"hex8", "neo_hookean", 0.499, 0.003}, Case{"tet10", "neo_hookean", 0.49, 0.0}, Case{"hex8_full", "projective_corotational", 0.499, 0.0},
+                          Case{"tet4", "corotational", 0.45, 0.0}, Case{"hex8", "st_venant_kirchhoff", 0.45, 0.003}})
+        for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler}) {
+            test::BeamSpec spec;
+            ASSERT_TRUE(parse_element(c.element, spec.kind));
+            spec.material = c.material;
+            spec.poissons_ratio = c.poisson;
+            spec.damping_s = c.damping_s;
+            spec.cells = {6, 2, 2};
+            spec.gravity_m_s2 = 9.81;
+            const Model model = test::make_beam(spec);
+            const Trace newton = run(model, Strategy::newton, integrator, 1e-9);
+            for (const Strategy strategy : {Strategy::automatic, Strategy::lagged_newton, Strategy::projective}) {
+                const double found = difference(newton, run(model, strategy, integrator, 1e-9));
+                test::record(std::string(c.element) + "_" + to_string(integrator) + "_" + to_string(strategy), {found});
+                EXPECT_LT(found, 1e-6) << c.element << " " << c.material << " " << to_string(integrator) << " " << to_string(strategy);
+            }
+        }
+}
+
+TEST(Strategies, TheLaggedFactorServesManySteps) {
+    test::BeamSpec spec;
+    spec.cells = {10, 3, 3};
+    spec.gravity_m_s2 = 9.81;
+    spec.damping_s = 0.003;
+    const Model model = test::make_beam(spec);
+    const Trace lagged = run(model, Strategy::lagged_newton, Integrator::tr_bdf2, 1e-7);
+    const Trace newton = run(model, Strategy::newton, Integrator::tr_bdf2, 1e-7);
+    test::record("factorisations_per_stage", {static_cast<double>(lagged.factorisations) / lagged.stages, static_cast<double>(newton.factorisations) / newton.stages});
+    EXPECT_LT(lagged.factorisations, newton.factorisations);
+    EXPECT_LT(lagged.factorisations, lagged.stages / 2);
+}
+
+TEST(Strategies, NamesAreFoundAgain) {
+    for (const std::string& id : strategy_ids()) {
+        Strategy strategy{};
+        ASSERT_TRUE(parse_strategy(id, strategy));
+        EXPECT_EQ(to_string(strategy), id);
+    }
+    Strategy unused{};
+    EXPECT_FALSE(parse_strategy("newton_raphson", unused));
+}
+
+}  // namespace
+}  // namespace myo
