@@ -49,7 +49,7 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind 
     result.potential = internal.energy - dead_.cwiseProduct(x).sum();
     internal.gradient -= dead_;
     if (stage_.inertia_1_s2 != 0.0) {
-        const Matrix3Xd momentum = stage_.inertia_1_s2 * (x * constants_.mass);
+        const Matrix3Xd momentum = stage_.inertia_1_s2 * times_mass(x, constants_.mass);
         result.potential += 0.5 * momentum.cwiseProduct(x).sum();
         internal.gradient += momentum;
     }
@@ -63,7 +63,7 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind 
 
 double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const {
     const double external = gather(pattern(), dead_ - stage_.constant).norm();
-    const double inertial = gather(pattern(), stage_.constant - stage_.inertia_1_s2 * (start * constants_.mass)).norm();
+    const double inertial = gather(pattern(), stage_.constant - stage_.inertia_1_s2 * times_mass(start, constants_.mass)).norm();
     // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
     const double volume = model().body->unit_mass.sum();
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);

@@ -59,7 +59,7 @@ MarkerBinding bind_marker(const VolumeMesh& mesh, const BoundaryLocator& locator
 Vector3d marker_position(const MarkerBinding& binding, const Eigen::Matrix3Xd& x) {
     const Vector3d surface = x * binding.weights;
     if (on_surface(binding)) return surface + binding.offset;
-    return surface + polar_rotation(x * binding.gradient) * binding.offset;
+    return surface + polar_rotation(Eigen::Matrix3d(x * binding.gradient)) * binding.offset;
 }
 
 Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx) {

@@ -18,6 +18,17 @@ Eigen::SparseMatrix<double> mass_matrix(const Model& model) {
     return mass;
 }
 
+// Eigen multiplies dense rows one by one through the sparse matrix; node by node is several times faster.
+Eigen::Matrix3Xd times_mass(const Eigen::Matrix3Xd& X, const Eigen::SparseMatrix<double>& mass) {
+    Eigen::Matrix3Xd result(3, mass.cols());
+    for (int j = 0; j < mass.outerSize(); ++j) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, j); entry; ++entry) sum += entry.value() * X.col(entry.row());
+        result.col(j) = sum;
+    }
+    return result;
+}
+
 Eigen::Matrix3Xd external_forces(const Model& model, const Eigen::SparseMatrix<double>& mass, double t, bool before) {
     const Eigen::VectorXd nodal_mass = mass * Eigen::VectorXd::Ones(mass.cols());
     Eigen::Matrix3Xd f = model.gravity_m_s2 * nodal_mass.transpose();

@@ -53,6 +53,9 @@ std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, dou
 /// n x n mass matrix [kg] of one coordinate, attached masses on the diagonal.
 Eigen::SparseMatrix<double> mass_matrix(const Model& model);
 
+/// X M for nodal vectors X (3 x n).
+Eigen::Matrix3Xd times_mass(const Eigen::Matrix3Xd& X, const Eigen::SparseMatrix<double>& mass);
+
 /// Gravity on body and attached masses plus the forces active at t, 3 x n [N]. `before`: the limit from the left.
 Eigen::Matrix3Xd external_forces(const Model& model, const Eigen::SparseMatrix<double>& mass, double t, bool before = false);
 
