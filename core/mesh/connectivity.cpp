@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -8,112 +10,164 @@
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/voxel_mesh.hpp"
 
+// How cells hang together around each node, one node after the other: what meets there are a few dozen cells at most, so the
+// work grows with the size of the mesh.
+
 namespace myo {
 namespace {
 
-using Edge = std::pair<int, int>;
+constexpr int no_node = std::numeric_limits<int>::max();
 
-struct Face {
-    std::array<int, 4> corners;  // ascending, -1 pads
-    Eigen::Index cell;
+/// Three edges and three faces meet in a corner of a cell; the corners at the other ends, as local numbers, -1 pads.
+struct CellCorner {
+    std::array<int, 3> edges;
+    std::array<std::array<int, 3>, 3> faces;
 };
 
-std::vector<Face> sorted_faces(const VolumeMesh& mesh) {
-    std::vector<Face> faces;
-    const auto add = [&](Eigen::Index c, const auto& table, std::size_t corners) {
-        for (const auto& local : table) {
-            Face face{{-1, -1, -1, -1}, c};
-            for (std::size_t i = 0; i < corners; ++i) face.corners[i] = mesh.cells(local[i], c);
-            std::sort(face.corners.begin(), face.corners.end());
-            faces.push_back(face);
+template <std::size_t Corners, class Edges, class Faces>
+constexpr std::array<CellCorner, 8> corners_from(const Edges& edges, const Faces& faces) {
+    constexpr std::size_t face_corners = Corners == 8 ? 4 : 3;
+    std::array<CellCorner, 8> table{};
+    for (std::size_t i = 0; i < Corners; ++i) {
+        const int corner = static_cast<int>(i);
+        std::size_t e = 0, f = 0;
+        for (const auto& edge : edges)
+            if (edge[0] == corner || edge[1] == corner) table[i].edges[e++] = edge[0] == corner ? edge[1] : edge[0];
+        for (const auto& face : faces) {
+            if (std::find(face.begin(), face.begin() + face_corners, corner) == face.begin() + face_corners) continue;
+            std::array<int, 3> others{-1, -1, -1};
+            std::size_t found = 0;
+            for (std::size_t k = 0; k < face_corners; ++k)
+                if (face[k] != corner) others[found++] = face[k];
+            table[i].faces[f++] = others;
         }
-    };
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
-        if (mesh.type == CellType::hex8) add(c, hexahedron_faces, 4);
-        else add(c, tetrahedron_faces, 3);
     }
-    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
-        return a.corners != b.corners ? a.corners < b.corners : a.cell < b.cell;
-    });
-    return faces;
+    return table;
 }
 
-// Corner `node` of a cell, among `per_cell` slots.
-std::size_t slot_of(const VolumeMesh& mesh, Eigen::Index cell, int node, std::size_t per_cell) {
-    for (std::size_t i = 0; i < per_cell; ++i) {
-        if (mesh.cells(static_cast<Eigen::Index>(i), cell) == node) return static_cast<std::size_t>(cell) * per_cell + i;
-    }
-    return static_cast<std::size_t>(cell) * per_cell;
+constexpr auto hexahedron_corner_table = corners_from<8>(hexahedron_edges, hexahedron_faces);
+constexpr auto tetrahedron_corner_table = corners_from<4>(tetrahedron_edges, tetrahedron_faces);
+
+/// Slots (cell * corners + corner) sorted by their node: those of node n are slot[first[n]] ... slot[first[n + 1] - 1].
+struct NodeCells {
+    std::vector<int> first, slot;
+};
+
+NodeCells cells_around_nodes(const VolumeMesh& mesh, int corners) {
+    NodeCells around;
+    around.first.assign(static_cast<std::size_t>(mesh.node_count()) + 2, 0);
+    const auto count = static_cast<int>(mesh.cell_count());
+    // Counted two places ahead, so that filling moves each start to where it belongs.
+    for (int c = 0; c < count; ++c)
+        for (int i = 0; i < corners; ++i) ++around.first[static_cast<std::size_t>(mesh.cells(i, c)) + 2];
+    for (std::size_t n = 1; n < around.first.size(); ++n) around.first[n] += around.first[n - 1];
+    around.slot.resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(corners));
+    for (int c = 0; c < count; ++c)
+        for (int i = 0; i < corners; ++i)
+            around.slot[static_cast<std::size_t>(around.first[static_cast<std::size_t>(mesh.cells(i, c)) + 1]++)] = c * corners + i;
+    return around;
 }
 
-// Twelve, of which a tetrahedron fills the first six.
-std::array<Edge, 12> edges_of(const VolumeMesh& mesh, Eigen::Index cell) {
-    std::array<Edge, 12> edges;
-    edges.fill({-1, -1});
-    const auto add = [&](const auto& table) {
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            edges[i] = std::minmax(mesh.cells(table[i][0], cell), mesh.cells(table[i][1], cell));
+/// A face at a node: its other corners ascending, and which of the cells around the node it belongs to. In two words, for these
+/// are sorted more often than anything else.
+struct FaceAtNode {
+    std::uint64_t two_corners, third_and_cell;
+
+    FaceAtNode(std::array<int, 3> others, std::size_t cell) {
+        if (others[0] > others[1]) std::swap(others[0], others[1]);
+        if (others[1] > others[2]) std::swap(others[1], others[2]);
+        if (others[0] > others[1]) std::swap(others[0], others[1]);
+        const auto word = [](int node) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(node)); };
+        two_corners = word(others[0]) << 32 | word(others[1]);
+        third_and_cell = word(others[2]) << 32 | static_cast<std::uint64_t>(cell);
+    }
+    int corner(int i) const { return static_cast<int>(static_cast<std::uint32_t>(i == 0 ? two_corners >> 32 : i == 1 ? two_corners : third_and_cell >> 32)); }
+    std::size_t cell() const { return static_cast<std::uint32_t>(third_and_cell); }
+    bool same_as(const FaceAtNode& other) const { return two_corners == other.two_corners && third_and_cell >> 32 == other.third_and_cell >> 32; }
+    bool operator<(const FaceAtNode& other) const {
+        return two_corners != other.two_corners ? two_corners < other.two_corners : third_and_cell < other.third_and_cell;
+    }
+};
+
+/// The cells around one node after the other; keeps its memory from node to node.
+class Star {
+public:
+    Star(const VolumeMesh& mesh, int corners)
+        : mesh_(mesh), corners_(corners), table_(corners == 8 ? hexahedron_corner_table : tetrahedron_corner_table) {}
+
+    /// @param slots  the `count` corners of cells that lie at the node
+    void look_at(int node, const int* slots, std::size_t count, DisjointSets& parts, Connectivity& result) {
+        cells_.reset(count);
+        edge_sets_.reset(3 * count);
+        faces_.clear();
+        edge_ends_.clear();
+        for (std::size_t k = 0; k < count; ++k) {
+            const int cell = slots[k] / corners_;
+            const CellCorner& corner = table_[static_cast<std::size_t>(slots[k] % corners_)];
+            const auto node_at = [&](int local) { return local < 0 ? no_node : mesh_.cells(local, cell); };
+            for (const int end : corner.edges) edge_ends_.push_back(node_at(end));
+            for (const auto& [a, b, c] : corner.faces) faces_.emplace_back(std::array<int, 3>{node_at(a), node_at(b), node_at(c)}, k);
         }
-    };
-    if (mesh.type == CellType::hex8) add(hexahedron_edges);
-    else add(tetrahedron_edges);
-    return edges;
-}
-
-// Number of distinct things (nodes, edges) that appear in more than one set.
-template <class Key>
-int in_several_sets(std::vector<std::pair<Key, std::size_t>>& members) {
-    std::sort(members.begin(), members.end());
-    members.erase(std::unique(members.begin(), members.end()), members.end());
-    int count = 0;
-    for (std::size_t i = 0; i < members.size();) {
-        std::size_t end = i + 1;
-        while (end < members.size() && members[end].first == members[i].first) ++end;
-        if (end - i > 1) ++count;
-        i = end;
+        std::sort(faces_.begin(), faces_.end());
+        for (std::size_t f = 0; f + 1 < faces_.size(); ++f) {
+            if (!faces_[f].same_as(faces_[f + 1])) continue;
+            const std::size_t a = faces_[f].cell(), b = faces_[f + 1].cell();
+            cells_.join(a, b);
+            for (int i = 0; i < 3; ++i) join_edges(faces_[f].corner(i), a, b);
+            // Each face is met from all its corners; its lowest one speaks for the mesh.
+            if (node < faces_[f].corner(0)) parts.join(static_cast<std::size_t>(slots[a] / corners_), static_cast<std::size_t>(slots[b] / corners_));
+        }
+        std::size_t sets = 0;
+        for (std::size_t k = 0; k < count; ++k) sets += cells_.find(k) == k ? 1 : 0;
+        if (sets > 1) ++result.weak_nodes;
+        result.weak_edges += weak_edges_to_higher_nodes(node);
     }
-    return count;
-}
+
+private:
+    void join_edges(int end, std::size_t a, std::size_t b) {
+        const auto ends = edge_ends_.begin();
+        const auto in_a = std::find(ends + 3 * static_cast<std::ptrdiff_t>(a), ends + 3 * static_cast<std::ptrdiff_t>(a) + 3, end);
+        const auto in_b = std::find(ends + 3 * static_cast<std::ptrdiff_t>(b), ends + 3 * static_cast<std::ptrdiff_t>(b) + 3, end);
+        if (in_a == ends + 3 * static_cast<std::ptrdiff_t>(a) + 3 || in_b == ends + 3 * static_cast<std::ptrdiff_t>(b) + 3) return;
+        edge_sets_.join(static_cast<std::size_t>(in_a - ends), static_cast<std::size_t>(in_b - ends));
+    }
+
+    int weak_edges_to_higher_nodes(int node) {
+        roots_.clear();
+        for (std::size_t e = 0; e < edge_ends_.size(); ++e)
+            if (edge_ends_[e] > node && edge_sets_.find(e) == e) roots_.push_back(edge_ends_[e]);
+        std::sort(roots_.begin(), roots_.end());
+        int weak = 0;
+        for (std::size_t i = 0; i < roots_.size();) {
+            const auto end = static_cast<std::size_t>(std::upper_bound(roots_.begin() + static_cast<std::ptrdiff_t>(i), roots_.end(), roots_[i]) - roots_.begin());
+            if (end - i > 1) ++weak;
+            i = end;
+        }
+        return weak;
+    }
+
+    const VolumeMesh& mesh_;
+    int corners_;
+    const std::array<CellCorner, 8>& table_;
+    DisjointSets cells_{0}, edge_sets_{0};   // edge 3 k + i of the node: edge i of its k-th cell
+    std::vector<FaceAtNode> faces_;
+    std::vector<int> edge_ends_, roots_;
+};
 
 }  // namespace
 
 Connectivity connectivity(const VolumeMesh& mesh) {
-    const std::size_t corners = mesh.type == CellType::hex8 ? 8 : 4, sides = mesh.type == CellType::hex8 ? 12 : 6;
-    const auto cells = static_cast<std::size_t>(mesh.cell_count());
-    DisjointSets parts(cells), at_nodes(cells * corners), at_edges(cells * sides);
-    const std::vector<Face> faces = sorted_faces(mesh);
-    for (std::size_t f = 0; f + 1 < faces.size(); ++f) {
-        const Face &a = faces[f], &b = faces[f + 1];
-        if (a.corners != b.corners) continue;
-        parts.join(static_cast<std::size_t>(a.cell), static_cast<std::size_t>(b.cell));
-        for (const int node : a.corners) {
-            if (node >= 0) at_nodes.join(slot_of(mesh, a.cell, node, corners), slot_of(mesh, b.cell, node, corners));
-        }
-        const auto edges_a = edges_of(mesh, a.cell), edges_b = edges_of(mesh, b.cell);
-        const auto on_face = [&](int node) { return std::find(a.corners.begin(), a.corners.end(), node) != a.corners.end(); };
-        for (std::size_t i = 0; i < sides; ++i) {
-            if (!on_face(edges_a[i].first) || !on_face(edges_a[i].second)) continue;
-            const auto same = std::find(edges_b.begin(), edges_b.end(), edges_a[i]);
-            if (same == edges_b.end()) continue;
-            at_edges.join(static_cast<std::size_t>(a.cell) * sides + i,
-                          static_cast<std::size_t>(b.cell) * sides + static_cast<std::size_t>(same - edges_b.begin()));
-        }
-    }
-
+    const int corners = mesh.type == CellType::hex8 ? 8 : 4;
     Connectivity result;
-    std::vector<std::pair<int, std::size_t>> nodes;
-    std::vector<std::pair<Edge, std::size_t>> edges;
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
-        const auto cell = static_cast<std::size_t>(c);
-        if (parts.find(cell) == cell) ++result.components;
-        for (std::size_t i = 0; i < corners; ++i) {
-            nodes.emplace_back(mesh.cells(static_cast<Eigen::Index>(i), c), at_nodes.find(cell * corners + i));
-        }
-        const auto own = edges_of(mesh, c);
-        for (std::size_t i = 0; i < sides; ++i) edges.emplace_back(own[i], at_edges.find(cell * sides + i));
+    DisjointSets parts(static_cast<std::size_t>(mesh.cell_count()));
+    const NodeCells around = cells_around_nodes(mesh, corners);
+    Star star(mesh, corners);
+    for (int n = 0; n < static_cast<int>(mesh.node_count()); ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        star.look_at(n, around.slot.data() + around.first[i], static_cast<std::size_t>(around.first[i + 1] - around.first[i]), parts, result);
     }
-    result.weak_nodes = in_several_sets(nodes);
-    result.weak_edges = in_several_sets(edges);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c)
+        if (parts.find(c) == c) ++result.components;
     return result;
 }
 

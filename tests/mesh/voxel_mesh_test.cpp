@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "mesh/cell_topology.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
@@ -100,6 +105,59 @@ TEST(Connectivity, NamesWeakJoints) {
     EXPECT_FALSE(mesh_quality(mesh).messages.empty());
     EXPECT_EQ(connectivity(tet_box_mesh(test::unequal_box(), {2, 2, 2})).components, 1);
     EXPECT_EQ(connectivity(tet_box_mesh(test::unequal_box(), {2, 2, 2})).weak_nodes, 0);
+}
+
+bool holds(const VolumeMesh& mesh, Eigen::Index cell, int node) { return (mesh.cells.col(cell).array() == node).any(); }
+
+/// Whether the cells that hold all these nodes fall apart when only faces that hold them too join cells. For grids, whose
+/// cells have a face in common when they have so many corners in common.
+bool falls_apart(const VolumeMesh& mesh, const std::vector<int>& nodes) {
+    std::vector<Eigen::Index> cells;
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
+        if (std::all_of(nodes.begin(), nodes.end(), [&](int n) { return holds(mesh, c, n); })) cells.push_back(c);
+    std::vector<bool> reached(cells.size(), false);
+    std::vector<std::size_t> open{0};
+    reached[0] = true;
+    while (!open.empty()) {
+        const std::size_t a = open.back();
+        open.pop_back();
+        for (std::size_t b = 0; b < cells.size(); ++b) {
+            int common = 0;
+            for (const int node : mesh.cells.col(cells[a])) common += holds(mesh, cells[b], node) ? 1 : 0;
+            if (reached[b] || common < (mesh.type == CellType::hex8 ? 4 : 3)) continue;
+            reached[b] = true;
+            open.push_back(b);
+        }
+    }
+    return std::find(reached.begin(), reached.end(), false) != reached.end();
+}
+
+TEST(Connectivity, AgreesWithASearchOfEveryNodeAndEdgeOfPorousMeshes) {
+    std::mt19937 random(3);
+    for (VolumeMesh mesh : {box_hex_mesh(test::unequal_box(), {5, 5, 5}), tet_box_mesh(test::unequal_box(), {3, 3, 3})}) {
+        std::vector<Eigen::Index> kept;
+        for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
+            if (random() % 5 < 2) kept.push_back(c);
+        mesh.cells = mesh.cells(Eigen::all, kept).eval();
+        std::set<int> nodes;
+        std::set<std::pair<int, int>> edges;
+        for (const auto& cell : mesh.cells.colwise()) {
+            nodes.insert(cell.begin(), cell.end());
+            const auto add = [&](const auto& table) {
+                for (const auto& [a, b] : table) edges.insert(std::minmax<int>(cell[a], cell[b]));
+            };
+            if (mesh.type == CellType::hex8) add(hexahedron_edges);
+            else add(tetrahedron_edges);
+        }
+        int weak_nodes = 0, weak_edges = 0;
+        for (const int n : nodes) weak_nodes += falls_apart(mesh, {n}) ? 1 : 0;
+        for (const auto& [a, b] : edges) weak_edges += falls_apart(mesh, {a, b}) ? 1 : 0;
+        const Connectivity held = connectivity(mesh);
+        EXPECT_GT(weak_nodes, 10);
+        EXPECT_EQ(held.weak_nodes, weak_nodes);
+        EXPECT_EQ(held.weak_edges, weak_edges);
+        EXPECT_EQ(held.components > 1, falls_apart(mesh, {}));
+    }
 }
 
 TEST(RealGeometry, VoxelVolumesApproachTheSurface) {
