@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "mesh/box_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "project/check_body.hpp"
 #include "project/output_files.hpp"
@@ -18,9 +19,6 @@ namespace {
 
 double physical_memory_bytes() { return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE)); }
 
-/// As many cells as the meshers themselves allow.
-constexpr double most_cells = 2e6;
-
 Result<void> check_resolution(const StudyCall& call, const Experiment& experiment) {
     if (!call.study.settings.mesh.resolution_m) return {};
     const Result<SurfaceMesh> surface = read_body_surface(experiment);
@@ -28,7 +26,7 @@ Result<void> check_resolution(const StudyCall& call, const Experiment& experimen
     const ElementKind element = call.study.settings.mesh.element.value_or(automatic_element(*surface));
     const double edge = *call.study.settings.mesh.resolution_m;
     const CountEstimate estimate = estimate_counts(*surface, cell_type(element), edge);
-    if (!(estimate.cells > most_cells)) return {};
+    if (!(estimate.cells > most_grid_cells)) return {};
     return Error{"an edge length of " + format_number(edge) + " m would make about " + format_number(estimate.cells, 2) + " elements; the limit is 2 million",
                  "--resolution"};
 }

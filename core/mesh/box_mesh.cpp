@@ -6,12 +6,13 @@
 
 #include <Eigen/Dense>
 
+#include "base/text.hpp"
 #include "mesh/cell_topology.hpp"
 
 namespace myo {
 namespace {
 
-int cell_count(double extent, double edge) { return std::max(1, static_cast<int>(std::lround(extent / edge))); }
+int cell_count(double extent, double edge) { return static_cast<int>(std::clamp(std::round(extent / edge), 1.0, 1e9)); }
 
 std::vector<double> axis_lines(double lowest, double highest, double edge, std::vector<double> planes) {
     const double same = 1e-6 * (highest - lowest);
@@ -57,6 +58,19 @@ GridLines grid_lines(const Box& box, double edge, const GridPlanes& planes) {
         const auto i = static_cast<Eigen::Index>(a);
         grid.axis[a] = axis_lines(box.lowest[i], box.highest[i], edge, planes[a]);
     }
+    return grid;
+}
+
+Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes, double max_cells) {
+    const auto too_many = [&](double cells) {
+        return Error{"an edge of " + format_number(edge * 1e3, 4) + " mm needs a grid of " + format_number(cells, 3) + " cells, over the limit of " +
+                         format_number(max_cells, 3) + ": choose a longer edge", ""};
+    };
+    const double expected = box_cells(box, edge).cast<double>().prod();
+    if (expected > max_cells) return too_many(expected);
+    GridLines grid = grid_lines(box, edge, planes);
+    const double cells = grid.cells().cast<double>().prod();   // planes may cut it finer
+    if (cells > max_cells) return too_many(cells);
     return grid;
 }
 

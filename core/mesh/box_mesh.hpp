@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/result.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
 
@@ -22,7 +23,7 @@ struct GridLines {
 /// Coordinates per axis that must become grid planes [m]; those outside the box are ignored.
 using GridPlanes = std::array<std::vector<double>, 3>;
 
-/// Number of cells per axis whose edges come nearest `edge` [m]: round(extent / edge), at least 1.
+/// Number of cells per axis whose edges come nearest `edge` [m]: round(extent / edge), at least 1, at most 1e9.
 Eigen::Vector3i box_cells(const Box& box, double edge);
 
 /// Grid that meets the box, and every plane inside it, exactly.
@@ -31,6 +32,13 @@ Eigen::Vector3i box_cells(const Box& box, double edge);
 /// 1e-6 of the extent to the box or to another plane is taken as the same. Planes a small distance apart give
 /// flat cells: that is the caller's choice.
 GridLines grid_lines(const Box& box, double edge, const GridPlanes& planes = {});
+
+/// More cells than this are taken for a slip of the keyboard: they would fill the memory.
+inline constexpr double most_grid_cells = 2e6;
+
+/// grid_lines(), refused before it takes memory when the whole grid would have more than max_cells.
+/// Error: that many cells.
+Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes = {}, double max_cells = most_grid_cells);
 
 /// All cells of a grid as hex8. Nodes and cells are numbered with x fastest, then y, then z.
 VolumeMesh hex_mesh(const GridLines& grid);

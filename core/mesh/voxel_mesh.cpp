@@ -113,13 +113,9 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
     }
     const Box box = bounding_box(surface.vertices);
     if (!(box.size().minCoeff() > 0.0)) return Error{"the surface is flat: it encloses no volume", ""};
-    const double expected = (box.size() / options.edge).array().max(1.0).prod();
-    if (expected > options.max_cells) {
-        return Error{"an edge of " + format_number(options.edge * 1e3, 4) + " mm needs a grid of " + format_number(expected, 3)
-                         + " cells, over the limit of " + format_number(options.max_cells, 3) + ": choose a longer edge", ""};
-    }
-
-    const GridLines grid = grid_lines(box, options.edge, options.planes);
+    const Result<GridLines> limited = limited_grid_lines(box, options.edge, options.planes, options.max_cells);
+    if (!limited) return limited.error();
+    const GridLines& grid = *limited;
     const Eigen::Vector3i n = grid.cells();
     const RayField rays(surface, grid);
     VolumeMesh mesh = hex_mesh(grid);

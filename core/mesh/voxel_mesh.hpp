@@ -12,7 +12,7 @@ struct VoxelOptions {
     double edge = 0.005;        // [m], aimed at; edges per axis adapt so that the bounding box is met exactly
     GridPlanes planes{};        // [m] coordinates that must be grid planes, as the faces of a clamp
     double solid_fraction = 0.5;  // a cell is kept when at least this part of it lies inside
-    double max_cells = 2e6;     // of the whole grid
+    double max_cells = most_grid_cells;   // of the whole grid
 };
 
 /// Axis-aligned hex8 mesh of the inside of a closed surface.

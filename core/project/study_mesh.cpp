@@ -67,7 +67,11 @@ Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double e
     GridPlanes planes;
     if (is_rectilinear(surface)) planes = face_planes(surface, edge);
     add_region_planes(regions, bounds, edge, planes);
-    if (const std::optional<Box> box = is_box(surface)) return hex_mesh(grid_lines(*box, edge, planes));
+    if (const std::optional<Box> box = is_box(surface)) {
+        const Result<GridLines> grid = limited_grid_lines(*box, edge, planes);
+        if (!grid) return grid.error();
+        return hex_mesh(*grid);
+    }
     VoxelOptions options;
     options.edge = edge;
     options.planes = planes;

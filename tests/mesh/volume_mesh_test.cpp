@@ -105,6 +105,19 @@ TEST(BoxMesh, GridPlanesAreMet) {
     EXPECT_NEAR(cell_volumes(hex_mesh(grid)).sum(), 9e-5, 1e-18);
 }
 
+TEST(BoxMesh, RefusesGridsThatWouldFillTheMemory) {
+    const Box box{{0, 0, 0}, {0.1, 0.03, 0.03}};
+    EXPECT_TRUE(limited_grid_lines(box, 1e-3));
+    for (const double edge : {1e-4, 1e-9, 1e-300}) {
+        const auto grid = limited_grid_lines(box, edge);
+        ASSERT_FALSE(grid) << edge;
+        EXPECT_NE(grid.error().what.find("over the limit of"), std::string::npos);
+    }
+    // The planes alone make 6 x 5 x 4 cells.
+    EXPECT_TRUE(limited_grid_lines(box, 1.0, {{{0.01, 0.02, 0.03, 0.04, 0.05}, {0.01, 0.015, 0.02, 0.025}, {0.01, 0.015, 0.02}}}, 120.0));
+    EXPECT_FALSE(limited_grid_lines(box, 1.0, {{{0.01, 0.02, 0.03, 0.04, 0.05}, {0.01, 0.015, 0.02, 0.025}, {0.01, 0.015, 0.02}}}, 119.0));
+}
+
 TEST(BoxMesh, RecognisesBoxesOnly) {
     const Box box = test::unequal_box();
     const auto found = is_box(box_surface(box));
