@@ -10,8 +10,8 @@ packages=(
   libimgui-dev libglfw3-dev libosmesa6-dev libgl-dev libstb-dev libfreetype-dev
   fonts-inter fonts-dejavu-core fonts-font-awesome
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libspdlog-dev
-  # CMake looks for GoogleTest and Benchmark whenever it configures the project.
-  libgtest-dev libgmock-dev libbenchmark-dev
+  # CMake looks for what the tests need whenever it configures the project.
+  libgtest-dev libgmock-dev libbenchmark-dev libx11-dev
 )
 for argument in "$@"; do
   case "$argument" in
