@@ -9,9 +9,12 @@ struct IntegratorEntry {
     Integrator integrator;
     const char* id;
 };
-constexpr std::array<IntegratorEntry, 2> integrator_table{{
+constexpr std::array<IntegratorEntry, 5> integrator_table{{
     {Integrator::tr_bdf2, "tr_bdf2"},
     {Integrator::implicit_euler, "implicit_euler"},
+    {Integrator::bdf2, "bdf2"},
+    {Integrator::trapezoidal, "trapezoidal"},
+    {Integrator::generalized_alpha, "generalized_alpha"},
 }};
 
 }  // namespace

@@ -16,7 +16,7 @@ enum class StartKind { straight, equilibrium };
 
 struct SimulationOptions {
     StartKind start = StartKind::straight;
-    Integrator integrator = Integrator::tr_bdf2;
+    TimeScheme integrator;
     double h_s = 0.005;
     double end_s = 1.0;          // the run covers [0, end_s]
     SolverOptions solver;

@@ -34,10 +34,11 @@ Model driven_beam(ElementKind kind, const Values& values) {
     model.activation = {Signal::step(0.0, 1.0, values.level)};
     test::push_tip(model, spec, {0.0, 0.05, 0.0});
     model.forces.back().until_s = 0.012;   // ends inside a step
+    model.velocity_force_1_s = 3.0;
     return model;
 }
 
-SimulationOptions short_run(Integrator integrator, StartKind start) {
+SimulationOptions short_run(const TimeScheme& integrator, StartKind start) {
     SimulationOptions options;
     options.integrator = integrator;
     options.start = start;
@@ -49,7 +50,7 @@ SimulationOptions short_run(Integrator integrator, StartKind start) {
 
 struct Case {
     ElementKind kind;
-    Integrator integrator;
+    TimeScheme integrator;
     StartKind start;
 };
 
@@ -100,6 +101,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight},
                     Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium},
                     Case{ElementKind::hex8, Integrator::implicit_euler, StartKind::straight},
+                    Case{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
+                    Case{ElementKind::tet10, Integrator::bdf2, StartKind::equilibrium},
+                    Case{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
+                    Case{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight},
+                    Case{ElementKind::tet10, {Integrator::generalized_alpha, 0.2}, StartKind::equilibrium},
                     Case{ElementKind::hex8_mean_dilatation, Integrator::tr_bdf2, StartKind::straight},
                     Case{ElementKind::tet10, Integrator::tr_bdf2, StartKind::equilibrium},
                     Case{ElementKind::tet4, Integrator::implicit_euler, StartKind::equilibrium}));
