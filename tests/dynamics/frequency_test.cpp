@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "dynamics/statics.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
 #include "support/oscillation.hpp"
@@ -40,20 +41,13 @@ double euler_bernoulli(const test::BeamSpec& spec, double root) {
                                    (spec.density_kg_m3 * test::section_area(spec) * std::pow(spec.size(0), 4)));
 }
 
-/// Bends the beam by a hundredth of its length until t = 0.
-void hold_until_zero(Model& model, const test::BeamSpec& spec) {
-    const double force = 3e-2 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0));
-    test::push_tip(model, spec, {0.0, 0.0, -force});
-    model.forces.back().until_s = 0.0;
-}
-
 TEST(FirstFrequency, RootWithoutTipMassIsTheTextbooks) { EXPECT_NEAR(tip_mass_root(0.0), 1.8751041, 1e-7); }
 
 TEST(FirstFrequency, OfMassAndStiffnessMeetsBeamTheory) {
     for (const char* element : {"hex8", "tet10"})
         for (const double nu : {0.0, 0.3}) {
             const test::BeamSpec spec = slender(element, nu);
-            const double error = test::first_mode(test::make_beam(spec)).omega / euler_bernoulli(spec, tip_mass_root(0.0)) - 1.0;
+            const double error = test::first_mode(test::make_beam(spec)).omega_rad_s / euler_bernoulli(spec, tip_mass_root(0.0)) - 1.0;
             test::record(std::string(element) + (nu > 0.0 ? "_nu03" : "_nu0"), error);
             EXPECT_LT(std::abs(error), 0.01) << element << " " << nu;
         }
@@ -62,17 +56,17 @@ TEST(FirstFrequency, OfMassAndStiffnessMeetsBeamTheory) {
 TEST(FirstFrequency, OfTheReleasedBeamMeetsBeamTheory) {
     const test::BeamSpec spec = slender("hex8", 0.0);
     Model model = test::make_beam(spec);
-    hold_until_zero(model, spec);
+    test::hold_until_zero(model, spec);
     const double exact = euler_bernoulli(spec, tip_mass_root(0.0));
     const double h = 2.0 * pi / exact / 60.0;
-    const test::Mode mode = test::first_mode(model);
+    const NaturalMode mode = test::first_mode(model);
     const VectorXd q = test::ring(model, mode, Integrator::tr_bdf2, h, 120);
     ASSERT_GT(q.size(), 0);
     const test::Oscillation motion = test::fit_oscillation(q, h);
     test::record("error_to_beam_theory", motion.omega_damped / exact - 1.0);
-    test::record("error_to_the_mode", motion.omega_damped / mode.omega - 1.0);
+    test::record("error_to_the_mode", motion.omega_damped / mode.omega_rad_s - 1.0);
     EXPECT_LT(std::abs(motion.omega_damped / exact - 1.0), 0.01);
-    EXPECT_LT(std::abs(motion.omega_damped / mode.omega - 1.0), 5e-4);
+    EXPECT_LT(std::abs(motion.omega_damped / mode.omega_rad_s - 1.0), 5e-4);
 
     // Zero crossings of the tip itself, without the mode shape: quarter period, then half periods.
     std::vector<double> crossings;
@@ -83,6 +77,56 @@ TEST(FirstFrequency, OfTheReleasedBeamMeetsBeamTheory) {
     EXPECT_NEAR(pi / half_period / exact, 1.0, 0.01);
 }
 
+/// The lowest modes of a slender beam: bending along z and y, whose frequencies are as height to width, then second bending.
+TEST(NaturalModes, OfABeamAreThoseOfBeamTheory) {
+    const test::BeamSpec spec = slender("hex8", 0.0);
+    const Model model = test::make_beam(spec);
+    StageSolver solver(model);
+    const NaturalModes found = natural_modes(solver, model.body->mesh.nodes, 4);
+    ASSERT_TRUE(found.ok());
+    const double first = euler_bernoulli(spec, 1.8751041), second = euler_bernoulli(spec, 4.6940911);
+    const std::vector<double> theory = {first, 1.2 * first, second, 1.2 * second};
+    std::vector<double> error;
+    for (std::size_t k = 0; k < theory.size(); ++k) error.push_back(found.modes[k].omega_rad_s / theory[k] - 1.0);
+    test::record("errors", error);
+    test::record("iterations", found.iterations);
+    for (const double e : error) EXPECT_LT(std::abs(e), 0.03);   // the second ones shear visibly
+    for (std::size_t k = 0; k < theory.size(); ++k)
+        for (std::size_t l = 0; l < theory.size(); ++l) {
+            const double product = (found.modes[k].shape * solver.mass()).cwiseProduct(found.modes[l].shape).sum();
+            EXPECT_NEAR(product, k == l ? 1.0 : 0.0, 1e-8);
+        }
+}
+
+/// About a bent equilibrium: the frequency is that of a small swing about it.
+TEST(NaturalModes, AboutALoadedEquilibriumAreThoseOfTheSwing) {
+    test::BeamSpec spec = test::ringing_beam();
+    spec.gravity_m_s2 = 30.0;   // sags by a fifth of its length
+    Model model = test::make_beam(spec);
+    StageSolver solver(model);
+    Eigen::Matrix3Xd x = model.body->mesh.nodes;
+    ASSERT_TRUE(solve_equilibrium(solver, 0.0, x).ok());
+    const NaturalModes found = natural_modes(solver, x, 1);
+    ASSERT_TRUE(found.ok());
+    const NaturalMode& mode = found.modes.front();
+    test::push_tip(model, spec, {0.0, 0.0, -1e-3});
+    model.forces.back().until_s = 0.0;
+    const double h = 2.0 * pi / mode.omega_rad_s / 60.0;
+    const VectorXd q = test::ring(model, mode, Integrator::tr_bdf2, h, 60);
+    ASSERT_GT(q.size(), 0);
+    const double rest = (mode.shape * solver.mass()).cwiseProduct(x - model.body->mesh.nodes).sum();
+    EXPECT_NEAR(test::fit_oscillation(q.array() - rest, h).omega_damped / mode.omega_rad_s, 1.0, 1e-3);
+    EXPECT_GT(std::abs(mode.omega_rad_s / test::first_mode(test::make_beam(test::ringing_beam())).omega_rad_s - 1.0), 5e-3);
+}
+
+TEST(NaturalModes, OfABodyThatIsNotHeldAreRefused) {
+    test::BeamSpec spec;
+    spec.clamped = false;
+    const Model model = test::make_beam(spec);
+    StageSolver solver(model);
+    EXPECT_FALSE(natural_modes(solver, model.body->mesh.nodes, 1).ok());
+}
+
 /// Weight and inertia of an attached mass: deflection and frequency.
 TEST(AttachedMass, DeflectsAndSlowsTheBeamAsTheFormulasSay) {
     for (const double ratio : {0.5, 2.0}) {
@@ -90,7 +134,7 @@ TEST(AttachedMass, DeflectsAndSlowsTheBeamAsTheFormulasSay) {
         Model model = test::make_beam(spec);
         const double body = spec.density_kg_m3 * spec.size.prod();
         model.masses.push_back({test::tip_share(model, spec), ratio * body});
-        const double error = test::first_mode(model).omega / euler_bernoulli(spec, tip_mass_root(ratio)) - 1.0;
+        const double error = test::first_mode(model).omega_rad_s / euler_bernoulli(spec, tip_mass_root(ratio)) - 1.0;
         test::record("frequency_error_ratio_" + std::to_string(static_cast<int>(10 * ratio)), error);
         EXPECT_LT(std::abs(error), 0.01) << ratio;
 

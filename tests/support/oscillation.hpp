@@ -1,49 +1,48 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Dense>
 
-#include <cassert>
 #include <cmath>
 #include <complex>
 
+#include "dynamics/natural_modes.hpp"
 #include "dynamics/simulate.hpp"
-#include "dynamics/statics.hpp"
-#include "solver/sparse_cholesky.hpp"
+#include "support/beam.hpp"
 
 namespace myo::test {
 
-/// A mode of small vibration about the rest shape; shape' M shape = 1.
-struct Mode {
-    double omega = 0.0;      // [rad/s]
-    Eigen::Matrix3Xd shape;
-};
-
-/// First bending mode along z by inverse iteration on K and M, without simulation.
-inline Mode first_mode(const Model& model) {
+/// First mode about the rest shape.
+inline NaturalMode first_mode(const Model& model) {
     StageSolver solver(model);
-    const BlockPattern& pattern = model.body->pattern;
-    const Eigen::Matrix3Xd& X = model.body->mesh.nodes;
-    const SymmetricSparse K = solver.hessian(static_stage(*model.body, 0.0), X);
-    SparseCholesky factor;
-    const bool definite = factor.factorize(K);
-    assert(definite);
-    (void)definite;
-    const auto times_mass = [&](const Eigen::VectorXd& v) { return gather(pattern, scatter(pattern, v) * solver.mass()); };
-    Eigen::Matrix3Xd start = Eigen::Matrix3Xd::Zero(3, X.cols());
-    start.row(2) = X.row(0).cwiseAbs2();
-    Eigen::VectorXd v = gather(pattern, start);
-    Mode mode;
-    for (int iteration = 0; iteration < 60; ++iteration) {
-        v = factor.solve(times_mass(v));
-        v /= std::sqrt(v.dot(times_mass(v)));
-        mode.omega = std::sqrt(v.dot(K.selfadjointView<Eigen::Lower>() * v));
-    }
-    mode.shape = scatter(pattern, v);
-    return mode;
+    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);
+    EXPECT_TRUE(modes.ok());
+    return modes.modes.at(0);
+}
+
+/// Bends the beam along z by a hundredth of its length until t = 0.
+inline void hold_until_zero(Model& model, const BeamSpec& spec) {
+    const double force = 0.03 * spec.youngs_modulus_Pa * second_moment(spec) / (spec.size(0) * spec.size(0));
+    push_tip(model, spec, {0.0, 0.0, -force});
+    model.forces.back().until_s = 0.0;
+}
+
+/// The soft beam of the experiments but for its width, which sets the mode along z apart; held, without gravity.
+inline BeamSpec ringing_beam() {
+    BeamSpec spec;
+    spec.cells = {7, 2, 2};
+    spec.size = {0.1, 0.036, 0.03};
+    return spec;
+}
+inline Model held(const BeamSpec& spec) {
+    Model model = make_beam(spec);
+    hold_until_zero(model, spec);
+    return model;
 }
 
 /// Modal coordinate shape' M u of every recorded state.
-inline Eigen::VectorXd modal_coordinate(const Model& model, const Mode& mode, const Trace& trace) {
+inline Eigen::VectorXd modal_coordinate(const Model& model, const NaturalMode& mode, const Trace& trace) {
     const Eigen::Matrix3Xd weight = mode.shape * mass_matrix(model);
     Eigen::VectorXd q(static_cast<Eigen::Index>(trace.positions.size()));
     for (std::size_t k = 0; k < trace.positions.size(); ++k)
@@ -68,10 +67,10 @@ inline Oscillation fit_oscillation(const Eigen::VectorXd& q, double h) {
 }
 
 /// Lets go of a beam held by its present forces, which must end at t = 0, and returns its first modal coordinate.
-inline Eigen::VectorXd ring(const Model& model, const Mode& mode, Integrator integrator, double h, int steps) {
+inline Eigen::VectorXd ring(const Model& model, const NaturalMode& mode, const TimeScheme& scheme, double h, int steps) {
     SimulationOptions options;
     options.start = StartKind::equilibrium;
-    options.integrator = integrator;
+    options.integrator = scheme;
     options.h_s = h;
     options.end_s = steps * h;
     options.solver.tolerance = 1e-8;

@@ -1,0 +1,65 @@
+#include "dynamics/natural_modes.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "dynamics/statics.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Columns without order among the unknowns, so that each has a part of every mode.
+MatrixXd start_block(int rows, int columns) {
+    MatrixXd block(rows, columns);
+    for (int j = 0; j < columns; ++j)
+        for (int i = 0; i < rows; ++i) block(i, j) = std::sin(1.0 + 0.7 * (j + 1) * i + 0.013 * i * (i % 11));
+    return block;
+}
+
+}  // namespace
+
+NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int count, double time_s) {
+    const BlockPattern& pattern = solver.model().body->pattern;
+    assert(count > 0 && count <= pattern.unknowns());
+    const Stage stage = static_stage(*solver.model().body, time_s);
+    const SymmetricSparse K = solver.hessian(stage, x);
+    const auto inertia_of = [&](const MatrixXd& V) {
+        MatrixXd result(V.rows(), V.cols());
+        for (Eigen::Index j = 0; j < V.cols(); ++j) result.col(j) = gather(pattern, times_mass(scatter(pattern, V.col(j)), solver.mass()));
+        return result;
+    };
+    // The error of mode i falls by (omega_i / omega_(block + 1))^2 per iteration: some more vectors than modes.
+    const int block = std::min(std::max(2 * count, count + 4), pattern.unknowns());
+    NaturalModes result;
+    MatrixXd V = start_block(pattern.unknowns(), block);
+    for (result.iterations = 1; result.iterations <= 100; ++result.iterations) {
+        V = solver.solve_linear(K, stage, x, inertia_of(V));
+        const MatrixXd KV = K.selfadjointView<Eigen::Lower>() * V, MV = inertia_of(V);
+        const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz(V.transpose() * KV, V.transpose() * MV);
+        if (!V.allFinite() || ritz.info() != Eigen::Success || ritz.eigenvalues()(0) <= 0.0) {
+            result.status = SolveStatus::not_finite;
+            return result;
+        }
+        V = (V * ritz.eigenvectors()).eval();
+        const MatrixXd force = KV * ritz.eigenvectors(), inertia = MV * ritz.eigenvectors();
+        result.residual = 0.0;
+        for (int j = 0; j < count; ++j) {
+            const double error = (force.col(j) - ritz.eigenvalues()(j) * inertia.col(j)).norm() / force.col(j).norm();
+            result.residual = std::max(result.residual, error);
+        }
+        result.status = SolveStatus::not_converged;
+        if (result.residual > 1e-8) continue;
+        result.status = SolveStatus::converged;
+        for (int j = 0; j < count; ++j) result.modes.push_back({std::sqrt(ritz.eigenvalues()(j)), scatter(pattern, V.col(j))});
+        return result;
+    }
+    return result;
+}
+
+}  // namespace myo
