@@ -1,0 +1,135 @@
+#include "dynamics/linearised_step.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/natural_modes.hpp"
+#include "dynamics/statics.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+void scale(Kinematics& s, double factor) {
+    for (Matrix3Xd* part : {&s.x, &s.v, &s.force, &s.v_lag, &s.force_lag}) *part *= factor;
+    for (VectorXd* part : {&s.strain, &s.rate, &s.rate_lag}) *part *= factor;
+}
+
+}  // namespace
+
+LinearisedStep::LinearisedStep(StageSolver& solver, Matrix3Xd x, double time_s, const TimeScheme& scheme, double h_s,
+                               double velocity_force_1_s)
+    : solver_(&solver), x_(std::move(x)), time_s_(time_s), scheme_(scheme), h_s_(h_s), velocity_force_1_s_(velocity_force_1_s) {}
+
+const LinearisedStep::LinearStage& LinearisedStep::linear_stage(const Stage& stage) {
+    for (const LinearStage& known : stages_)
+        if (known.stage.inertia_1_s2 == stage.inertia_1_s2 && known.stage.rate_factor_1_s == stage.rate_factor_1_s) return known;
+    Stage at_rest = static_stage(*solver_->model().body, time_s_);
+    at_rest.inertia_1_s2 = stage.inertia_1_s2;
+    at_rest.rate_factor_1_s = stage.rate_factor_1_s;
+    at_rest.rate_history = -stage.rate_factor_1_s * strains(*solver_->model().body, x_);
+    stages_.push_back({at_rest, solver_->hessian(at_rest, x_)});
+    return stages_.back();
+}
+
+Kinematics LinearisedStep::displaced(const Matrix3Xd& u) {
+    const Body& body = *solver_->model().body;
+    Kinematics s;
+    s.x = u;
+    s.v = Matrix3Xd::Zero(3, u.cols());
+    const SymmetricSparse K = solver_->hessian(static_stage(body, time_s_), x_);
+    s.force = scatter(body.pattern, -(K.selfadjointView<Eigen::Lower>() * gather(body.pattern, u)));
+    s.strain = strain_tangent(body, x_, u);
+    s.rate = VectorXd::Zero(s.strain.size());
+    return s;
+}
+
+Kinematics LinearisedStep::apply(const Kinematics& deviation) {
+    const Model& model = solver_->model();
+    const BlockPattern& pattern = model.body->pattern;
+    const auto solve = [&](const Stage& stage, StageSolution& solution) {
+        Matrix3Xd load = stage.constant;
+        if (model.damping_s > 0.0) load -= viscous_gradient(model, x_, stage.rate_history);
+        const LinearStage& linear = linear_stage(stage);
+        solution.x = scatter(pattern, solver_->solve_linear(linear.hessian, linear.stage, x_, gather(pattern, load)));
+        solution.strain = strain_tangent(*model.body, x_, solution.x);
+        return true;
+    };
+    const StepProblem<decltype(solve)> problem{solver_->mass(), time_s_, h_s_, velocity_force_1_s_, solve};
+    Kinematics next;
+    take_step(scheme_, problem, deviation, next);
+    return next;
+}
+
+GrowthPerStep growth_per_step(LinearisedStep& step, const Matrix3Xd& start, int max_steps) {
+    const BlockPattern& pattern = step.solver().model().body->pattern;
+    // Of a single mode the displacements alone are all parallel, and two parts obey some recurrence from the first step on, also
+    // while a two-step scheme's parasitic roots still die away.
+    const auto observed = [&](const Kinematics& s) {
+        const Matrix3Xd lag = s.v_lag.size() > 0 ? s.v_lag : Matrix3Xd::Zero(3, s.v.cols());
+        VectorXd y(3 * pattern.unknowns());
+        y << gather(pattern, s.x), step.h_s() * gather(pattern, s.v), step.h_s() * gather(pattern, lag);
+        return y;
+    };
+    GrowthPerStep result;
+    Kinematics state = step.displaced(start);
+    VectorXd before = observed(state);
+    state = step.apply(state);
+    VectorXd now = observed(state);
+    for (result.steps = 2; result.steps <= max_steps; ++result.steps) {
+        state = step.apply(state);
+        const VectorXd next = observed(state);
+        const double size = next.norm();
+        if (!std::isfinite(size) || size == 0.0) {
+            result.status = SolveStatus::not_finite;
+            return result;
+        }
+        Eigen::MatrixXd history(next.size(), 2);
+        history << now, before;
+        const Eigen::Vector2d c = history.colPivHouseholderQr().solve(next);
+        result.residual = (history * c - next).norm() / size;
+        // Roots of z^2 = c0 z + c1.
+        const double half = 0.5 * c(0), discriminant = half * half + c(1);
+        result.spectral_radius = discriminant < 0.0 ? std::sqrt(-c(1)) : std::abs(half) + std::sqrt(discriminant);
+        before = now / size;
+        now = next / size;
+        scale(state, 1.0 / size);
+        result.status = result.residual < 1e-8 ? SolveStatus::converged : SolveStatus::not_converged;
+        if (result.status == SolveStatus::converged) return result;
+    }
+    return result;
+}
+
+CriticalVelocityForce critical_velocity_force(StageSolver& solver, const Matrix3Xd& x, double time_s, const TimeScheme& scheme,
+                                              double h_s) {
+    CriticalVelocityForce result;
+    const NaturalModes modes = natural_modes(solver, x, 1, time_s);
+    result.status = modes.status;
+    if (!modes.ok()) return result;
+    result.omega_rad_s = modes.modes.front().omega_rad_s;
+    // The squared radius is linear in Lambda for implicit Euler and nearly so for all: a few secant steps.
+    const auto excess = [&](double lambda) {
+        LinearisedStep step(solver, x, time_s, scheme, h_s, lambda);
+        const GrowthPerStep growth = growth_per_step(step, modes.modes.front().shape);
+        result.steps += growth.steps;
+        result.status = growth.status;
+        return growth.spectral_radius * growth.spectral_radius - 1.0;
+    };
+    double low = 0.0, at_low = excess(low);
+    double high = 2.0 * std::max(-at_low / h_s, 1e-3 * result.omega_rad_s), at_high = excess(high);
+    for (int i = 0; i < 20 && std::abs(high - low) > 1e-9 * result.omega_rad_s && at_high != at_low; ++i) {
+        const double next = high - at_high * (high - low) / (at_high - at_low);
+        low = high;
+        at_low = at_high;
+        high = next;
+        at_high = excess(high);
+    }
+    result.velocity_force_1_s = high;
+    return result;
+}
+
+}  // namespace myo
