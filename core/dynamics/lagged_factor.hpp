@@ -27,7 +27,7 @@ public:
     /// p = W A^-1 W' b for one or more columns.
     Eigen::MatrixXd solve(const BlockPattern& pattern, const Eigen::MatrixXd& b) const;
 
-    bool has_factor() const { return factor_.has_factor(); }
+    double factor_entries() const { return factor_.factor_entries(); }
     /// Whether a stage with this inertia should renew the factor before it starts.
     bool is_stale(double inertia_1_s2) const;
     void mark_stale() { stale_ = true; }

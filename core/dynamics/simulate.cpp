@@ -145,6 +145,7 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
         }
         progress.report({"simulate", t, options.end_s, "s", {}});
     }
+    trace.factor_bytes = sizeof(float) * solver.factor_entries();
     trace.status = RunStatus::complete;
     return trace;
 }

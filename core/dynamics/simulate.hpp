@@ -35,6 +35,7 @@ struct Trace {
     int linear_iterations = 0;
     int factorisations = 0;
     int stages = 0;
+    double factor_bytes = 0.0;                  // of the factor in single precision
 
     bool complete() const { return status == RunStatus::complete; }
 };

@@ -35,6 +35,9 @@ public:
     /// External minus internal forces at x for the strain rate of the stage (inertia not included), 3 x n, zero on clamped nodes.
     Eigen::Matrix3Xd total_forces(const Stage& stage, const Eigen::Matrix3Xd& x);
 
+    /// Entries of the factor at hand.
+    double factor_entries() const { return factor_.factor_entries(); }
+
 private:
     bool lagged_newton(const StageProblem& problem, double scale, Eigen::Matrix3Xd& x, StageReport& report);
 

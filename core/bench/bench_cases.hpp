@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bench/bench_case.hpp"
+
+namespace myo {
+
+BenchCase bench_release();
+BenchCase bench_tip_load();
+BenchCase bench_elements();
+BenchCase bench_tangents();
+BenchCase bench_scaling();
+
+}  // namespace myo

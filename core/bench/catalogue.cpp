@@ -1,0 +1,22 @@
+#include "bench/bench_cases.hpp"
+
+namespace myo {
+
+const std::vector<BenchCase>& bench_catalogue() {
+    static const std::vector<BenchCase> cases = {
+        bench_release(),
+        bench_tip_load(),
+        bench_elements(),
+        bench_tangents(),
+        bench_scaling(),
+    };
+    return cases;
+}
+
+std::vector<std::string> bench_ids() {
+    std::vector<std::string> ids;
+    for (const BenchCase& one : bench_catalogue()) ids.push_back(one.id);
+    return ids;
+}
+
+}  // namespace myo
