@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "dynamics/kinematics.hpp"
+#include "model/model.hpp"
 
 namespace myo {
 
@@ -12,13 +13,13 @@ bool implicit_euler_step(const StepProblem<Solve>& p, const Kinematics& s, Kinem
     Stage stage;
     stage.time_s = p.time_s + p.h;
     stage.inertia_1_s2 = 1.0 / (p.h * p.h);
-    stage.constant = (stage.inertia_1_s2 * s.x + (1.0 / p.h + p.velocity_force_1_s) * s.v) * p.mass;
+    stage.constant = times_mass(stage.inertia_1_s2 * s.x + (1.0 / p.h + p.velocity_force_1_s) * s.v, p.mass);
     stage.rate_factor_1_s = 1.0 / p.h;
     stage.rate_history = -s.strain / p.h;
     StageSolution end;
     if (!p.solve(stage, end)) return false;
     next.v = (end.x - s.x) / p.h;
-    next.force = ((next.v - s.v) / p.h) * p.mass;
+    next.force = times_mass((next.v - s.v) / p.h, p.mass);
     next.rate = (end.strain - s.strain) / p.h;
     next.x = std::move(end.x);
     next.strain = std::move(end.strain);

@@ -81,7 +81,7 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
         trace.velocities.push_back(state.v);
     };
     const auto set_force = [&](double t) {
-        state.force = solver.total_forces(jump_stage(state, t), state.x) + model.velocity_force_1_s * (state.v * solver.mass());
+        state.force = solver.total_forces(jump_stage(state, t), state.x) + model.velocity_force_1_s * times_mass(state.v, solver.mass());
         if (observer.jumped) observer.jumped(solver, state, t);
     };
     record(0.0);

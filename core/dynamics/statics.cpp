@@ -19,7 +19,7 @@ StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3
     x = start;
     for (double inertia = 1e5; inertia > 1e-2; inertia *= 0.25) {
         stage.inertia_1_s2 = inertia;
-        stage.constant = inertia * (x * solver.mass());
+        stage.constant = inertia * times_mass(x, solver.mass());
         solver.solve(stage, x);   // only the last one has to converge
         if (!x.allFinite()) break;
     }

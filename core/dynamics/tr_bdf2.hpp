@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dynamics/kinematics.hpp"
+#include "model/model.hpp"
 
 namespace myo {
 
@@ -19,7 +20,7 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     Stage trapezoid;
     trapezoid.time_s = p.time_s + gamma * p.h;
     trapezoid.inertia_1_s2 = 1.0 / (d * d) - lambda / d;
-    trapezoid.constant = (s.x / (d * d) + 2.0 / d * s.v - lambda * (s.x / d + s.v)) * p.mass + s.force;
+    trapezoid.constant = times_mass(s.x / (d * d) + 2.0 / d * s.v - lambda * (s.x / d + s.v), p.mass) + s.force;
     trapezoid.rate_factor_1_s = 1.0 / d;
     trapezoid.rate_history = -s.strain / d - s.rate;
     StageSolution middle;
@@ -30,13 +31,13 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     const Eigen::Matrix3Xd history = (c1 * middle.x - c0 * s.x) / d;             // v2 = x2 / d - history
     bdf2.time_s = p.time_s + p.h;
     bdf2.inertia_1_s2 = 1.0 / (d * d) - lambda / d;
-    bdf2.constant = (history / d + (c1 * v1 - c0 * s.v) / d - lambda * history) * p.mass;
+    bdf2.constant = times_mass(history / d + (c1 * v1 - c0 * s.v) / d - lambda * history, p.mass);
     bdf2.rate_factor_1_s = 1.0 / d;
     bdf2.rate_history = (c0 * s.strain - c1 * middle.strain) / d;
     StageSolution end;
     if (!p.solve(bdf2, end)) return false;
     next.v = end.x / d - history;
-    next.force = ((next.v - c1 * v1 + c0 * s.v) / d) * p.mass;
+    next.force = times_mass((next.v - c1 * v1 + c0 * s.v) / d, p.mass);
     next.rate = end.strain / d + bdf2.rate_history;
     next.x = std::move(end.x);
     next.strain = std::move(end.strain);

@@ -40,7 +40,7 @@ public:
             Kinematics& d = state_[p];
             Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, t, false);
             if (model_.damping_s > 0.0) g += viscous_gradient(model_, state.x, d.rate);
-            const Matrix3Xd velocity_force = model_.velocity_force_1_s * (d.v * solver.mass());
+            const Matrix3Xd velocity_force = model_.velocity_force_1_s * times_mass(d.v, solver.mass());
             d.force = scatter(pattern, -(K.selfadjointView<Eigen::Lower>() * gather(pattern, d.x)) - gather(pattern, g - velocity_force));
         }
     }
