@@ -7,13 +7,13 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "commands/numerical_damping.hpp"
+#include "dynamics/numerical_damping.hpp"
 #include "material/catalogue.hpp"
+#include "measurement/rigid_motion.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
-#include "measurement/rigid_motion.hpp"
 #include "mesh/surface_topology.hpp"
 #include "mesh_scene.hpp"
 #include "project/calibrate_study.hpp"
@@ -185,16 +185,24 @@ public:
         std::vector<Choice> list;
         const std::map<std::string, std::string> labels = {{"neo_hookean", "Neo-Hookean"},
                                                            {"corotational", "Corotational"},
-                                                           {"projective_corotational", "Projective corotational (as published)"}};
+                                                           {"projective_corotational", "Projective corotational (as published)"},
+                                                           {"st_venant_kirchhoff", "St. Venant–Kirchhoff"}};
         for (const MaterialPointer& law : material_catalogue())
             list.push_back({law->id(), labels.count(law->id()) > 0 ? labels.at(law->id()) : law->id(), law->formula()});
         return list;
     }
 
     std::vector<Choice> integrators() const override {
-        return {{to_string(Integrator::tr_bdf2), "TR-BDF2", "Second order, no visible damping of its own: for data"},
-                {to_string(Integrator::implicit_euler), "Implicit Euler", "First order, as in the paper: damps by itself",
-                 implicit_euler_damping_ratio}};
+        const auto entry = [](Integrator scheme, const char* label, const char* explanation) {
+            return Choice{to_string(scheme), label, explanation, [scheme](double omega, double h) {
+                              return omega * h > 0.0 ? discrete_vibration(scheme, {omega}, h).damping_ratio : 0.0;
+                          }};
+        };
+        return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data"),
+                entry(Integrator::implicit_euler, "Implicit Euler", "First order, as in the paper: damps by itself"),
+                entry(Integrator::bdf2, "BDF2", "Second order, one solve a step, damps more than TR-BDF2"),
+                entry(Integrator::generalized_alpha, "Generalised-α", "Second order, one solve a step, ρ∞ = 0.5"),
+                entry(Integrator::trapezoidal, "Trapezoidal", "Second order, no damping at all: large motions may become unstable")};
     }
 
     bool needs_unit(const fs::path& path) const override { return !is_experiment(path); }
