@@ -55,9 +55,11 @@ std::vector<StudyParameter> study_parameters(const Study& study, const std::vect
         entry.parameter.value = value_of(entry, start);
         list.push_back(std::move(entry));
     };
-    const double nominal = start.youngs_modulus_Pa;
+    // The schema's tolerance is where the true value lies. Without it a model that lacks an effect drifts off: muscles that only
+    // push against the body tell the ratio of modulus and level, and no more.
+    const double nominal = start.youngs_modulus_Pa, tolerance = study.experiment.material.youngs_modulus_tolerance;
     if (is_calibrated(study, "youngs_modulus", names))
-        add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", 0.02 * nominal, 50.0 * nominal, nominal, "Pa");
+        add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", (1.0 - tolerance) * nominal, (1.0 + tolerance) * nominal, nominal, "Pa");
     if (is_calibrated(study, "damping", names)) add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
 
     const RegistrationDeclaration& registration = study.experiment.registration;
