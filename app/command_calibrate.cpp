@@ -25,8 +25,11 @@ std::string parameter_lines(const Calibration& calibration) {
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const StudyParameter& p = calibration.parameters[i];
-        std::snprintf(line, sizeof line, "%s%-34s %12.6g ± %-10.3g %s (start %.6g)", i > 0 ? "\n" : "", p.parameter.name.c_str(),
-                      calibration.fit.values(row), calibration.fit.deviations(row), p.unit.c_str(), calibration.fit.start(row));
+        const double deviation = calibration.fit.deviations(row);
+        std::string spread = std::isfinite(deviation) ? "± " + format_number(deviation, 3) : "not determined";
+        if (std::isfinite(deviation)) spread.resize(std::max<std::size_t>(spread.size(), 15), ' ');   // the sign has two bytes
+        std::snprintf(line, sizeof line, "%s%-34s %12.6g %-14s %s (start %.6g)", i > 0 ? "\n" : "", p.parameter.name.c_str(),
+                      calibration.fit.values(row), spread.c_str(), p.unit.c_str(), calibration.fit.start(row));
         text += line;
     }
     return text;
@@ -60,7 +63,8 @@ const char* const try_words =
 
 /// What is written is said to be only a part, when it is.
 int end_status(const CalibrateCall& call, const Calibration& calibration, Console& console) {
-    const std::string restart = " written to " + call.out.string() + "; start from them with --set material.youngs_modulus_Pa=...";
+    const std::string restart = " written to " + call.out.string() + "; start from them with --set material.youngs_modulus_Pa=" +
+                                format_number(calibration.after.values.youngs_modulus_Pa);
     if (calibration.stopped) {
         console.complain(calibration.fit.converged() ? "stopped before all trials were predicted; the fitted values are written to " + call.out.string()
                                                      : "stopped before the fit converged; the best values so far are" + restart);
@@ -103,7 +107,7 @@ int calibrate_command(const CalibrateCall& call) {
     for (const std::string& warning : calibration.warnings) console.warn(warning);
     if (const Result<void> written = write_results(call, *study, calibration, setup_s); !written) return console.refuse(written.error());
     console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(*study, calibration) + "\n\n" + std::to_string(calibration.fit.evaluations) +
-                  " evaluations, " + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
+                  (calibration.fit.evaluations == 1 ? " evaluation, " : " evaluations, ") + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return end_status(call, calibration, console);
 }
 

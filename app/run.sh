@@ -36,7 +36,7 @@ fi
 
 out=$root/out/$(basename -- "$example")
 "$program" calibrate "$example" --out "$out"
-"$program" screenshot "$example" --out "$out/overlay.png"
+"$program" screenshot "$example" --calibrate --out "$out/overlay.png"
 echo
 echo "Report:  $out/report.html"
 echo "Picture: $out/overlay.png"

@@ -120,12 +120,14 @@ void fill_from_study(const Study& study, Scene& scene) {
     for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(parameter.parameter.name);
 }
 
-/// Frames of a trace, thinned so that a long run of a large body stays within some 200 MB.
-void add_frames(const Trace& trace, SimulatedTrial& shown) {
+/// Frames of a trace up to `end_s`, thinned so that a long run of a large body stays within some 200 MB. Runs go on past the data
+/// as far as the start may be shifted; body and markers are shown together.
+void add_frames(const Trace& trace, double end_s, SimulatedTrial& shown) {
     const double bytes = 24.0 * static_cast<double>(trace.positions.front().cols() * static_cast<Eigen::Index>(trace.positions.size()));
     const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(bytes / 2e8)));
     std::vector<double> times;
     for (std::size_t k = 0; k < trace.positions.size(); k += stride) {
+        if (k > 0 && trace.times_s[k] > end_s * (1.0 + 1e-9)) break;
         times.push_back(trace.times_s[k]);
         shown.frames.push_back(trace.positions[k]);
     }
@@ -141,7 +143,9 @@ RunResult shown_run(const Study& study, const StudyRun& run) {
         const TrialPrediction& prediction = run.predictions[t];
         SimulatedTrial shown;
         shown.name = study.trials[t].name;
-        if (!prediction.trace.positions.empty()) add_frames(prediction.trace, shown);
+        const Eigen::VectorXd& sampled = study.trials[t].measured.time_s;
+        if (!prediction.trace.positions.empty())
+            add_frames(prediction.trace, sampled.size() > 0 ? sampled(sampled.size() - 1) : prediction.trace.times_s.back(), shown);
         for (std::size_t m = 0; m < study.marker_names.size() && prediction.ok(); ++m) {
             // The prediction in the form in which it is compared: measurement plus residual, but without the gaps.
             Matrix3Xd track = small_rotation(run.values.rotation_rad) * prediction.positions_m[m];
@@ -205,7 +209,7 @@ public:
                 entry(Integrator::trapezoidal, "Trapezoidal", "Second order, no damping at all: large motions may become unstable")};
     }
 
-    bool needs_unit(const fs::path& path) const override { return !is_experiment(path); }
+    bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && !is_experiment(path); }
 
     Result<Scene> open(const fs::path& path, std::optional<double> metres_per_unit, const Progress& progress) override {
         return is_experiment(path) ? open_experiment(path, progress) : open_mesh(path, metres_per_unit);
@@ -219,7 +223,7 @@ public:
 
     Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override {
         const SceneSource& source = source_of(scene);
-        Result<StudyMesh> made = mesh_body(source.surface, mesh_request(settings), {source.experiment.clamp_box_m}, progress);
+        Result<StudyMesh> made = mesh_body(source.surface, mesh_request(settings), {held_part(source.experiment.clamp_box_m, bounding_box(source.surface.vertices))}, progress);
         if (!made) return made.error();
         const QualityReport quality = mesh_quality(made->mesh, &source.surface);
         MeshedBody body;

@@ -65,6 +65,11 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     factor_.mark_stale();
     if (found) return converged();
     if (report.status == SolveStatus::not_run) report.status = SolveStatus::not_converged;
+    if (!std::isfinite(report.residual)) {
+        report.status = SolveStatus::not_finite;
+        report.message = "the step did not converge: the forces on the body are not finite, it is torn or turned inside out; check the units of modulus, density, gravity and loads";
+        return report;
+    }
     report.message = "the step did not converge: after " + std::to_string(report.newton_iterations) +
                      " iterations the residual is " + format_number(report.residual, 2) + " of the forces on the body";
     return report;

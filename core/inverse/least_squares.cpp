@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/text.hpp"
 #include "base/throttle.hpp"
 
 namespace myo {
@@ -39,7 +40,7 @@ private:
 std::string quality_words(const ResidualEvaluation& evaluation) {
     if (!evaluation.ok) return evaluation.message;
     const auto count = static_cast<double>(std::max<Eigen::Index>(1, evaluation.residuals.size()));
-    return "rms " + std::to_string(std::sqrt(evaluation.residuals.squaredNorm() / count)) + " of the noise";
+    return "rms " + format_number(std::sqrt(evaluation.residuals.squaredNorm() / count), 4) + " times the noise";
 }
 
 /// Evaluates once per point: Ceres asks first for residuals, then, when it accepts the step, for the Jacobian.
@@ -57,6 +58,10 @@ public:
         ResidualEvaluation fresh = function_(values, shown_.inside(report_.evaluations, last_words_));
         if (!fresh.ok && progress_.cancelled()) return stopped_;   // ended half-way
         if (cache_.size() == 3) cache_.erase(cache_.begin());
+        if (fresh.ok && !std::isfinite(fresh.residuals.squaredNorm())) {
+            fresh.ok = false;
+            fresh.message = "the sum of squared differences to the data is not a finite number";
+        }
         cache_.emplace_back(values, std::move(fresh));
         const ResidualEvaluation& evaluation = cache_.back().second;
         ++report_.evaluations;

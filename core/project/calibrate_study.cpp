@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/text.hpp"
 #include "project/predict_trials.hpp"
 
 namespace myo {
@@ -96,6 +97,13 @@ void set_runs(const Study& study, const StudyValues& declared, const StudyValues
 std::vector<std::string> calibration_warnings(const Study& study, const Calibration& calibration) {
     std::vector<std::string> warnings;
     const LeastSquaresReport& fit = calibration.fit;
+    const auto name = [&](Eigen::Index i) { return calibration.parameters[static_cast<std::size_t>(i)].parameter.name; };
+    for (Eigen::Index i = 0; i < fit.deviations.size(); ++i) {
+        if (!std::isfinite(fit.deviations(i))) warnings.push_back(name(i) + ": the data do not determine it");
+        for (Eigen::Index j = 0; j < i; ++j)
+            if (std::abs(fit.correlation(i, j)) > 0.999)
+                warnings.push_back(name(j) + " and " + name(i) + ": these trials cannot tell them apart (correlation " + format_number(fit.correlation(i, j), 6) + ")");
+    }
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const Parameter& parameter = calibration.parameters[i].parameter;
         const double value = fit.values(static_cast<Eigen::Index>(i));

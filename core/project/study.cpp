@@ -147,11 +147,12 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     const MaterialPointer material = find_material(law);
     if (!material) return declaration_error(experiment, "material.model", "no material law '" + law + "'");
 
-    Result<StudyMesh> mesh = mesh_body(study.surface, settings.mesh, {experiment.clamp_box_m}, progress);
+    const Box held = held_part(experiment.clamp_box_m, bounding_box(study.surface.vertices));
+    Result<StudyMesh> mesh = mesh_body(study.surface, settings.mesh, {held}, progress);
     if (!mesh) return mesh.error();
     study.mesh = std::move(*mesh);
     study.warnings.insert(study.warnings.end(), study.mesh.warnings.begin(), study.mesh.warnings.end());
-    const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, experiment.clamp_box_m);
+    const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, held);
     if (clamped.empty())
         return declaration_error(experiment, "clamp.box_m", "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
     study.body = make_body(study.mesh.mesh, study.mesh.element, clamped);

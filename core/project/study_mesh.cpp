@@ -94,6 +94,17 @@ double automatic_resolution(const SurfaceMesh& surface, CellType type) {
     return std::cbrt(enclosed_volume(surface)) / (type == CellType::hex8 ? 6.0 : 3.0);
 }
 
+Box held_part(const Box& clamp, const Box& body) {
+    Box part = clamp;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double thin = 0.01 * body.size()(axis), beside = 1e-6 * body.size()(axis);
+        const double low = body.lowest(axis), high = body.highest(axis);
+        if (clamp.lowest(axis) <= low && clamp.highest(axis) >= low && clamp.highest(axis) < low + thin) part.highest(axis) = low + beside;
+        if (clamp.highest(axis) >= high && clamp.lowest(axis) <= high && clamp.lowest(axis) > high - thin) part.lowest(axis) = high - beside;
+    }
+    return part;
+}
+
 Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& request, const std::vector<Box>& regions,
                             const Progress& progress) {
     StudyMesh result;

@@ -34,6 +34,10 @@ ElementKind automatic_element(const SurfaceMesh& surface);
 /// Edge length that resolves the body with about a thousand unknowns [m]: the cube root of its volume over 6 (hexahedra) or 3.
 double automatic_resolution(const SurfaceMesh& surface, CellType type);
 
+/// The part of a body that a clamp box holds. A box that reaches less than a hundredth of the body's extent into it from one
+/// side is there to select that side's face: it ends at the face, or a finer mesh would hold more of the body than a coarse one.
+Box held_part(const Box& clamp, const Box& body);
+
 /// Meshes a closed surface. Hexahedra get grid planes at the body's own axis-aligned faces and at the clamp's, so that
 /// dimensions and support are met exactly.
 /// Errors: those of the meshers.

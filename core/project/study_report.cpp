@@ -78,7 +78,7 @@ std::vector<std::string> summary(const Study& study, const Calibration& calibrat
     std::string text = "Calibrated on " + trials(fitted);
     if (predicted > 0) text += "; " + trials(predicted) + (predicted == 1 ? " is" : " are") + " predicted with the result";
     text += ". The fit " + fit_words(calibration) + " after " +
-            std::to_string(calibration.fit.evaluations) + " evaluations in " + readable_number(calibration.seconds, 3) + " s.";
+            std::to_string(calibration.fit.evaluations) + (calibration.fit.evaluations == 1 ? " evaluation in " : " evaluations in ") + readable_number(calibration.seconds, 3) + " s.";
     std::vector<std::string> lines{text};
     if (!study.experiment.description.empty()) lines.push_back(study.experiment.description);
     return lines;

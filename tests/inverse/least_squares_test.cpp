@@ -90,6 +90,15 @@ TEST(LeastSquares, SaysWhenTheFirstPointCannotBeRun) {
     EXPECT_EQ(report.message, "no equilibrium");
 }
 
+/// Numbers whose squares overflow are no data to fit.
+TEST(LeastSquares, FailsWhereTheSumOfSquaresIsNotFinite) {
+    Decay decay = decay_data(3);
+    decay.y(7) = 1e160;
+    const LeastSquaresReport report = fit_least_squares(start, decay);
+    EXPECT_EQ(report.status, FitStatus::failed);
+    EXPECT_NE(report.message.find("not a finite number"), std::string::npos) << report.message;
+}
+
 TEST(LeastSquares, GivesNoDeviationForWhatTheDataDoNotSee) {
     const Decay decay = decay_data(6);
     const LeastSquaresReport report = fit_least_squares(

@@ -21,5 +21,23 @@ TEST(MeshBody, RefusesMoreHexahedraThanFitBeforeItTakesTheirMemory) {
     }
 }
 
+/// A box of half a millimetre around the end face selects the face, whatever the edge length; a deep one holds what is inside.
+TEST(HeldPart, OfAThinBoxIsTheFace) {
+    const Box body{{0, 0, 0}, {0.1, 0.03, 0.03}};
+    const Box face{{-5e-4, -1e-3, -1e-3}, {5e-4, 0.031, 0.031}}, far{{0.0995, -1e-3, -1e-3}, {0.2, 0.031, 0.031}};
+    const Box deep{{-5e-4, -1e-3, -1e-3}, {5e-3, 0.031, 0.031}};
+    EXPECT_LT(held_part(face, body).highest(0), 1e-6);
+    EXPECT_GT(held_part(face, body).highest(0), 0.0);
+    EXPECT_GT(held_part(far, body).lowest(0), 0.1 - 1e-6);
+    EXPECT_EQ(held_part(deep, body).highest, deep.highest);
+    EXPECT_EQ(held_part(deep, body).lowest, deep.lowest);
+    for (const double edge : {0.01, 0.005, 0.00375}) {
+        const Result<StudyMesh> mesh = mesh_body(box_surface(body), {ElementKind::hex8, edge}, {held_part(face, body)});
+        ASSERT_TRUE(mesh);
+        const double along = std::round(0.1 / edge), across = std::round(0.03 / edge);
+        EXPECT_EQ(static_cast<double>(mesh->mesh.cell_count()), along * across * across) << "no extra layer at the clamp";
+    }
+}
+
 }  // namespace
 }  // namespace myo
