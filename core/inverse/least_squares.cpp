@@ -43,6 +43,11 @@ std::string quality_words(const ResidualEvaluation& evaluation) {
     return "rms " + format_number(std::sqrt(evaluation.residuals.squaredNorm() / count), 4) + " times the noise";
 }
 
+/// The number that the fit moves, in units of what matters, and back; and the derivative of the way back.
+double internal_value(const Parameter& p, double value) { return p.over_decades ? std::log1p(value / p.scale) : value / p.scale; }
+double physical_value(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::expm1(internal) : internal * p.scale; }
+double physical_slope(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::exp(internal) : p.scale; }
+
 /// Evaluates once per point: Ceres asks first for residuals, then, when it accepts the step, for the Jacobian.
 class Evaluator {
 public:
@@ -74,17 +79,16 @@ public:
     /// The evaluation with the least cost so far.
     const ResidualEvaluation& best() const { return best_; }
 
-    VectorXd physical(const double* scaled) const {
+    VectorXd physical(const double* internal) const {
         VectorXd values(static_cast<Eigen::Index>(parameters_.size()));
-        for (std::size_t i = 0; i < parameters_.size(); ++i)
-            values(static_cast<Eigen::Index>(i)) = scaled[i] * parameters_[i].scale;
+        for (std::size_t i = 0; i < parameters_.size(); ++i) values(static_cast<Eigen::Index>(i)) = physical_value(parameters_[i], internal[i]);
         return values;
     }
 
-    VectorXd scales() const {
-        VectorXd scale(static_cast<Eigen::Index>(parameters_.size()));
-        for (std::size_t i = 0; i < parameters_.size(); ++i) scale(static_cast<Eigen::Index>(i)) = parameters_[i].scale;
-        return scale;
+    VectorXd slopes(const double* internal) const {
+        VectorXd slope(static_cast<Eigen::Index>(parameters_.size()));
+        for (std::size_t i = 0; i < parameters_.size(); ++i) slope(static_cast<Eigen::Index>(i)) = physical_slope(parameters_[i], internal[i]);
+        return slope;
     }
     const std::vector<Parameter>& parameters() const { return parameters_; }
 
@@ -125,7 +129,7 @@ public:
         if (jacobians != nullptr && jacobians[0] != nullptr) {
             using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
             Eigen::Map<RowMajor>(jacobians[0], evaluation.jacobian.rows(), evaluation.jacobian.cols()) =
-                evaluation.jacobian * evaluator_.scales().asDiagonal();
+                evaluation.jacobian * evaluator_.slopes(blocks[0]).asDiagonal();
         }
         return true;
     }
@@ -175,10 +179,10 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     for (Eigen::Index i = 0; i < n; ++i) report.start(i) = parameters[static_cast<std::size_t>(i)].value;
     report.values = report.start;
     Evaluator evaluator(parameters, residuals, progress, options, report);
-    std::vector<double> scaled;
-    for (const Parameter& parameter : parameters) scaled.push_back(parameter.value / parameter.scale);
+    std::vector<double> internal;
+    for (const Parameter& parameter : parameters) internal.push_back(internal_value(parameter, parameter.value));
 
-    const ResidualEvaluation first = evaluator.at(evaluator.physical(scaled.data()));
+    const ResidualEvaluation first = evaluator.at(evaluator.physical(internal.data()));
     set_covariance(parameters, first, report);
     if (!first.ok) {
         report.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
@@ -191,11 +195,11 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     }
 
     ceres::Problem problem;
-    problem.AddResidualBlock(new ResidualBlock(evaluator, static_cast<int>(first.residuals.size())), nullptr, scaled.data());
+    problem.AddResidualBlock(new ResidualBlock(evaluator, static_cast<int>(first.residuals.size())), nullptr, internal.data());
     for (int i = 0; i < static_cast<int>(n); ++i) {
         const Parameter& parameter = parameters[static_cast<std::size_t>(i)];
-        if (std::isfinite(parameter.lower)) problem.SetParameterLowerBound(scaled.data(), i, parameter.lower / parameter.scale);
-        if (std::isfinite(parameter.upper)) problem.SetParameterUpperBound(scaled.data(), i, parameter.upper / parameter.scale);
+        if (std::isfinite(parameter.lower)) problem.SetParameterLowerBound(internal.data(), i, internal_value(parameter, parameter.lower));
+        if (std::isfinite(parameter.upper)) problem.SetParameterUpperBound(internal.data(), i, internal_value(parameter, parameter.upper));
     }
     ceres::Solver::Options settings;
     settings.linear_solver_type = ceres::DENSE_QR;

@@ -18,6 +18,8 @@ struct Parameter {
     double lower = -std::numeric_limits<double>::infinity();
     double upper = std::numeric_limits<double>::infinity();
     double scale = 1.0;               // a change of this size matters
+    /// Of values from 0 over decades: the fit moves ln(1 + value / scale), so that its steps are shares of the value.
+    bool over_decades = false;
 };
 
 /// Residuals r (m) in units of their standard deviation and J = dr/dp (m x n) at p.

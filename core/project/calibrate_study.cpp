@@ -99,7 +99,10 @@ std::vector<std::string> calibration_warnings(const Study& study, const Calibrat
     const LeastSquaresReport& fit = calibration.fit;
     const auto name = [&](Eigen::Index i) { return calibration.parameters[static_cast<std::size_t>(i)].parameter.name; };
     for (Eigen::Index i = 0; i < fit.deviations.size(); ++i) {
+        const Parameter& parameter = calibration.parameters[static_cast<std::size_t>(i)].parameter;
         if (!std::isfinite(fit.deviations(i))) warnings.push_back(name(i) + ": the data do not determine it");
+        else if (fit.deviations(i) > 0.5 * (parameter.upper - parameter.lower))
+            warnings.push_back(name(i) + ": the data tell less of it than its bounds do (± " + format_number(fit.deviations(i), 2) + ")");
         for (Eigen::Index j = 0; j < i; ++j)
             if (std::abs(fit.correlation(i, j)) > 0.999)
                 warnings.push_back(name(j) + " and " + name(i) + ": these trials cannot tell them apart (correlation " + format_number(fit.correlation(i, j), 6) + ")");

@@ -60,7 +60,10 @@ std::vector<StudyParameter> study_parameters(const Study& study, const std::vect
     const double nominal = start.youngs_modulus_Pa, tolerance = study.experiment.material.youngs_modulus_tolerance;
     if (is_calibrated(study, "youngs_modulus", names))
         add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", (1.0 - tolerance) * nominal, (1.0 + tolerance) * nominal, nominal, "Pa");
-    if (is_calibrated(study, "damping", names)) add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
+    if (is_calibrated(study, "damping", names)) {
+        add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
+        list.back().parameter.over_decades = true;
+    }
 
     const RegistrationDeclaration& registration = study.experiment.registration;
     if (!registration.known && registration.method == RegistrationMethod::limited) {

@@ -90,6 +90,24 @@ TEST(LeastSquares, SaysWhenTheFirstPointCannotBeRun) {
     EXPECT_EQ(report.message, "no equilibrium");
 }
 
+/// A rate a thousand times off is found by steps that are shares of it, zero can be left, and the deviations are those of the plain number.
+TEST(LeastSquares, ValuesOverDecadesAreFoundFromFarOffAndFromZero) {
+    const Decay decay = decay_data(5);
+    const LeastSquaresReport plain = fit_least_squares(start, decay);
+    ASSERT_TRUE(plain.converged());
+    for (const double from : {0.0, 8e-4, 9.0}) {
+        std::vector<Parameter> parameters = start;
+        parameters[1].value = from;
+        parameters[1].scale = 1e-2;
+        parameters[1].over_decades = true;
+        const LeastSquaresReport report = fit_least_squares(parameters, decay);
+        ASSERT_TRUE(report.converged()) << from << ": " << report.message;
+        EXPECT_NEAR(report.start(1), from, 1e-12);
+        EXPECT_NEAR(report.values(1), plain.values(1), 1e-3 * plain.deviations(1));
+        EXPECT_NEAR(report.deviations(1), plain.deviations(1), 1e-3 * plain.deviations(1));
+    }
+}
+
 /// Numbers whose squares overflow are no data to fit.
 TEST(LeastSquares, FailsWhereTheSumOfSquaresIsNotFinite) {
     Decay decay = decay_data(3);
