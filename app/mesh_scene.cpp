@@ -1,5 +1,6 @@
 #include "mesh_scene.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -66,9 +67,11 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     options.integrator = study.integrator;
     options.h_s = settings.time_step_s;
     options.end_s = release_s;
+    const auto start = std::chrono::steady_clock::now();
     const Trace trace = simulate(model, options, progress);
 
     RunResult result;
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;
     SimulatedTrial shown;

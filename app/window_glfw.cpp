@@ -167,6 +167,7 @@ Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindo
         const auto now = Clock::now();
         if (const auto drawn = view.draw_frame(width, height, std::chrono::duration<double>(now - last).count()); !drawn) return drawn;
         last = now;
+        if (busy && !workbench.state().busy()) view.wake();   // what a job brought settles over several frames
         pointers.apply(window);
         glfwSwapBuffers(window);
     }

@@ -113,10 +113,13 @@ void BodyPanel::draw_mesh_settings(PanelContext& context) {
         settings.resolution_m = 1e-3 * shown;
         context.emit(command::ChangeSettings{settings, "resolution", goes_on});
     }
-    const MeshPrediction& prediction = state.prediction;
-    const std::string about = prediction.exact ? "" : "\xe2\x89\x88 ";
-    const ImVec4* color = prediction.dofs > 3e5 ? &theme.warning : nullptr;
-    text_row(theme, "Elements, DOF", about + with_separators(prediction.elements) + ", " + about + with_separators(prediction.dofs), color);
+    // Counted once the mesh is there, estimated before.
+    const bool built = state.mesh_is_current();
+    const double elements = built ? static_cast<double>(state.body->mesh.cell_count()) : state.prediction.elements;
+    const double dofs = built ? state.body->dofs : state.prediction.dofs;
+    const std::string about = built || state.prediction.exact ? "" : "\xe2\x89\x88 ";
+    const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;
+    text_row(theme, "Elements, DOF", about + with_separators(elements) + ", " + about + with_separators(dofs), color);
     if (!state.mesh_is_current()) {
         ImGui::BeginDisabled(state.busy());
         if (ImGui::Button("Build this mesh", {-1.0f, 0.0f})) context.emit(command::BuildMesh{});
