@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "dynamics/integrator.hpp"
+#include "dynamics/solver_options.hpp"
 #include "exit_status.hpp"
 #include "fem/element_block.hpp"
 #include "library_versions.hpp"
@@ -19,6 +20,7 @@ std::function<int()> declare_info(CLI::App&) {
         line("threads", std::to_string(hardware_threads()));
         line("elements", join(element_ids()));
         line("integrators", join(integrator_ids()));
+        line("strategies", join(strategy_ids()));
         line("materials", join(material_ids()));
         std::puts("libraries");
         for (const LibraryVersion& library : library_versions) std::printf("  %-12s %s\n", library.name, library.version);

@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "dynamics/integrator.hpp"
+#include "dynamics/solver_options.hpp"
 #include "fem/element_block.hpp"
 #include "material/catalogue.hpp"
 
@@ -117,6 +118,13 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
                if (!parse_integrator(id, settings.integrator)) reject("--integrator", unknown_word(id, integrator_ids()));
            },
            "time integration: " + join(integrator_ids()))
+        ->type_name("NAME");
+    app.add_option_function<std::string>(
+           "--strategy",
+           [&settings](const std::string& id) {
+               if (!parse_strategy(id, settings.strategy)) reject("--strategy", unknown_word(id, strategy_ids()));
+           },
+           "how a step is solved: " + join(strategy_ids()))
         ->type_name("NAME");
     add_positive_number(app, "--dt", settings.h_s, "time step [s] (default: half the sampling interval)")->type_name("SECONDS");
     app.add_option_function<std::string>(

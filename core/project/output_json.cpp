@@ -17,6 +17,7 @@ Json size_json(const Study& study) {
             {"resolution_m", study.mesh.resolution_m},
             {"material", study.settings.material.value_or(study.experiment.material.model)},
             {"integrator", to_string(study.settings.integrator)},
+            {"strategy", to_string(study.settings.strategy)},
             {"dt_s", h},
             {"threads", study.settings.threads}};
 }

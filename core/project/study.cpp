@@ -86,6 +86,7 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
 
     trial.options.start = declaration.start == StartState::straight ? StartKind::straight : StartKind::equilibrium;
     trial.options.integrator = study.settings.integrator;
+    trial.options.solver.strategy = study.settings.strategy;
     const Eigen::VectorXd& times = trial.measured.time_s;
     const double interval = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
     trial.options.h_s = study.settings.h_s.value_or(0.5 * interval);

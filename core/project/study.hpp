@@ -22,6 +22,7 @@ namespace myo {
 struct StudySettings {
     MeshRequest mesh;
     Integrator integrator = Integrator::tr_bdf2;
+    Strategy strategy = Strategy::automatic;
     std::optional<double> h_s;             // default: half the sampling interval
     std::optional<std::string> material;   // id; default: the declared one
     double velocity_force_1_s = 0.0;       // Lambda
