@@ -177,8 +177,11 @@ ParameterRow shown_parameter(const StudyParameter& parameter, double start, doub
         const Style& style = found->second;
         return {style.name, style.unit, style.factor * start, style.factor * value, style.factor * deviation};
     }
+    const std::string& name = parameter.parameter.name;
+    const std::string where = name.substr(std::min(name.size(), name.find('.') + 1));   // after the first point: trial, or trial and muscle
+    if (parameter.kind == StudyParameter::Kind::start_shift) return {"Later start of " + where, "ms", 1e3 * start, 1e3 * value, 1e3 * deviation};
+    if (parameter.kind == StudyParameter::Kind::level) return {"Level of " + where, "", start, value, deviation};
     if (parameter.unit == "m") return {parameter.parameter.name, "mm", 1e3 * start, 1e3 * value, 1e3 * deviation};
-    if (parameter.unit == "s") return {parameter.parameter.name, "ms", 1e3 * start, 1e3 * value, 1e3 * deviation};
     if (parameter.unit == "rad") return {parameter.parameter.name, "mrad", 1e3 * start, 1e3 * value, 1e3 * deviation};
     return {parameter.parameter.name, parameter.unit, start, value, deviation};
 }
@@ -256,6 +259,7 @@ public:
         result.settings = settings;
         result.evaluations = calibration.fit.evaluations;
         result.stopped = calibration.stopped;
+        result.warnings = calibration.warnings;
         if (!calibration.fit.converged() && !calibration.stopped) result.problem = "The fit did not converge: " + calibration.fit.message;
         for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(i);

@@ -115,6 +115,7 @@ struct CalibrationResult {
     RunResult run;                                // with the calibrated values
     bool stopped = false;                         // by the user: these are the best values up to then
     std::string problem;
+    std::vector<std::string> warnings;            // what a person should know before trusting the values
 };
 
 /// Does the work. Its functions are called from a background thread, one at a time, except those marked quick, which the

@@ -324,6 +324,7 @@ void Workbench::show_calibration(CalibrationResult result) {
                                std::to_string(c.evaluations) + (c.evaluations == 1 ? " evaluation." : " evaluations.");
     if (c.stopped) log(LogLevel::warning, "Calibration stopped; the best values so far are kept: " + errors);
     else log(LogLevel::done, "Calibrated: " + errors);
+    for (const std::string& warning : c.warnings) log(LogLevel::warning, warning);
 }
 
 }  // namespace myo
