@@ -38,12 +38,12 @@ Rotations nodal_rotations(const Body& body, const Eigen::Matrix3Xd& x) {
             size += F(k % 3, k / 3) * F(k % 3, k / 3);
         }
         F *= 1.0 / sqrt((1.0 / 3.0) * size);
+        const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);   // nothing to turn, or not a number
+        for (int k = 0; k < 9; ++k) std::experimental::where(degenerate, F(k % 3, k / 3)) = k % 4 == 0 ? 1.0 : 0.0;
         const Matrix3<Pack> R = polar_rotation(F);
         for (Eigen::Index i = first; i < std::min(first + pack_width, count); ++i)
             for (int k = 0; k < 9; ++k) field(k, i) = R(k % 3, k / 3)[static_cast<std::size_t>(i - first)];
     }
-    for (Eigen::Index i = 0; i < count; ++i)
-        if (!field.col(i).allFinite()) Eigen::Map<Eigen::Matrix3d>(field.col(i).data()).setIdentity();
     return field;
 }
 
