@@ -5,26 +5,21 @@
 
 #include <cassert>
 
+#include "base/name_table.hpp"
 #include "fem/quadrature.hpp"
 #include "fem/shape_functions.hpp"
 
 namespace myo {
 namespace {
 
-struct ElementEntry {
-    ElementKind kind;
-    const char* id;
-    CellType type;
-};
-
-constexpr std::array<ElementEntry, 6> element_table{{
-    {ElementKind::hex8, "hex8", CellType::hex8},
-    {ElementKind::hex8_mean_dilatation, "hex8_mean_dilatation", CellType::hex8},
-    {ElementKind::hex8_full, "hex8_full", CellType::hex8},
-    {ElementKind::tet10, "tet10", CellType::tet10},
-    {ElementKind::tet10_full, "tet10_full", CellType::tet10},
-    {ElementKind::tet4, "tet4", CellType::tet4},
-}};
+constexpr NameTable<ElementKind, 6> element_names{{{
+    {ElementKind::hex8, "hex8"},
+    {ElementKind::hex8_mean_dilatation, "hex8_mean_dilatation"},
+    {ElementKind::hex8_full, "hex8_full"},
+    {ElementKind::tet10, "tet10"},
+    {ElementKind::tet10_full, "tet10_full"},
+    {ElementKind::tet4, "tet4"},
+}}};
 
 template <int N>
 Eigen::Matrix<double, 3, N> cell_positions(const VolumeMesh& mesh, Eigen::Index cell) {
@@ -110,36 +105,25 @@ void add_cell_mass(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& r
 
 }  // namespace
 
-std::string to_string(ElementKind kind) {
-    for (const ElementEntry& entry : element_table)
-        if (entry.kind == kind) return entry.id;
-    return {};
-}
-
-std::vector<std::string> element_ids() {
-    std::vector<std::string> ids;
-    for (const ElementEntry& entry : element_table) ids.emplace_back(entry.id);
-    return ids;
-}
-
-bool parse_element(const std::string& id, ElementKind& kind) {
-    for (const ElementEntry& entry : element_table)
-        if (entry.id == id) {
-            kind = entry.kind;
-            return true;
-        }
-    return false;
-}
+std::string to_string(ElementKind kind) { return element_names.name(kind); }
+std::vector<std::string> element_ids() { return element_names.names(); }
+bool parse_element(const std::string& id, ElementKind& kind) { return element_names.find(id, kind); }
 
 CellType cell_type(ElementKind kind) {
-    for (const ElementEntry& entry : element_table)
-        if (entry.kind == kind) return entry.type;
+    switch (kind) {
+        case ElementKind::tet10:
+        case ElementKind::tet10_full: return CellType::tet10;
+        case ElementKind::tet4: return CellType::tet4;
+        case ElementKind::hex8:
+        case ElementKind::hex8_mean_dilatation:
+        case ElementKind::hex8_full: break;
+    }
     return CellType::hex8;
 }
 
 ElementKind default_element(CellType type) {
-    for (const ElementEntry& entry : element_table)
-        if (entry.type == type) return entry.kind;
+    for (const auto& entry : element_names.entries)
+        if (cell_type(entry.value) == type) return entry.value;
     return ElementKind::hex8;
 }
 
