@@ -202,7 +202,7 @@ public:
     std::vector<Choice> integrators() const override {
         const auto entry = [](Integrator scheme, const char* label, const char* explanation) {
             return Choice{to_string(scheme), label, explanation, [scheme](double omega, double h) {
-                              return omega * h > 0.0 ? discrete_vibration(scheme, {omega}, h).damping_ratio : 0.0;
+                              return omega * h > 0.0 ? std::max(0.0, discrete_vibration(scheme, {omega}, h).damping_ratio) : 0.0;   // rounding
                           }};
         };
         return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data"),

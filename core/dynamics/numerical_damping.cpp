@@ -69,9 +69,14 @@ DiscreteVibration discrete_vibration(const TimeScheme& scheme, const Oscillator&
     for (int k = 1; k <= parts; ++k) {
         A = amplification(scheme, o, h_s * k / parts);
         const Eigen::Vector4cd roots = A.eigenvalues();
+        // Schemes without memory have roots 0, which are no vibration.
         const std::complex<double> before = root;
+        double nearest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < 4; ++i)
-            if (i == 0 || std::abs(roots(i) - before) < std::abs(root - before)) root = roots(i);
+            if (std::abs(roots(i)) > 1e-12 && std::abs(roots(i) - before) < nearest) {
+                nearest = std::abs(roots(i) - before);
+                root = roots(i);
+            }
         root = {root.real(), std::abs(root.imag())};
     }
     const std::complex<double> s = std::log(root) / h_s;

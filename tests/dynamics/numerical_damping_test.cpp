@@ -86,6 +86,17 @@ TEST(Amplification, OfGeneralizedAlphaHasTheChosenRadiusAtInfinity) {
     }
 }
 
+/// A step much too long for the vibration still has a damping ratio, and the strongly damping schemes extinguish it.
+TEST(NumericalDamping, IsARatioAtEveryStep) {
+    for (const Integrator scheme : {Integrator::tr_bdf2, Integrator::implicit_euler, Integrator::bdf2, Integrator::trapezoidal, Integrator::generalized_alpha})
+        for (double wh = 1e-5; wh < 1e7; wh *= 3.0) {
+            const double ratio = discrete_vibration(scheme, {wh / 0.01}, 0.01).damping_ratio;
+            EXPECT_GT(ratio, -1e-9) << to_string(scheme) << " at omega h = " << wh;
+            EXPECT_LE(ratio, 1.0) << to_string(scheme) << " at omega h = " << wh;
+        }
+    EXPECT_GT(discrete_vibration(Integrator::implicit_euler, {1e5}, 0.01).damping_ratio, 0.9);
+}
+
 TEST(NumericalDamping, OfTheImplicitEulerBeamFollowsThePapersFormula) {
     const Model model = test::held(test::ringing_beam());
     const NaturalMode mode = test::first_mode(model);
