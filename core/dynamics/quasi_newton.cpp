@@ -1,7 +1,6 @@
 #include "dynamics/quasi_newton.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace myo {
 
@@ -54,7 +53,7 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
         StageProblem::Evaluation next;
         Eigen::Matrix3Xd trial;
         bool accepted = false;
-        for (int shortening = 0; shortening < 4 && !accepted; ++shortening, length *= 0.3) {
+        for (int shortening = 0; shortening < 4; ++shortening, length *= 0.3) {
             trial = x + scatter(problem.pattern(), length * p);
             next = problem.evaluate(trial, HessianKind::none);
             // Near the end rounding hides the potential's decrease, and the residual decides.

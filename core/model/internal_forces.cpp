@@ -106,22 +106,23 @@ void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3
 template <int N, int Q>
 VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const Matrix3Xd* dx) {
     const int per_cell = cells.volumes_per_cell();
-    VectorXd pressure(cells.pack_count() * per_cell * pack_width);
-    if (!model.material->has_split()) return VectorXd::Zero(pressure.size());
+    VectorXd pressure = VectorXd::Zero(cells.pack_count() * per_cell * pack_width);
+    if (!model.material->has_split()) return pressure;
     LawResponse<Pack> law;
     for (int pack = 0; pack < cells.pack_count(); ++pack) {
         const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
         const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
         const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
         const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
+        const auto xe = gather_lanes<N>(nodes, x), de = dx ? gather_lanes<N>(nodes, *dx) : xe;
         Pack theta = 0.0, d_theta = 0.0;
         for (int q = 0; q < Q; ++q) {
             const auto& G = geometry.gradient[static_cast<std::size_t>(q)];
-            model.material->respond(deformation_gradient<N>(gather_lanes<N>(nodes, x), G), mu, kappa, false, law);
+            model.material->respond(deformation_gradient<N>(xe, G), mu, kappa, false, law);
             const Pack share = cells.mean_volume ? geometry.weight[static_cast<std::size_t>(q)] / geometry.volume : Pack(1.0);
             if (!cells.mean_volume) theta = d_theta = 0.0;
             theta += share * law.volume.value;
-            if (dx) d_theta += share * double_dot(law.volume.gradient, deformation_gradient<N>(gather_lanes<N>(nodes, *dx), G));
+            if (dx) d_theta += share * double_dot(law.volume.gradient, deformation_gradient<N>(de, G));
             if (cells.mean_volume && q + 1 < Q) continue;
             const ScalarFunctionOf<Pack> U = model.material->bulk(theta, cells.mean_volume ? kappa - cells.point_bulk_over_mu * mu : kappa);
             const Pack p = U.first + U.second * d_theta;
@@ -139,7 +140,7 @@ VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const 
     for (int pack = 0; pack < cells.pack_count(); ++pack) {
         const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
         const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
-        const auto xe = gather_lanes<N>(nodes, x), de = gather_lanes<N>(nodes, dx ? *dx : x);
+        const auto xe = gather_lanes<N>(nodes, x), de = dx ? gather_lanes<N>(nodes, *dx) : xe;
         const auto store = [&](int i, const Pack& value) {
             value.copy_to(result.data() + (pack * per_cell + i) * pack_width, std::experimental::element_aligned);
         };

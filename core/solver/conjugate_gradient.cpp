@@ -38,41 +38,46 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
         if (scale(k) == 0.0) X.col(k).setZero();
     MatrixXd R = B;
     if (guess.size() > 0) R -= A(X);
-    const auto open = [&]() -> Eigen::Array<bool, 1, Eigen::Dynamic> { return R.colwise().norm().array() > tolerance * scale.array(); };
-    const auto finish = [&]() {
-        report.relative_residual = 0.0;
-        for (Eigen::Index k = 0; k < B.cols(); ++k)
-            if (scale(k) > 0.0) report.relative_residual = std::max(report.relative_residual, R.col(k).norm() / scale(k));
-        report.converged = !report.negative_curvature && !open().any();
-        return report;
+    using Flags = Eigen::Array<bool, 1, Eigen::Dynamic>;
+    Flags open;
+    const auto look = [&]() {   // which columns are not yet there
+        const RowVectorXd size = R.colwise().norm();
+        open = size.array() > tolerance * scale.array();
+        report.relative_residual = (scale.array() > 0.0).select(size.array() / scale.array(), 0.0).maxCoeff();
+        return open.any();
     };
-    if (!open().any()) return finish();
+    if (!look()) {
+        report.converged = true;
+        return report;
+    }
     MatrixXd Z = preconditioner(R);
     MatrixXd P = Z;
     RowVectorXd rz = column_dots(R, Z);
     while (report.iterations < max_iterations) {
         const MatrixXd AP = A(P);
         const RowVectorXd curvature = column_dots(P, AP);
-        const auto active = open();
         ++report.iterations;
         for (Eigen::Index k = 0; k < B.cols(); ++k) {
-            if (!active(k)) continue;
+            if (!open(k)) continue;
             if (!(curvature(k) > 0.0)) {
                 report.negative_curvature = true;
-                return finish();
+                return report;
             }
             const double alpha = rz(k) / curvature(k);
             X.col(k) += alpha * P.col(k);
             R.col(k) -= alpha * AP.col(k);
         }
-        if (!open().any()) break;
+        if (!look()) {
+            report.converged = true;
+            return report;
+        }
         Z = preconditioner(R);
         const RowVectorXd rz_next = column_dots(R, Z);
         for (Eigen::Index k = 0; k < B.cols(); ++k)
             if (rz(k) != 0.0) P.col(k) = Z.col(k) + rz_next(k) / rz(k) * P.col(k);
         rz = rz_next;
     }
-    return finish();
+    return report;
 }
 
 MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
