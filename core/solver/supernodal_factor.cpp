@@ -18,32 +18,10 @@ void visit_supernode(const SupernodalFactor& f, std::size_t s, const Visit& visi
     visit(column, diagonal, below, f.rows.data() + f.first_row[s] + columns);
 }
 
-/// One right-hand side, permuted, in place. `gathered` is work space for the rows of one supernode.
-void solve_column(const SupernodalFactor& f, Eigen::VectorXf& y, Eigen::VectorXf& gathered) {
-    const std::size_t count = f.first_column.size() - 1;
-    for (std::size_t s = 0; s < count; ++s)
-        visit_supernode(f, s, [&](int column, const auto& diagonal, const auto& below, const int* rows) {
-            auto top = y.segment(column, diagonal.cols());
-            diagonal.template triangularView<Eigen::Lower>().solveInPlace(top);
-            if (below.rows() == 0) return;
-            auto product = gathered.head(below.rows());
-            product.noalias() = below * top;
-            for (Eigen::Index i = 0; i < product.size(); ++i) y(rows[i]) -= product(i);
-        });
-    for (std::size_t s = count; s-- > 0;)
-        visit_supernode(f, s, [&](int column, const auto& diagonal, const auto& below, const int* rows) {
-            auto top = y.segment(column, diagonal.cols());
-            if (below.rows() > 0) {
-                auto values = gathered.head(below.rows());
-                for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = y(rows[i]);
-                top.noalias() -= below.transpose() * values;
-            }
-            diagonal.template triangularView<Eigen::Lower>().transpose().solveInPlace(top);
-        });
-}
-
-/// Several right-hand sides share the passes over the factor.
-void solve_columns(const SupernodalFactor& f, Eigen::MatrixXf& Y, Eigen::MatrixXf& gathered) {
+/// L L' Y = Y in place, Y permuted. A single column comes as a vector, so that its products are those of vectors. `gathered` is
+/// work space for the rows of one supernode.
+template <class Columns>
+void solve_in_place(const SupernodalFactor& f, Columns& Y, Columns& gathered) {
     const std::size_t count = f.first_column.size() - 1;
     for (std::size_t s = 0; s < count; ++s)
         visit_supernode(f, s, [&](int column, const auto& diagonal, const auto& below, const int* rows) {
@@ -81,11 +59,11 @@ Eigen::MatrixXd SupernodalFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>&
         for (int i = 0; i < size(); ++i) Y(i, k) = static_cast<float>(B(permutation[static_cast<std::size_t>(i)], k) / scale(k));
     if (B.cols() == 1) {
         Eigen::VectorXf y = Y.col(0), gathered(most_rows);
-        solve_column(*this, y, gathered);
+        solve_in_place(*this, y, gathered);
         Y.col(0) = y;
     } else {
         Eigen::MatrixXf gathered(most_rows, B.cols());
-        solve_columns(*this, Y, gathered);
+        solve_in_place(*this, Y, gathered);
     }
     Eigen::MatrixXd X(B.rows(), B.cols());
     for (Eigen::Index k = 0; k < B.cols(); ++k)
