@@ -10,7 +10,7 @@
 namespace myo {
 
 /// Where a smooth motion goes next: the parabola through its last three positions. Starts anew where loads jump, and holds its
-/// tongue where the velocity changes by most of itself between the positions: the steps do not resolve the motion.
+/// tongue where the velocity changes by two fifths of itself between the positions: the steps do not resolve the motion.
 class Extrapolation {
 public:
     void restart(double time_s, const Eigen::Matrix3Xd& x) {
@@ -30,7 +30,7 @@ public:
             return (points_[k + 1].second - points_[k].second) / (points_[k + 1].first - points_[k].first);
         };
         const Eigen::Matrix3Xd before = velocity(0), last = velocity(1);
-        if ((last - before).norm() > 0.7 * std::max(last.norm(), before.norm())) return std::nullopt;
+        if ((last - before).norm() > 0.4 * std::max(last.norm(), before.norm())) return std::nullopt;
         Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, points_.back().second.cols());
         for (const auto& [t, position] : points_) {
             double weight = 1.0;
