@@ -5,9 +5,9 @@
 
 namespace myo {
 
-/// How a stage is solved. All stop on the same residual, so that they compare.
+/// How a stage is solved. All stop on the same residual, so that they compare, and all fall back on Newton where they do not converge.
 enum class Strategy {
-    automatic,       // lagged Newton, then Newton where it does not converge
+    automatic,       // the program's choice, for now always lagged Newton
     lagged_newton,   // quasi-Newton in the metric of an earlier Hessian
     newton,          // Newton with the pressures as lagged unknowns
     projective,      // quasi-Newton in the metric of projective dynamics, factored once: the paper's

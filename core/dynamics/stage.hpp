@@ -22,7 +22,7 @@ enum class SolveStatus { not_run, converged, not_converged, not_finite };
 
 struct StageReport {
     SolveStatus status = SolveStatus::not_run;
-    int newton_iterations = 0;
+    int newton_iterations = 0;          // of the strategy, quasi-Newton or not
     int linear_iterations = 0;
     int factorisations = 0;
     double residual = 0.0;              // relative to the forces on the body
