@@ -18,6 +18,7 @@
 #include "mesh_scene.hpp"
 #include "project/calibrate_study.hpp"
 #include "project/read_experiment.hpp"
+#include "project/readable_parameter.hpp"
 
 namespace myo {
 namespace {
@@ -163,29 +164,6 @@ RunResult shown_run(const Study& study, const StudyRun& run) {
     return result;
 }
 
-/// A parameter as a person reads it.
-ParameterRow shown_parameter(const StudyParameter& parameter, double start, double value, double deviation) {
-    struct Style {
-        const char* name;
-        const char* unit;
-        double factor;
-    };
-    static const std::map<std::string, Style> styles = {{"youngs_modulus_Pa", {"Young's modulus E", "kPa", 1e-3}},
-                                                        {"damping_s", {"Damping time", "ms", 1e3}}};
-    const auto found = styles.find(parameter.parameter.name);
-    if (found != styles.end()) {
-        const Style& style = found->second;
-        return {style.name, style.unit, style.factor * start, style.factor * value, style.factor * deviation};
-    }
-    const std::string& name = parameter.parameter.name;
-    const std::string where = name.substr(std::min(name.size(), name.find('.') + 1));   // after the first point: trial, or trial and muscle
-    if (parameter.kind == StudyParameter::Kind::start_shift) return {"Later start of " + where, "ms", 1e3 * start, 1e3 * value, 1e3 * deviation};
-    if (parameter.kind == StudyParameter::Kind::level) return {"Level of " + where, "", start, value, deviation};
-    if (parameter.unit == "m") return {parameter.parameter.name, "mm", 1e3 * start, 1e3 * value, 1e3 * deviation};
-    if (parameter.unit == "rad") return {parameter.parameter.name, "mrad", 1e3 * start, 1e3 * value, 1e3 * deviation};
-    return {parameter.parameter.name, parameter.unit, start, value, deviation};
-}
-
 class CoreBackend final : public Backend {
 public:
     std::vector<Choice> materials() const override {
@@ -263,8 +241,9 @@ public:
         if (!calibration.fit.converged() && !calibration.stopped) result.problem = "The fit did not converge: " + calibration.fit.message;
         for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(i);
-            result.parameters.push_back(shown_parameter(calibration.parameters[i], calibration.fit.start(k), calibration.fit.values(k),
-                                                        calibration.fit.deviations(k)));
+            const ReadableParameter shown = readable_parameter(calibration.parameters[i], *study);
+            result.parameters.push_back({shown.name, shown.unit, shown.factor * calibration.fit.start(k), shown.factor * calibration.fit.values(k),
+                                         shown.factor * calibration.fit.deviations(k)});
         }
         result.rms_before_m = calibration.before.fit_rms_m;
         result.rms_after_m = calibration.after.fit_rms_m;

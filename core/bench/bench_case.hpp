@@ -29,7 +29,7 @@ struct BenchFigures {
     double limit_ms = 0.0;                 // passes over factor and elements at the measured bandwidth; 0: not given
     std::optional<double> goal_ms;         // per step
     std::vector<BenchReference> references;
-    std::string note;                      // why a figure is missing or what failed
+    std::string note;                      // for a person, below the row
 
     double ms_per_step() const { return steps > 0 ? 1e3 * run_s / steps : 0.0; }
     /// Simulated time over processor time.

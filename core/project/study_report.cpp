@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "project/output_motion.hpp"
+#include "project/readable_parameter.hpp"
 #include "project/study_report_parts.hpp"
 #include "report/markup.hpp"
 
@@ -12,7 +13,10 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-std::string millimetres(double metres) { return readable_number(1e3 * metres, 3); }
+std::string millimetres(double metres) { return readable_number(1e3 * metres, 3) + " mm"; }
+
+/// The number alone, where the unit stands beside it.
+std::string in_mm(double metres) { return readable_number(1e3 * metres, 3); }
 
 double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size())); }
 
@@ -27,14 +31,14 @@ double fitted_frequency(const Study& study, const Calibration& calibration) {
 
 KeyFigure modulus_figure(const Calibration& calibration, Eigen::Index row) {
     const ReadableEstimate shown = readable_estimate(1e-3 * calibration.fit.values(row), 1e-3 * calibration.fit.deviations(row));
-    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation;
-    return {"Young’s modulus", shown.value, "kPa", note + ", declared " + readable_number(1e-3 * calibration.fit.start(row), 4)};
+    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation + " kPa";
+    return {"Young’s modulus", shown.value, "kPa", note + ", declared " + readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
 }
 
 KeyFigure damping_figure(const Study& study, const Calibration& calibration, Eigen::Index row) {
     const double damping = calibration.fit.values(row);
     const ReadableEstimate shown = readable_estimate(1e3 * damping, 1e3 * calibration.fit.deviations(row));
-    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation;
+    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation + " ms";
     if (const double f = fitted_frequency(study, calibration); f > 0.0)
         note += "; damping ratio " + readable_number(damping * pi * f, 2) + " at " + readable_number(f, 2) + " Hz";
     return {"Damping", shown.value, "ms", note};
@@ -47,12 +51,12 @@ std::vector<KeyFigure> key_figures(const Study& study, const Calibration& calibr
         if (calibration.parameters[i].kind == StudyParameter::Kind::youngs_modulus) figures.push_back(modulus_figure(calibration, row));
         if (calibration.parameters[i].kind == StudyParameter::Kind::damping) figures.push_back(damping_figure(study, calibration, row));
     }
-    figures.push_back({"Fit error (rms)", millimetres(calibration.after.fit_rms_m), "mm",
+    figures.push_back({"Fit error (rms)", in_mm(calibration.after.fit_rms_m), "mm",
                        "was " + millimetres(calibration.before.fit_rms_m) + " as declared; noise " + millimetres(mean_noise(study)) +
                            (study.experiment.markers.noise_m ? " (declared)" : " (estimated)")});
     if (std::isfinite(calibration.after.validation_rms_m)) {
         const double before = calibration.before.validation_rms_m;
-        figures.push_back({"Prediction error (rms)", millimetres(calibration.after.validation_rms_m), "mm",
+        figures.push_back({"Prediction error (rms)", in_mm(calibration.after.validation_rms_m), "mm",
                            (std::isfinite(before) ? "was " + millimetres(before) + "; " : "") + "trials that were not fitted"});
     }
     return figures;

@@ -10,14 +10,6 @@
 
 namespace myo {
 
-/// A parameter as a person reads it.
-struct ReadableParameter {
-    std::string name;     // "Young's modulus E"
-    std::string unit;     // "kPa"
-    double factor = 1.0;  // shown = factor * SI value
-};
-ReadableParameter readable_parameter(const StudyParameter& parameter, const Study& study);
-
 /// Shown as "fit" or "predicted": a validation trial never entered the fit.
 std::string role_words(TrialRole role);
 

@@ -3,6 +3,7 @@
 
 #include "mesh/quality.hpp"
 #include "project/output_json.hpp"
+#include "project/readable_parameter.hpp"
 #include "project/study_report.hpp"
 #include "project/study_report_parts.hpp"
 #include "report/markup.hpp"
@@ -27,20 +28,6 @@ double worst_steady_mm(const TrialScore* score) {
 
 }  // namespace
 
-ReadableParameter readable_parameter(const StudyParameter& p, const Study& study) {
-    using Kind = StudyParameter::Kind;
-    const std::string axis(1, "xyz"[p.index % 3]);
-    switch (p.kind) {
-        case Kind::youngs_modulus: return {"Young’s modulus E", "kPa", 1e-3};
-        case Kind::damping: return {"damping", "ms", 1e3};
-        case Kind::translation: return {"camera shift " + axis, "mm", 1e3};
-        case Kind::rotation: return {"camera turn about " + axis, "°", 180.0 / 3.14159265358979323846};
-        case Kind::start_shift: return {"later start of " + study.trials[p.trial].name, "ms", 1e3};
-        case Kind::level: return {"level of " + study.experiment.muscles[p.index].name + " in " + study.trials[p.trial].name, "1", 1.0};
-    }
-    return {p.parameter.name, p.unit, 1.0};
-}
-
 std::string role_words(TrialRole role) { return role == TrialRole::fit ? "fit" : "predicted"; }
 
 Table parameter_table(const Study& study, const Calibration& calibration) {
@@ -50,7 +37,7 @@ Table parameter_table(const Study& study, const Calibration& calibration) {
         const ReadableParameter shown = readable_parameter(calibration.parameters[i], study);
         const double deviation = shown.factor * calibration.fit.deviations(row);
         const ReadableEstimate estimate = readable_estimate(shown.factor * calibration.fit.values(row), deviation);
-        table.rows.push_back({shown.name, shown.unit, estimate.value, estimate.deviation.empty() ? deviation_cell(deviation) : Cell(estimate.deviation),
+        table.rows.push_back({shown.name, shown.unit.empty() ? "1" : shown.unit, estimate.value, estimate.deviation.empty() ? deviation_cell(deviation) : Cell(estimate.deviation),
                               readable_number(shown.factor * calibration.fit.start(row), 4)});
     }
     return table;
