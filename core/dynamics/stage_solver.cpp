@@ -13,7 +13,7 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-StageSolver::StageSolver(const Model& model, SolverOptions options) : options_(options), constants_(stage_constants(model)) {}
+StageSolver::StageSolver(const Model& model, SolverOptions options) : options_(options), constants_(stage_constants(model)), factor_(options.most_factor_entries) {}
 
 bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matrix3Xd& x, StageReport& report) {
     const Body& body = *model().body;
@@ -55,11 +55,11 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
         report.newton_iterations += result.iterations;
         report.residual = result.residual;
         if (result.converged) return converged();
-    } else if (options_.strategy != Strategy::newton) {
+    } else if (options_.strategy != Strategy::newton && factor_.is_whole(problem.pattern())) {
         if (lagged_newton(problem, scale, x, report)) return converged();
     }
     if (!x.allFinite()) x = start;
-    factor_.mark_stale();
+    if (factor_.is_whole(problem.pattern())) factor_.mark_stale();   // parts serve conjugate gradients for long
     if (mixed_newton(problem, options_, scale, factor_, x, report)) return converged();
     const bool found = energy_newton(problem, options_, scale, factor_, x, report);
     factor_.mark_stale();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
+
 namespace myo {
 
 std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio) {
@@ -21,11 +23,13 @@ Eigen::SparseMatrix<double> mass_matrix(const Model& model) {
 // Eigen multiplies dense rows one by one through the sparse matrix; node by node is several times faster.
 Eigen::Matrix3Xd times_mass(const Eigen::Matrix3Xd& X, const Eigen::SparseMatrix<double>& mass) {
     Eigen::Matrix3Xd result(3, mass.cols());
-    for (int j = 0; j < mass.outerSize(); ++j) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, j); entry; ++entry) sum += entry.value() * X.col(entry.row());
-        result.col(j) = sum;
-    }
+    parallel_ranges(static_cast<int>(mass.outerSize()), 1000, [&](int first, int end) {
+        for (int j = first; j < end; ++j) {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, j); entry; ++entry) sum += entry.value() * X.col(entry.row());
+            result.col(j) = sum;
+        }
+    });
     return result;
 }
 
