@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "model/nodal_rotations.hpp"
 
 namespace myo {
@@ -44,7 +45,7 @@ Eigen::MatrixXd smooth_motions(const BlockPattern& pattern, const Eigen::Matrix3
 }  // namespace
 
 bool LaggedFactor::is_whole(const BlockPattern& pattern) {
-    whole_.analyse(pattern.zero);
+    if (whole_.factor_entries() == 0.0) whole_.analyse(pattern.zero);
     return whole_.factor_entries() <= most_entries_;
 }
 
@@ -61,6 +62,7 @@ bool LaggedFactor::renew_with(const SymmetricSparse& H, const StageProblem& prob
     ++report.factorisations;
     extra_iterations_ = 0;
     usual_iterations_ = 2;
+    const Stopwatch watch(report.times.factorisation_s);
     stale_ = !factorize(H, *problem.model().body, x);
     inertia_1_s2_ = problem.stage().inertia_1_s2;
     factored_rotations_ = nodal_rotations(*problem.model().body, x);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopwatch.hpp"
 #include "solver/conjugate_gradient.hpp"
 
 namespace myo {
@@ -15,6 +16,14 @@ using Eigen::VectorXd;
 bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double tolerance, const StageProblem& problem, const Matrix3Xd& x,
                             LaggedFactor& factor, StageReport& report, MatrixXd& solution, const MatrixXd& guess) {
     const Body& body = *problem.model().body;
+    const auto product = [&](const MatrixXd& V) {
+        const Stopwatch watch(report.times.linear_s);
+        return symmetric_product(H, V);
+    };
+    const auto metric = [&](const MatrixXd& V) {
+        const Stopwatch watch(report.times.linear_s);
+        return factor.solve(body.pattern, V);
+    };
     bool fresh = false;
     // Of many columns every iteration is dear, and those of a factor of this very matrix are some four fewer.
     const bool pays = 4 * B.cols() > factor.iterations_per_factorisation(body);
@@ -27,8 +36,7 @@ bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double 
     while (true) {
         const int limit = std::max(factor.is_whole(body.pattern) ? 30 : 500, factor.iterations_per_factorisation(body));
         const ConjugateGradientReport cg =
-            conjugate_gradient([&](const MatrixXd& V) { return symmetric_product(H, V); },
-                               [&](const MatrixXd& V) { return factor.solve(body.pattern, V); }, B, tolerance, limit, guess);
+            conjugate_gradient(product, metric, B, tolerance, limit, guess);
         report.linear_iterations += cg.iterations;
         if (cg.converged) {
             factor.charge(cg.iterations, body);
