@@ -11,8 +11,22 @@ std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, dou
     return std::vector<Moduli>(static_cast<std::size_t>(cell_count), moduli_from_young(youngs_modulus_Pa, poissons_ratio));
 }
 
+namespace {
+
+/// Mean cell volume on the diagonal: what every vertex gets of a density of 1.
+Eigen::SparseMatrix<double> equal_vertex_mass(const Body& body) {
+    Eigen::SparseMatrix<double> mass(body.node_count(), body.node_count());
+    mass.setIdentity();
+    mass *= body.unit_mass.sum() / body.cell_count();
+    return mass;
+}
+
+}  // namespace
+
 Eigen::SparseMatrix<double> mass_matrix(const Model& model) {
-    Eigen::SparseMatrix<double> mass = model.density_kg_m3 * model.body->unit_mass;
+    Eigen::SparseMatrix<double> mass =
+        model.mass_model == MassModel::consistent ? model.body->unit_mass : equal_vertex_mass(*model.body);
+    mass *= model.density_kg_m3;
     for (const AttachedMass& attached : model.masses)
         for (int i = 0; i < model.body->node_count(); ++i)
             if (attached.share(i) != 0.0) mass.coeffRef(i, i) += attached.mass_kg * attached.share(i);
