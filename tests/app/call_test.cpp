@@ -70,6 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"simulate", "EXP", "--out", "OUT", "--element", "hex9"}, {"--element", "did you mean 'hex8'", "tet10"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--integrator", "euler"}, {"--integrator", "implicit_euler", "tr_bdf2"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--strategy", "newtom"}, {"--strategy", "did you mean 'newton'", "projective"}},
+        BadCall{{"simulate", "EXP", "--out", "OUT", "--mass", "lumped"}, {"--mass", "consistent", "equal_vertices"}},
+        BadCall{{"simulate", "EXP", "--out", "OUT", "--voxels", "trunctated"}, {"--voxels", "did you mean 'truncated'"}},
         BadCall{{"bench", "realease"}, {"bench", "did you mean 'release'"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--material", "neohookean"}, {"--material", "did you mean 'neo_hookean'"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--threads", "0"}, {"--threads"}}, BadCall{{"simulate", "EXP", "--out", "OUT", "--seed", "x"}, {"--seed"}},
