@@ -9,6 +9,8 @@ const std::vector<BenchCase>& bench_catalogue() {
         bench_elements(),
         bench_tangents(),
         bench_scaling(),
+        bench_locking(),
+        bench_converged(),
     };
     return cases;
 }
