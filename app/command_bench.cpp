@@ -1,7 +1,10 @@
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "base/files.hpp"
+#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "bench/bench_case.hpp"
 #include "commands.hpp"
@@ -9,6 +12,7 @@
 #include "exit_status.hpp"
 #include "options.hpp"
 #include "own_process.hpp"
+#include "report/chart.hpp"
 #include "report/json.hpp"
 #include "solver/sparse_cholesky.hpp"
 
@@ -18,6 +22,7 @@ namespace {
 struct BenchCall {
     std::string id;
     std::string json;
+    std::string figure;
 };
 
 Json figures_json(const BenchFigures& f) {
@@ -44,6 +49,9 @@ Json figures_json(const BenchFigures& f) {
             {"factorisations_per_step", json_number(f.factorisations_per_step)},
             {"real_time_factor", json_number(f.real_time_factor())},
             {"limit_ms_per_step", f.limit_ms > 0.0 ? Json(f.limit_ms) : Json()},
+            {"share_of_limit", f.limit_ms > 0.0 ? json_number(f.share_of_limit()) : Json()},
+            {"factor_bytes", f.factor_bytes},
+            {"time_split_s", {{"forces", f.times.forces_s}, {"stiffness", f.times.stiffness_s}, {"factorisation", f.times.factorisation_s}, {"linear", f.times.linear_s}}},
             {"goal_ms_per_step", f.goal_ms ? Json(*f.goal_ms) : Json()},
             {"references", references},
             {"quantities", quantities},
@@ -84,6 +92,62 @@ void print_row(const Json& row) {
     std::fflush(stdout);
 }
 
+/// Where a run's time went, in its hundredths.
+void print_split(const Json& row) {
+    const double run = row["run_s"].get<double>();
+    double rest = 100.0;
+    std::string text;
+    for (const auto& [part, seconds] : row["time_split_s"].items()) {
+        const double share = 100.0 * seconds.get<double>() / run;
+        rest -= share;
+        text += part + " " + format_number(share, 2) + " %, ";
+    }
+    if (rest < 99.9) std::printf("  %*s  %srest %s %%\n", 71, "", text.c_str(), format_number(std::max(rest, 0.0), 2).c_str());
+}
+
+/// The exponent of y over x by least squares on logarithms.
+double exponent(const Json& rows, const char* y, const char* x) {
+    double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    for (const Json& row : rows) {
+        const double lx = std::log(row[x].get<double>()), ly = std::log(row[y].get<double>());
+        n += 1.0;
+        sx += lx;
+        sy += ly;
+        sxx += lx * lx;
+        sxy += lx * ly;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// Time and memory over size on logarithmic axes, with their exponents.
+std::string scaling_figure(const Json& rows, double time_exponent, double memory_exponent) {
+    std::vector<double> dofs, ms, megabytes;
+    for (const Json& row : rows) {
+        dofs.push_back(row["dofs"].get<double>());
+        ms.push_back(row["ms_per_step"].get<double>());
+        megabytes.push_back(row["peak_memory_bytes"].get<double>() / 1e6);
+    }
+    LineChart chart;
+    chart.title = "Time per step and memory over degrees of freedom";
+    chart.x = {.label = "degrees of freedom", .logarithmic = true};
+    chart.panels = {{.y = {.label = "time per step", .unit = "ms", .logarithmic = true},
+                     .series = {{.name = "exponent " + format_number(time_exponent, 3), .x = dofs, .y = ms, .style = SeriesStyle::line_and_dots}}},
+                    {.y = {.label = "peak memory", .unit = "MB", .logarithmic = true},
+                     .series = {{.name = "exponent " + format_number(memory_exponent, 3), .x = dofs, .y = megabytes, .style = SeriesStyle::line_and_dots}}}};
+    return svg(chart);
+}
+
+/// Exponents of a case whose rows differ in size.
+Json print_scaling(const Json& rows, const std::string& figure, Console& console, int& status) {
+    if (rows.size() < 2) return {};
+    const double time = exponent(rows, "ms_per_step", "dofs"), memory = exponent(rows, "peak_memory_bytes", "dofs");
+    std::printf("  time per step ~ DOF^%.2f, peak memory ~ DOF^%.2f, at the largest %.1f kB per DOF\n", time, memory,
+                rows.back()["peak_memory_bytes"].get<double>() / 1e3 / rows.back()["dofs"].get<double>());
+    if (!figure.empty())
+        if (const Result<void> written = write_file(figure, scaling_figure(rows, time, memory)); !written) status = console.refuse(written.error());
+    return {{"time_over_dofs", time}, {"memory_over_dofs", memory}};
+}
+
 int run_bench(const BenchCall& call) {
     Console console(false, false);
     Json cases = Json::array();
@@ -97,7 +161,8 @@ int run_bench(const BenchCall& call) {
         for (const BenchRun& run : one.runs) {
             const OwnProcessResult process = run_in_own_process([&] {
                 use_one_blas_thread();
-                const Result<BenchFigures> figures = run.run();
+                Result<BenchFigures> figures = Error{"did not run", run.name};
+                parallel_tasks(1, 1, [&](int) { figures = run.run(); });   // one thread, unless the run asks for more
                 return json_line(figures ? figures_json(*figures) : Json{{"error", figures.error().text()}});
             });
             Json row = process.crashed ? Json{{"error", "the run ended before it gave a result"}} : Json::parse(process.output);
@@ -108,9 +173,13 @@ int run_bench(const BenchCall& call) {
             }
             row["peak_memory_bytes"] = process.peak_bytes_over_start;
             print_row(row);
+            print_split(row);
             rows.push_back(std::move(row));
         }
-        cases.push_back({{"case", one.id}, {"summary", one.summary}, {"rows", rows}});
+        Json entry{{"case", one.id}, {"summary", one.summary}};
+        if (one.over_size) entry["exponents"] = print_scaling(rows, call.figure, console, status);
+        entry["rows"] = std::move(rows);
+        cases.push_back(std::move(entry));
     }
     if (!found) return console.refuse({unknown_word(call.id, bench_ids()), "bench"});
     if (!call.json.empty())
@@ -124,6 +193,7 @@ std::function<int()> declare_bench(CLI::App& app) {
     auto call = std::make_shared<BenchCall>();
     app.add_option("case", call->id, "One of: " + join(bench_ids()) + "; all of them when left out");
     app.add_option("--json", call->json, "Also write the figures to this file");
+    app.add_option("--figure", call->figure, "Also draw time and memory over size (case scaling) as SVG to this file");
     return [call] { return run_bench(*call); };
 }
 

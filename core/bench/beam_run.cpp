@@ -93,8 +93,12 @@ BenchFigures figures_of(const std::string& name, const Model& model, const Trace
 }
 
 Result<BenchFigures> measure_run(const std::string& name, const BenchBeam& beam, const SimulationOptions& options) {
+    return measure_model(name, [&] { return bench_beam(beam); }, options);
+}
+
+Result<BenchFigures> measure_model(const std::string& name, const std::function<Model()>& make, const SimulationOptions& options) {
     const double start = thread_time_s();
-    const Model model = bench_beam(beam);
+    const Model model = make();
     const double run_start = thread_time_s();
     const Trace trace = simulate(model, options);
     const double end = thread_time_s();
@@ -103,6 +107,8 @@ Result<BenchFigures> measure_run(const std::string& name, const BenchBeam& beam,
     figures.setup_s = run_start - start;
     figures.run_s = end - run_start;
     figures.limit_ms = limit_ms(trace, model);
+    figures.factor_bytes = trace.factor_bytes;
+    figures.times = trace.times;
     return figures;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <string>
 
 #include "bench/bench_case.hpp"
@@ -25,7 +26,8 @@ Model bench_beam(const BenchBeam& beam);
 /// What a complete run tells of itself; times and limit are the caller's.
 BenchFigures figures_of(const std::string& name, const Model& model, const Trace& trace, const SimulationOptions& options);
 
-/// Measures a run with these options. Iterations count solves; memory is the caller's.
+/// Makes a model and measures a run of it. Iterations count solves; memory is the caller's.
+Result<BenchFigures> measure_model(const std::string& name, const std::function<Model()>& make, const SimulationOptions& options);
 Result<BenchFigures> measure_run(const std::string& name, const BenchBeam& beam, const SimulationOptions& options);
 
 /// Processor time of the calling thread [s].

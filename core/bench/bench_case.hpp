@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "dynamics/stage.hpp"
 
 namespace myo {
 
@@ -38,6 +39,8 @@ struct BenchFigures {
     double iterations_per_step = 0.0;
     double factorisations_per_step = 0.0;
     double limit_ms = 0.0;                 // passes over factor and elements at the measured bandwidth; 0: not given
+    double factor_bytes = 0.0;
+    SolverTimes times;                     // of the run
     std::optional<double> goal_ms;         // per step
     std::vector<BenchReference> references;
     std::vector<BenchQuantity> quantities; // what came out, where the case is about that
@@ -47,6 +50,8 @@ struct BenchFigures {
     /// Simulated time over processor time.
     double real_time_factor() const { return run_s > 0.0 ? steps * h_s / run_s : 0.0; }
     double us_per_dof_and_step() const { return dofs > 0 ? 1e3 * ms_per_step() / dofs : 0.0; }
+    /// The limit over the time that was needed; 0: not given.
+    double share_of_limit() const { return ms_per_step() > 0.0 ? limit_ms / ms_per_step() : 0.0; }
 };
 
 /// A benchmark: a file bench_<id>.cpp and a line in catalogue.cpp. Each of its runs measures one row and can be run in a process of
@@ -59,6 +64,7 @@ struct BenchCase {
     std::string id;
     std::string summary;
     std::vector<BenchRun> runs;
+    bool over_size = false;   // rows differ in size alone: exponents of time and memory over it are fitted
 };
 
 const std::vector<BenchCase>& bench_catalogue();

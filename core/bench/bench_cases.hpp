@@ -7,6 +7,9 @@ namespace myo {
 BenchCase bench_release();
 BenchCase bench_tip_load();
 BenchCase bench_elements();
+BenchCase bench_tetrahedra();
+BenchCase bench_arm();
+BenchCase bench_threads();
 BenchCase bench_tangents();
 BenchCase bench_scaling();
 BenchCase bench_published();
