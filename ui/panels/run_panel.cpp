@@ -80,6 +80,14 @@ void draw_run_controls(PanelContext& context) {
         ImGui::EndDisabled();
         return;
     }
+    if (state.is_unstable()) {
+        const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
+        notice(theme, LogLevel::warning, "\xce\x9b = " + value_label(state.settings.velocity_force_1_s, 3) + " 1/s is above \xce\x9b_crit = " +
+                                             value_label(*state.critical_velocity_force_1_s, 3) + " 1/s of " + scheme + " at " +
+                                             value_label(state.damping_frequency_Hz, 3) + " Hz and h = " + value_label(1e3 * state.settings.time_step_s, 3) +
+                                             " ms: the motion will grow without end. Try a smaller \xce\x9b, or none with " + first + ".");
+        context.items.mark("run/unstable");
+    }
     const bool runnable = state.scene && state.scene->cannot_run.empty();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     ImGui::BeginDisabled(!runnable);
@@ -113,6 +121,7 @@ void RunPanel::draw_errors(PanelContext& context) {
     const WorkbenchState& state = context.state;
     const Theme& theme = context.theme;
     if (!state.run->problem.empty()) notice(theme, LogLevel::warning, state.run->problem);
+    for (const std::string& warning : state.run->warnings) notice(theme, LogLevel::warning, warning);
     if (!std::isfinite(state.run->rms_m)) {
         text_row(theme, "Time taken", duration_label(state.run->seconds));
         return;
