@@ -110,8 +110,27 @@ void add_work_options(CLI::App& app, WorkOptions& options) {
 
 void add_study_options(CLI::App& app, StudyOptions& options) {
     StudySettings& settings = options.settings;
+    // First of all, for the options are taken in this order: each of the others may then change what it sets.
+    app.add_flag_callback(
+        "--as-published", [&settings] { settings = published_settings(); },
+        "the published formulation, for comparison: hex8_full, projective_corotational, equal vertex masses, truncated voxels, implicit_euler, no damping but "
+        "the declared; other options change parts of it");
     add_element(app, "--element", settings.mesh.element);
     add_positive_number(app, "--resolution", settings.mesh.resolution_m, "edge length of the mesh [m]")->type_name("METRES");
+    app.add_option_function<std::string>(
+           "--voxels",
+           [&settings](const std::string& id) {
+               if (!parse_voxels(id, settings.mesh.voxels)) reject("--voxels", unknown_word(id, voxels_ids()));
+           },
+           "how hexahedra fill the body: " + join(voxels_ids()))
+        ->type_name("NAME");
+    app.add_option_function<std::string>(
+           "--mass",
+           [&settings](const std::string& id) {
+               if (!parse_mass_model(id, settings.mass_model)) reject("--mass", unknown_word(id, mass_model_ids()));
+           },
+           "mass of the body: " + join(mass_model_ids()))
+        ->type_name("NAME");
     app.add_option_function<std::string>(
            "--integrator",
            [&settings](const std::string& id) {

@@ -80,22 +80,28 @@ SimulationOptions bench_options(Integrator integrator, double h_s, int steps, do
     return options;
 }
 
-Result<BenchFigures> measure_run(const std::string& name, const BenchBeam& beam, const SimulationOptions& options) {
+BenchFigures figures_of(const std::string& name, const Model& model, const Trace& trace, const SimulationOptions& options) {
     BenchFigures figures;
-    const double start = thread_time_s();
-    const Model model = bench_beam(beam);
-    figures.setup_s = thread_time_s() - start;
-    const double run_start = thread_time_s();
-    const Trace trace = simulate(model, options);
-    figures.run_s = thread_time_s() - run_start;
-    if (!trace.complete()) return Error{trace.message, name};
-    figures.name = std::to_string(model.body->dofs()) + " DOF, " + to_string(beam.element) + ", " + name;
+    figures.name = std::to_string(model.body->dofs()) + " DOF, " + to_string(model.body->kind) + ", " + name;
     figures.dofs = model.body->dofs();
     figures.cells = model.body->cell_count();
     figures.steps = static_cast<int>(trace.times_s.size()) - 1;
     figures.h_s = options.h_s;
     figures.iterations_per_step = static_cast<double>(trace.newton_iterations) / figures.steps;
     figures.factorisations_per_step = static_cast<double>(trace.factorisations) / figures.steps;
+    return figures;
+}
+
+Result<BenchFigures> measure_run(const std::string& name, const BenchBeam& beam, const SimulationOptions& options) {
+    const double start = thread_time_s();
+    const Model model = bench_beam(beam);
+    const double run_start = thread_time_s();
+    const Trace trace = simulate(model, options);
+    const double end = thread_time_s();
+    if (!trace.complete()) return Error{trace.message, name};
+    BenchFigures figures = figures_of(name, model, trace, options);
+    figures.setup_s = run_start - start;
+    figures.run_s = end - run_start;
     figures.limit_ms = limit_ms(trace, model);
     return figures;
 }

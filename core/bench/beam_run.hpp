@@ -22,6 +22,9 @@ struct BenchBeam {
 };
 Model bench_beam(const BenchBeam& beam);
 
+/// What a complete run tells of itself; times and limit are the caller's.
+BenchFigures figures_of(const std::string& name, const Model& model, const Trace& trace, const SimulationOptions& options);
+
 /// Measures a run with these options. Iterations count solves; memory is the caller's.
 Result<BenchFigures> measure_run(const std::string& name, const BenchBeam& beam, const SimulationOptions& options);
 

@@ -15,12 +15,23 @@ struct BenchReference {
     double ms_per_step = 0.0;
 };
 
+/// A physical result of a run beside what it should be.
+struct BenchQuantity {
+    std::string name;                 // "tip under gravity, nu 0.499"
+    double value = 0.0;
+    std::string unit;                 // as shown: "mm", "%"
+    std::optional<double> expected;   // same unit, from elsewhere
+
+    /// Relative to what is expected.
+    std::optional<double> error() const { return expected ? std::optional<double>(value / *expected - 1.0) : std::nullopt; }
+};
+
 /// What one run of a case measured. Times are processor time of the one thread that ran it.
 struct BenchFigures {
     std::string name;                      // "release, 4,608 DOF, hex8_full, residual 1e-6"
     int dofs = 0;
     int cells = 0;
-    int steps = 0;
+    int steps = 0;                         // 0: statics
     double h_s = 0.0;
     double setup_s = 0.0;                  // mesh, patterns, mass
     double run_s = 0.0;
@@ -29,6 +40,7 @@ struct BenchFigures {
     double limit_ms = 0.0;                 // passes over factor and elements at the measured bandwidth; 0: not given
     std::optional<double> goal_ms;         // per step
     std::vector<BenchReference> references;
+    std::vector<BenchQuantity> quantities; // what came out, where the case is about that
     std::string note;                      // for a person, below the row
 
     double ms_per_step() const { return steps > 0 ? 1e3 * run_s / steps : 0.0; }

@@ -9,5 +9,8 @@ BenchCase bench_tip_load();
 BenchCase bench_elements();
 BenchCase bench_tangents();
 BenchCase bench_scaling();
+BenchCase bench_published();
+BenchCase bench_locking();
+BenchCase bench_converged();
 
 }  // namespace myo

@@ -9,6 +9,9 @@ const std::vector<BenchCase>& bench_catalogue() {
         bench_elements(),
         bench_tangents(),
         bench_scaling(),
+        bench_published(),
+        bench_locking(),
+        bench_converged(),
     };
     return cases;
 }

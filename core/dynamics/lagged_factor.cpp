@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "model/nodal_rotations.hpp"
 
 namespace myo {
@@ -13,17 +15,43 @@ using ConstMatrix3 = Eigen::Map<const Eigen::Matrix3d>;
 /// B with every node's vectors turned by W (or W').
 Eigen::MatrixXd turned(const BlockPattern& pattern, const Eigen::Matrix<double, 9, Eigen::Dynamic>& warp, const Eigen::MatrixXd& B, bool transposed) {
     Eigen::MatrixXd result(B.rows(), B.cols());
-    for (Eigen::Index k = 0; k < B.cols(); ++k)
-        for (int i = 0; i < pattern.free_count; ++i) {
-            const ConstMatrix3 W(warp.col(pattern.free_nodes[static_cast<std::size_t>(i)]).data());
-            const Eigen::Vector3d b = B.col(k).segment<3>(3 * i);
-            if (transposed) result.col(k).segment<3>(3 * i) = W.transpose() * b;
-            else result.col(k).segment<3>(3 * i) = W * b;
-        }
+    parallel_ranges(pattern.free_count, 2000, [&](int first, int end) {
+        for (Eigen::Index k = 0; k < B.cols(); ++k)
+            for (int i = first; i < end; ++i) {
+                const ConstMatrix3 W(warp.col(pattern.free_nodes[static_cast<std::size_t>(i)]).data());
+                const Eigen::Vector3d b = B.col(k).segment<3>(3 * i);
+                if (transposed) result.col(k).segment<3>(3 * i) = W.transpose() * b;
+                else result.col(k).segment<3>(3 * i) = W * b;
+            }
+    });
     return result;
 }
 
+/// Translations and uniform deformations, turned and stretched bodies' rotations among them: unknowns x 12.
+Eigen::MatrixXd smooth_motions(const BlockPattern& pattern, const Eigen::Matrix3Xd& x) {
+    const Eigen::Vector3d middle = x.rowwise().mean();
+    const double size = (x.colwise() - middle).cwiseAbs().maxCoeff();
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(pattern.unknowns(), 12);
+    for (int i = 0; i < pattern.free_count; ++i) {
+        const Eigen::Vector3d place = (x.col(pattern.free_nodes[static_cast<std::size_t>(i)]) - middle) / size;
+        for (int r = 0; r < 3; ++r) {
+            motions(3 * i + r, r) = 1.0;
+            motions.block<1, 3>(3 * i + r, 3 + 3 * r) = place.transpose();
+        }
+    }
+    return motions;
+}
+
 }  // namespace
+
+bool LaggedFactor::is_whole(const BlockPattern& pattern) {
+    if (whole_.factor_entries() == 0.0) whole_.analyse(pattern.zero);
+    return whole_.factor_entries() <= most_entries_;
+}
+
+bool LaggedFactor::factorize(const SymmetricSparse& H, const Body& body, const Eigen::Matrix3Xd& x) {
+    return is_whole(body.pattern) ? whole_.factorize(H) : parts_.factorize(H, smooth_motions(body.pattern, x));
+}
 
 bool LaggedFactor::renew(const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {
     if (renew_with(problem.evaluate(x, HessianKind::exact).hessian, problem, x, report)) return true;
@@ -33,7 +61,9 @@ bool LaggedFactor::renew(const StageProblem& problem, const Eigen::Matrix3Xd& x,
 bool LaggedFactor::renew_with(const SymmetricSparse& H, const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {
     ++report.factorisations;
     extra_iterations_ = 0;
-    stale_ = !factor_.factorize(H);
+    usual_iterations_ = 2;
+    const Stopwatch watch(report.times.factorisation_s);
+    stale_ = !factorize(H, *problem.model().body, x);
     inertia_1_s2_ = problem.stage().inertia_1_s2;
     factored_rotations_ = nodal_rotations(*problem.model().body, x);
     warp_ = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(Eigen::Matrix3d::Identity().eval().data()).replicate(1, factored_rotations_.cols());
@@ -47,25 +77,28 @@ void LaggedFactor::turn_to(const Body& body, const Eigen::Matrix3Xd& x) {
 }
 
 Eigen::MatrixXd LaggedFactor::solve(const BlockPattern& pattern, const Eigen::MatrixXd& b) const {
-    return turned(pattern, warp_, factor_.solve_single(turned(pattern, warp_, b, true)), false);
+    const Eigen::MatrixXd back = turned(pattern, warp_, b, true);
+    return turned(pattern, warp_, whole_.has_factor() ? whole_.solve(back) : parts_.solve(back), false);
 }
 
 bool LaggedFactor::is_stale(double inertia_1_s2) const {
     // Both stages of a step share their inertia; another one (a shortened step, statics) needs another factor.
-    return stale_ || !factor_.has_factor() || std::abs(inertia_1_s2 - inertia_1_s2_) > 1e-3 * std::abs(inertia_1_s2_);
+    return stale_ || std::abs(inertia_1_s2 - inertia_1_s2_) > 1e-3 * std::abs(inertia_1_s2_);
 }
 
 void LaggedFactor::charge(int iterations, const Body& body) {
-    extra_iterations_ += std::max(0, iterations - 2);
+    if (!whole_.has_factor() && usual_iterations_ == 2) usual_iterations_ = iterations;   // the first solve with these parts
+    extra_iterations_ += std::max(0, iterations - usual_iterations_);
     if (extra_iterations_ > iterations_per_factorisation(body)) stale_ = true;
 }
 
-/// Measured on one core with 4,608 unknowns: factorisation 20 Gflop/s and 1.2 us per cell to assemble, a solve in single precision
-/// 0.2 ns per entry of the factor, forces 0.15 us per cell.
+/// Measured on one core with 4,608 unknowns: factorisation 30 Gflop/s and 3 us per cell to assemble, a solve in single precision
+/// 0.2 ns per entry of the factor, forces 0.3 us per cell.
 int LaggedFactor::iterations_per_factorisation(const Body& body) const {
     const double cells = body.cell_count();
-    const double factorisation = factor_.factor_flops() / 20e9 + 1.2e-6 * cells;
-    const double iteration = 2e-10 * factor_.factor_entries() + 1.5e-7 * cells;
+    const double flops = whole_.has_factor() ? whole_.factor_flops() : parts_.factor_flops();
+    const double factorisation = flops / 30e9 + 3e-6 * cells;
+    const double iteration = 2e-10 * factor_entries() + 3e-7 * cells;
     return std::clamp(static_cast<int>(factorisation / iteration), 4, 1000);
 }
 

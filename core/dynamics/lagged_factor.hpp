@@ -3,7 +3,8 @@
 #include <Eigen/Core>
 
 #include "dynamics/stage_problem.hpp"
-#include "solver/sparse_cholesky.hpp"
+#include "solver/fast_cholesky.hpp"
+#include "solver/schwarz.hpp"
 
 namespace myo {
 
@@ -13,8 +14,17 @@ namespace myo {
 /// made, node by node, and solutions forth: p = W A^-1 W' b, W = R_now R_factored' per node.
 /// It is renewed when the iterations it cost beyond those of a fresh one would have paid for one, by operation counts rather than by
 /// the clock, so that runs are repeatable.
+///
+/// Of a body whose factor would take too much memory it keeps the factors of overlapping parts: see is_whole().
 class LaggedFactor {
 public:
+    /// most_entries: of a factor of the whole body.
+    explicit LaggedFactor(double most_entries) : most_entries_(most_entries) {}
+
+    /// Whether solve() is the inverse of the matrix that was factored, to single precision; or only close enough to it for conjugate
+    /// gradients. Analyses the pattern when asked first.
+    bool is_whole(const BlockPattern& pattern);
+
     /// Factors the exact Hessian at x or, where that is not definite, the one of positive cells. False: neither is.
     bool renew(const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report);
 
@@ -27,22 +37,27 @@ public:
     /// p = W A^-1 W' b for one or more columns.
     Eigen::MatrixXd solve(const BlockPattern& pattern, const Eigen::MatrixXd& b) const;
 
-    double factor_entries() const { return factor_.factor_entries(); }
+    double factor_entries() const { return whole_.has_factor() ? whole_.factor_entries() : parts_.factor_entries(); }
     /// Whether a stage with this inertia should renew the factor before it starts.
     bool is_stale(double inertia_1_s2) const;
     void mark_stale() { stale_ = true; }
 
-    /// Counts a stage's iterations: those beyond the two that a fresh factor needs are its price.
+    /// Counts a solve's iterations: those beyond the usual ones of a fresh factor are its price.
     void charge(int iterations, const Body& body);
 
     /// Iterations that cost as much as a new factor.
     int iterations_per_factorisation(const Body& body) const;
 
 private:
-    SparseCholesky factor_;
+    bool factorize(const SymmetricSparse& H, const Body& body, const Eigen::Matrix3Xd& x);
+
+    double most_entries_;
+    FastCholesky whole_;
+    SchwarzPreconditioner parts_;
     Eigen::Matrix<double, 9, Eigen::Dynamic> factored_rotations_;
     Eigen::Matrix<double, 9, Eigen::Dynamic> warp_;   // W per node
     double inertia_1_s2_ = -1.0;
+    int usual_iterations_ = 2;
     long extra_iterations_ = 0;
     bool stale_ = true;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopwatch.hpp"
 #include "solver/conjugate_gradient.hpp"
 
 namespace myo {
@@ -15,18 +16,27 @@ using Eigen::VectorXd;
 bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double tolerance, const StageProblem& problem, const Matrix3Xd& x,
                             LaggedFactor& factor, StageReport& report, MatrixXd& solution, const MatrixXd& guess) {
     const Body& body = *problem.model().body;
+    const auto product = [&](const MatrixXd& V) {
+        const Stopwatch watch(report.times.linear_s);
+        return symmetric_product(H, V);
+    };
+    const auto metric = [&](const MatrixXd& V) {
+        const Stopwatch watch(report.times.linear_s);
+        return factor.solve(body.pattern, V);
+    };
     bool fresh = false;
-    if (factor.is_stale(problem.stage().inertia_1_s2)) {
+    // Of many columns every iteration is dear, and those of a factor of this very matrix are some four fewer.
+    const bool pays = 4 * B.cols() > factor.iterations_per_factorisation(body);
+    if (pays || factor.is_stale(problem.stage().inertia_1_s2)) {
         if (!factor.renew_with(H, problem, x, report)) return false;
         fresh = true;
     } else {
         factor.turn_to(body, x);
     }
     while (true) {
-        const int limit = std::max(30, factor.iterations_per_factorisation(body));
+        const int limit = std::max(factor.is_whole(body.pattern) ? 30 : 500, factor.iterations_per_factorisation(body));
         const ConjugateGradientReport cg =
-            conjugate_gradient([&](const MatrixXd& V) { return symmetric_product(H, V); },
-                               [&](const MatrixXd& V) { return factor.solve(body.pattern, V); }, B, tolerance, limit, guess);
+            conjugate_gradient(product, metric, B, tolerance, limit, guess);
         report.linear_iterations += cg.iterations;
         if (cg.converged) {
             factor.charge(cg.iterations, body);
@@ -96,8 +106,9 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
             now.hessian.coeffs() += 1e-6 * now.hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
             if (!factor.renew_with(now.hessian, problem, x, report)) return false;
         }
-        const VectorXd step = -factor.solve(problem.pattern(), now.residual);
-        const double slope = now.residual.dot(step);
+        MatrixXd step = -factor.solve(problem.pattern(), now.residual);
+        if (!factor.is_whole(problem.pattern()) && !solve_by_lagged_factor(now.hessian, -now.residual, 1e-3, problem, x, factor, report, step)) return false;
+        const double slope = now.residual.dot(step.col(0));
         if (!(slope < 0.0)) return false;
         const Matrix3Xd dx = scatter(problem.pattern(), step);
         double length = 1.0;

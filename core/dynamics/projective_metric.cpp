@@ -61,7 +61,7 @@ bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report)
 Eigen::VectorXd ProjectiveMetric::solve(const Eigen::VectorXd& b) const {
     const Eigen::Index nodes = b.size() / 3;
     const Eigen::MatrixXd rows = Eigen::Map<const Eigen::MatrixXd>(b.data(), 3, nodes).transpose();
-    const Eigen::MatrixXd solution = factor_.solve_single(rows).transpose();
+    const Eigen::MatrixXd solution = factor_.solve(rows).transpose();
     return Eigen::Map<const Eigen::VectorXd>(solution.data(), solution.size());
 }
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "dynamics/stage_problem.hpp"
-#include "solver/sparse_cholesky.hpp"
+#include "solver/fast_cholesky.hpp"
 
 namespace myo {
 
@@ -19,7 +19,7 @@ public:
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
 private:
-    SparseCholesky factor_;
+    FastCholesky factor_;
     double inertia_1_s2_ = -1.0;
 };
 

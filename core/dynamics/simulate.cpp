@@ -44,6 +44,7 @@ void count(const StageReport& report, Trace& trace) {
     trace.newton_iterations += report.newton_iterations;
     trace.linear_iterations += report.linear_iterations;
     trace.factorisations += report.factorisations;
+    trace.times += report.times;
 }
 
 std::string where_it_failed(double t, double h, const std::string& reason) {

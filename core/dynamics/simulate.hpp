@@ -45,6 +45,7 @@ struct Trace {
     int factorisations = 0;
     int stages = 0;
     double factor_bytes = 0.0;                  // of the factor in single precision
+    SolverTimes times;
 
     bool complete() const { return status == RunStatus::complete; }
 };

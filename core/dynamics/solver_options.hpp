@@ -7,7 +7,7 @@ namespace myo {
 
 /// How a stage is solved. All stop on the same residual, so that they compare, and all fall back on Newton where they do not converge.
 enum class Strategy {
-    automatic,       // the program's choice, for now always lagged Newton
+    automatic,       // lagged Newton; Newton with conjugate gradients where the factor would be too large
     lagged_newton,   // quasi-Newton in the metric of an earlier Hessian
     newton,          // Newton with the pressures as lagged unknowns
     projective,      // quasi-Newton in the metric of projective dynamics, factored once: the paper's
@@ -23,6 +23,7 @@ struct SolverOptions {
     double tolerance = 1e-7;            // residual over the forces on the body
     double tangent_tolerance = 1e-10;   // relative residual of the linear solves of sensitivities
     int max_newton_iterations = 40;
+    double most_factor_entries = 4e8;   // 1.6 GB; larger bodies are factored in parts and solved by conjugate gradients
 };
 
 }  // namespace myo

@@ -20,12 +20,29 @@ struct Stage {
 
 enum class SolveStatus { not_run, converged, not_converged, not_finite };
 
+/// Where the time of a solve went [s], on the wall clock; the rest is vectors and bookkeeping.
+struct SolverTimes {
+    double forces_s = 0.0;
+    double stiffness_s = 0.0;        // matrices of the cells and their assembly
+    double factorisation_s = 0.0;
+    double linear_s = 0.0;           // solves and matrix products
+
+    SolverTimes& operator+=(const SolverTimes& other) {
+        forces_s += other.forces_s;
+        stiffness_s += other.stiffness_s;
+        factorisation_s += other.factorisation_s;
+        linear_s += other.linear_s;
+        return *this;
+    }
+};
+
 struct StageReport {
     SolveStatus status = SolveStatus::not_run;
     int newton_iterations = 0;          // of the strategy, quasi-Newton or not
     int linear_iterations = 0;
     int factorisations = 0;
     double residual = 0.0;              // relative to the forces on the body
+    SolverTimes times;
     std::string message;
 
     bool ok() const { return status == SolveStatus::converged; }

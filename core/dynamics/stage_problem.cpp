@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopwatch.hpp"
+
 namespace myo {
 namespace {
 
@@ -31,13 +33,16 @@ StageConstants stage_constants(const Model& model) {
     return constants;
 }
 
-StageProblem::StageProblem(const StageConstants& constants, const Stage& stage)
+StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times)
     : constants_(constants),
       stage_(stage),
+      times_(times),
       activation_(activations(*constants.model, stage.time_s, stage.before_jump)),
       dead_(stage.constant + external_forces(*constants.model, constants.mass, stage.time_s, stage.before_jump)) {}
 
 StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind kind, const VectorXd* pressure) const {
+    double untimed = 0.0;
+    const Stopwatch watch(!times_ ? untimed : kind == HessianKind::none ? times_->forces_s : times_->stiffness_s);
     InternalInput input;
     input.stiffness = &constants_.stiffness;
     input.activation = &activation_;

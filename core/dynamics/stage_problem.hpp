@@ -23,7 +23,8 @@ StageConstants stage_constants(const Model& model);
 /// A stage as a minimisation over the free unknowns.
 class StageProblem {
 public:
-    StageProblem(const StageConstants& constants, const Stage& stage);
+    /// times: where evaluations are entered; may be null.
+    StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times = nullptr);
 
     struct Evaluation {
         double potential = 0.0;         // [J], up to a constant
@@ -46,6 +47,7 @@ private:
 
     const StageConstants& constants_;
     const Stage& stage_;
+    SolverTimes* times_;
     std::vector<double> activation_;
     Eigen::Matrix3Xd dead_;              // constant + f_ext
 };

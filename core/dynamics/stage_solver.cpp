@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "dynamics/newton.hpp"
 #include "dynamics/quasi_newton.hpp"
@@ -13,14 +14,17 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-StageSolver::StageSolver(const Model& model, SolverOptions options) : options_(options), constants_(stage_constants(model)) {}
+StageSolver::StageSolver(const Model& model, SolverOptions options) : options_(options), constants_(stage_constants(model)), factor_(options.most_factor_entries) {}
 
 bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matrix3Xd& x, StageReport& report) {
     const Body& body = *model().body;
     QuasiNewtonOptions options;
     options.tolerance = options_.tolerance;
     options.scale = scale;
-    const auto metric = [&](const VectorXd& b) { return VectorXd(factor_.solve(body.pattern, b)); };
+    const auto metric = [&](const VectorXd& b) {
+        const Stopwatch watch(report.times.linear_s);
+        return VectorXd(factor_.solve(body.pattern, b));
+    };
     bool fresh = factor_.is_stale(problem.stage().inertia_1_s2);
     if (fresh && !factor_.renew(problem, x, report)) return false;
     if (!fresh) factor_.turn_to(body, x);
@@ -38,7 +42,7 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
 
 StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     StageReport report;
-    const StageProblem problem(constants_, stage);
+    const StageProblem problem(constants_, stage, &report.times);
     const double scale = problem.force_scale(x, options_.tolerance);
     const auto converged = [&]() {
         report.status = SolveStatus::converged;
@@ -51,15 +55,19 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
         options.scale = scale;
         options.max_iterations = 2000;
         options.slow_contraction = std::numeric_limits<double>::infinity();
-        const QuasiNewtonResult result = quasi_newton(problem, options, [&](const VectorXd& b) { return projective_.solve(b); }, x);
+        const auto metric = [&](const VectorXd& b) {
+            const Stopwatch watch(report.times.linear_s);
+            return projective_.solve(b);
+        };
+        const QuasiNewtonResult result = quasi_newton(problem, options, metric, x);
         report.newton_iterations += result.iterations;
         report.residual = result.residual;
         if (result.converged) return converged();
-    } else if (options_.strategy != Strategy::newton) {
+    } else if (options_.strategy != Strategy::newton && factor_.is_whole(problem.pattern())) {
         if (lagged_newton(problem, scale, x, report)) return converged();
     }
     if (!x.allFinite()) x = start;
-    factor_.mark_stale();
+    if (factor_.is_whole(problem.pattern())) factor_.mark_stale();   // parts serve conjugate gradients for long
     if (mixed_newton(problem, options_, scale, factor_, x, report)) return converged();
     const bool found = energy_newton(problem, options_, scale, factor_, x, report);
     factor_.mark_stale();

@@ -79,7 +79,7 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
             change += (next - entry) * (next - entry);
             entry = next;
         }
-        open = !(change < 1e-20);   // quadratic: the step after this change is below rounding
+        open = !(change < 1e-15);   // quadratic: what this change of 3e-8 leaves is below rounding
     }
     if (any_of(open))
         for (int lane = 0; lane < pack_width; ++lane)

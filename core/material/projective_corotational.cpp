@@ -112,31 +112,39 @@ public:
     }
 
     /// D without singular values: it solves D = F - p cof D, det D = 1, and near unit volume this iteration gains digits as fast
-    /// as p is small. Lanes where it does not settle, and Hessians, go through the principal values.
+    /// as p is small. Lanes where it does not settle go through the principal values.
     static void respond_at(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian, LawResponse<Pack>& out) {
+        const Pack lambda = kappa - Pack(2.0 / 3.0) * mu;
+        const Matrix3<Pack> R = polar_rotation(F);
+        Matrix3<Pack> D = F, C;
+        Pack p = 0.0;
         PackMask open(true);
-        if (!with_hessian) {
-            const Pack lambda = kappa - Pack(2.0 / 3.0) * mu;
-            const Matrix3<Pack> R = polar_rotation(F);
-            Matrix3<Pack> D = F;
-            Pack p = 0.0;
-            for (int iteration = 0; iteration < 12 && std::experimental::any_of(open); ++iteration) {
-                const Matrix3<Pack> C = cofactor(D);
-                const Pack J = D(0, 0) * C(0, 0) + D(1, 0) * C(1, 0) + D(2, 0) * C(2, 0);
-                p += (J - Pack(1.0)) / double_dot(C, C);
-                Pack change = 0.0;
-                for (int k = 0; k < 9; ++k) {
-                    Pack& entry = D(k % 3, k / 3);
-                    const Pack next = F(k % 3, k / 3) - p * C(k % 3, k / 3);
-                    change += (next - entry) * (next - entry);
-                    entry = next;
-                }
-                open = !(change < 1e-28);
+        for (int iteration = 0; iteration < 12 && std::experimental::any_of(open); ++iteration) {
+            C = cofactor(D);
+            const Pack J = D(0, 0) * C(0, 0) + D(1, 0) * C(1, 0) + D(2, 0) * C(2, 0);
+            p += (J - Pack(1.0)) / double_dot(C, C);
+            Pack change = 0.0;
+            for (int k = 0; k < 9; ++k) {
+                Pack& entry = D(k % 3, k / 3);
+                const Pack next = F(k % 3, k / 3) - p * C(k % 3, k / 3);
+                change += (next - entry) * (next - entry);
+                entry = next;
             }
-            open = open || !(std::experimental::abs(p) < 0.3);   // further off another branch may be nearer
-            const Matrix3<Pack> shear = F - R, volume = F - D;
-            out.distortion.value = mu * double_dot(shear, shear) + Pack(0.5) * lambda * double_dot(volume, volume);
-            out.distortion.gradient = shear * (Pack(2.0) * mu) + volume * lambda;
+            open = !(change * p * p < 1e-30 && change < 1e-12);   // the next change is about p times this one
+        }
+        open = open || !(std::experimental::abs(p) < 0.3);   // further off another branch may be nearer
+        const Matrix3<Pack> shear = F - R, volume = F - D;
+        out.distortion.value = mu * double_dot(shear, shear) + Pack(0.5) * lambda * double_dot(volume, volume);
+        out.distortion.gradient = shear * (Pack(2.0) * mu) + volume * lambda;
+        if (with_hessian) {
+            const Matrix9<Pack> dR = polar_rotation_derivative(F, R), dD = unit_volume_derivative(D, p);
+            const Pack identity = Pack(2.0) * mu + lambda;
+            for (int column = 0; column < 9; ++column)
+                for (int row = 0; row < 9; ++row) {
+                    Pack& entry = out.distortion.hessian(row, column);
+                    entry = -(Pack(2.0) * mu * dR(row, column) + lambda * dD(row, column));
+                    if (row == column) entry += identity;
+                }
         }
         for (int lane = 0; lane < pack_width; ++lane)
             if (const auto l = static_cast<std::size_t>(lane); open[l]) {
@@ -152,6 +160,40 @@ public:
     }
 
 private:
+    /// dD/dF from (I + p dcof/dD) dD + cof D dp = dF and cof D : dD = 0.
+    static Matrix9<Pack> unit_volume_derivative(const Matrix3<Pack>& D, const Pack& p) {
+        Matrix9<Pack> K;   // (I + p dcof/dD)^-1, by Gauss-Jordan steps: the matrix is near the identity
+        for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
+            K(row, column) = row == column ? 1.0 : 0.0;
+            if (i == k || j == l) return;
+            const double sign = ((k - i + 3) % 3 == (l - j + 3) % 3) ? 1.0 : -1.0;
+            K(row, column) += sign * p * D(3 - i - k, 3 - j - l);
+        });
+        for (int pivot = 0; pivot < 9; ++pivot) {
+            const Pack inverse = 1.0 / K(pivot, pivot);
+            K(pivot, pivot) = 1.0;
+            for (int column = 0; column < 9; ++column) K(pivot, column) *= inverse;
+            for (int row = 0; row < 9; ++row) {
+                if (row == pivot) continue;
+                const Pack factor = K(row, pivot);
+                K(row, pivot) = 0.0;
+                for (int column = 0; column < 9; ++column) K(row, column) -= factor * K(pivot, column);
+            }
+        }
+        const Matrix3<Pack> C = cofactor(D);
+        std::array<Pack, 9> KC;
+        Pack CKC = 0.0;
+        for (int row = 0; row < 9; ++row) {
+            Pack& sum = KC[static_cast<std::size_t>(row)];
+            sum = 0.0;
+            for (int column = 0; column < 9; ++column) sum += K(row, column) * C(column % 3, column / 3);
+            CKC += C(row % 3, row / 3) * sum;
+        }
+        for (int column = 0; column < 9; ++column)
+            for (int row = 0; row < 9; ++row) K(row, column) -= KC[static_cast<std::size_t>(row)] * KC[static_cast<std::size_t>(column)] / CKC;
+        return K;
+    }
+
     /// Hessian of an isotropic energy from its principal derivatives (Smith, De Goes & Kim 2019, "Analytic eigensystems").
     /// (psi_i - psi_j)/(sigma_i - sigma_j) is taken without cancellation: with psi = a sigma - 2 mu - lambda d it is
     /// a - lambda (d_i - d_j)/(sigma_i - sigma_j), and d_i - d_j = (sigma_i - sigma_j)/(1 - p d_k).

@@ -32,6 +32,11 @@ std::vector<double> axis_lines(double lowest, double highest, double edge, std::
     return lines;
 }
 
+Error too_many_cells(double edge, double cells, double max_cells) {
+    return {"an edge of " + format_number(edge * 1e3, 4) + " mm needs a grid of " + format_number(cells, 3) + " cells, over the limit of " +
+                format_number(max_cells, 3) + ": choose a longer edge", ""};
+}
+
 GridLines equal_grid(const Box& box, const Eigen::Vector3i& cells) {
     assert((cells.array() > 0).all());
     GridLines grid;
@@ -62,15 +67,28 @@ GridLines grid_lines(const Box& box, double edge, const GridPlanes& planes) {
 }
 
 Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes, double max_cells) {
-    const auto too_many = [&](double cells) {
-        return Error{"an edge of " + format_number(edge * 1e3, 4) + " mm needs a grid of " + format_number(cells, 3) + " cells, over the limit of " +
-                         format_number(max_cells, 3) + ": choose a longer edge", ""};
-    };
     const double expected = box_cells(box, edge).cast<double>().prod();
-    if (expected > max_cells) return too_many(expected);
+    if (expected > max_cells) return too_many_cells(edge, expected, max_cells);
     GridLines grid = grid_lines(box, edge, planes);
     const double cells = grid.cells().cast<double>().prod();   // planes may cut it finer
-    if (cells > max_cells) return too_many(cells);
+    if (cells > max_cells) return too_many_cells(edge, cells, max_cells);
+    return grid;
+}
+
+Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest, double max_cells) {
+    assert(edge > 0.0);
+    // The allowance keeps the last cube of an edge that divides the box exactly but for rounding.
+    const Eigen::Array3d counts = (box.size().array() / edge * (1.0 + 1e-9)).floor();
+    if (counts.minCoeff() < 1.0) return Error{"no whole cube of " + format_number(edge * 1e3, 4) + " mm fits into the body: choose a shorter edge", ""};
+    if (counts.prod() > max_cells) return too_many_cells(edge, counts.prod(), max_cells);
+    GridLines grid;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        const int n = static_cast<int>(counts(i));
+        const double first = from_highest[a] ? box.highest(i) - n * edge : box.lowest(i);
+        for (int k = 0; k <= n; ++k) grid.axis[a].push_back(first + k * edge);
+        if (from_highest[a]) grid.axis[a].back() = box.highest(i);
+    }
     return grid;
 }
 

@@ -40,6 +40,11 @@ inline constexpr double most_grid_cells = 2e6;
 /// Error: that many cells.
 Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes = {}, double max_cells = most_grid_cells);
 
+/// Cubes of exactly `edge`, as many as fit whole: floor(extent / edge) per axis. They begin at the box's lowest side, or end at
+/// its highest where `from_highest` says so, and leave the rest of the box empty. As published voxel meshes do, for comparison.
+/// Errors: as limited_grid_lines(); an edge longer than the box.
+Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest, double max_cells = most_grid_cells);
+
 /// All cells of a grid as hex8. Nodes and cells are numbered with x fastest, then y, then z.
 VolumeMesh hex_mesh(const GridLines& grid);
 

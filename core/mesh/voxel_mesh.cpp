@@ -113,7 +113,7 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
     }
     const Box box = bounding_box(surface.vertices);
     if (!(box.size().minCoeff() > 0.0)) return Error{"the surface is flat: it encloses no volume", ""};
-    const Result<GridLines> limited = limited_grid_lines(box, options.edge, options.planes, options.max_cells);
+    const Result<GridLines> limited = options.grid ? Result<GridLines>(*options.grid) : limited_grid_lines(box, options.edge, options.planes, options.max_cells);
     if (!limited) return limited.error();
     const GridLines& grid = *limited;
     const Eigen::Vector3i n = grid.cells();

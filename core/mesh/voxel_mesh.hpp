@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "base/progress.hpp"
 #include "base/result.hpp"
 #include "mesh/box_mesh.hpp"
@@ -11,6 +13,7 @@ namespace myo {
 struct VoxelOptions {
     double edge = 0.005;        // [m], aimed at; edges per axis adapt so that the bounding box is met exactly
     GridPlanes planes{};        // [m] coordinates that must be grid planes, as the faces of a clamp
+    std::optional<GridLines> grid{};   // [m] instead of edge and planes
     double solid_fraction = 0.5;  // a cell is kept when at least this part of it lies inside
     double max_cells = most_grid_cells;   // of the whole grid
 };

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "base/parallel.hpp"
 #include "model/cell_kernel.hpp"
 #include "model/fibre_forces.hpp"
 #include "model/positive_part.hpp"
@@ -11,6 +12,16 @@ namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
+
+/// Least work that pays for handing it to another thread, which takes a few microseconds.
+constexpr int packs_per_thread = 24, nodes_per_thread = 1000;
+
+template <class Cells, class Visit>
+void for_each_pack(const Cells& cells, const Visit& visit) {
+    parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
+        for (int pack = first; pack < end; ++pack) visit(pack);
+    });
+}
 
 /// f(cell) of the pack's cells; past the last cell, of the last.
 template <class Cells, class Value>
@@ -38,15 +49,29 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     return in;
 }
 
-/// Adds one lane's blocks to the assembled matrix, transposed where the free numbering turns a pair round.
+/// Free nodes first ... end - 1: the block columns of one thread.
+struct OwnColumns {
+    int first = 0, end = 0;
+};
+
+/// Adds those of one lane's blocks to the assembled matrix that lie in the columns, transposed where the free numbering turns a pair
+/// round.
 template <int N>
-void assemble_lane(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, int lane, const PackOutput<N>& out, SymmetricSparse& matrix) {
+void assemble_lane(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, int lane, const PackOutput<N>& out, const OwnColumns& own,
+                   SymmetricSparse& matrix) {
     const auto l = static_cast<std::size_t>(lane);
+    const auto owned = [&](int node) {
+        const int column = pattern.free_index[static_cast<std::size_t>(cells(node, cell))];
+        return column >= own.first && column < own.end;
+    };
     for (int b = 0; b < N; ++b)
         for (int a = b; a < N; ++a) {
             const Matrix3<Pack>& block = out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))];
-            if (pattern.stores(N, cell, a, b)) pattern.add(matrix, cells, cell, a, b, [&](int r, int s) { return static_cast<double>(block(r, s)[l]); });
-            else pattern.add(matrix, cells, cell, b, a, [&](int r, int s) { return static_cast<double>(block(s, r)[l]); });
+            if (pattern.stores(N, cell, a, b)) {
+                if (owned(b)) pattern.add(matrix, cells, cell, a, b, [&](int r, int s) { return static_cast<double>(block(r, s)[l]); });
+            } else if (owned(a)) {
+                pattern.add(matrix, cells, cell, b, a, [&](int r, int s) { return static_cast<double>(block(s, r)[l]); });
+            }
         }
 }
 
@@ -70,36 +95,72 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
 /// Sums the cells' nodal vectors (see NodeIncidence) at the nodes.
 void add_at_nodes(const NodeIncidence& incidence, const std::vector<Pack>& field, Matrix3Xd& nodal) {
     const auto* values = reinterpret_cast<const double*>(field.data());
-    for (Eigen::Index i = 0; i < nodal.cols(); ++i) {
-        double x = 0.0, y = 0.0, z = 0.0;
-        for (int k = incidence.start[static_cast<std::size_t>(i)]; k < incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
-            const double* at = values + incidence.offset[static_cast<std::size_t>(k)];
-            x += at[0];
-            y += at[pack_width];
-            z += at[2 * pack_width];
+    parallel_ranges(static_cast<int>(nodal.cols()), nodes_per_thread, [&](int first, int end) {
+        for (int i = first; i < end; ++i) {
+            double x = 0.0, y = 0.0, z = 0.0;
+            for (int k = incidence.start[static_cast<std::size_t>(i)]; k < incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
+                const double* at = values + incidence.offset[static_cast<std::size_t>(k)];
+                x += at[0];
+                y += at[pack_width];
+                z += at[2 * pack_width];
+            }
+            nodal.col(i) += Eigen::Vector3d(x, y, z);
         }
-        nodal.col(i) += Eigen::Vector3d(x, y, z);
+    });
+}
+
+/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1.
+template <bool WithHessian, int N, int Q, class KeepHessian>
+void evaluate_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, int first, int end,
+                    std::vector<Pack>& forces, std::vector<Pack>& energies, const KeepHessian& keep_hessian) {
+    PackOutput<N> result;
+    for (int pack = first; pack < end; ++pack) {
+        const PackInput in = pack_input(model, cells, input, pack);
+        evaluate_pack<WithHessian>(cells, pack, gather_lanes<N>(cells.lane_nodes[static_cast<std::size_t>(pack)], x), in, result);
+        energies[static_cast<std::size_t>(pack)] = result.energy;
+        std::copy(result.gradient.data(), result.gradient.data() + 3 * N, forces.begin() + pack * 3 * N);
+        if constexpr (WithHessian) keep_hessian(pack, result);
     }
 }
 
-template <bool WithHessian, int N, int Q>
-void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive, InternalEnergy& out) {
-    static thread_local std::vector<Pack> forces;   // per cell node; kept, because this runs thousands of times a second
-    forces.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
-    PackOutput<N> result;
-    for (int pack = 0; pack < cells.pack_count(); ++pack) {
-        const PackInput in = pack_input(model, cells, input, pack);
-        evaluate_pack<WithHessian>(cells, pack, gather_lanes<N>(cells.lane_nodes[static_cast<std::size_t>(pack)], x), in, result);
-        const int lanes = cells.lanes_used(pack);
-        for (int lane = 0; lane < lanes; ++lane) out.energy += result.energy[static_cast<std::size_t>(lane)];
-        std::copy(result.gradient.data(), result.gradient.data() + 3 * N, forces.begin() + pack * 3 * N);
-        if constexpr (WithHessian) {
-            if (positive) project_cells_positive(lanes, result);
-            for (int lane = 0; lane < lanes; ++lane)
-                assemble_lane<N>(model.body->pattern, model.body->mesh.cells, pack * pack_width + lane, lane, result, out.hessian);
-        }
+/// Cells' matrices are made side by side for as many packs as fit in some megabytes, then every thread adds those that fall in its
+/// columns, cell by cell, so that sums do not depend on the number of threads.
+template <int N, int Q>
+void assemble_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive,
+                    std::vector<Pack>& forces, std::vector<Pack>& energies, SymmetricSparse& hessian) {
+    constexpr int packs_at_once = 256;
+    const BlockPattern& pattern = model.body->pattern;
+    std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
+    for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
+        const int count = std::min(packs_at_once, cells.pack_count() - start);
+        parallel_ranges(count, packs_per_thread / 8, [&](int first, int end) {
+            evaluate_packs<true>(cells, model, x, input, start + first, start + end, forces, energies, [&](int pack, PackOutput<N>& result) {
+                if (positive) project_cells_positive(cells.lanes_used(pack), result);
+                outputs[static_cast<std::size_t>(pack - start)] = result;
+            });
+        });
+        parallel_ranges(pattern.free_count, nodes_per_thread / 8, [&](int first, int end) {
+            for (int pack = start; pack < start + count; ++pack)
+                for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
+                    assemble_lane<N>(pattern, model.body->mesh.cells, pack * pack_width + lane, lane, outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
+        });
     }
-    add_at_nodes(model.body->incidence, forces, out.gradient);
+}
+
+template <int N, int Q>
+void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, HessianKind kind, InternalEnergy& out) {
+    static thread_local std::vector<Pack> forces, energies;   // kept, because this runs thousands of times a second
+    std::vector<Pack>&force_field = forces, &energy_field = energies;   // of this thread, for all that help it
+    force_field.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
+    energy_field.resize(static_cast<std::size_t>(cells.pack_count()));
+    if (kind == HessianKind::none)
+        parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
+            evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field, [](int, const PackOutput<N>&) {});
+        });
+    else assemble_packs(cells, model, x, input, kind == HessianKind::positive, force_field, energy_field, out.hessian);
+    for (int pack = 0; pack < cells.pack_count(); ++pack)
+        for (int lane = 0; lane < cells.lanes_used(pack); ++lane) out.energy += energy_field[static_cast<std::size_t>(pack)][static_cast<std::size_t>(lane)];
+    add_at_nodes(model.body->incidence, force_field, out.gradient);
 }
 
 /// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
@@ -108,8 +169,8 @@ VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, cons
     const int per_cell = cells.volumes_per_cell();
     VectorXd pressure = VectorXd::Zero(cells.pack_count() * per_cell * pack_width);
     if (!model.material->has_split()) return pressure;
-    LawResponse<Pack> law;
-    for (int pack = 0; pack < cells.pack_count(); ++pack) {
+    for_each_pack(cells, [&](int pack) {
+        LawResponse<Pack> law;
         const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
         const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
         const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
@@ -128,7 +189,7 @@ VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, cons
             const Pack p = U.first + U.second * d_theta;
             p.copy_to(pressure.data() + (pack * per_cell + (cells.mean_volume ? 0 : q)) * pack_width, std::experimental::element_aligned);
         }
-    }
+    });
     return pressure;
 }
 
@@ -137,7 +198,7 @@ template <int N, int Q>
 VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const Matrix3Xd* dx) {
     const int per_cell = cells.strains_per_cell();
     VectorXd result(cells.pack_count() * per_cell * pack_width);
-    for (int pack = 0; pack < cells.pack_count(); ++pack) {
+    for_each_pack(cells, [&](int pack) {
         const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
         const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
         const auto xe = gather_lanes<N>(nodes, x), de = dx ? gather_lanes<N>(nodes, *dx) : xe;
@@ -164,7 +225,7 @@ VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const 
                         store(6 + i + 3 * s, value);
                     }
             }
-    }
+    });
     return result;
 }
 
@@ -185,13 +246,7 @@ InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const Int
     InternalEnergy out;
     out.gradient = Matrix3Xd::Zero(3, x.cols());
     if (kind != HessianKind::none) out.hessian = model.body->pattern.zero;
-    const bool positive = kind == HessianKind::positive;
-    std::visit(
-        [&](const auto& cells) {
-            if (kind == HessianKind::none) add_cells<false>(cells, model, x, input, positive, out);
-            else add_cells<true>(cells, model, x, input, positive, out);
-        },
-        model.body->cells);
+    std::visit([&](const auto& cells) { add_cells(cells, model, x, input, kind, out); }, model.body->cells);
     if (input.stiffness->fibres && !model.fibres->empty()) {
         assert(input.activation != nullptr && input.activation->size() == model.fibres->size());
         add_fibres(model, x, *input.activation, kind, out);

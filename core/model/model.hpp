@@ -12,6 +12,7 @@
 #include "material/material.hpp"
 #include "material/moduli.hpp"
 #include "model/body.hpp"
+#include "model/mass_model.hpp"
 
 namespace myo {
 
@@ -39,6 +40,7 @@ struct Model {
     std::vector<Moduli> moduli;               // per cell
     double damping_s = 0.0;                       // Kelvin-Voigt: S = 2 damping mu dev(dE/dt)
     double density_kg_m3 = 0.0;
+    MassModel mass_model = MassModel::consistent;
     double velocity_force_1_s = 0.0;              // Lambda of f = Lambda M v; 0 = none
     Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();
     std::shared_ptr<const std::vector<FibreGroup>> fibres = std::make_shared<std::vector<FibreGroup>>();
@@ -50,7 +52,7 @@ struct Model {
 /// The same moduli in every cell.
 std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);
 
-/// n x n mass matrix [kg] of one coordinate, attached masses on the diagonal.
+/// n x n mass matrix [kg] of one coordinate by the mass model, attached masses on the diagonal. Weight follows it.
 Eigen::SparseMatrix<double> mass_matrix(const Model& model);
 
 /// X M for nodal vectors X (3 x n).

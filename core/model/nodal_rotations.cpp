@@ -1,5 +1,8 @@
 #include "model/nodal_rotations.hpp"
 
+#include <vector>
+
+#include "base/parallel.hpp"
 #include "material/polar.hpp"
 #include "model/cell_kernel.hpp"
 
@@ -8,42 +11,56 @@ namespace {
 
 using Rotations = Eigen::Matrix<double, 9, Eigen::Dynamic>;
 
+/// Sum of the cells' mean deformation gradients at each node, weighted with their volumes.
 template <int N, int Q>
 Rotations mean_gradients(const PackedCells<N, Q>& cells, const Body& body, const Eigen::Matrix3Xd& x) {
+    std::vector<Matrix3<Pack>> means(static_cast<std::size_t>(cells.pack_count()));
+    parallel_ranges(cells.pack_count(), 50, [&](int first, int end) {
+        for (auto pack = static_cast<std::size_t>(first); pack < static_cast<std::size_t>(end); ++pack) {
+            const PackGeometry<N, Q>& geometry = cells.geometry[pack];
+            const auto xe = gather_lanes<N>(cells.lane_nodes[pack], x);
+            means[pack].setConstant(Pack(0.0));
+            for (std::size_t q = 0; q < Q; ++q) means[pack] += deformation_gradient<N>(xe, geometry.gradient[q]) * geometry.weight[q];
+        }
+    });
     Rotations sum = Rotations::Zero(9, body.node_count());
-    for (int pack = 0; pack < cells.pack_count(); ++pack) {
-        const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
-        const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
-        const auto xe = gather_lanes<N>(nodes, x);
-        Matrix3<Pack> mean = Matrix3<Pack>::Constant(Pack(0.0));
-        for (std::size_t q = 0; q < Q; ++q) mean += deformation_gradient<N>(xe, geometry.gradient[q]) * geometry.weight[q];
-        for (std::size_t lane = 0; lane < static_cast<std::size_t>(cells.lanes_used(pack)); ++lane)
-            for (const auto& node : nodes)
-                for (int k = 0; k < 9; ++k) sum(k, node[lane]) += mean(k % 3, k / 3)[lane];
-    }
+    const auto* values = reinterpret_cast<const double*>(means.data());
+    parallel_ranges(body.node_count(), 500, [&](int first, int end) {
+        for (int i = first; i < end; ++i)
+            for (int k = body.incidence.start[static_cast<std::size_t>(i)]; k < body.incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
+                const int cell = incident_cell<N>(body.incidence, k);
+                const double* mean = values + cell / pack_width * 9 * pack_width + cell % pack_width;
+                for (int e = 0; e < 9; ++e) sum(e, i) += mean[e * pack_width];
+            }
+    });
     return sum;
+}
+
+/// The rotations of as many gradients as a pack has lanes, in place.
+void turn_into_rotations(Rotations& field, Eigen::Index first) {
+    const Eigen::Index last = field.cols() - 1;
+    const auto column = [&](auto lane) { return std::min(first + static_cast<Eigen::Index>(lane), last); };
+    Matrix3<Pack> F;
+    Pack size = 0.0;
+    for (int k = 0; k < 9; ++k) {
+        F(k % 3, k / 3) = Pack([&](auto lane) { return field(k, column(lane)); });
+        size += F(k % 3, k / 3) * F(k % 3, k / 3);
+    }
+    F *= 1.0 / sqrt((1.0 / 3.0) * size);
+    const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);   // nothing to turn, or not a number
+    for (int k = 0; k < 9; ++k) std::experimental::where(degenerate, F(k % 3, k / 3)) = k % 4 == 0 ? 1.0 : 0.0;
+    const Matrix3<Pack> R = polar_rotation(F);
+    for (Eigen::Index i = first; i <= std::min(first + pack_width - 1, last); ++i)
+        for (int k = 0; k < 9; ++k) field(k, i) = R(k % 3, k / 3)[static_cast<std::size_t>(i - first)];
 }
 
 }  // namespace
 
 Rotations nodal_rotations(const Body& body, const Eigen::Matrix3Xd& x) {
     Rotations field = std::visit([&](const auto& cells) { return mean_gradients(cells, body, x); }, body.cells);
-    const Eigen::Index count = field.cols();
-    for (Eigen::Index first = 0; first < count; first += pack_width) {
-        const auto column = [&](auto lane) { return std::min(first + static_cast<Eigen::Index>(lane), count - 1); };
-        Matrix3<Pack> F;
-        Pack size = 0.0;
-        for (int k = 0; k < 9; ++k) {
-            F(k % 3, k / 3) = Pack([&](auto lane) { return field(k, column(lane)); });
-            size += F(k % 3, k / 3) * F(k % 3, k / 3);
-        }
-        F *= 1.0 / sqrt((1.0 / 3.0) * size);
-        const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);   // nothing to turn, or not a number
-        for (int k = 0; k < 9; ++k) std::experimental::where(degenerate, F(k % 3, k / 3)) = k % 4 == 0 ? 1.0 : 0.0;
-        const Matrix3<Pack> R = polar_rotation(F);
-        for (Eigen::Index i = first; i < std::min(first + pack_width, count); ++i)
-            for (int k = 0; k < 9; ++k) field(k, i) = R(k % 3, k / 3)[static_cast<std::size_t>(i - first)];
-    }
+    parallel_ranges(static_cast<int>((field.cols() + pack_width - 1) / pack_width), 50, [&](int first, int end) {
+        for (int pack = first; pack < end; ++pack) turn_into_rotations(field, pack * pack_width);
+    });
     return field;
 }
 

@@ -67,6 +67,13 @@ struct NodeIncidence {
 };
 NodeIncidence node_incidence(const VolumeMesh& mesh);
 
+/// The cell of an offset.
+template <int N>
+int incident_cell(const NodeIncidence& incidence, int k) {
+    const int offset = incidence.offset[static_cast<std::size_t>(k)];
+    return offset / (3 * N * pack_width) * pack_width + offset % pack_width;
+}
+
 /// Positions of the cells of a pack, from X (3 x n).
 template <int N>
 Eigen::Matrix<Pack, 3, N> gather_lanes(const std::array<std::array<int, pack_width>, N>& nodes, const Eigen::Matrix3Xd& X) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "material/catalogue.hpp"
 #include "measurement/noise.hpp"
 #include "mesh/region.hpp"
@@ -14,13 +15,10 @@
 namespace myo {
 namespace {
 
-/// A damping time nobody declared has to start somewhere: 9 % of critical damping at 10 Hz, as silicones have.
-constexpr double unknown_damping_s = 0.003;
-
-std::vector<FibreGroup> fibre_groups(const Experiment& experiment, const VolumeMesh& mesh) {
+std::vector<FibreGroup> fibre_groups(const Experiment& experiment, const StudyMesh& mesh) {
     std::vector<FibreGroup> groups;
     for (const MuscleDeclaration& muscle : experiment.muscles)
-        groups.push_back(fibres_in_box(mesh, muscle.box_m, muscle.fibre, muscle.stiffness_Pa, muscle.name));
+        groups.push_back(fibres_in_box(mesh.mesh, box_on_mesh(mesh, muscle.box_m), muscle.fibre, muscle.stiffness_Pa, muscle.name));
     return groups;
 }
 
@@ -35,12 +33,13 @@ Result<Eigen::VectorXd> surface_share(const Experiment& experiment, const std::s
     return Eigen::VectorXd(integral.weight / integral.weight.sum());
 }
 
-Result<void> add_loads(const Experiment& experiment, const TrialDeclaration& trial, Model& model) {
+Result<void> add_loads(const Study& study, const TrialDeclaration& trial, Model& model) {
+    const Experiment& experiment = study.experiment;
     for (std::size_t i = 0; i < trial.loads.size(); ++i) {
         const LoadDeclaration& load = trial.loads[i];
         const bool is_mass = load.kind == LoadKind::mass;
         const std::string key = trial_key(experiment, trial) + ".load[" + std::to_string(i) + "].box_m";
-        Result<Eigen::VectorXd> share = surface_share(experiment, key, *model.body, load.box_m, is_mass);
+        Result<Eigen::VectorXd> share = surface_share(experiment, key, *model.body, box_on_mesh(study.mesh, load.box_m), is_mass);
         if (!share) return share.error();
         if (is_mass) model.masses.push_back({std::move(*share), load.mass_kg});
         else model.forces.push_back({std::move(*share), load.force_N, load.from_s, load.until_s});
@@ -76,7 +75,7 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
     trial.name = declaration.name;
     trial.role = declaration.role;
     trial.model = model;
-    if (const Result<void> loads = add_loads(experiment, declaration, trial.model); !loads) return loads.error();
+    if (const Result<void> loads = add_loads(study, declaration, trial.model); !loads) return loads.error();
     if (const Result<void> activation = add_activation(experiment, declaration, trial); !activation) return activation.error();
 
     Result<TrialRecording> recording = read_trial(experiment, declaration);
@@ -115,7 +114,25 @@ void set_noise(const std::vector<Recording>& recordings, Study& study) {
         study.noise_m(m) = std::max(found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical);
 }
 
+void warn_of_mass(const Model& model, std::vector<std::string>& warnings) {
+    if (model.mass_model == MassModel::consistent) return;
+    const double part = mass_matrix(model).sum() / (model.density_kg_m3 * model.body->unit_mass.sum());
+    warnings.push_back("equal vertex masses: the body weighs " + format_number(100.0 * part, 3) + " % of its mesh's true mass");
+}
+
 }  // namespace
+
+StudySettings published_settings() {
+    StudySettings settings;
+    settings.mesh.element = ElementKind::hex8_full;
+    settings.mesh.voxels = Voxels::truncated;
+    settings.integrator = Integrator::implicit_euler;
+    settings.material = "projective_corotational";
+    settings.mass_model = MassModel::equal_vertices;
+    settings.assumed_damping_s = 0.0;
+    settings.as_published = true;
+    return settings;
+}
 
 std::vector<Signal> with_level(const Experiment& experiment, std::vector<Signal> activation, std::size_t leader, double level) {
     const std::vector<MuscleLeader> leaders = muscle_leaders(experiment);
@@ -161,7 +178,7 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     if (!mesh) return mesh.error();
     study.mesh = std::move(*mesh);
     study.warnings.insert(study.warnings.end(), study.mesh.warnings.begin(), study.mesh.warnings.end());
-    const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, held);
+    const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, box_on_mesh(study.mesh, held));
     if (clamped.empty())
         return declaration_error(experiment, "clamp.box_m", "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
     study.body = make_body(study.mesh.mesh, study.mesh.element, clamped);
@@ -177,11 +194,13 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     model.body = study.body;
     model.material = material;
     model.moduli = uniform_moduli(study.body->cell_count(), experiment.material.youngs_modulus_Pa, experiment.material.poissons_ratio);
-    model.damping_s = experiment.material.damping_s.value_or(unknown_damping_s);
+    model.damping_s = experiment.material.damping_s.value_or(settings.assumed_damping_s);
     model.density_kg_m3 = experiment.material.density_kg_m3;
+    model.mass_model = settings.mass_model;
+    warn_of_mass(model, study.warnings);
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
-    model.fibres = std::make_shared<const std::vector<FibreGroup>>(fibre_groups(experiment, study.mesh.mesh));
+    model.fibres = std::make_shared<const std::vector<FibreGroup>>(fibre_groups(experiment, study.mesh));
 
     std::vector<Recording> recordings;
     for (const TrialDeclaration& declaration : experiment.trials) {

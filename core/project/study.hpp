@@ -28,10 +28,17 @@ struct StudySettings {
     std::optional<double> h_s;             // default: half the sampling interval
     std::optional<std::string> material;   // id; default: the declared one
     double velocity_force_1_s = 0.0;       // Lambda
+    MassModel mass_model = MassModel::consistent;
+    double assumed_damping_s = 0.003;      // where none is declared: 9 % of critical damping at 10 Hz, as silicones have
+    bool as_published = false;             // it started from published_settings()
     int threads = 1;
 
     TimeScheme scheme() const { return {integrator, spectral_radius}; }
 };
+
+/// The formulation of Dubied et al. 2022 as their program had it, to be set beside the default one: fully integrated
+/// hexahedra of truncated counts, projective corotational energy, equal vertex masses, implicit Euler, no damping but its own.
+StudySettings published_settings();
 
 /// A trial, ready to run and to be compared.
 struct StudyTrial {

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/name_table.hpp"
+#include "base/text.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/tet_mesh.hpp"
@@ -13,6 +15,17 @@
 
 namespace myo {
 namespace {
+
+constexpr NameTable<Voxels, 2> voxel_kinds{{{
+    {Voxels::fitted, "fitted"},
+    {Voxels::truncated, "truncated"},
+}}};
+
+/// "100 x 30 x 30"
+std::string size_in_mm(const Box& box) {
+    const Eigen::Vector3d mm = 1e3 * box.size();
+    return format_number(mm(0), 4) + " x " + format_number(mm(1), 4) + " x " + format_number(mm(2), 4);
+}
 
 /// The axis that a triangle is normal to, or -1. Slivers without area have none that matters: 3.
 int normal_axis(const SurfaceMesh& surface, Eigen::Index t) {
@@ -55,8 +68,31 @@ void add_region_planes(const std::vector<Box>& regions, const Box& bounds, doubl
             }
 }
 
-Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double edge, const std::vector<Box>& regions,
+/// Sides where a region holds the body's highest face and none its lowest.
+std::array<bool, 3> held_at_highest(const std::vector<Box>& regions, const Box& bounds) {
+    std::array<bool, 3> result{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        const bool high = std::any_of(regions.begin(), regions.end(), [&](const Box& r) { return r.highest(i) >= bounds.highest(i); });
+        const bool low = std::any_of(regions.begin(), regions.end(), [&](const Box& r) { return r.lowest(i) <= bounds.lowest(i); });
+        result[a] = high && !low;
+    }
+    return result;
+}
+
+Result<VolumeMesh> truncated_mesh(const SurfaceMesh& surface, double edge, const std::vector<Box>& regions, const Progress& progress) {
+    const Box bounds = bounding_box(surface.vertices);
+    Result<GridLines> grid = whole_cube_lines(bounds, edge, held_at_highest(regions, bounds));
+    if (!grid) return grid.error();
+    if (is_box(surface)) return hex_mesh(*grid);
+    VoxelOptions options;
+    options.grid = std::move(*grid);
+    return voxelize(surface, options, progress);
+}
+
+Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double edge, Voxels voxels, const std::vector<Box>& regions,
                              const Progress& progress) {
+    if (type == CellType::hex8 && voxels == Voxels::truncated) return truncated_mesh(surface, edge, regions, progress);
     const Box bounds = bounding_box(surface.vertices);
     if (type != CellType::hex8) {
         TetOptions options;
@@ -79,6 +115,20 @@ Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double e
 }
 
 }  // namespace
+
+std::string to_string(Voxels voxels) { return voxel_kinds.name(voxels); }
+std::vector<std::string> voxels_ids() { return voxel_kinds.names(); }
+bool parse_voxels(const std::string& id, Voxels& voxels) { return voxel_kinds.find(id, voxels); }
+
+Box box_on_mesh(const StudyMesh& mesh, const Box& declared) {
+    if (!mesh.shrunk_from) return declared;
+    const Box now = bounding_box(mesh.mesh.nodes);
+    const Eigen::Array3d scale = now.size().array() / mesh.shrunk_from->size().array();
+    const auto moved = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+        return now.lowest.array() + scale * (x - mesh.shrunk_from->lowest).array();
+    };
+    return {moved(declared.lowest), moved(declared.highest)};
+}
 
 bool is_rectilinear(const SurfaceMesh& surface) {
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)
@@ -112,10 +162,15 @@ Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& reque
     const CellType type = cell_type(result.element);
     result.resolution_m = request.resolution_m.value_or(automatic_resolution(surface, type));
     if (!(result.resolution_m > 0.0)) return Error{"the edge length must be positive", "--resolution"};
-    Result<VolumeMesh> mesh = make_mesh(surface, type, result.resolution_m, regions, progress);
+    Result<VolumeMesh> mesh = make_mesh(surface, type, result.resolution_m, request.voxels, regions, progress);
     if (!mesh) return mesh.error();
     result.mesh = std::move(*mesh);
-    result.warnings = mesh_quality(result.mesh, &surface).messages;
+    if (type == CellType::hex8 && request.voxels == Voxels::truncated) {
+        result.shrunk_from = bounding_box(surface.vertices);
+        result.warnings.push_back("truncated voxels: the body is meshed as " + size_in_mm(bounding_box(result.mesh.nodes)) + " mm instead of " +
+                                  size_in_mm(*result.shrunk_from));
+    }
+    for (const std::string& message : mesh_quality(result.mesh, &surface).messages) result.warnings.push_back(message);
     return result;
 }
 

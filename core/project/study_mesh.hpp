@@ -12,18 +12,33 @@
 
 namespace myo {
 
+/// How hexahedra fill a body.
+enum class Voxels {
+    fitted,      // edges adapt so that the body's and the clamp's dimensions are met
+    truncated,   // cubes of exactly the edge length, whole ones only: the body shrinks. As published, for comparison
+};
+std::string to_string(Voxels voxels);
+std::vector<std::string> voxels_ids();
+/// False when there is no way of this name.
+bool parse_voxels(const std::string& id, Voxels& voxels);
+
 /// What is asked of the mesh; what is left open is chosen for the body.
 struct MeshRequest {
     std::optional<ElementKind> element;
     std::optional<double> resolution_m;   // edge length
+    Voxels voxels = Voxels::fitted;
 };
 
 struct StudyMesh {
     VolumeMesh mesh;
     ElementKind element = ElementKind::hex8;
     double resolution_m = 0.0;
+    std::optional<Box> shrunk_from;       // the body's bounds, where truncated voxels left a smaller mesh
     std::vector<std::string> warnings;
 };
+
+/// A box declared on the body, moved to the same part of a mesh that shrank; otherwise the box itself.
+Box box_on_mesh(const StudyMesh& mesh, const Box& declared);
 
 /// True when every triangle lies in a plane x, y or z = constant: such a body is filled by hexahedra exactly.
 bool is_rectilinear(const SurfaceMesh& surface);
@@ -39,7 +54,7 @@ double automatic_resolution(const SurfaceMesh& surface, CellType type);
 Box held_part(const Box& clamp, const Box& body);
 
 /// Meshes a closed surface. Hexahedra get grid planes at the body's own axis-aligned faces and at the clamp's, so that
-/// dimensions and support are met exactly.
+/// dimensions and support are met exactly. Truncated ones start at the face that a region holds, or at the lowest.
 /// Errors: those of the meshers.
 Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& request, const std::vector<Box>& regions,
                             const Progress& progress = {});

@@ -1,5 +1,11 @@
 #include "solver/conjugate_gradient.hpp"
 
+#include <algorithm>
+#include <experimental/simd>
+#include <vector>
+
+#include "base/parallel.hpp"
+
 namespace myo {
 namespace {
 
@@ -8,22 +14,34 @@ using Eigen::RowVectorXd;
 
 RowVectorXd column_dots(const MatrixXd& A, const MatrixXd& B) { return A.cwiseProduct(B).colwise().sum(); }
 
-/// Y = A X with the columns of a row side by side, K of them known to the compiler (Eigen::Dynamic: not).
+/// Columns first ... first + count - 1 of Y = A X, count <= K: a row's numbers lie side by side, so that the matrix is read once for
+/// K columns.
 template <int K>
-MatrixXd product_of(const SymmetricSparse& lower, const MatrixXd& X) {
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, K, K == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
-    const Rows x = X;
-    Rows y = Rows::Zero(X.rows(), X.cols());
-    for (int j = 0; j < lower.outerSize(); ++j) {
-        Eigen::Matrix<double, 1, K> sum = Eigen::Matrix<double, 1, K>::Zero(1, X.cols());
-        for (SymmetricSparse::InnerIterator entry(lower, j); entry; ++entry) {
-            const Eigen::Index i = entry.row();
-            sum += entry.value() * x.row(i);
-            if (i != j) y.row(i) += entry.value() * x.row(j);
+void product_of(const SymmetricSparse& lower, const MatrixXd& X, Eigen::Index first, Eigen::Index count, MatrixXd& Y) {
+    using Lane = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, K>>;
+    const auto n = static_cast<std::size_t>(X.rows());
+    std::vector<Lane> x(n), y(n, Lane(0.0));
+    auto* numbers = reinterpret_cast<double*>(x.data());
+    for (Eigen::Index k = 0; k < K; ++k)
+        for (std::size_t i = 0; i < n; ++i) numbers[i * K + static_cast<std::size_t>(k)] = k < count ? X(static_cast<Eigen::Index>(i), first + k) : 0.0;
+    const int* start = lower.outerIndexPtr();
+    const int* rows = lower.innerIndexPtr();
+    const double* values = lower.valuePtr();
+    for (std::size_t j = 0; j < n; ++j) {
+        Lane sum = 0.0;
+        const Lane xj = x[j];
+        int entry = start[j];
+        if (entry < start[j + 1] && rows[entry] == static_cast<int>(j)) sum += values[entry++] * xj;
+        for (; entry < start[j + 1]; ++entry) {
+            const auto i = static_cast<std::size_t>(rows[entry]);
+            sum += values[entry] * x[i];
+            y[i] += values[entry] * xj;
         }
-        y.row(j) += sum;
+        y[j] += sum;
     }
-    return y;
+    numbers = reinterpret_cast<double*>(y.data());
+    for (Eigen::Index k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < n; ++i) Y(static_cast<Eigen::Index>(i), first + k) = numbers[i * K + static_cast<std::size_t>(k)];
 }
 
 }  // namespace
@@ -81,13 +99,19 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
 }
 
 MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
-    switch (X.cols()) {
-        case 1: return product_of<1>(lower, X);
-        case 2: return product_of<2>(lower, X);
-        case 3: return product_of<3>(lower, X);
-        case 4: return product_of<4>(lower, X);
-        default: return product_of<Eigen::Dynamic>(lower, X);
-    }
+    MatrixXd Y(X.rows(), X.cols());
+    constexpr int wide = 16, narrow = 4;
+    const Eigen::Index columns = X.cols();
+    const int groups = static_cast<int>((columns + wide - 1) / wide);
+    parallel_ranges(groups, 1, [&](int begin, int end) {
+        for (Eigen::Index first = begin * wide; first < std::min<Eigen::Index>(end * wide, columns); first += wide) {
+            const Eigen::Index count = std::min<Eigen::Index>(wide, columns - first);
+            if (count == 1) product_of<1>(lower, X, first, count, Y);
+            else if (count <= narrow) product_of<narrow>(lower, X, first, count, Y);
+            else product_of<wide>(lower, X, first, count, Y);
+        }
+    });
+    return Y;
 }
 
 }  // namespace myo

@@ -10,9 +10,10 @@ namespace myo {
 /// Lower triangle of a symmetric matrix, column-major, rows sorted.
 using SymmetricSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// Supernodal Cholesky factor of a symmetric positive definite matrix, kept while only its values change.
+/// Cholesky factor of a symmetric positive definite matrix in double precision, by CHOLMOD's supernodal method.
 ///
-/// CHOLMOD with METIS ordering (Chen, Davis, Hager & Rajamanickam 2008). Not to be shared between threads.
+/// One thread at a time works in CHOLMOD; FastCholesky is the one for directions and preconditioning.
+/// Source: Chen, Davis, Hager & Rajamanickam 2008.
 class SparseCholesky {
 public:
     SparseCholesky();
@@ -20,20 +21,13 @@ public:
     SparseCholesky(SparseCholesky&&) noexcept;
     SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-    /// Analyses the pattern when it is new, then factors. False when the matrix is not positive definite.
+    /// Analyses the pattern and factors. False when the matrix is not positive definite.
     bool factorize(const SymmetricSparse& lower);
 
     bool has_factor() const;
 
     /// Solution of A X = B; B is n x k. Asserts has_factor().
     Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
-
-    /// The same in single precision, for preconditioning and search directions; faster, and free of the library beneath.
-    Eigen::MatrixXd solve_single(const Eigen::Ref<const Eigen::MatrixXd>& B) const;
-
-    /// Entries of the factor and floating-point operations to make it.
-    double factor_entries() const;
-    double factor_flops() const;
 
 private:
     struct Implementation;

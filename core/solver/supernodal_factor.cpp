@@ -1,74 +1,312 @@
 #include "solver/supernodal_factor.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cassert>
+#include <cmath>
+#include <experimental/simd>
+#include <utility>
+
+#include "base/parallel.hpp"
 
 namespace myo {
 namespace {
 
-/// Visits the supernodes with their dense blocks and the row numbers below the diagonal block.
+namespace stdx = std::experimental;
+
+/// Calls visit(s) for every supernode, children before parents or, downwards, parents before children; supernodes on different
+/// branches at the same time.
 template <class Visit>
-void visit_supernode(const SupernodalFactor& f, std::size_t s, const Visit& visit) {
-    using Strided = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
-    const int column = f.first_column[s], columns = f.first_column[s + 1] - column;
-    const long row_count = f.first_row[s + 1] - f.first_row[s];
-    const float* values = f.values.data() + f.first_value[s];
-    const Strided diagonal(values, columns, columns, Eigen::OuterStride<>(row_count));
-    const Strided below(values + columns, row_count - columns, columns, Eigen::OuterStride<>(row_count));
-    visit(column, diagonal, below, f.rows.data() + f.first_row[s] + columns);
+void climb(const SupernodalPattern& p, const std::vector<int>& supernodes, bool downwards, const Visit& visit) {
+    parallel_ranges(static_cast<int>(supernodes.size()), 1, [&](int first, int end) {
+        for (int k = first; k < end; ++k) {
+            const int s = supernodes[static_cast<std::size_t>(k)], start = p.subtree_start[static_cast<std::size_t>(s)];
+            if (start >= 0 && downwards)
+                for (int t = s; t >= start; --t) visit(t);
+            else if (start >= 0)
+                for (int t = start; t <= s; ++t) visit(t);
+            else {
+                if (downwards) visit(s);
+                climb(p, p.children[static_cast<std::size_t>(s)], downwards, visit);
+                if (!downwards) visit(s);
+            }
+        }
+    });
 }
 
-/// L L' Y = Y in place, Y permuted. A single column comes as a vector, so that its products are those of vectors. `gathered` is
-/// work space for the rows of one supernode.
-template <class Columns>
-void solve_in_place(const SupernodalFactor& f, Columns& Y, Columns& gathered) {
-    const std::size_t count = f.first_column.size() - 1;
-    for (std::size_t s = 0; s < count; ++s)
-        visit_supernode(f, s, [&](int column, const auto& diagonal, const auto& below, const int* rows) {
-            auto top = Y.middleRows(column, diagonal.cols());
-            diagonal.template triangularView<Eigen::Lower>().solveInPlace(top);
-            if (below.rows() == 0) return;
-            auto product = gathered.topRows(below.rows());
-            product.noalias() = below * top;
-            for (Eigen::Index k = 0; k < Y.cols(); ++k)
-                for (Eigen::Index i = 0; i < below.rows(); ++i) Y(rows[i], k) -= product(i, k);
-        });
-    for (std::size_t s = count; s-- > 0;)
-        visit_supernode(f, s, [&](int column, const auto& diagonal, const auto& below, const int* rows) {
-            auto top = Y.middleRows(column, diagonal.cols());
-            if (below.rows() > 0) {
-                auto values = gathered.topRows(below.rows());
-                for (Eigen::Index k = 0; k < Y.cols(); ++k)
-                    for (Eigen::Index i = 0; i < below.rows(); ++i) values(i, k) = Y(rows[i], k);
-                top.noalias() -= below.transpose() * values;
+/// Where the rows below supernode s are among its parent's.
+const int* parent_positions(const SupernodalPattern& p, int s) {
+    return p.parent_position.data() + p.first_row[static_cast<std::size_t>(s)] + p.columns(s);
+}
+
+template <class Scalar>
+class Factorisation {
+    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    using Block = Eigen::Map<Matrix>;
+
+public:
+    Factorisation(const SupernodalPattern& pattern, SupernodalFactor<Scalar>& factor)
+        : p_(pattern), factor_(factor), left_(static_cast<std::size_t>(pattern.supernodes())) {}
+
+    bool run() {
+        climb(p_, p_.roots, false, [&](int s) { factor_supernode(s); });
+        return definite_;
+    }
+
+private:
+    Block block(int s) { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_count(s), p_.columns(s)}; }
+
+    /// Adds what child c leaves to the parent's block L and to what the parent leaves.
+    void assemble(int c, Block& L, Matrix& left) {
+        Matrix& from = left_[static_cast<std::size_t>(c)];
+        const int* position = parent_positions(p_, c);
+        const auto columns = static_cast<int>(L.cols());
+        for (Eigen::Index j = 0; j < from.cols(); ++j) {
+            const int target = position[j];
+            Scalar* to = target < columns ? L.col(target).data() : left.col(target - columns).data() - columns;
+            const Scalar* values = from.col(j).data();
+            for (Eigen::Index i = j; i < from.rows(); ++i) to[position[i]] += values[i];
+        }
+        from.resize(0, 0);
+    }
+
+    void factor_supernode(int s) {
+        if (!definite_.load(std::memory_order_relaxed)) return;
+        Block L = block(s);
+        const Eigen::Index columns = L.cols(), below = L.rows() - columns;
+        Matrix& left = left_[static_cast<std::size_t>(s)];
+        left = Matrix::Zero(below, below);
+        for (const int c : p_.children[static_cast<std::size_t>(s)]) assemble(c, L, left);
+        Eigen::Ref<Matrix> top = L.topRows(columns);
+        const Eigen::LLT<Eigen::Ref<Matrix>> cholesky(top);   // in place
+        if (cholesky.info() != Eigen::Success) {
+            definite_ = false;
+            return;
+        }
+        if (below == 0) return;
+        auto bottom = L.bottomRows(below);
+        top.template triangularView<Eigen::Lower>().transpose().template solveInPlace<Eigen::OnTheRight>(bottom);
+        left.template selfadjointView<Eigen::Lower>().rankUpdate(bottom, Scalar(-1));
+    }
+
+    const SupernodalPattern& p_;
+    SupernodalFactor<Scalar>& factor_;
+    std::vector<Matrix> left_;   // per supernode, lower triangle: what it leaves to the rows below
+    std::atomic<bool> definite_ = true;
+};
+
+/// As many right-hand sides side by side as a register has lanes.
+template <class Scalar, int K>
+using Lanes = stdx::simd<Scalar, stdx::simd_abi::deduce_t<Scalar, K>>;
+
+/// Solves with a dense triangle and products with the block below it, for K columns side by side. L: rows x columns, column-major.
+/// It goes through L a few columns at a time, so that a pass touches few pages.
+template <class Scalar, int K>
+struct DenseBlock {
+    using Lane = Lanes<Scalar, K>;
+    static constexpr int step = 8;
+    const Scalar* L;
+    int rows, columns;
+
+    const Scalar* column(int c) const { return L + static_cast<std::size_t>(c) * static_cast<std::size_t>(rows); }
+
+    /// y <- L11^-1 y, then below -= L21 y.
+    void forward(Lane* y) const {
+        for (int start = 0; start < columns; start += step) {
+            const int end = std::min(start + step, columns);
+            for (int c = start; c < end; ++c) {
+                y[c] /= column(c)[c];
+                for (int r = c + 1; r < end; ++r) y[r] -= column(c)[r] * y[c];
             }
-            diagonal.template triangularView<Eigen::Lower>().transpose().solveInPlace(top);
-        });
+            int r = end;
+            for (; r + 4 <= rows; r += 4) {   // four rows share the loads of y
+                Lane sum0 = y[r], sum1 = y[r + 1], sum2 = y[r + 2], sum3 = y[r + 3];
+                for (int c = start; c < end; ++c) {
+                    const Scalar* at = column(c) + r;
+                    sum0 -= at[0] * y[c];
+                    sum1 -= at[1] * y[c];
+                    sum2 -= at[2] * y[c];
+                    sum3 -= at[3] * y[c];
+                }
+                y[r] = sum0;
+                y[r + 1] = sum1;
+                y[r + 2] = sum2;
+                y[r + 3] = sum3;
+            }
+            for (; r < rows; ++r)
+                for (int c = start; c < end; ++c) y[r] -= column(c)[r] * y[c];
+        }
+    }
+
+    /// y <- L11^-T (y - L21' below).
+    void backward(Lane* y) const {
+        for (int end = columns; end > 0; end -= step) {
+            const int start = std::max(0, end - step);
+            std::array<Lane, step> sum;
+            for (int c = start; c < end; ++c) sum[static_cast<std::size_t>(c - start)] = y[c];
+            if (end - start == step) {
+                const Scalar* at = column(start);
+                for (int r = end; r < rows; ++r)
+                    for (std::size_t k = 0; k < step; ++k) sum[k] -= at[k * static_cast<std::size_t>(rows) + static_cast<std::size_t>(r)] * y[r];
+            } else {
+                for (int c = start; c < end; ++c)
+                    for (int r = end; r < rows; ++r) sum[static_cast<std::size_t>(c - start)] -= column(c)[r] * y[r];
+            }
+            for (int c = end - 1; c >= start; --c) {
+                Lane& own = sum[static_cast<std::size_t>(c - start)];
+                for (int r = c + 1; r < end; ++r) own -= column(c)[r] * y[r];
+                y[c] = own / column(c)[c];
+            }
+        }
+    }
+};
+
+/// A single column has no lanes to fill; its products run along the block's columns.
+template <class Scalar>
+struct DenseBlock<Scalar, 1> {
+    using Lane = Scalar;
+    const Scalar* L;
+    int rows, columns;
+
+    auto part(int first, int count) const {
+        using Strided = Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+        return Strided(L + first, count, columns, Eigen::OuterStride<>(rows));
+    }
+    static auto vector(Scalar* y, int count) { return Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>(y, count); }
+
+    void forward(Scalar* y) const {
+        const auto diagonal = part(0, columns);
+        auto own = vector(y, columns);
+        diagonal.template triangularView<Eigen::Lower>().solveInPlace(own);
+        if (rows > columns) vector(y + columns, rows - columns).noalias() -= part(columns, rows - columns) * own;
+    }
+    void backward(Scalar* y) const {
+        const auto diagonal = part(0, columns);
+        auto own = vector(y, columns);
+        if (rows > columns) own.noalias() -= part(columns, rows - columns).transpose() * vector(y + columns, rows - columns);
+        diagonal.template triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+    }
+};
+
+/// The triangular solves on K columns. Each supernode has a copy of the rows that it touches.
+template <class Scalar, int K>
+class Substitution {
+    using Block = DenseBlock<Scalar, K>;
+
+public:
+    using Lane = typename Block::Lane;
+
+    Substitution(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor) : p_(pattern), factor_(factor), local_(pattern.rows.size()) {}
+
+    /// y: one entry per row of P A P', overwritten with the solution.
+    void run(std::vector<Lane>& y) {
+        climb(p_, p_.roots, false, [&](int s) { forward(s, y); });
+        climb(p_, p_.roots, true, [&](int s) { backward(s, y); });
+    }
+
+private:
+    Lane* local(int s) { return local_.data() + p_.first_row[static_cast<std::size_t>(s)]; }
+    Block block(int s) const { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_count(s), p_.columns(s)}; }
+
+    void forward(int s, const std::vector<Lane>& y) {
+        Lane* values = local(s);
+        const int own = p_.columns(s), rows = p_.row_count(s);
+        std::copy_n(y.begin() + p_.first_column[static_cast<std::size_t>(s)], own, values);
+        std::fill(values + own, values + rows, Lane(0));
+        for (const int c : p_.children[static_cast<std::size_t>(s)]) {
+            const Lane* from = local(c) + p_.columns(c);
+            const int* position = parent_positions(p_, c);
+            const int count = p_.row_count(c) - p_.columns(c);
+            for (int i = 0; i < count; ++i) values[position[i]] += from[i];
+        }
+        block(s).forward(values);
+    }
+
+    void backward(int s, std::vector<Lane>& y) {
+        Lane* values = local(s);
+        const int own = p_.columns(s), below = p_.row_count(s) - own;
+        if (below > 0) {
+            const Lane* from = local(p_.parent[static_cast<std::size_t>(s)]);
+            const int* position = parent_positions(p_, s);
+            for (int i = 0; i < below; ++i) values[own + i] = from[position[i]];
+        }
+        block(s).backward(values);
+        std::copy_n(values, own, y.begin() + p_.first_column[static_cast<std::size_t>(s)]);
+    }
+
+    const SupernodalPattern& p_;
+    const SupernodalFactor<Scalar>& factor_;
+    std::vector<Lane> local_;
+};
+
+/// Solves the columns first ... first + count - 1 of B, count <= K, at once.
+template <class Scalar, int K>
+void solve_columns(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor, const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Index first,
+                   Eigen::Index count, Eigen::MatrixXd& X) {
+    using Run = Substitution<Scalar, K>;
+    const auto n = static_cast<std::size_t>(pattern.size());
+    std::vector<typename Run::Lane> y(n);
+    auto* numbers = reinterpret_cast<Scalar*>(y.data());   // K per row
+    std::array<double, K> size{};                          // single precision overflows where double does not: each column at its own size
+    for (Eigen::Index k = 0; k < count; ++k) size[static_cast<std::size_t>(k)] = std::max(B.col(first + k).cwiseAbs().cwiseProduct(factor.scale).maxCoeff(), 1e-300);
+    for (std::size_t i = 0; i < n; ++i) {
+        const int from = pattern.permutation[i];
+        for (Eigen::Index k = 0; k < count; ++k)
+            numbers[i * K + static_cast<std::size_t>(k)] = static_cast<Scalar>(B(from, first + k) * factor.scale(from) / size[static_cast<std::size_t>(k)]);
+        for (auto k = static_cast<std::size_t>(count); k < K; ++k) numbers[i * K + k] = Scalar(0);
+    }
+    Run(pattern, factor).run(y);
+    for (std::size_t i = 0; i < n; ++i) {
+        const int to = pattern.permutation[i];
+        for (Eigen::Index k = 0; k < count; ++k)
+            X(to, first + k) = static_cast<double>(numbers[i * K + static_cast<std::size_t>(k)]) * factor.scale(to) * size[static_cast<std::size_t>(k)];
+    }
 }
 
 }  // namespace
 
-Eigen::MatrixXd SupernodalFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
-    assert(B.rows() == size());
-    long most_rows = 0;
-    for (std::size_t s = 0; s + 1 < first_row.size(); ++s) most_rows = std::max(most_rows, first_row[s + 1] - first_row[s]);
-    // Single precision overflows where double does not: each column is solved at its own scale.
-    const Eigen::RowVectorXd scale = B.colwise().lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
-    Eigen::MatrixXf Y(B.rows(), B.cols());
-    for (Eigen::Index k = 0; k < B.cols(); ++k)
-        for (int i = 0; i < size(); ++i) Y(i, k) = static_cast<float>(B(permutation[static_cast<std::size_t>(i)], k) / scale(k));
-    if (B.cols() == 1) {
-        Eigen::VectorXf y = Y.col(0), gathered(most_rows);
-        solve_in_place(*this, y, gathered);
-        Y.col(0) = y;
-    } else {
-        Eigen::MatrixXf gathered(most_rows, B.cols());
-        solve_in_place(*this, Y, gathered);
+template <class Scalar>
+bool factorize(const SupernodalPattern& pattern, const SymmetricSparse& lower, SupernodalFactor<Scalar>& factor) {
+    assert(lower.rows() == pattern.size() && static_cast<std::size_t>(lower.nonZeros()) == pattern.entry.size());
+    factor.scale.resize(lower.rows());
+    factor.values.assign(static_cast<std::size_t>(pattern.value_count()), Scalar(0));
+    bool positive = true;
+    for (int j = 0; j < lower.outerSize(); ++j) {
+        const double diagonal = lower.coeff(j, j);
+        positive = positive && diagonal > 0.0 && std::isfinite(diagonal);
+        factor.scale(j) = 1.0 / std::sqrt(diagonal);
     }
+    if (positive) {
+        const int* start = lower.outerIndexPtr();
+        for (int j = 0; j < lower.outerSize(); ++j)
+            for (int k = start[j]; k < start[j + 1]; ++k)
+                factor.values[pattern.entry[static_cast<std::size_t>(k)]] =
+                    static_cast<Scalar>(lower.valuePtr()[k] * factor.scale(j) * factor.scale(lower.innerIndexPtr()[k]));
+        positive = Factorisation<Scalar>(pattern, factor).run();
+    }
+    if (!positive) factor = {};
+    return positive;
+}
+
+template <class Scalar>
+Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor, const Eigen::Ref<const Eigen::MatrixXd>& B) {
+    assert(B.rows() == pattern.size() && !factor.empty());
     Eigen::MatrixXd X(B.rows(), B.cols());
-    for (Eigen::Index k = 0; k < B.cols(); ++k)
-        for (int i = 0; i < size(); ++i) X(permutation[static_cast<std::size_t>(i)], k) = scale(k) * static_cast<double>(Y(i, k));
+    for (Eigen::Index first = 0; first < B.cols();) {
+        const Eigen::Index count = B.cols() - first;
+        if (count == 1) solve_columns<Scalar, 1>(pattern, factor, B, first++, 1, X);
+        else if (count <= 4) solve_columns<Scalar, 4>(pattern, factor, B, std::exchange(first, first + count), count, X);
+        else solve_columns<Scalar, 16>(pattern, factor, B, std::exchange(first, first + 16), std::min<Eigen::Index>(count, 16), X);
+    }
     return X;
 }
+
+template bool factorize(const SupernodalPattern&, const SymmetricSparse&, SupernodalFactor<float>&);
+template bool factorize(const SupernodalPattern&, const SymmetricSparse&, SupernodalFactor<double>&);
+template Eigen::MatrixXd solve(const SupernodalPattern&, const SupernodalFactor<float>&, const Eigen::Ref<const Eigen::MatrixXd>&);
+template Eigen::MatrixXd solve(const SupernodalPattern&, const SupernodalFactor<double>&, const Eigen::Ref<const Eigen::MatrixXd>&);
 
 }  // namespace myo

@@ -4,26 +4,30 @@
 
 #include <vector>
 
+#include "solver/supernodal_pattern.hpp"
+
 namespace myo {
 
-/// Single-precision copy of a supernodal Cholesky factor, P A P' = L L', for preconditioning and search directions.
+/// Values of the factor L of D P A P' D, D = diag(A)^(-1/2): each supernode's rows x columns, column-major; what stands above its
+/// diagonal is not used.
 ///
-/// A solve costs one pass over the factor each way, at the speed of memory, so half the bytes are twice the speed; and it needs
-/// no library beneath, so threads may solve side by side. Accuracy: about 1e-6 times the condition of A.
-/// Source: Chen, Davis, Hager & Rajamanickam 2008 (storage); Higham 2002, ch. 12 (use beneath a double-precision iteration).
+/// Every supernode gathers what its children leave for it and hands what it leaves to its parent, so that independent subtrees go
+/// to different threads and sums do not depend on their number.
+/// Source: Liu 1992 (the multifrontal method).
+template <class Scalar>
 struct SupernodalFactor {
-    std::vector<int> permutation;       // n: row k of P A P' is row permutation[k] of A
-    std::vector<int> first_column;      // per supernode, and n
-    std::vector<long> first_row;        // per supernode, into `rows`, and its end
-    std::vector<long> first_value;      // per supernode, into `values`
-    std::vector<int> rows;              // of each supernode, ascending, its own columns first
-    std::vector<float> values;          // rows x columns of each supernode, column-major; above the diagonal: unused
+    std::vector<Scalar> values;
+    Eigen::VectorXd scale;   // diag(D), in A's order
 
-    int size() const { return static_cast<int>(permutation.size()); }
-    bool empty() const { return permutation.empty(); }
-
-    /// A^-1 B for B of n x k.
-    Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& B) const;
+    bool empty() const { return values.empty(); }
 };
+
+/// Factors the matrix. False, and an empty factor, when it is not positive definite in this precision.
+template <class Scalar>
+bool factorize(const SupernodalPattern& pattern, const SymmetricSparse& lower, SupernodalFactor<Scalar>& factor);
+
+/// A^-1 B for B of n x k.
+template <class Scalar>
+Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor, const Eigen::Ref<const Eigen::MatrixXd>& B);
 
 }  // namespace myo

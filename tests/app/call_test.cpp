@@ -73,6 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"simulate", "EXP", "--out", "OUT", "--spectral-radius", "half"}, {"--spectral-radius", "not a number"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--spectral-radius", "0.5"}, {"--spectral-radius", "generalized_alpha"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--strategy", "newtom"}, {"--strategy", "did you mean 'newton'", "projective"}},
+        BadCall{{"simulate", "EXP", "--out", "OUT", "--mass", "lumped"}, {"--mass", "consistent", "equal_vertices"}},
+        BadCall{{"simulate", "EXP", "--out", "OUT", "--voxels", "trunctated"}, {"--voxels", "did you mean 'truncated'"}},
         BadCall{{"bench", "realease"}, {"bench", "did you mean 'release'"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--material", "neohookean"}, {"--material", "did you mean 'neo_hookean'"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--threads", "0"}, {"--threads"}}, BadCall{{"simulate", "EXP", "--out", "OUT", "--seed", "x"}, {"--seed"}},

@@ -147,6 +147,40 @@ TEST(Simulate, TellsWhatTheTimeStepDoesBeforeTheRun) {
     EXPECT_NE(alpha["trials"][0]["rms_m"], simulated({"--dt", "0.01", "--integrator", "generalized_alpha"}, warnings)["trials"][0]["rms_m"]);
 }
 
+TEST(Simulate, AsPublishedIsOneOptionAndOthersChangeItsParts) {
+    const Folder folder("published");
+    write_small_experiment(folder);
+    const auto simulated = [&](const std::vector<std::string>& more) {
+        EXPECT_EQ(run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--quiet", "--resolution", "0.009"}, more)).status, 0);
+        return json_of(folder, "simulate");
+    };
+    const json honest = simulated({});
+    EXPECT_EQ(honest.at("as_published"), false);
+    EXPECT_EQ(honest.at("mass"), "consistent");
+    EXPECT_EQ(honest.at("voxels"), "fitted");
+    const json published = simulated({"--as-published"});
+    EXPECT_EQ(published.at("as_published"), true);
+    EXPECT_EQ(published.at("element"), "hex8_full");
+    EXPECT_EQ(published.at("material"), "projective_corotational");
+    EXPECT_EQ(published.at("integrator"), "implicit_euler");
+    EXPECT_EQ(published.at("mass"), "equal_vertices");
+    EXPECT_EQ(published.at("voxels"), "truncated");
+    EXPECT_EQ(published.at("elements"), 4 * 2 * 2);
+    EXPECT_EQ(published.at("values").at("damping_s"), 0.0);
+    EXPECT_THAT(published.at("warnings").dump(), HasSubstr("36 x 18 x 18 mm instead of 40 x 20 x 20"));
+    EXPECT_THAT(published.at("warnings").dump(), HasSubstr("weighs 281 %"));
+    // Before or after it, an option of its own goes before what it sets.
+    for (const auto& order : {std::vector<std::string>{"--mass", "consistent", "--integrator", "bdf2", "--as-published"},
+                              std::vector<std::string>{"--as-published", "--mass", "consistent", "--integrator", "bdf2"}}) {
+        const json mixed = simulated(order);
+        EXPECT_EQ(mixed.at("as_published"), true);
+        EXPECT_EQ(mixed.at("mass"), "consistent");
+        EXPECT_EQ(mixed.at("integrator"), "bdf2");
+        EXPECT_EQ(mixed.at("voxels"), "truncated");
+        EXPECT_NE(mixed["trials"][0]["rms_m"], published["trials"][0]["rms_m"]);
+    }
+}
+
 TEST(Simulate, OneAndFourThreadsAgree) {
     const Folder folder("threads");
     write_small_experiment(folder);

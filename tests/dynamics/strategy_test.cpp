@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/parallel.hpp"
 #include "dynamics/simulate.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
@@ -68,6 +69,57 @@ TEST(Strategies, TheLaggedFactorServesManySteps) {
     test::record("factorisations_per_stage", {static_cast<double>(lagged.factorisations) / lagged.stages, static_cast<double>(newton.factorisations) / newton.stages});
     EXPECT_LT(lagged.factorisations, newton.factorisations);
     EXPECT_LT(lagged.factorisations, lagged.stages / 2);
+}
+
+/// Sums are taken in an order that the mesh gives, so that threads change no bit of a run.
+TEST(Strategies, GiveTheSameBitsOnAnyNumberOfThreads) {
+    for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex8_full, ElementKind::tet4, ElementKind::tet10})
+        for (const Strategy strategy : {Strategy::lagged_newton, Strategy::newton, Strategy::projective}) {
+            test::BeamSpec spec;
+            spec.kind = kind;
+            spec.cells = kind == ElementKind::tet10 ? Eigen::Vector3i(8, 3, 3) : Eigen::Vector3i(16, 5, 5);   // enough for several threads
+            spec.gravity_m_s2 = 9.81;
+            spec.damping_s = 0.003;
+            if (kind == ElementKind::hex8_full) spec.material = "projective_corotational";
+            const Model model = test::make_beam(spec);
+            SimulationOptions options;
+            options.h_s = 0.01;
+            options.end_s = 0.03;
+            options.solver.strategy = strategy;
+            const auto on = [&](int threads) {
+                Trace trace;
+                parallel_tasks(1, threads, [&](int) { trace = simulate(model, options); });
+                EXPECT_TRUE(trace.complete()) << trace.message;
+                return trace;
+            };
+            const Trace one = on(1);
+            for (const int threads : {2, 4}) {
+                const Trace many = on(threads);
+                EXPECT_EQ(many.newton_iterations, one.newton_iterations);
+                EXPECT_TRUE((many.positions.back().array() == one.positions.back().array()).all()) << to_string(kind) << " " << to_string(strategy) << " " << threads;
+            }
+        }
+}
+
+/// A body too large for one factor is factored in parts; its motion is the same.
+TEST(Strategies, PartsGiveTheSameTrajectoryAsTheWholeFactor) {
+    test::BeamSpec spec;
+    spec.cells = {40, 13, 13};   // 24 thousand unknowns: two parts
+    spec.gravity_m_s2 = 9.81;
+    spec.damping_s = 0.003;
+    const Model model = test::make_beam(spec);
+    SimulationOptions options;
+    options.h_s = 0.01;
+    options.end_s = 0.02;
+    options.solver.tolerance = 1e-8;
+    const Trace whole = simulate(model, options);
+    options.solver.most_factor_entries = 1e6;
+    const Trace parts = simulate(model, options);
+    ASSERT_TRUE(whole.complete() && parts.complete()) << parts.message;
+    test::record("conjugate_gradients_per_newton_step", static_cast<double>(parts.linear_iterations) / parts.newton_iterations);
+    EXPECT_EQ(whole.linear_iterations, 0);
+    EXPECT_GT(parts.linear_iterations, 0);
+    EXPECT_LT(difference(whole, parts), 1e-6);
 }
 
 TEST(Strategies, NamesAreFoundAgain) {

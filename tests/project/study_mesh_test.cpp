@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/box_mesh.hpp"
+#include "mesh/region.hpp"
+
 namespace myo {
 namespace {
 
@@ -37,6 +40,53 @@ TEST(HeldPart, OfAThinBoxIsTheFace) {
         const double along = std::round(0.1 / edge), across = std::round(0.03 / edge);
         EXPECT_EQ(static_cast<double>(mesh->mesh.cell_count()), along * across * across) << "no extra layer at the clamp";
     }
+}
+
+/// The paper's meshes of the beam: 100 mm over an edge of 4.2553 mm is 23.5, over 3.0395 mm 32.9.
+TEST(TruncatedVoxels, ShrinkTheBodyAwayFromItsClampAsPublished) {
+    const Box body{{-0.1, 0, 0}, {0, 0.03, 0.03}};
+    const Box low{{-0.1005, -1e-3, -1e-3}, {-0.0995, 0.031, 0.031}}, high{{-5e-4, -1e-3, -1e-3}, {5e-4, 0.031, 0.031}};
+    struct Case {
+        double edge_mm;
+        int nodes;
+        Eigen::Vector3d size_mm;
+    };
+    for (const Case& one : {Case{100.0 / 23.5, 1536, {97.87, 29.79, 29.79}}, Case{100.0 / 32.9, 3300, {97.26, 27.36, 27.36}}})
+        for (const Box& clamp : {low, high}) {
+            const Box held = held_part(clamp, body);
+            const Result<StudyMesh> mesh = mesh_body(box_surface(body), {ElementKind::hex8_full, 1e-3 * one.edge_mm, Voxels::truncated}, {held});
+            ASSERT_TRUE(mesh) << mesh.error().text();
+            EXPECT_EQ(mesh->mesh.node_count(), one.nodes);
+            const Box shrunk = bounding_box(mesh->mesh.nodes);
+            EXPECT_LT((1e3 * shrunk.size() - one.size_mm).cwiseAbs().maxCoeff(), 5e-3);
+            EXPECT_EQ(shrunk.highest(0) == 0.0, clamp.highest(0) > 0.0) << "the held face stays, the other draws in";
+            ASSERT_TRUE(mesh->shrunk_from);
+            EXPECT_THAT(mesh->warnings.front(), HasSubstr("instead of 100 x 30 x 30"));
+            EXPECT_FALSE(nodes_in_box(mesh->mesh, box_on_mesh(*mesh, held)).empty()) << "the clamp finds its face";
+            // A box around the far face still holds a face, no deeper than a cell.
+            const Box far = box_on_mesh(*mesh, held_part(clamp.lowest(0) < -0.05 ? high : low, body));
+            EXPECT_EQ(nodes_in_box(mesh->mesh, far).size(), nodes_in_box(mesh->mesh, box_on_mesh(*mesh, held)).size());
+        }
+}
+
+TEST(TruncatedVoxels, AreCubesInAnyBodyAndRefuseWhatCannotBe) {
+    SurfaceMesh slanted = box_surface({{0, 0, 0}, {0.1, 0.03, 0.03}});
+    slanted.vertices.row(0) += 0.2 * slanted.vertices.row(2);
+    const double edge = 0.0043;
+    const Result<StudyMesh> mesh = mesh_body(slanted, {ElementKind::hex8_full, edge, Voxels::truncated}, {});
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    for (Eigen::Index c = 0; c < mesh->mesh.cell_count(); ++c) {
+        const Eigen::Vector3d diagonal = mesh->mesh.nodes.col(mesh->mesh.cells(6, c)) - mesh->mesh.nodes.col(mesh->mesh.cells(0, c));
+        EXPECT_LT((diagonal.array() - edge).abs().maxCoeff(), 1e-12);
+    }
+    const SurfaceMesh box = box_surface({{0, 0, 0}, {0.1, 0.03, 0.03}});
+    const Result<StudyMesh> exact = mesh_body(box, {ElementKind::hex8_full, 0.01, Voxels::truncated}, {});
+    ASSERT_TRUE(exact);
+    EXPECT_EQ(exact->mesh.cell_count(), 90) << "an edge that divides the box loses no cube to rounding";
+    const Result<StudyMesh> none = mesh_body(box, {ElementKind::hex8_full, 0.04, Voxels::truncated}, {});
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().what, HasSubstr("no whole cube of 40 mm fits"));
+    EXPECT_FALSE(mesh_body(box, {ElementKind::hex8_full, 1e-6, Voxels::truncated}, {}));
 }
 
 }  // namespace

@@ -1,0 +1,68 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "bench/beam_statics.hpp"
+#include "bench/bench_cases.hpp"
+#include "mesh/box_mesh.hpp"
+#include "mesh/region.hpp"
+
+namespace myo {
+namespace {
+
+/// The soft beam with cells that shrink towards the clamp and the edges. The stress is infinite along the clamp's edge, so equal
+/// cells converge with h^1.2 only at nu = 0.5; graded ones keep the second order, and the limit can be extrapolated.
+/// Tetrahedra take half the grading along the beam: flat ones spoil what it gains.
+Model graded_beam(ElementKind element, int n, double poissons_ratio) {
+    const Box box{Eigen::Vector3d::Zero(), Eigen::Vector3d(0.1, 0.03, 0.03)};
+    const Eigen::Vector3i cells(4 * n, 2 * n, 2 * n);
+    const bool hexahedra = cell_type(element) == CellType::hex8;
+    VolumeMesh mesh = hexahedra ? box_hex_mesh(box, cells) : tet_box_mesh(box, cells, CellType::tet4);
+    const double grading = hexahedra ? 1.0 : 0.5;
+    for (auto X : mesh.nodes.colwise()) {
+        const Eigen::Vector3d s = X.cwiseQuotient(box.size());
+        X(0) *= 1.0 - grading + grading * s(0);
+        for (int a = 1; a < 3; ++a) X(a) = 0.5 * box.size()(a) * (1.0 - std::cos(std::numbers::pi * s(a)));
+    }
+    if (!hexahedra) mesh = to_tet10(mesh);
+    Box clamp = box;
+    clamp.highest(0) = 0.0;
+    const std::vector<int> clamped = nodes_in_box(mesh, clamp);
+    Model model = static_beam({element, {1, 1, 1}}, poissons_ratio);
+    model.body = make_body(std::move(mesh), element, clamped);
+    model.moduli.resize(static_cast<std::size_t>(model.body->cell_count()), model.moduli.front());
+    return model;
+}
+
+/// Limit of d(h) = d + c h^p from three meshes, each of half the edge length of the one before.
+Result<BenchFigures> extrapolated(ElementKind element, const ConvergedBeam& known) {
+    const int first = cell_type(element) == CellType::tet10 ? 1 : 2;   // mid-nodes count: the same numbers of nodes for both
+    BenchFigures figures;
+    std::array<double, 3> dz{};
+    for (std::size_t level = 0; level < 3; ++level) {
+        const Result<double> one = measured_tip_dz_mm(graded_beam(element, first << level, known.poissons_ratio), figures);
+        if (!one) return one.error();
+        dz[level] = *one;
+        figures.quantities.push_back({"tip under gravity, " + std::to_string(figures.dofs) + " DOF", *one, "mm", {}});
+    }
+    const double ratio = (dz[1] - dz[0]) / (dz[2] - dz[1]);
+    if (ratio > 1.0) {
+        figures.quantities.push_back({"order", std::log2(ratio), "", {}});
+        figures.quantities.push_back({"limit", dz[2] + (dz[2] - dz[1]) / (ratio - 1.0), "mm", known.dz_mm});
+    }
+    figures.name = to_string(element) + ", nu " + format_number(known.poissons_ratio);
+    return figures;
+}
+
+}  // namespace
+
+BenchCase bench_converged() {
+    BenchCase result{"converged", "where the deflections of the case locking converge to: graded meshes and Richardson extrapolation with two elements", {}};
+    for (const ElementKind element : {ElementKind::hex8, ElementKind::tet10})
+        for (const ConvergedBeam& known : converged_beam)
+            result.runs.push_back({to_string(element) + ", nu " + format_number(known.poissons_ratio), [element, known] { return extrapolated(element, known); }});
+    return result;
+}
+
+}  // namespace myo

@@ -1,0 +1,118 @@
+#include "solver/supernodal_pattern.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "solver/cholmod_session.hpp"
+
+namespace myo {
+namespace {
+
+/// Work of the dense block of one supernode: n columns, m rows.
+double supernode_flops(double n, double m) {
+    // Column j of the block has m - j rows: one square root or division each, and their products with one another.
+    return n * m * m - n * n * m + n * n * n / 3.0;
+}
+
+/// Supernodes whose subtrees hold less than this part of all work are not shared out further.
+constexpr double subtree_share = 1.0 / 32.0;
+
+void cut_tree(SupernodalPattern& p) {
+    const auto count = static_cast<std::size_t>(p.supernodes());
+    std::vector<double> work(count);
+    std::vector<int> first(count);   // first supernode of the subtree
+    double total = 0.0;
+    p.children.resize(count);
+    for (std::size_t s = 0; s < count; ++s) {
+        const int at = static_cast<int>(s);
+        const double own = supernode_flops(p.columns(at), p.row_count(at));
+        total += own;
+        work[s] += own;
+        first[s] = p.children[s].empty() ? at : first[static_cast<std::size_t>(p.children[s].front())];
+        if (p.parent[s] < 0) p.roots.push_back(at);
+        else {
+            p.children[static_cast<std::size_t>(p.parent[s])].push_back(at);
+            work[static_cast<std::size_t>(p.parent[s])] += work[s];
+        }
+    }
+    p.subtree_start.assign(count, -1);
+    for (std::size_t s = 0; s < count; ++s)
+        if (work[s] <= subtree_share * total) p.subtree_start[s] = first[s];
+}
+
+/// Places of the rows below each supernode among its parent's rows.
+void match_parents(SupernodalPattern& p) {
+    p.parent_position.assign(p.rows.size(), -1);
+    for (int s = 0; s < p.supernodes(); ++s) {
+        const int up = p.parent[static_cast<std::size_t>(s)];
+        if (up < 0) continue;
+        long at = p.first_row[static_cast<std::size_t>(up)];
+        for (long i = p.first_row[static_cast<std::size_t>(s)] + p.columns(s); i < p.first_row[static_cast<std::size_t>(s) + 1]; ++i) {
+            while (p.rows[static_cast<std::size_t>(at)] != p.rows[static_cast<std::size_t>(i)]) ++at;
+            assert(at < p.first_row[static_cast<std::size_t>(up) + 1]);
+            p.parent_position[static_cast<std::size_t>(i)] = static_cast<int>(at - p.first_row[static_cast<std::size_t>(up)]);
+        }
+    }
+}
+
+void place_entries(const SymmetricSparse& lower, SupernodalPattern& p) {
+    assert(p.value_count() <= std::numeric_limits<std::uint32_t>::max());
+    const auto n = static_cast<std::size_t>(p.size());
+    std::vector<int> place(n), supernode(n);
+    for (std::size_t k = 0; k < n; ++k) place[static_cast<std::size_t>(p.permutation[k])] = static_cast<int>(k);
+    for (int s = 0; s < p.supernodes(); ++s)
+        for (int c = 0; c < p.columns(s); ++c) supernode[static_cast<std::size_t>(p.first_column[static_cast<std::size_t>(s)] + c)] = s;
+    p.entry.resize(static_cast<std::size_t>(lower.nonZeros()));
+    std::size_t k = 0;
+    for (int j = 0; j < lower.outerSize(); ++j)
+        for (SymmetricSparse::InnerIterator it(lower, j); it; ++it, ++k) {
+            const auto [column, row] = std::minmax({place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(j)]});
+            const auto s = static_cast<std::size_t>(supernode[static_cast<std::size_t>(column)]);
+            const auto begin = p.rows.begin() + p.first_row[s], end = p.rows.begin() + p.first_row[s + 1];
+            const long local_row = std::lower_bound(begin, end, row) - begin;
+            const long value = p.first_value[s] + (column - p.first_column[s]) * static_cast<long>(end - begin) + local_row;
+            p.entry[k] = static_cast<std::uint32_t>(value);
+        }
+}
+
+}  // namespace
+
+SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
+    CholmodSession session;
+    cholmod_sparse matrix = cholmod_view(lower);
+    const CholmodFactor factor = session.analyse(matrix);
+    SupernodalPattern p;
+    if (!factor) return p;
+    const auto* permutation = static_cast<const int*>(factor->Perm);
+    const auto* columns = static_cast<const int*>(factor->super);
+    const auto* row_starts = static_cast<const int*>(factor->pi);
+    const auto* rows = static_cast<const int*>(factor->s);
+    p.permutation.assign(permutation, permutation + factor->n);
+    p.first_column.assign(columns, columns + factor->nsuper + 1);
+    p.first_row.assign(row_starts, row_starts + factor->nsuper + 1);
+    p.rows.assign(rows, rows + factor->ssize);
+    p.parent.assign(factor->nsuper, -1);
+    p.first_value.assign(1, 0);
+    std::vector<int> supernode(factor->n);
+    for (std::size_t s = 0; s < factor->nsuper; ++s)
+        std::fill(supernode.begin() + columns[s], supernode.begin() + columns[s + 1], static_cast<int>(s));
+    for (int s = 0; s < p.supernodes(); ++s) {
+        p.first_value.push_back(p.first_value.back() + static_cast<long>(p.columns(s)) * p.row_count(s));
+        if (p.row_count(s) == p.columns(s)) continue;
+        const long first_below = p.first_row[static_cast<std::size_t>(s)] + p.columns(s);
+        p.parent[static_cast<std::size_t>(s)] = supernode[static_cast<std::size_t>(p.rows[static_cast<std::size_t>(first_below)])];
+    }
+    cut_tree(p);
+    match_parents(p);
+    place_entries(lower, p);
+    return p;
+}
+
+double factor_flops(const SupernodalPattern& pattern) {
+    double sum = 0.0;
+    for (int s = 0; s < pattern.supernodes(); ++s) sum += supernode_flops(pattern.columns(s), pattern.row_count(s));
+    return sum;
+}
+
+}  // namespace myo
