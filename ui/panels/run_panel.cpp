@@ -73,7 +73,8 @@ void draw_run_controls(PanelContext& context) {
         if (job.progress.total > 0.0 && !job.progress.unit.empty())
             counted = with_separators(job.progress.done) + " of " + with_separators(job.progress.total) + " " + job.progress.unit;
         const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
-        if (const std::string text = counted + between + job.progress.message; !text.empty()) muted_text(theme, text);
+        const std::string text = counted + between + job.progress.message;
+        muted_text(theme, text.empty() ? " " : text);   // the button below stays where it is
         ImGui::BeginDisabled(job.cancelling);
         if (ImGui::Button((std::string(icon::stop) + "  Cancel").c_str(), {-1.0f, 0.0f})) context.emit(command::Cancel{});
         context.items.mark("run/cancel");
