@@ -64,13 +64,14 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
     SimulationOptions options;
-    options.integrator = study.integrator;
+    options.integrator = study.scheme();
     options.h_s = settings.time_step_s;
     options.end_s = release_s;
     const auto start = std::chrono::steady_clock::now();
     const Trace trace = simulate(model, options, progress);
 
     RunResult result;
+    result.warnings = check_integration(model, options.integrator, options.h_s).warnings;
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;

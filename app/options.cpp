@@ -139,6 +139,15 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
            "time integration: " + join(integrator_ids()))
         ->type_name("NAME");
     app.add_option_function<std::string>(
+           "--spectral-radius",
+           [&options](const std::string& text) {
+               const double value = number_of("--spectral-radius", text);
+               if (value < 0.0 || value > 1.0) reject("--spectral-radius", "'" + text + "' does not lie within 0 ... 1");
+               options.spectral_radius = value;
+           },
+           "of " + to_string(Integrator::generalized_alpha) + " at infinite frequency, 0 ... 1: less damps more (default: 0.5)")
+        ->type_name("NUMBER");
+    app.add_option_function<std::string>(
            "--strategy",
            [&settings](const std::string& id) {
                if (!parse_strategy(id, settings.strategy)) reject("--strategy", unknown_word(id, strategy_ids()));
@@ -173,6 +182,7 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
 StudySettings study_settings(const StudyOptions& options, const WorkOptions& work) {
     StudySettings settings = options.settings;
     settings.threads = work.threads > 0 ? work.threads : hardware_threads();
+    settings.spectral_radius = options.spectral_radius.value_or(settings.spectral_radius);
     return settings;
 }
 

@@ -25,7 +25,8 @@ void add_work_options(CLI::App& app, WorkOptions& options);
 
 /// How an experiment is simulated.
 struct StudyOptions {
-    StudySettings settings;   // threads are set by study_settings()
+    StudySettings settings;   // threads and the spectral radius are set by study_settings()
+    std::optional<double> spectral_radius;
     std::vector<std::pair<std::string, std::string>> overrides;   // --set
 };
 void add_study_options(CLI::App& app, StudyOptions& options);

@@ -56,6 +56,8 @@ void declare_study_call(CLI::App& app, StudyCall& call) {
 Result<Experiment> open_experiment(const StudyCall& call) {
     if (call.experiment.empty()) return Error{"name an experiment folder", ""};
     if (call.out.empty()) return Error{"name a folder for the results", "--out"};
+    if (call.study.spectral_radius && call.study.settings.integrator != Integrator::generalized_alpha)
+        return Error{"only --integrator " + to_string(Integrator::generalized_alpha) + " has one to choose", "--spectral-radius"};
     Result<Experiment> experiment = read_experiment(call.experiment, call.study.overrides);
     if (!experiment) return experiment.error();
     if (const Result<void> folder = prepare_output_folder(call.out, *experiment); !folder)
@@ -68,6 +70,7 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, co
     Result<Study> study = prepare_study(experiment, study_settings(call.study, call.work), progress);
     if (!study) return study.error();
     if (const Result<void> few = check_steps(*study); !few) return few.error();
+    check_integration(*study);
     return study;
 }
 

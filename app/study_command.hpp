@@ -34,7 +34,7 @@ private:
 /// Errors: the call's, the input's, or those of the output folder.
 Result<Experiment> open_experiment(const StudyCall& call);
 
-/// prepare_study() with limits that keep a slip of the keyboard from filling the memory.
+/// prepare_study() with limits that keep a slip of the keyboard from filling the memory, and with check_integration().
 /// Errors: the input's; --resolution or --dt that would make more than the memory holds.
 Result<Study> open_study(const StudyCall& call, const Experiment& experiment, const Progress& progress);
 

@@ -51,6 +51,7 @@ StudySettings study_settings(const Settings& settings) {
     StudySettings result;
     result.mesh = mesh_request(settings);
     parse_integrator(settings.integrator, result.integrator);
+    result.spectral_radius = settings.spectral_radius;
     result.h_s = settings.time_step_s;
     result.material = settings.material;
     result.velocity_force_1_s = settings.velocity_force_1_s;
@@ -139,6 +140,7 @@ RunResult shown_run(const Study& study, const StudyRun& run) {
     RunResult result;
     result.seconds = run.seconds;
     result.problem = run.failure;
+    if (study.integration) result.warnings = study.integration->warnings;
     std::vector<Matrix3Xd> all;
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
         const TrialPrediction& prediction = run.predictions[t];
@@ -178,15 +180,20 @@ public:
     }
 
     std::vector<Choice> integrators() const override {
-        const auto entry = [](Integrator scheme, const char* label, const char* explanation) {
-            return Choice{to_string(scheme), label, explanation, [scheme](double omega, double h) {
-                              return omega * h > 0.0 ? std::max(0.0, discrete_vibration(scheme, {omega}, h).damping_ratio) : 0.0;   // rounding
-                          }};
+        const auto entry = [](Integrator integrator, const char* label, const char* explanation) {
+            const auto damping = [integrator](double omega, const Settings& s) {
+                const TimeScheme scheme{integrator, s.spectral_radius};
+                return omega > 0.0 ? std::max(0.0, discrete_vibration(scheme, {omega}, s.time_step_s).damping_ratio) : 0.0;   // rounding
+            };
+            const auto critical = [integrator](double omega, const Settings& s) {
+                return critical_velocity_force({integrator, s.spectral_radius}, omega, s.time_step_s, 0.5 * s.damping_s * omega);
+            };
+            return Choice{to_string(integrator), label, explanation, damping, critical, integrator == Integrator::generalized_alpha};
         };
         return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data"),
                 entry(Integrator::implicit_euler, "Implicit Euler", "First order, as in the paper: damps by itself"),
                 entry(Integrator::bdf2, "BDF2", "Second order, one solve a step, damps more than TR-BDF2"),
-                entry(Integrator::generalized_alpha, "Generalised-α", "Second order, one solve a step, ρ∞ = 0.5"),
+                entry(Integrator::generalized_alpha, "Generalised-α", "Second order, one solve a step, damping by choice of ρ∞"),
                 entry(Integrator::trapezoidal, "Trapezoidal", "Second order, no damping at all: large motions may become unstable")};
     }
 
@@ -225,12 +232,14 @@ public:
         if (source_of(scene).experiment.trials.empty()) return run_mesh_scene(source_of(scene).experiment, source_of(scene).surface, study_settings(settings), settings, progress);
         Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
         if (!study) return study.error();
+        check_integration(*study);
         return shown_run(*study, run_study(*study, with_predicted_levels(*study, declared_values(*study)), progress));
     }
 
     Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress) override {
         Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
         if (!study) return study.error();
+        check_integration(*study);
         const Calibration calibration = calibrate_study(*study, {}, progress);
         if (!calibration.usable()) return Error{calibration.fit.message, ""};
         CalibrationResult result;

@@ -86,7 +86,9 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
 }
 
 bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor, Matrix3Xd& x, StageReport& report) {
-    for (int iteration = 0; iteration < 5 * options.max_newton_iterations; ++iteration, ++report.newton_iterations) {
+    int indefinite = 0;   // steps still to be taken with positive cells
+    int crawling = 0;     // steps in a row of less than a thousandth of what was asked for
+    for (int iteration = 0; iteration < 5 * options.max_newton_iterations && crawling < 25; ++iteration, ++report.newton_iterations) {
         StageProblem::Evaluation now = problem.evaluate(x, HessianKind::exact);
         const double residual = now.residual.norm() / scale;
         report.residual = residual;
@@ -95,29 +97,32 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
             return false;
         }
         if (residual <= options.tolerance) return true;
-        if (!factor.renew_with(now.hessian, problem, x, report)) {
+        if (indefinite > 0 || !factor.renew_with(now.hessian, problem, x, report)) {
+            // Where one Hessian was indefinite the next one mostly is.
+            indefinite = indefinite > 0 ? indefinite - 1 : 1;
             now.hessian = problem.evaluate(x, HessianKind::positive).hessian;
-            // Statics of a body with a zero mode still needs a definite matrix: a small shift along the mass.
-            if (!factor.renew_with(now.hessian, problem, x, report)) {
-                const SymmetricSparse& inertia = problem.constants().inertia;
-                now.hessian.coeffs() += 1e-6 * now.hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
-                if (!factor.renew_with(now.hessian, problem, x, report)) return false;
-            }
+            // Positive cells leave motions without any stiffness, along which a step would know no end: a small shift along the mass.
+            const SymmetricSparse& inertia = problem.constants().inertia;
+            now.hessian.coeffs() += 1e-6 * now.hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
+            if (!factor.renew_with(now.hessian, problem, x, report)) return false;
         }
         MatrixXd step = -factor.solve(problem.pattern(), now.residual);
         if (!factor.is_whole(problem.pattern()) && !solve_by_lagged_factor(now.hessian, -now.residual, 1e-3, problem, x, factor, report, step)) return false;
         const double slope = now.residual.dot(step.col(0));
+        if (!(slope < 0.0)) return false;
         const Matrix3Xd dx = scatter(problem.pattern(), step);
         double length = 1.0;
         bool accepted = false;
         for (int halving = 0; halving < 40 && !accepted; ++halving, length *= 0.5) {
             const StageProblem::Evaluation trial = problem.evaluate(x + length * dx, HessianKind::none);
-            // Below rounding of the potential the residual decides.
+            // Below rounding of the potential the residual decides; above it, it would lead round in circles.
+            const bool rounding = -slope < 1e-9 * std::abs(now.potential) || residual < 1e-3;
             accepted = trial.residual.allFinite() && (trial.potential <= now.potential + 1e-4 * length * slope ||
-                                                      trial.residual.norm() < 0.9 * now.residual.norm());
+                                                      (rounding && trial.residual.norm() < 0.9 * now.residual.norm()));
             if (accepted) x += length * dx;
         }
         if (!accepted) return false;
+        crawling = length < 1e-3 ? crawling + 1 : 0;
     }
     return false;
 }

@@ -1,13 +1,18 @@
 #include "dynamics/simulate.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "dynamics/energy.hpp"
 #include "dynamics/extrapolation.hpp"
 #include "dynamics/statics.hpp"
+#include "dynamics/undeformed.hpp"
 
 namespace myo {
 namespace {
+
+using Eigen::Matrix3Xd;
 
 /// Step ends in (0, end]: the jumps, and the multiples of h that are not just beside one. A step much shorter than h would
 /// turn the rounding of positions into accelerations.
@@ -46,6 +51,55 @@ std::string where_it_failed(double t, double h, const std::string& reason) {
     return "at t = " + std::to_string(t) + " s (h = " + std::to_string(h) + " s) " + reason + "; try a smaller step";
 }
 
+void hold_clamped(const Body& body, Matrix3Xd& x) {
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) x.col(i) = body.mesh.nodes.col(i);
+}
+
+/// Whether these velocities turn or strain a cell by more than half of itself within h.
+bool tears(const Body& body, const Matrix3Xd& v, double h) {
+    const Matrix3Xd& X = body.mesh.nodes;
+    for (const auto& cell : body.mesh.cells.colwise())
+        for (const int a : cell)
+            for (const int b : cell)
+                if (h * (v.col(a) - v.col(b)).norm() > 0.5 * (X.col(a) - X.col(b)).norm()) return true;
+    return false;
+}
+
+/// Steps are halved until they are this part of what they were.
+constexpr double most_parts = 4.0;
+
+/// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what moves.
+bool gains_energy(const Model& model, const Eigen::SparseMatrix<double>& mass, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
+    if (model.velocity_force_1_s > 0.0 || activations(model, 0.5 * (from_s + to_s)) != activations(model, to_s, true)) return false;
+    const Energy before = energy(model, mass, from.x, from.v, to_s, true), after = energy(model, mass, to.x, to.v, to_s, true);
+    const double moved = before.kinetic_J + after.kinetic_J + std::abs(after.internal_J - before.internal_J);
+    return after.total_J() - before.total_J() > 0.02 * moved;   // false where there was none before
+}
+
+/// Positions and velocities at t = 0. False: there are none, and the trace says why.
+bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics& state, Trace& trace) {
+    const Body& body = *solver.model().body;
+    const InitialState& initial = options.initial;
+    assert(initial.positions.size() == 0 || initial.positions.cols() == body.node_count());
+    assert(initial.velocities.size() == 0 || initial.velocities.cols() == body.node_count());
+    state.x = initial.positions.size() > 0 ? initial.positions : body.mesh.nodes;
+    state.v = initial.velocities.size() > 0 ? initial.velocities : Matrix3Xd::Zero(3, body.node_count());
+    hold_clamped(body, state.x);
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) state.v.col(i).setZero();
+    trace.status = RunStatus::failed;
+    if (!state.x.allFinite() || !state.v.allFinite()) {
+        trace.message = "the initial positions or velocities are not finite";
+        return false;
+    }
+    if (!options.starts_at_equilibrium()) return true;
+    const StageReport report = solve_equilibrium(solver, 0.0, state.x);
+    count(report, trace);
+    trace.message = report.message;
+    return report.ok();
+}
+
 }  // namespace
 
 Stage jump_stage(const Kinematics& state, double time_s) {
@@ -61,19 +115,9 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
     const Body& body = *model.body;
     Trace trace;
     Kinematics state;
-    state.x = body.mesh.nodes;
-    state.v = Eigen::Matrix3Xd::Zero(3, body.node_count());
-    if (options.start == StartKind::equilibrium) {
-        const StageReport report = solve_equilibrium(solver, 0.0, state.x);
-        count(report, trace);
-        if (!report.ok()) {
-            trace.status = RunStatus::failed;
-            trace.message = report.message;
-            return trace;
-        }
-    }
+    if (!set_start(options, solver, state, trace)) return trace;
     state.strain = strains(body, state.x);
-    state.rate = Eigen::VectorXd::Zero(state.strain.size());
+    state.rate = strain_tangent(body, state.x, state.v);
     if (observer.started) observer.started(solver, state);
 
     const auto record = [&](double t) {
@@ -93,58 +137,81 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
     for (const double jump : jumps)
         if (jump > 0.0 && jump <= 1e-6 * options.h_s) loads_from = jump;
     set_force(loads_from);
+    // Neither force nor strain of a start without energy is worth remembering.
+    const bool lost = !state.force.allFinite() || !state.strain.allFinite();
+    if (lost) {
+        state.force.setZero();
+        state.strain = strains(body, body.mesh.nodes);
+        state.rate.setZero();
+    }
+    // The trapezoid would take the mean of viscous forces that turn while it does: it feeds in many times the energy of the motion.
+    const bool by_euler = lost || (model.damping_s > 0.0 && !ends.empty() && tears(body, state.v, ends.front()));
     Extrapolation past;
     past.restart(0.0, state.x);
     double t = 0.0;
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-        if (progress.cancelled()) {
-            trace.status = RunStatus::cancelled;
-            trace.message = "stopped at t = " + std::to_string(t) + " s";
-            return trace;
-        }
-        const double h = ends[k] - t;
-        const bool jump_at_end = is_jump(jumps, ends[k], options.h_s);
-        std::vector<SolvedStage> solved;
-        StageReport last;
-        const auto solve = [&](Stage& stage, StageSolution& solution) {
-            if (std::abs(stage.time_s - ends[k]) < 1e-9 * h) stage.time_s = ends[k];
-            stage.before_jump = jump_at_end && stage.time_s == ends[k];
-            const auto without_past = [&]() -> Eigen::Matrix3Xd {
-                return solved.empty() ? Eigen::Matrix3Xd(state.x + (stage.time_s - t) * state.v) : solved.back().solution.x;
+    for (const double end : ends) {
+        std::vector<double> goals{end};   // the next one last: a step that fails is halved
+        for (double least = (end - t) / most_parts; !goals.empty();) {
+            if (progress.cancelled()) {
+                trace.status = RunStatus::cancelled;
+                trace.message = "stopped at t = " + std::to_string(t) + " s";
+                return trace;
+            }
+            const double goal = goals.back(), h = goal - t;
+            const bool jump_at_end = goal == end && is_jump(jumps, end, options.h_s);
+            bool resolved = true;
+            std::vector<SolvedStage> solved;
+            StageReport last;
+            const auto solve = [&](Stage& stage, StageSolution& solution) {
+                if (std::abs(stage.time_s - goal) < 1e-9 * h) stage.time_s = goal;
+                stage.before_jump = jump_at_end && stage.time_s == goal;
+                const auto without_past = [&]() -> Matrix3Xd {
+                    return solved.empty() ? Matrix3Xd(state.x + (stage.time_s - t) * state.v) : solved.back().solution.x;
+                };
+                const std::optional<Matrix3Xd> continued = past.at(stage.time_s);
+                // A guess that leads nowhere may have turned cells inside out: then from where the body was, and from no strain at all.
+                last = {};
+                for (int attempt = 0; attempt < 3 && !last.ok(); ++attempt) {
+                    solution.x = attempt == 1 ? state.x : attempt == 2 ? undeformed_near(body, state.x) : continued ? *continued : without_past();
+                    hold_clamped(body, solution.x);
+                    last = solver.solve(stage, solution.x);
+                    count(last, trace);
+                    // Forces are measured against those at the guess, and one that is far off makes little of what is left of them.
+                    if (attempt < 2 || !last.ok()) continue;
+                    last = solver.solve(stage, solution.x);
+                    count(last, trace);
+                }
+                if (!last.ok()) return false;
+                resolved = resolved && continued && (solution.x - *continued).norm() < 0.1 * (solution.x - state.x).norm();
+                solution.strain = strains(body, solution.x);
+                past.add(stage.time_s, solution.x);
+                solved.push_back({stage, solution});
+                return true;
             };
-            const std::optional<Eigen::Matrix3Xd> continued = past.at(stage.time_s);
-            solution.x = continued ? *continued : without_past();
-            for (int i = 0; i < body.node_count(); ++i)
-                if (body.clamped[static_cast<std::size_t>(i)]) solution.x.col(i) = body.mesh.nodes.col(i);
-            last = solver.solve(stage, solution.x);
-            count(last, trace);
-            if (!last.ok()) return false;
-            solution.strain = strains(body, solution.x);
-            past.add(stage.time_s, solution.x);
-            solved.push_back({stage, solution});
-            return true;
-        };
-        Kinematics next;
-        const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model.velocity_force_1_s, solve};
-        if (!take_step(options.integrator, problem, state, next)) {
-            trace.status = RunStatus::failed;
-            trace.message = where_it_failed(t, h, last.message);
-            return trace;
+            Kinematics next;
+            const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model.velocity_force_1_s, solve};
+            const TimeScheme scheme = by_euler && t == 0.0 ? TimeScheme(Integrator::implicit_euler) : options.integrator;
+            const bool taken = take_step(scheme, problem, state, next) && next.v.allFinite();
+            if (h > 1.5 * least && (!taken || (!resolved && gains_energy(model, solver.mass(), state, next, t, goal)))) {
+                goals.push_back(t + 0.5 * h);
+                past.restart(t, state.x);
+                continue;
+            }
+            if (!taken) {
+                trace.status = RunStatus::failed;
+                trace.message = where_it_failed(t, h, last.ok() ? "the motion is no longer finite" : last.message);
+                return trace;
+            }
+            if (observer.stepped) observer.stepped(solver, scheme, t, h, solved);
+            const bool restart = jump_at_end || (by_euler && t == 0.0);
+            state = std::move(next);
+            t = goal;
+            goals.pop_back();
+            record(t);
+            if (jump_at_end) set_force(t);
+            if (restart) past.restart(t, state.x);
+            progress.report({"simulate", t, options.end_s, "s", {}});
         }
-        if (observer.stepped) observer.stepped(solver, t, h, solved);
-        state = std::move(next);
-        t = ends[k];
-        record(t);
-        if (jump_at_end) {
-            set_force(t);
-            past.restart(t, state.x);
-        }
-        if (!state.v.allFinite()) {
-            trace.status = RunStatus::failed;
-            trace.message = where_it_failed(t, h, "the motion is no longer finite");
-            return trace;
-        }
-        progress.report({"simulate", t, options.end_s, "s", {}});
     }
     trace.factor_bytes = sizeof(float) * solver.factor_entries();
     trace.status = RunStatus::complete;

@@ -14,12 +14,21 @@ namespace myo {
 
 enum class StartKind { straight, equilibrium };
 
+/// A start of one's own. Clamped nodes are held at rest, whatever is given for them.
+struct InitialState {
+    Eigen::Matrix3Xd positions;    // 3 x n [m]; empty: those of the StartKind
+    Eigen::Matrix3Xd velocities;   // 3 x n [m/s]; empty: at rest
+};
+
 struct SimulationOptions {
     StartKind start = StartKind::straight;
+    InitialState initial;
     TimeScheme integrator;
     double h_s = 0.005;
     double end_s = 1.0;          // the run covers [0, end_s]
     SolverOptions solver;
+
+    bool starts_at_equilibrium() const { return start == StartKind::equilibrium && initial.positions.size() == 0; }
 };
 
 enum class RunStatus { not_run, complete, cancelled, failed };
@@ -49,10 +58,13 @@ struct SolvedStage {
 struct RunObserver {
     std::function<void(StageSolver&, const Kinematics&)> started;                 // the start state; force not yet set
     std::function<void(StageSolver&, const Kinematics&, double t)> jumped;        // force at t was set anew for this state
-    std::function<void(StageSolver&, double t, double h, const std::vector<SolvedStage>&)> stepped;
+    std::function<void(StageSolver&, const TimeScheme&, double t, double h, const std::vector<SolvedStage>&)> stepped;
 };
 
-/// Runs a model from its start state. Steps are h, shortened where a load or a signal jumps between them.
+/// Runs a model from its start state. Steps are h, shortened where a load or a signal jumps between them, and halved, once or twice,
+/// where a step finds no solution or, too long for the motion, gains energy that nothing gave. The trace holds all of them.
+/// A start without an energy, with cells turned inside out, is left by one step of implicit Euler, which needs no force there; so is
+/// that of a viscous body whose initial velocities would tear its cells within the step.
 Trace simulate(const Model& model, const SimulationOptions& options, const Progress& progress = {},
                const RunObserver& observer = {});
 

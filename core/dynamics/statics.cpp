@@ -1,5 +1,7 @@
 #include "dynamics/statics.hpp"
 
+#include "dynamics/undeformed.hpp"
+
 namespace myo {
 
 Stage static_stage(const Body& body, double time_s) {
@@ -16,6 +18,8 @@ StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3
     StageReport report = solver.solve(stage, x);
     if (report.ok()) return report;
 
+    // A start without forces leads nowhere; nothing of it is worth keeping.
+    if (!solver.total_forces(stage, start).allFinite()) start = undeformed_near(*solver.model().body, start);
     x = start;
     for (double inertia = 1e5; inertia > 1e-2; inertia *= 0.25) {
         stage.inertia_1_s2 = inertia;
@@ -25,6 +29,10 @@ StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3
     }
     if (!x.allFinite()) x = start;
     report = solver.solve(static_stage(*solver.model().body, time_s), x);
+    if (!report.ok()) {
+        x = undeformed_near(*solver.model().body, start);
+        report = solver.solve(static_stage(*solver.model().body, time_s), x);
+    }
     if (!report.ok()) report.message = "no equilibrium was found: " + report.message;
     return report;
 }

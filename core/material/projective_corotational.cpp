@@ -22,12 +22,33 @@ struct UnitVolumeProjection {
     bool found = false;
 };
 
+/// Where Newton starts. d_i (d_i - sigma_i) = -p at the solution, so a compressed or inverted sigma has one p < 0, and positive d_i
+/// that grow with -p: found by bisection over decades. Far from unit volume Newton from 1 may not come out of the wrong octant.
+void start_of_projection(const Vector3d& sigma, Vector3d& d, double& p) {
+    d.setOnes();
+    p = 0.0;
+    if (sigma.minCoeff() > 0.5 || sigma.cwiseMax(0.0).prod() >= 1.0) return;
+    const auto at = [&](double q) -> Vector3d {
+        // The positive root, without cancellation where sigma is negative.
+        const Eigen::Array3d root = (sigma.array().square() + 4.0 * q).sqrt();
+        return (sigma.array() >= 0.0).select(0.5 * (sigma.array() + root), 2.0 * q / (root - sigma.array()));
+    };
+    double low = 1e-30, high = 1.0 + 4.0 * sigma.squaredNorm();   // d_i > 1 for all i there
+    for (int halving = 0; halving < 20; ++halving) {
+        const double middle = std::sqrt(low * high);
+        (at(middle).prod() < 1.0 ? low : high) = middle;
+    }
+    p = -high;
+    d = at(high);
+}
+
 Vector3d cofactors(const Vector3d& d) { return {d(1) * d(2), d(2) * d(0), d(0) * d(1)}; }
 
 UnitVolumeProjection project_to_unit_volume(const Vector3d& sigma) {
     UnitVolumeProjection result;
-    Vector3d d = Vector3d::Ones();
-    double p = 0.0;
+    Vector3d d;
+    double p;
+    start_of_projection(sigma, d, p);
     Eigen::Matrix4d system;
     for (int iteration = 0; iteration < 60; ++iteration) {
         const Vector3d c = cofactors(d);

@@ -8,9 +8,20 @@
 namespace myo {
 namespace {
 
+/// Null where it was not found; critical_velocity_force_1_s only where there is a velocity force to compare with it.
+void add_integration(const Study& study, Json& json) {
+    if (study.settings.integrator == Integrator::generalized_alpha) json["spectral_radius"] = study.settings.spectral_radius;
+    if (!study.integration) return;
+    const IntegrationCheck& check = *study.integration;
+    const auto known = [&](double value) { return check.frequency_Hz > 0.0 ? json_number(value) : Json(); };
+    json["first_frequency_Hz"] = known(check.frequency_Hz);
+    json["numerical_damping_ratio"] = known(check.numerical_damping_ratio);
+    if (check.critical_velocity_force_1_s) json["critical_velocity_force_1_s"] = json_number(*check.critical_velocity_force_1_s);
+}
+
 Json size_json(const Study& study) {
     const double h = study.settings.h_s.value_or(study.trials.front().options.h_s);
-    return {{"dofs", 3 * study.mesh.mesh.node_count()},
+    Json json{{"dofs", 3 * study.mesh.mesh.node_count()},
             {"nodes", study.mesh.mesh.node_count()},
             {"elements", study.mesh.mesh.cell_count()},
             {"element", to_string(study.mesh.element)},
@@ -23,6 +34,8 @@ Json size_json(const Study& study) {
             {"strategy", to_string(study.settings.strategy)},
             {"dt_s", h},
             {"threads", study.settings.threads}};
+    add_integration(study, json);
+    return json;
 }
 
 void add_facts(const RunFacts& facts, Json& json) {

@@ -84,7 +84,7 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
     if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed) return framed.error();
 
     trial.options.start = declaration.start == StartState::straight ? StartKind::straight : StartKind::equilibrium;
-    trial.options.integrator = study.settings.integrator;
+    trial.options.integrator = study.settings.scheme();
     trial.options.solver.strategy = study.settings.strategy;
     const Eigen::VectorXd& times = trial.measured.time_s;
     const double interval = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
@@ -146,6 +146,14 @@ std::vector<Signal> level_tangent(const Experiment& experiment, std::size_t lead
     for (const MuscleLeader& muscle : muscle_leaders(experiment))
         tangent.push_back(Signal::step(0.0, 0.0, muscle.leader == leader ? muscle.factor : 0.0));
     return tangent;
+}
+
+void check_integration(Study& study) {
+    const auto shortest = std::min_element(study.trials.begin(), study.trials.end(),
+                                           [](const StudyTrial& a, const StudyTrial& b) { return a.options.h_s < b.options.h_s; });
+    study.integration = check_integration(shortest->model, shortest->options.integrator, shortest->options.h_s);
+    const std::vector<std::string>& found = study.integration->warnings;
+    study.warnings.insert(study.warnings.end(), found.begin(), found.end());
 }
 
 Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress) {

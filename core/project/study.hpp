@@ -14,6 +14,7 @@
 #include "measurement/rigid_motion.hpp"
 #include "model/model.hpp"
 #include "project/experiment.hpp"
+#include "project/integration_check.hpp"
 #include "project/study_mesh.hpp"
 
 namespace myo {
@@ -22,6 +23,7 @@ namespace myo {
 struct StudySettings {
     MeshRequest mesh;
     Integrator integrator = Integrator::tr_bdf2;
+    double spectral_radius = 0.5;          // of generalized_alpha at infinite frequency, 0 ... 1
     Strategy strategy = Strategy::automatic;
     std::optional<double> h_s;             // default: half the sampling interval
     std::optional<std::string> material;   // id; default: the declared one
@@ -30,6 +32,8 @@ struct StudySettings {
     double assumed_damping_s = 0.003;      // where none is declared: 9 % of critical damping at 10 Hz, as silicones have
     bool as_published = false;             // it started from published_settings()
     int threads = 1;
+
+    TimeScheme scheme() const { return {integrator, spectral_radius}; }
 };
 
 /// The formulation of Dubied et al. 2022 as their program had it, to be set beside the default one: fully integrated
@@ -65,7 +69,12 @@ struct Study {
     Eigen::VectorXd noise_m;                  // per marker, 1 sigma per coordinate
     std::vector<StudyTrial> trials;
     std::vector<std::string> warnings;
+    std::optional<IntegrationCheck> integration;   // of check_integration(), when asked for
 };
+
+/// Checks the shortest step of the trials, where a velocity force is least bearable, on the declared constants; its warnings
+/// become the study's. Takes about as long as a step.
+void check_integration(Study& study);
 
 /// Reads traces and geometry, meshes the body, binds markers, registers frames, finds starts.
 /// Errors: every input error of the schema that needs more than the TOML, with key and line.

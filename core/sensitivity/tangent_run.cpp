@@ -19,11 +19,11 @@ public:
         const Body& body = *model_.body;
         SymmetricSparse K;
         const Stage stage = static_stage(body, 0.0);
-        if (options_.start == StartKind::equilibrium) K = solver.hessian(stage, state.x);
+        if (options_.starts_at_equilibrium()) K = solver.hessian(stage, state.x);
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
             Kinematics& d = state_[p];
             d.x = d.v = d.force = Matrix3Xd::Zero(3, body.node_count());
-            if (options_.start == StartKind::equilibrium) {
+            if (options_.starts_at_equilibrium()) {
                 const Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, 0.0, true);
                 d.x = scatter(body.pattern, solver.solve_linear(K, stage, state.x, gather(body.pattern, -g)));
             }
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    void step(StageSolver& solver, double t, double h, const std::vector<SolvedStage>& solved) {
+    void step(StageSolver& solver, const TimeScheme& scheme, double t, double h, const std::vector<SolvedStage>& solved) {
         const Body& body = *model_.body;
         // Every parameter's step runs up to stage k, leaves its right-hand side there and is run again once all of them are solved
         // together: the passes over matrix and factor are what costs.
@@ -56,7 +56,7 @@ public:
             const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
             Eigen::MatrixXd B(body.pattern.unknowns(), static_cast<Eigen::Index>(parameters_.size()));
             for (std::size_t p = 0; p < parameters_.size(); ++p)
-                run_step(solver, t, h, p, d_solved[p], [&](const Stage& d_stage) {
+                run_step(solver, scheme, t, h, p, d_solved[p], [&](const Stage& d_stage) {
                     Matrix3Xd g = gradient_tangent(model_, parameters_[p], solution.x, rate, stage.time_s, stage.before_jump);
                     if (model_.damping_s > 0.0) g += viscous_gradient(model_, solution.x, d_stage.rate_history);
                     B.col(static_cast<Eigen::Index>(p)) = gather(body.pattern, d_stage.constant - g);
@@ -72,7 +72,7 @@ public:
             }
         }
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
-            Kinematics next = run_step(solver, t, h, p, d_solved[p], [](const Stage&) {});
+            Kinematics next = run_step(solver, scheme, t, h, p, d_solved[p], [](const Stage&) {});
             // The mass couples clamped nodes to their free neighbours; forces on them are reactions.
             for (int i = 0; i < body.node_count(); ++i)
                 if (body.clamped[static_cast<std::size_t>(i)]) next.force.col(i).setZero();
@@ -96,7 +96,8 @@ private:
 
     /// One parameter's step with the stage solutions at hand; at the first stage without one, its derivative goes to `stop`.
     template <class Stop>
-    Kinematics run_step(StageSolver& solver, double t, double h, std::size_t p, const std::vector<StageSolution>& d_solved, const Stop& stop) const {
+    Kinematics run_step(StageSolver& solver, const TimeScheme& scheme, double t, double h, std::size_t p, const std::vector<StageSolution>& d_solved,
+                        const Stop& stop) const {
         std::size_t k = 0;
         const auto solve = [&](const Stage& d_stage, StageSolution& d_solution) {
             if (k == d_solved.size()) {
@@ -108,7 +109,7 @@ private:
         };
         Kinematics next;
         const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model_.velocity_force_1_s, solve};
-        take_step(options_.integrator, problem, state_[p], next);
+        take_step(scheme, problem, state_[p], next);
         return next;
     }
 
@@ -134,8 +135,8 @@ SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOption
     RunObserver observer;
     observer.started = [&](StageSolver& solver, const Kinematics& state) { follower.start(solver, state); };
     observer.jumped = [&](StageSolver& solver, const Kinematics& state, double t) { follower.jump(solver, state, t); };
-    observer.stepped = [&](StageSolver& solver, double t, double h, const std::vector<SolvedStage>& solved) {
-        follower.step(solver, t, h, solved);
+    observer.stepped = [&](StageSolver& solver, const TimeScheme& scheme, double t, double h, const std::vector<SolvedStage>& solved) {
+        follower.step(solver, scheme, t, h, solved);
     };
     SensitiveTrace result;
     result.trace = simulate(model, options, progress, observer);

@@ -117,6 +117,36 @@ TEST(Simulate, OptionsReachTheModel) {
     EXPECT_NE(simulated({"--resolution", "0.01", "--velocity-force", "-20"})["trials"][0]["rms_m"].get<double>(), plain);
 }
 
+TEST(Simulate, TellsWhatTheTimeStepDoesBeforeTheRun) {
+    const Folder folder("integration");
+    write_small_experiment(folder);
+    const auto simulated = [&](const std::vector<std::string>& more, std::string& warnings) {
+        const ProgramRun run = run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.01"}, more));
+        EXPECT_EQ(run.status, 0) << run.err;
+        warnings = run.err;
+        return json_of(folder, "simulate");
+    };
+    std::string warnings;
+    const json plain = simulated({"--dt", "0.01"}, warnings);
+    EXPECT_GT(plain["first_frequency_Hz"].get<double>(), 1.0);
+    EXPECT_LT(plain["numerical_damping_ratio"].get<double>(), 0.01);
+    EXPECT_FALSE(plain.contains("critical_velocity_force_1_s"));
+    EXPECT_FALSE(plain.contains("spectral_radius"));
+    EXPECT_EQ(warnings.find("Λ"), std::string::npos) << warnings;
+
+    const json euler = simulated({"--dt", "0.01", "--integrator", "implicit_euler", "--set", "material.damping_s=0.0001"}, warnings);
+    EXPECT_GT(euler["numerical_damping_ratio"].get<double>(), 10.0 * plain["numerical_damping_ratio"].get<double>());
+    EXPECT_NE(warnings.find("damps the first vibration"), std::string::npos) << warnings;
+
+    const json pushed = simulated({"--dt", "0.01", "--velocity-force", "90"}, warnings);
+    EXPECT_LT(pushed["critical_velocity_force_1_s"].get<double>(), 90.0);
+    EXPECT_NE(warnings.find("Λ_crit"), std::string::npos) << warnings;
+
+    const json alpha = simulated({"--dt", "0.01", "--integrator", "generalized_alpha", "--spectral-radius", "0.8"}, warnings);
+    EXPECT_EQ(alpha["spectral_radius"], 0.8);
+    EXPECT_NE(alpha["trials"][0]["rms_m"], simulated({"--dt", "0.01", "--integrator", "generalized_alpha"}, warnings)["trials"][0]["rms_m"]);
+}
+
 TEST(Simulate, AsPublishedIsOneOptionAndOthersChangeItsParts) {
     const Folder folder("published");
     write_small_experiment(folder);

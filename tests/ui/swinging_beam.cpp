@@ -62,7 +62,10 @@ std::vector<Choice> SwingingBeam::materials() const {
 
 std::vector<Choice> SwingingBeam::integrators() const {
     return {{"tr_bdf2", "TR-BDF2", "Second order, hardly any numerical damping.", {}},
-            {"implicit_euler", "Implicit Euler", "First order; damps vibrations.", [](double omega, double h) { return 0.5 * omega * h; }}};   // to first order
+            {"implicit_euler", "Implicit Euler", "First order; damps vibrations.",
+             [](double omega, const Settings& s) { return 0.5 * omega * s.time_step_s; },       // to first order
+             [](double omega, const Settings& s) { return omega * omega * s.time_step_s; }},
+            {"generalized_alpha", "Generalised-\xce\xb1", "Second order, damping by choice.", {}, {}, true}};
 }
 
 Result<Scene> SwingingBeam::open(const std::filesystem::path& path, std::optional<double> metres_per_unit, const Progress&) {

@@ -191,6 +191,39 @@ TEST(Workbench, ShowsTheNumericalDampingOfImplicitEuler) {
     EXPECT_EQ(driver.state().damping_frequency_Hz, 7.75);
 }
 
+TEST(Workbench, WarnsOfAVelocityForceThatMakesTheMotionGrow) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("model/integrator");
+    driver.click("model/integrator/implicit_euler");
+    const auto push = [&](double velocity_force_1_s) {
+        Settings settings = driver.state().settings;
+        settings.velocity_force_1_s = velocity_force_1_s;
+        driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+        driver.frame();
+        driver.frame();
+    };
+    push(10.0);
+    ASSERT_TRUE(driver.state().critical_velocity_force_1_s.has_value());
+    const double critical = *driver.state().critical_velocity_force_1_s;
+    push(0.9 * critical);
+    EXPECT_FALSE(driver.has("run/unstable"));
+    push(1.1 * critical);
+    EXPECT_TRUE(driver.has("run/unstable"));
+    push(0.0);
+    EXPECT_FALSE(driver.has("run/unstable"));
+}
+
+TEST(Workbench, OffersTheSpectralRadiusOfGeneralisedAlphaOnly) {
+    Driver driver;
+    driver.open_beam();
+    EXPECT_FALSE(driver.has("model/spectral_radius"));
+    driver.click("model/integrator");
+    driver.click("model/integrator/generalized_alpha");
+    driver.frame();
+    EXPECT_TRUE(driver.has("model/spectral_radius"));
+}
+
 TEST(Workbench, PlaysToTheEndAndStops) {
     Driver driver;
     driver.open_beam();

@@ -24,9 +24,10 @@ struct Choice {
     std::string id;
     std::string label;
     std::string explanation;        // shown on hovering; may hold the equation
-    /// Damping ratio that the scheme itself adds to a vibration, from angular frequency [rad/s] and step [s]; empty = none
-    /// worth showing. For integrators only.
-    std::function<double(double, double)> numerical_damping_ratio = {};
+    // For integrators only, of a vibration of an angular frequency [rad/s] under the settings. Empty = none worth showing.
+    std::function<double(double, const Settings&)> numerical_damping_ratio = {};   // that the scheme itself adds
+    std::function<double(double, const Settings&)> critical_velocity_force = {};   // [1/s] above which it grows; slow: keep the result
+    bool has_spectral_radius = false;                                              // to choose
 };
 
 /// One line of a report: "Volume error", "0.02 %".
@@ -95,6 +96,7 @@ struct RunResult {
     double rms_m = 0.0;                           // over all measured coordinates of all trials; NaN without any
     double seconds = 0.0;                         // wall time
     std::string problem;                          // what went wrong on the way; empty = nothing
+    std::vector<std::string> warnings;            // of its time step
 };
 
 /// A calibrated parameter in the unit it is shown in.

@@ -16,6 +16,7 @@ struct Settings {
     double density_kg_m3 = 1070.0;
     double damping_s = 0.0;                 // Kelvin-Voigt time
     std::string integrator;                 // id of a Choice
+    double spectral_radius = 0.5;           // at infinite frequency, for schemes that have it to choose
     double time_step_s = 0.01;
     double velocity_force_1_s = 0.0;        // Lambda of f = Lambda M v
 
@@ -37,6 +38,7 @@ inline constexpr Limits poissons_ratio_limits{0.01, 0.4999};
 inline constexpr Limits density_limits{10.0, 2e4};
 inline constexpr Limits damping_limits{0.0, 1.0};
 inline constexpr Limits time_step_limits{1e-5, 0.1};
+inline constexpr Limits spectral_radius_limits{0.0, 1.0};
 inline constexpr Limits velocity_force_limits{-100.0, 100.0};
 
 }  // namespace myo

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "plot/ticks.hpp"
@@ -24,6 +25,7 @@ Settings clamped(Settings s) {
     limit(s.damping_s, damping_limits);
     limit(s.time_step_s, time_step_limits);
     limit(s.velocity_force_1_s, velocity_force_limits);
+    limit(s.spectral_radius, spectral_radius_limits);
     return s;
 }
 
@@ -95,6 +97,7 @@ void Workbench::execute(const Command& asked) {
                    [&](const command::ChangeView& c) { state_.view = c.view; },
                    [&](const command::SetDampingFrequency& c) {
                        state_.damping_frequency_Hz = std::clamp(c.frequency_Hz, 0.01, 1000.0);
+                       check_stability();
                    },
                    [&](const command::SetTheme& c) {
                        state_.theme = c.theme;
@@ -178,6 +181,7 @@ void Workbench::open(const std::filesystem::path& path, std::optional<double> me
 void Workbench::show_scene(Scene scene) {
     state_.settings = clamped(scene.settings);
     if (scene.frequency_Hz > 0.0) state_.damping_frequency_Hz = scene.frequency_Hz;
+    check_stability();
     state_.scene = std::make_shared<Scene>(std::move(scene));
     state_.body.reset();
     state_.run.reset();
@@ -215,7 +219,15 @@ void Workbench::change_settings(const command::ChangeSettings& change) {
 
 void Workbench::set_settings(const Settings& settings) {
     state_.settings = settings;
+    check_stability();
     if (state_.scene) state_.prediction = backend_->predict(*state_.scene, settings);
+}
+
+void Workbench::check_stability() {
+    state_.critical_velocity_force_1_s.reset();
+    const Choice* integrator = state_.integrator();
+    if (state_.settings.velocity_force_1_s > 0.0 && integrator && integrator->critical_velocity_force)
+        state_.critical_velocity_force_1_s = integrator->critical_velocity_force(2.0 * std::numbers::pi * state_.damping_frequency_Hz, state_.settings);
 }
 
 void Workbench::build_mesh(std::function<void()> then) {
@@ -256,6 +268,7 @@ void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings
     const auto span = time_span(state_);
     state_.time_s = std::clamp(state_.time_s, span[0], span[1]);
     if (!state_.run->problem.empty()) log(LogLevel::warning, state_.run->problem);
+    for (const std::string& warning : state_.run->warnings) log(LogLevel::warning, warning);
 }
 
 void Workbench::run() {

@@ -34,6 +34,7 @@ private:
     void calibrate();
     void change_settings(const command::ChangeSettings& change);
     void set_settings(const Settings& settings);
+    void check_stability();
     void choose_trial(int trial);
     void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
     void show_calibration(CalibrationResult result);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -56,6 +57,7 @@ struct WorkbenchState {
     bool playing = false;
     double speed = 1.0;             // of playing, against real time
     double damping_frequency_Hz = 5.0;  // at which the numerical damping is shown
+    std::optional<double> critical_velocity_force_1_s;   // at that frequency; only while there is a positive velocity force
 
     ViewOptions view;
     ThemeName theme = ThemeName::dark;
@@ -70,6 +72,12 @@ struct WorkbenchState {
     bool busy() const { return job.has_value(); }
     bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
     bool run_is_current() const { return run && settings == run_settings; }
+    bool is_unstable() const { return critical_velocity_force_1_s && settings.velocity_force_1_s > *critical_velocity_force_1_s; }
+    /// The chosen integrator, or null.
+    const Choice* integrator() const {
+        const auto found = std::find_if(integrators.begin(), integrators.end(), [&](const Choice& c) { return c.id == settings.integrator; });
+        return found != integrators.end() ? &*found : nullptr;
+    }
     const SceneTrial* scene_trial() const {
         return scene && trial >= 0 && trial < static_cast<int>(scene->trials.size()) ? &scene->trials[static_cast<std::size_t>(trial)]
                                                                                     : nullptr;

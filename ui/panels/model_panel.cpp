@@ -28,6 +28,13 @@ const std::vector<SettingField>& material_fields() {
     return fields;
 }
 
+const std::vector<SettingField>& radius_fields() {
+    static const std::vector<SettingField> fields{
+        {{"\xcf\x81\xe2\x88\x9e", "model/spectral_radius", "", "Part of a very fast vibration that a step leaves: 0 takes it out at once, 1 keeps it.",
+          1.0, spectral_radius_limits, 0.01}, &Settings::spectral_radius}};
+    return fields;
+}
+
 const std::vector<SettingField>& time_fields() {
     static const std::vector<SettingField> fields{
         {{"Step h", "model/time_step", "ms", "Time step h.", 1e-3, time_step_limits, 0.01}, &Settings::time_step_s},
@@ -62,13 +69,13 @@ void ModelPanel::draw(PanelContext& context) {
     numbers(material_fields());
     ImGui::Spacing();
     choose("Time scheme", "model/integrator", "How the equations of motion are stepped in time.", state.integrators, &Settings::integrator);
+    const Choice* scheme = state.integrator();
+    if (scheme && scheme->has_spectral_radius) numbers(radius_fields());
     numbers(time_fields());
 
-    const auto scheme = std::find_if(state.integrators.begin(), state.integrators.end(),
-                                     [&](const Choice& c) { return c.id == state.settings.integrator; });
-    if (scheme == state.integrators.end() || !scheme->numerical_damping_ratio) return;
+    if (!scheme || !scheme->numerical_damping_ratio) return;
     const double frequency = state.damping_frequency_Hz;
-    const double ratio = scheme->numerical_damping_ratio(2.0 * std::numbers::pi * frequency, state.settings.time_step_s);
+    const double ratio = scheme->numerical_damping_ratio(2.0 * std::numbers::pi * frequency, state.settings);
     row_label(context.theme, "\xce\xb6(h)", "Damping ratio that the time scheme itself adds at this frequency and step. Measured silicone has about 0.05.");
     ImGui::AlignTextToFramePadding();
     // Comparable to a silicone's own damping: it would be calibrated into the material.

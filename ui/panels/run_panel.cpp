@@ -73,12 +73,21 @@ void draw_run_controls(PanelContext& context) {
         if (job.progress.total > 0.0 && !job.progress.unit.empty())
             counted = with_separators(job.progress.done) + " of " + with_separators(job.progress.total) + " " + job.progress.unit;
         const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
-        if (const std::string text = counted + between + job.progress.message; !text.empty()) muted_text(theme, text);
+        const std::string text = counted + between + job.progress.message;
+        muted_text(theme, text.empty() ? " " : text);   // the button below stays where it is
         ImGui::BeginDisabled(job.cancelling);
         if (ImGui::Button((std::string(icon::stop) + "  Cancel").c_str(), {-1.0f, 0.0f})) context.emit(command::Cancel{});
         context.items.mark("run/cancel");
         ImGui::EndDisabled();
         return;
+    }
+    if (state.is_unstable()) {
+        const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
+        notice(theme, LogLevel::warning, "\xce\x9b = " + value_label(state.settings.velocity_force_1_s, 3) + " 1/s is above \xce\x9b_crit = " +
+                                             value_label(*state.critical_velocity_force_1_s, 3) + " 1/s of " + scheme + " at " +
+                                             value_label(state.damping_frequency_Hz, 3) + " Hz and h = " + value_label(1e3 * state.settings.time_step_s, 3) +
+                                             " ms: the motion will grow without end. Try a smaller \xce\x9b, or none with " + first + ".");
+        context.items.mark("run/unstable");
     }
     const bool runnable = state.scene && state.scene->cannot_run.empty();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
@@ -113,6 +122,7 @@ void RunPanel::draw_errors(PanelContext& context) {
     const WorkbenchState& state = context.state;
     const Theme& theme = context.theme;
     if (!state.run->problem.empty()) notice(theme, LogLevel::warning, state.run->problem);
+    for (const std::string& warning : state.run->warnings) notice(theme, LogLevel::warning, warning);
     if (!std::isfinite(state.run->rms_m)) {
         text_row(theme, "Time taken", duration_label(state.run->seconds));
         return;
