@@ -66,7 +66,9 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     } else if (options_.strategy != Strategy::newton && factor_.is_whole(problem.pattern())) {
         if (lagged_newton(problem, scale, x, report)) return converged();
     }
-    if (!x.allFinite()) x = start;
+    // A long way of small descents may end where cells are squeezed and the Hessian is indefinite: Newton does better from afar.
+    const double start_residual = problem.evaluate(start, HessianKind::none).residual.norm() / scale;
+    if (!x.allFinite() || !(report.residual < start_residual)) x = start;
     if (factor_.is_whole(problem.pattern())) factor_.mark_stale();   // parts serve conjugate gradients for long
     if (mixed_newton(problem, options_, scale, factor_, x, report)) return converged();
     const bool found = energy_newton(problem, options_, scale, factor_, x, report);
