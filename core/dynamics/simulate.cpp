@@ -14,27 +14,6 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// Step ends in (0, end]: the jumps, and the multiples of h that are not just beside one. A step much shorter than h would
-/// turn the rounding of positions into accelerations.
-std::vector<double> step_ends(const Model& model, double h, double end) {
-    std::vector<double> ends;
-    for (const double t : jump_times(model))
-        if (t > 1e-6 * h && t < end) ends.push_back(t);
-    const std::vector<double> jumps = ends;
-    const auto count = static_cast<long>(std::ceil(end / h - 1e-9));
-    for (long k = 1; k <= count; ++k) {
-        const double t = static_cast<double>(k) * h, beside = k < count ? 0.05 * h : 1e-6 * h;
-        if (std::none_of(jumps.begin(), jumps.end(), [&](double jump) { return std::abs(jump - t) <= beside; })) ends.push_back(t);
-    }
-    std::sort(ends.begin(), ends.end());
-    std::vector<double> merged;   // jumps within rounding of each other are one, the last
-    for (const double t : ends) {
-        if (!merged.empty() && t - merged.back() <= 1e-6 * h) merged.pop_back();
-        merged.push_back(t);
-    }
-    return merged;
-}
-
 bool is_jump(const std::vector<double>& jumps, double t, double h) {
     return std::any_of(jumps.begin(), jumps.end(), [&](double jump) { return std::abs(jump - t) <= 1e-6 * h; });
 }
@@ -102,6 +81,27 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
 
 }  // namespace
 
+/// Step ends in (0, end]: the jumps, and the multiples of h that are not just beside one. A step much shorter than h would
+/// turn the rounding of positions into accelerations.
+std::vector<double> step_ends(const Model& model, double h, double end) {
+    std::vector<double> ends;
+    for (const double t : jump_times(model))
+        if (t > 1e-6 * h && t < end) ends.push_back(t);
+    const std::vector<double> jumps = ends;
+    const auto count = static_cast<long>(std::ceil(end / h - 1e-9));
+    for (long k = 1; k <= count; ++k) {
+        const double t = static_cast<double>(k) * h, beside = k < count ? 0.05 * h : 1e-6 * h;
+        if (std::none_of(jumps.begin(), jumps.end(), [&](double jump) { return std::abs(jump - t) <= beside; })) ends.push_back(t);
+    }
+    std::sort(ends.begin(), ends.end());
+    std::vector<double> merged;   // jumps within rounding of each other are one, the last
+    for (const double t : ends) {
+        if (!merged.empty() && t - merged.back() <= 1e-6 * h) merged.pop_back();
+        merged.push_back(t);
+    }
+    return merged;
+}
+
 Stage jump_stage(const Kinematics& state, double time_s) {
     Stage stage;
     stage.time_s = time_s;
@@ -110,33 +110,48 @@ Stage jump_stage(const Kinematics& state, double time_s) {
     return stage;
 }
 
+void set_jump_force(StageSolver& solver, double time_s, Kinematics& state) {
+    state.force = solver.total_forces(jump_stage(state, time_s), state.x) + solver.model().velocity_force_1_s * times_mass(state.v, solver.mass());
+}
+
 Trace simulate(const Model& model, const SimulationOptions& options, const Progress& progress, const RunObserver& observer) {
     StageSolver solver(model, options.solver);
+    return simulate_part(solver, options, {}, progress, observer);
+}
+
+Trace simulate_part(StageSolver& solver, const SimulationOptions& options, const RunPart& part, const Progress& progress, const RunObserver& observer) {
+    const Model& model = solver.model();
     const Body& body = *model.body;
     Trace trace;
-    Kinematics state;
-    if (!set_start(options, solver, state, trace)) return trace;
-    state.strain = strains(body, state.x);
-    state.rate = strain_tangent(body, state.x, state.v);
-    if (observer.started) observer.started(solver, state);
+    RunPoint point;
+    Kinematics& state = point.state;
+    if (part.from) {
+        point = *part.from;
+    } else {
+        if (!set_start(options, solver, state, trace)) return trace;
+        state.strain = strains(body, state.x);
+        state.rate = strain_tangent(body, state.x, state.v);
+        if (observer.started) observer.started(solver, state);
+    }
 
     const auto record = [&](double t) {
         trace.times_s.push_back(t);
+        if (!part.keep_motion) return;
         trace.positions.push_back(state.x);
         trace.velocities.push_back(state.v);
     };
     const auto set_force = [&](double t) {
-        state.force = solver.total_forces(jump_stage(state, t), state.x) + model.velocity_force_1_s * times_mass(state.v, solver.mass());
+        set_jump_force(solver, t, state);
         if (observer.jumped) observer.jumped(solver, state, t);
     };
-    record(0.0);
+    record(point.time_s);
     const std::vector<double> ends = step_ends(model, options.h_s, options.end_s);
     const std::vector<double> jumps = jump_times(model);
     // A jump within rounding of the start belongs to the start.
     double loads_from = 0.0;
     for (const double jump : jumps)
         if (jump > 0.0 && jump <= 1e-6 * options.h_s) loads_from = jump;
-    set_force(loads_from);
+    if (!part.from) set_force(loads_from);
     // Neither force nor strain of a start without energy is worth remembering.
     const bool lost = !state.force.allFinite() || !state.strain.allFinite();
     if (lost) {
@@ -147,9 +162,11 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
     // The trapezoid would take the mean of viscous forces that turn while it does: it feeds in many times the energy of the motion.
     const bool by_euler = lost || (model.damping_s > 0.0 && !ends.empty() && tears(body, state.v, ends.front()));
     Extrapolation past;
-    past.restart(0.0, state.x);
-    double t = 0.0;
-    for (const double end : ends) {
+    past.restart(point.time_s, state.x);
+    if (observer.stood) observer.stood(point);
+    double& t = point.time_s;
+    while (point.step < std::min(ends.size(), part.until_step)) {
+        const double end = ends[point.step];
         std::vector<double> goals{end};   // the next one last: a step that fails is halved
         for (double least = (end - t) / most_parts; !goals.empty();) {
             if (progress.cancelled()) {
@@ -210,6 +227,8 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
             record(t);
             if (jump_at_end) set_force(t);
             if (restart) past.restart(t, state.x);
+            if (goals.empty()) ++point.step;
+            if (observer.stood) observer.stood(point);
             progress.report({"simulate", t, options.end_s, "s", {}});
         }
     }

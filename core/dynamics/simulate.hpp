@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,20 @@ struct Trace {
     bool complete() const { return status == RunStatus::complete; }
 };
 
+/// Where a run stands between two steps.
+struct RunPoint {
+    std::size_t step = 0;     // of step_ends(), those reached
+    double time_s = 0.0;
+    Kinematics state;
+};
+
+/// Part of a run: from a point of it (null: from the start) until so many of step_ends() are reached.
+struct RunPart {
+    const RunPoint* from = nullptr;
+    std::size_t until_step = std::numeric_limits<std::size_t>::max();
+    bool keep_motion = true;   // in the trace
+};
+
 /// Called by the run: at the start, at jumps and after each step. Lets sensitivities follow the run in lockstep.
 struct SolvedStage {
     Stage stage;
@@ -59,6 +74,7 @@ struct RunObserver {
     std::function<void(StageSolver&, const Kinematics&)> started;                 // the start state; force not yet set
     std::function<void(StageSolver&, const Kinematics&, double t)> jumped;        // force at t was set anew for this state
     std::function<void(StageSolver&, const TimeScheme&, double t, double h, const std::vector<SolvedStage>&)> stepped;
+    std::function<void(const RunPoint&)> stood;                                   // at the start and after every step, jump included
 };
 
 /// Runs a model from its start state. Steps are h, shortened where a load or a signal jumps between them, and halved, once or twice,
@@ -67,6 +83,17 @@ struct RunObserver {
 /// that of a viscous body whose initial velocities would tear its cells within the step.
 Trace simulate(const Model& model, const SimulationOptions& options, const Progress& progress = {},
                const RunObserver& observer = {});
+
+/// A part of the run of the solver's model. From the same point and with a solver that has solved nothing yet it is the same to the
+/// last bit; what else a solver remembers changes a run within its tolerance.
+Trace simulate_part(StageSolver& solver, const SimulationOptions& options, const RunPart& part, const Progress& progress = {},
+                    const RunObserver& observer = {});
+
+/// Ends of the steps of a run, ascending: jumps of the model and multiples of h.
+std::vector<double> step_ends(const Model& model, double h_s, double end_s);
+
+/// Sets the force of a state anew from the loads and activations right of a jump.
+void set_jump_force(StageSolver& solver, double time_s, Kinematics& state);
 
 /// The stage that gives the forces at a jump: strain rates as they are, loads from the right.
 Stage jump_stage(const Kinematics& state, double time_s);
