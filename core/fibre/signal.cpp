@@ -7,29 +7,49 @@ namespace myo {
 namespace {
 
 // Linear interpolation between the knots next - 1 and next; `next` counts the knots left of t.
-double interpolate(const Signal& signal, double t, std::size_t next) {
-    if (next == 0) return signal.values.front();
-    if (next == signal.times_s.size()) return signal.values.back();
+Signal::Weights interpolation(const Signal& signal, double t, std::size_t next) {
+    if (next == 0) return {0, 0};
+    if (next == signal.times_s.size()) return {next - 1, next - 1};
     const double left = signal.times_s[next - 1], right = signal.times_s[next];
     const double s = (t - left) / (right - left);
-    return (1.0 - s) * signal.values[next - 1] + s * signal.values[next];
+    return {next - 1, next, 1.0 - s, s};
+}
+
+double weighted(const Signal& signal, const Signal::Weights& w) {
+    return w.left == w.right ? signal.values[w.left] : w.of_left * signal.values[w.left] + w.of_right * signal.values[w.right];
 }
 
 }  // namespace
 
-double Signal::value(double t) const {
+Signal::Weights Signal::weights(double t, bool before) const {
     assert(!times_s.empty() && times_s.size() == values.size());
-    return interpolate(*this, t, static_cast<std::size_t>(std::upper_bound(times_s.begin(), times_s.end(), t) - times_s.begin()));
+    const auto next = before ? std::lower_bound(times_s.begin(), times_s.end(), t) : std::upper_bound(times_s.begin(), times_s.end(), t);
+    return interpolation(*this, t, static_cast<std::size_t>(next - times_s.begin()));
 }
 
-double Signal::value_before(double t) const {
-    return interpolate(*this, t, static_cast<std::size_t>(std::lower_bound(times_s.begin(), times_s.end(), t) - times_s.begin()));
+double Signal::value(double t) const { return weighted(*this, weights(t, false)); }
+double Signal::value_before(double t) const { return weighted(*this, weights(t, true)); }
+
+Signal Signal::held(const std::vector<double>& times_s, const std::vector<double>& samples) {
+    assert(!times_s.empty() && times_s.size() == samples.size());
+    Signal signal{{times_s.front()}, {samples.front()}};
+    for (std::size_t k = 1; k < times_s.size(); ++k) {
+        signal.times_s.insert(signal.times_s.end(), 2, times_s[k]);
+        signal.values.insert(signal.values.end(), {samples[k - 1], samples[k]});
+    }
+    return signal;
+}
+
+std::vector<double> held_sample_gradient(const std::vector<double>& knot_gradient) {
+    std::vector<double> samples((knot_gradient.size() + 1) / 2, 0.0);
+    for (std::size_t i = 0; i < knot_gradient.size(); ++i) samples[i / 2] += knot_gradient[i];
+    return samples;
 }
 
 std::vector<double> Signal::jumps() const {
     std::vector<double> found;
     for (std::size_t i = 1; i < times_s.size(); ++i)
-        if (times_s[i] == times_s[i - 1] && values[i] != values[i - 1]) found.push_back(times_s[i]);
+        if (times_s[i] == times_s[i - 1]) found.push_back(times_s[i]);
     return found;
 }
 

@@ -14,11 +14,24 @@ struct Signal {
     static Signal constant(double value) { return {{0.0}, {value}}; }
     /// `before` for t < time, `after` from then on.
     static Signal step(double time_s, double before, double after) { return {{time_s, time_s}, {before, after}}; }
+    /// Sample k from times_s[k] to times_s[k + 1], the last for ever and the first before, too. Times ascend strictly.
+    static Signal held(const std::vector<double>& times_s, const std::vector<double>& samples);
 
     double value(double t) const;
     double value_before(double t) const;
-    /// Times at which value() and value_before() differ.
+    /// value(t), or value_before(t), as a combination of two knots: derivatives with respect to their values.
+    struct Weights {
+        std::size_t left = 0, right = 0;
+        double of_left = 1.0, of_right = 0.0;
+    };
+    Weights weights(double t, bool before) const;
+
+    /// Times of two equal knots, also where their values are equal: the steps of a run, and with them its derivative, shall not
+    /// depend on values.
     std::vector<double> jumps() const;
 };
+
+/// The derivative with respect to the samples of Signal::held() from the one with respect to its knots.
+std::vector<double> held_sample_gradient(const std::vector<double>& knot_gradient);
 
 }  // namespace myo
