@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cassert>
+#include <type_traits>
+
+#include "model/model.hpp"
+
+namespace myo {
+
+/// One coordinate per column, so that the nodes of a cell lie side by side.
+template <int N>
+using CellVectors = Eigen::Matrix<double, N, 3>;
+
+template <int N>
+CellVectors<N> cell_vectors(const Eigen::MatrixXi& cells, int cell, const Eigen::Matrix3Xd& X) {
+    CellVectors<N> result;
+    for (int a = 0; a < N; ++a) result.row(a) = X.col(cells(a, cell)).transpose();
+    return result;
+}
+
+template <int N>
+Eigen::Map<const Eigen::Matrix<double, N, 1>> shape_of(const FibrePoint& point) {
+    assert(point.shape.size() == N);
+    return Eigen::Map<const Eigen::Matrix<double, N, 1>>(point.shape.data());
+}
+
+/// Calls visit(nodes per cell, group, first, last) for every run of points of one group in one cell; the number of nodes is an
+/// std::integral_constant.
+template <class Visit>
+void for_each_fibre_cell(const Model& model, const Visit& visit) {
+    const auto all = [&](auto nodes) {
+        for (std::size_t g = 0; g < model.fibres->size(); ++g) {
+            const std::vector<FibrePoint>& points = (*model.fibres)[g].points;
+            for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+                while (last < points.size() && points[last].cell == points[first].cell) ++last;
+                visit(nodes, g, first, last);
+            }
+        }
+    };
+    switch (model.body->mesh.cells.rows()) {
+        case 4: return all(std::integral_constant<int, 4>{});
+        case 8: return all(std::integral_constant<int, 8>{});
+        case 10: return all(std::integral_constant<int, 10>{});
+        default: assert(false);
+    }
+}
+
+}  // namespace myo
