@@ -12,13 +12,15 @@ namespace myo {
 namespace {
 
 template <class Shape>
-FibrePoint fibre_point(const VolumeMesh& mesh, int cell, const QuadraturePoint& point, const Eigen::Vector3d& direction) {
+void add_point(const VolumeMesh& mesh, int cell, const QuadraturePoint& point, const Eigen::Vector3d& direction, FibreGroup& group) {
     constexpr int N = Shape::nodes;
     Eigen::Matrix<double, 3, N> X;
     for (int a = 0; a < N; ++a) X.col(a) = mesh.nodes.col(mesh.cells(a, cell));
     const Eigen::Matrix<double, N, 3> D = Shape::derivatives(point.xi);
     const Eigen::Matrix3d jacobian = X * D;
-    return {cell, D * (jacobian.inverse() * direction), point.weight * jacobian.determinant()};
+    const Eigen::Matrix<double, N, 3> gradient = D * jacobian.inverse();
+    group.points.push_back({cell, gradient * direction, point.weight * jacobian.determinant()});
+    group.gradients.emplace_back(gradient);
 }
 
 template <class Shape>
@@ -26,7 +28,7 @@ void add_cell(const VolumeMesh& mesh, int cell, const std::vector<QuadraturePoin
               const Eigen::Vector3d& direction, FibreGroup& group) {
     for (QuadraturePoint point : rule) {
         point.weight *= fraction;
-        group.points.push_back(fibre_point<Shape>(mesh, cell, point, direction));
+        add_point<Shape>(mesh, cell, point, direction, group);
     }
 }
 
@@ -53,7 +55,7 @@ void add_box_cell(const VolumeMesh& mesh, int cell, const Box& cell_box, const B
         const Eigen::Vector3d unit = 0.5 * (point.xi + Eigen::Vector3d::Ones());
         point.xi = 2.0 * (low + part.cwiseProduct(unit)) - Eigen::Vector3d::Ones();
         point.weight *= part.prod();
-        group.points.push_back(fibre_point<Hex8>(mesh, cell, point, direction));
+        add_point<Hex8>(mesh, cell, point, direction, group);
     }
 }
 
@@ -67,7 +69,7 @@ double FibreGroup::volume() const {
 
 FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Vector3d& direction, double stiffness_Pa,
                          std::string name) {
-    FibreGroup group{std::move(name), stiffness_Pa, {}};
+    FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
     const Eigen::VectorXd fraction = volume_fractions(mesh, box);
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         if (fraction(c) <= 0.0) continue;

@@ -23,6 +23,7 @@ struct FibreGroup {
     std::string name;
     double stiffness_Pa = 0.0;   // w
     std::vector<FibrePoint> points;
+    std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 10, 3>> gradients{};   // dN/dX per point [1/m]: shape = gradient m
 
     double volume() const;
 };

@@ -11,7 +11,7 @@ TensorFunction Material::distortion(const Eigen::Matrix3d& F, double mu, double 
 TensorFunction Material::volume_measure(const Eigen::Matrix3d& F, bool with_hessian) const {
     LawResponse<double> response;
     if (has_split()) respond(F, 1.0, 1.0, with_hessian, response);
-    else response.volume.hessian.setZero();
+    else response.volume.hessian.setZero();   // zero, as the value and the gradient are
     return response.volume;
 }
 

@@ -39,7 +39,7 @@ using ScalarFunction = ScalarFunctionOf<double>;
 template <class T>
 struct LawResponse {
     TensorFunctionOf<T> distortion;   // [J/m3]
-    TensorFunctionOf<T> volume;       // the measure theta; untouched by laws without a split
+    TensorFunctionOf<T> volume;       // the measure theta; of laws without a split: what kappa multiplies in the distortion (no hessian)
 };
 
 /// A hyperelastic law, energy per rest volume W(F) = distortion(F) + bulk(volume_measure(F)).

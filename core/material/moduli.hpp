@@ -13,4 +13,16 @@ inline Moduli moduli_from_young(double youngs_modulus, double poissons_ratio) {
     return {youngs_modulus / (2.0 * (1.0 + poissons_ratio)), youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio))};
 }
 
+/// Young's modulus [Pa] and Poisson's ratio.
+struct YoungPoisson {
+    double youngs_modulus_Pa = 0.0;
+    double poissons_ratio = 0.0;
+};
+
+/// The inverse: E = 9 kappa mu / (3 kappa + mu), nu = (3 kappa - 2 mu) / (2 (3 kappa + mu)).
+inline YoungPoisson young_from_moduli(const Moduli& m) {
+    const double sum = 3.0 * m.kappa + m.mu;
+    return {9.0 * m.kappa * m.mu / sum, (3.0 * m.kappa - 2.0 * m.mu) / (2.0 * sum)};
+}
+
 }  // namespace myo

@@ -95,8 +95,9 @@ public:
         const UnitVolumeProjection projection = project_to_unit_volume(svd.sigma);
         TensorFunction& W = out.distortion;
         if (!projection.found) {
-            W.value = std::numeric_limits<double>::quiet_NaN();
+            W.value = out.volume.value = std::numeric_limits<double>::quiet_NaN();
             W.gradient.setConstant(W.value);
+            out.volume.gradient.setConstant(W.value);
             W.hessian.setConstant(W.value);
             return;
         }
@@ -105,6 +106,8 @@ public:
         const Vector3d psi = 2.0 * mu * shear + lambda * volume;   // d W / d sigma, by the envelope theorem
         W.value = mu * shear.squaredNorm() + lambda / 2.0 * volume.squaredNorm();
         W.gradient = svd.U * psi.asDiagonal() * svd.V.transpose();
+        out.volume.value = 0.5 * volume.squaredNorm();
+        out.volume.gradient = svd.U * volume.asDiagonal() * svd.V.transpose();
         if (with_hessian) {
             const Matrix3d psi2 = 2.0 * mu * Matrix3d::Identity() + lambda * (Matrix3d::Identity() - projection.derivative);
             W.hessian = isotropic_hessian(svd, psi, psi2, 2.0 * mu + lambda, lambda, projection.d);
@@ -136,6 +139,8 @@ public:
         const Matrix3<Pack> shear = F - R, volume = F - D;
         out.distortion.value = mu * double_dot(shear, shear) + Pack(0.5) * lambda * double_dot(volume, volume);
         out.distortion.gradient = shear * (Pack(2.0) * mu) + volume * lambda;
+        out.volume.value = Pack(0.5) * double_dot(volume, volume);
+        out.volume.gradient = volume;
         if (with_hessian) {
             const Matrix9<Pack> dR = polar_rotation_derivative(F, R), dD = unit_volume_derivative(D, p);
             const Pack identity = Pack(2.0) * mu + lambda;
@@ -151,6 +156,7 @@ public:
                 LawResponse<double> single;
                 respond_at(Matrix3d(lane_of(F, lane)), static_cast<double>(mu[l]), static_cast<double>(kappa[l]), with_hessian, single);
                 set_lane(out.distortion, lane, single.distortion, with_hessian);
+                set_lane(out.volume, lane, single.volume, false);
             }
     }
 
