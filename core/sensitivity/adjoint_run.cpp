@@ -1,0 +1,151 @@
+#include "sensitivity/adjoint_run.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "sensitivity/adjoint_step.hpp"
+#include "sensitivity/run_parts.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+class GradientOfRun {
+public:
+    GradientOfRun(const Model& model, const SimulationOptions& options, const LossOfMotion& loss, const AdjointOptions& adjoint, const Progress& progress)
+        : model_(model),
+          options_(options),
+          loss_(loss),
+          progress_(progress),
+          with_strains_(model.damping_s > 0.0 || adjoint.damping_of_undamped),
+          follower_(model, with_strains_, adjoint.fibre_shapes) {
+        options_.solver.tangent_tolerance = adjoint.tolerance;
+    }
+
+    GradientRun run(double budget_bytes) {
+        const auto steps = static_cast<int>(step_ends(model_, options_.h_s, options_.end_s).size());
+        const Result<RunParts> plan = plan_parts(steps, tape_bytes(model_, options_.integrator, with_strains_), budget_bytes);
+        if (!plan) return failed(plan.error().what);
+        plan_ = *plan;
+        result_.parts = plan_.parts;
+        result_.tape_bytes = plan_.bytes;
+        for (int part = 0; part < plan_.parts; ++part)
+            if (!run_part(part, true)) return std::move(result_);
+        result_.steps = static_cast<int>(result_.motion.times_s.size()) - 1;
+        const MotionLoss loss = loss_.evaluate(result_.motion);
+        result_.loss = loss.value;
+        for (int part = plan_.parts - 1; part >= 0; --part) {
+            if (part + 1 < plan_.parts && !run_part(part, false)) return std::move(result_);
+            if (!transpose_part(loss)) return std::move(result_);
+        }
+        result_.gradient = follower_.take();
+        result_.status = RunStatus::complete;
+        return std::move(result_);
+    }
+
+private:
+    GradientRun failed(const std::string& message) {
+        result_.status = RunStatus::failed;
+        result_.message = message;
+        return std::move(result_);
+    }
+
+    /// Runs a part and keeps its tape. Every part begins with a new solver, so that the second run repeats the first.
+    bool run_part(int part, bool first_time) {
+        tape_ = std::make_unique<RunTape>(plan_.points_every, with_strains_);
+        solver_ = std::make_unique<StageSolver>(model_, options_.solver);
+        RunPart of_run;
+        if (part > 0) of_run.from = &cuts_[static_cast<std::size_t>(part - 1)];
+        of_run.until_step = static_cast<std::size_t>((part + 1) * plan_.steps_per_part);
+        of_run.keep_motion = false;
+        RunObserver observer;
+        tape_->record(observer);
+        RunPoint end;
+        bool repeated = part > 0;   // the point that a part begins with ended the last
+        observer.stood = [&, taped = std::move(observer.stood)](const RunPoint& point) {
+            taped(point);
+            if (!first_time) return;
+            if (!std::exchange(repeated, false)) keep_motion(point);
+            if (point.step == of_run.until_step && part + 1 < plan_.parts) end = point;
+        };
+        const Trace trace = simulate_part(*solver_, options_, of_run, first_time ? progress_ : progress_.with_sink({}), observer);
+        result_.status = trace.status;
+        result_.message = trace.message;
+        if (!trace.complete()) return false;
+        if (tape_->start() && !tape_->start()->state.force.allFinite()) {
+            failed("the start has cells turned inside out, so that the run has no gradient");
+            return false;
+        }
+        if (first_time && part + 1 < plan_.parts) cuts_.push_back(std::move(end));
+        return true;
+    }
+
+    void keep_motion(const RunPoint& point) {
+        result_.motion.times_s.push_back(point.time_s);
+        result_.motion.positions.emplace_back(point.state.x(Eigen::all, loss_.nodes));
+        result_.motion.velocities.emplace_back(point.state.v(Eigen::all, loss_.nodes));
+    }
+
+    bool transpose_part(const MotionLoss& loss) {
+        while (tape_->step_count() > 0) {
+            if (progress_.cancelled()) {
+                result_.status = RunStatus::cancelled;
+                result_.message = "stopped on the way back";
+                return false;
+            }
+            std::vector<StepRecord> records = tape_->take_last(*solver_);
+            for (; !records.empty(); records.pop_back(), ++transposed_) {
+                const StepRecord& record = records.back();
+                if (record.jump) follower_.jump(*solver_, *record.jump);
+                add_loss(loss);
+                if (!follower_.step(*solver_, record)) return no_derivative(record.time_s + record.h_s);
+            }
+            progress_.report({"gradient", static_cast<double>(transposed_), static_cast<double>(result_.steps), "steps", {}});
+        }
+        if (!tape_->start()) return true;
+        follower_.jump(*solver_, *tape_->start());
+        add_loss(loss);
+        return follower_.start(*solver_, options_, tape_->start()->state) || no_derivative(0.0);
+    }
+
+    bool no_derivative(double time_s) {
+        failed("at t = " + std::to_string(time_s) + " s the equilibrium is singular, so that the run has no gradient");
+        return false;
+    }
+
+    void add_loss(const MotionLoss& loss) {
+        const auto at = static_cast<std::size_t>(result_.steps - transposed_);
+        const auto add = [&](const std::vector<Matrix3Xd>& d, NodalField field) {
+            if (at >= d.size() || d[at].size() == 0) return;
+            Matrix3Xd& adjoint = follower_.state().nodal[field];
+            if (adjoint.size() == 0) adjoint = Matrix3Xd::Zero(3, model_.body->node_count());
+            for (std::size_t k = 0; k < loss_.nodes.size(); ++k) adjoint.col(loss_.nodes[k]) += d[at].col(static_cast<Eigen::Index>(k));
+        };
+        add(loss.d_positions, x_field);
+        add(loss.d_velocities, v_field);
+    }
+
+    const Model& model_;
+    SimulationOptions options_;
+    const LossOfMotion& loss_;
+    const Progress& progress_;
+    bool with_strains_;
+    AdjointFollower follower_;
+    RunParts plan_;
+    std::vector<RunPoint> cuts_;             // starts of the parts but the first
+    std::unique_ptr<StageSolver> solver_;    // of the part at hand
+    std::unique_ptr<RunTape> tape_;
+    int transposed_ = 0;                     // steps
+    GradientRun result_;
+};
+
+}  // namespace
+
+GradientRun simulate_with_gradient(const Model& model, const SimulationOptions& options, const LossOfMotion& loss, const AdjointOptions& adjoint,
+                                   const Progress& progress) {
+    return GradientOfRun(model, options, loss, adjoint, progress).run(adjoint.memory_bytes);
+}
+
+}  // namespace myo

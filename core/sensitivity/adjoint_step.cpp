@@ -1,0 +1,205 @@
+#include "sensitivity/adjoint_step.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <limits>
+
+#include "dynamics/statics.hpp"
+#include "solver/conjugate_gradient.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// to += factor * from, where empty is zero.
+template <class Field>
+void add_to(Field& to, double factor, const Field& from) {
+    if (factor == 0.0 || from.size() == 0) return;
+    if (to.size() == 0) to = factor * from;
+    else to += factor * from;
+}
+
+const Matrix3Xd& motion(const StepRecord& record, int column) {
+    switch (column) {
+        case x_field: return record.start.x;
+        case v_field: return record.start.v;
+        case v_lag_field: return record.start.v_lag;
+        default: return record.solved[static_cast<std::size_t>(column - nodal_fields)].solution.x;
+    }
+}
+
+/// What the mass is multiplied by in a row of momenta.
+Matrix3Xd accelerations(const StepCoefficients& coefficients, const StepRecord& record, int row) {
+    Matrix3Xd u = Matrix3Xd::Zero(3, record.start.x.cols());
+    for (int c = 0; c < coefficients.nodal.cols(); ++c)
+        if (is_motion_column(c)) add_to(u, coefficients.nodal(row, c), motion(record, c));
+    if (row >= nodal_fields) {
+        const int stage = row - nodal_fields;
+        u -= coefficients.inertia_1_s2[static_cast<std::size_t>(stage)] * motion(record, row);
+    }
+    return u;
+}
+
+}  // namespace
+
+VectorXd AdjointFollower::Guess::next(const SymmetricSparse& H, const VectorXd& b) const {
+    const Eigen::Index size = last_.cols();
+    if (size == 0) return {};
+    // Their differences span the same and are far from parallel.
+    MatrixXd D = last_;
+    for (Eigen::Index order = 1; order < size; ++order)
+        for (Eigen::Index k = size - 1; k >= order; --k) D.col(k) = D.col(k - 1) - D.col(k);
+    for (Eigen::Index k = 0; k < size; ++k) D.col(k) /= std::max(D.col(k).norm(), std::numeric_limits<double>::min());
+    MatrixXd HD(D.rows(), size);
+    for (Eigen::Index first = 0; first < size; first += 4) {   // four columns at a time have a product of their own
+        const Eigen::Index count = std::min<Eigen::Index>(4, size - first);
+        HD.middleCols(first, count) = symmetric_product(H, D.middleCols(first, count));
+    }
+    const MatrixXd G = D.transpose() * HD;
+    return D * G.ldlt().solve(D.transpose() * b);
+}
+
+void AdjointFollower::Guess::add(const VectorXd& solution) {
+    if (solution.isZero(0.0)) return;
+    // Iterations per solve to 1e-6 on the beam with 4, 8, 12 of them: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7 (TR-BDF2); extrapolating
+    // four as a cubic: 2.9, 3.9.
+    constexpr Eigen::Index most = 8;
+    MatrixXd next(solution.size(), std::min(last_.cols() + 1, most));
+    next.col(0) = solution;
+    next.rightCols(next.cols() - 1) = last_.leftCols(next.cols() - 1);
+    last_ = std::move(next);
+}
+
+AdjointFollower::AdjointFollower(const Model& model, bool with_strains, bool fibre_shapes)
+    : model_(model), with_strains_(with_strains), gradient_(model, fibre_shapes) {}
+
+const AdjointFollower::Known& AdjointFollower::coefficients(const TimeScheme& scheme, double h, double step_before) {
+    const auto same = [&](const Known& known) { return known.scheme == scheme && known.h == h && known.step_before == step_before; };
+    const auto found = std::find_if(known_.begin(), known_.end(), same);
+    if (found != known_.end()) return *found;
+    if (known_.size() > 16) known_.clear();   // steps that differ by rounding
+    const double lambda = model_.velocity_force_1_s;
+    known_.push_back({scheme, h, step_before, step_coefficients(scheme, h, step_before, lambda),
+                      step_coefficients_by_velocity_force(scheme, h, step_before, lambda)});
+    return known_.back();
+}
+
+void AdjointFollower::jump(StageSolver& solver, const JumpRecord& at) {
+    const Kinematics& s = at.state;
+    const BlockPattern& pattern = model_.body->pattern;
+    Matrix3Xd& adjoint = state_.nodal[force_field];
+    if (adjoint.size() == 0) return;
+    const Matrix3Xd times_M = times_mass(adjoint, solver.mass());
+    const SymmetricSparse K = solver.hessian(jump_stage(s, at.time_s), s.x);
+    add_to(state_.nodal[x_field], -1.0, scatter(pattern, K.selfadjointView<Eigen::Lower>() * gather(pattern, adjoint)));
+    add_to(state_.nodal[v_field], model_.velocity_force_1_s, times_M);
+    if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, strain_tangent(*model_.body, s.x, adjoint));
+    const Matrix3Xd u = model_.velocity_force_1_s * s.v;
+    gradient_.add({s.x, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, &u, &s.v}, adjoint, times_M);
+    adjoint.resize(3, 0);
+}
+
+bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
+    const Body& body = *model_.body;
+    const auto& [scheme, h, before, plain, by_lambda] = coefficients(record.scheme, record.h_s, record.start.step_before_s);
+    const int stages = plain.stages();
+    const auto rows_count = static_cast<std::size_t>(nodal_fields + stages);
+    // Adjoints of the fields after the step and of the stages' constants, momenta also times the mass.
+    std::vector<Matrix3Xd> rows(rows_count), mass_rows(rows_count);
+    std::vector<VectorXd> strain_rows(static_cast<std::size_t>(strain_fields + stages));
+    std::move(state_.nodal.begin(), state_.nodal.end(), rows.begin());
+    std::move(state_.strain.begin(), state_.strain.end(), strain_rows.begin());
+    for (const int row : {force_field, force_lag_field}) {
+        const auto r = static_cast<std::size_t>(row);
+        if (rows[r].size() == 0) continue;
+        mass_rows[r] = times_mass(rows[r], solver.mass());
+        const Matrix3Xd by_velocity_force = accelerations(by_lambda, record, row);
+        gradient_.add_momentum(rows[r], mass_rows[r], accelerations(plain, record, row), &by_velocity_force);
+    }
+    const auto column = [&](int c) {
+        Matrix3Xd sum;
+        for (int row = 0; row < plain.nodal.rows(); ++row) {
+            const auto r = static_cast<std::size_t>(row);
+            add_to(sum, plain.nodal(row, c), is_momentum_row(row) && is_motion_column(c) ? mass_rows[r] : rows[r]);
+        }
+        return sum;
+    };
+    const auto strain_column = [&](int c) {
+        VectorXd sum;
+        for (int row = 0; row < plain.strain.rows(); ++row) add_to(sum, plain.strain(row, c), strain_rows[static_cast<std::size_t>(row)]);
+        return sum;
+    };
+
+    guesses_.resize(static_cast<std::size_t>(stages));
+    for (int k = stages - 1; k >= 0; --k) {
+        const auto& [stage, solution] = record.solved[static_cast<std::size_t>(k)];
+        const auto row = static_cast<std::size_t>(nodal_fields + k);
+        Matrix3Xd load = column(nodal_fields + k);
+        const VectorXd strain_load = strain_column(strain_fields + k);
+        if (strain_load.size() > 0) add_to(load, 1.0, viscous_gradient(model_, solution.x, strain_load));
+        if (load.size() == 0) load = Matrix3Xd::Zero(3, body.node_count());
+        Guess& guess = guesses_[static_cast<std::size_t>(k)];
+        const SymmetricSparse H = solver.hessian(stage, solution.x);
+        const VectorXd b = gather(body.pattern, load);
+        const VectorXd p = solver.solve_linear(H, stage, solution.x, b, guess.next(H, b));
+        if (!p.allFinite()) return false;
+        guess.add(p);
+        rows[row] = scatter(body.pattern, p);
+        mass_rows[row] = times_mass(rows[row], solver.mass());
+        if (model_.damping_s > 0.0) strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(body, solution.x, rows[row]);
+        const Matrix3Xd u = accelerations(plain, record, nodal_fields + k), by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
+        const StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
+        gradient_.add({solution.x, rate, stage.time_s, stage.before_jump, &u, &by_velocity_force}, rows[row], mass_rows[row]);
+    }
+    for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = column(field);
+    for (int field = 0; field < strain_fields; ++field) state_.strain[static_cast<std::size_t>(field)] = strain_column(field);
+    return true;
+}
+
+bool AdjointFollower::start(StageSolver& solver, const SimulationOptions& options, const Kinematics& at) {
+    const Body& body = *model_.body;
+    const auto free_part = [&](const Matrix3Xd& X) {
+        return X.size() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, body.node_count())) : scatter(body.pattern, gather(body.pattern, X));
+    };
+    Matrix3Xd& x = state_.nodal[x_field];
+    const VectorXd& strain = state_.strain[strain_field];
+    const VectorXd& rate = state_.strain[rate_field];
+    if (strain.size() > 0) add_to(x, 1.0, viscous_gradient(model_, at.x, strain));
+    if (rate.size() > 0) {
+        // The rates of the start are the strain tangent along its velocities.
+        add_to(state_.nodal[v_field], 1.0, viscous_gradient(model_, at.x, rate));
+        if (!at.v.isZero(0.0)) {
+            Stiffness viscous_only = stiffness(model_);
+            viscous_only.elastic.clear();
+            viscous_only.fibres = false;
+            InternalInput input;
+            input.stiffness = &viscous_only;
+            input.rate = {0.0, &rate};
+            const SymmetricSparse K = internal_energy(model_, at.x, input, HessianKind::exact).hessian;
+            add_to(x, 1.0, scatter(body.pattern, K.selfadjointView<Eigen::Lower>() * gather(body.pattern, at.v)));
+        }
+    }
+    initial_.initial_positions = free_part(x);
+    initial_.initial_velocities = free_part(state_.nodal[v_field]);
+    if (!options.starts_at_equilibrium() || x.size() == 0) return true;
+    const Stage stage = static_stage(body, 0.0);
+    const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x, gather(body.pattern, initial_.initial_positions));
+    if (!solved.allFinite()) return false;
+    const Matrix3Xd p = scatter(body.pattern, solved);
+    gradient_.add({at.x, {}, stage.time_s, stage.before_jump}, p, times_mass(p, solver.mass()));
+    initial_.initial_positions.setZero();
+    return true;
+}
+
+ModelGradient AdjointFollower::take() {
+    ModelGradient gradient = gradient_.take();
+    gradient.initial_positions = std::move(initial_.initial_positions);
+    gradient.initial_velocities = std::move(initial_.initial_velocities);
+    return gradient;
+}
+
+}  // namespace myo

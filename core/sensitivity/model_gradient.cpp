@@ -1,0 +1,92 @@
+#include "sensitivity/model_gradient.hpp"
+
+#include <cassert>
+#include <numeric>
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+double dot(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
+
+}  // namespace
+
+YoungPoisson young_gradient(const Model& model, const ModelGradient& gradient, const std::vector<int>& cells) {
+    YoungPoisson result;
+    const auto add = [&](std::size_t c) {
+        const auto [E, nu] = young_from_moduli(model.moduli[c]);
+        const Moduli& m = model.moduli[c];
+        const Moduli& g = gradient.moduli[c];
+        result.youngs_modulus_Pa += (g.mu * m.mu + g.kappa * m.kappa) / E;
+        result.poissons_ratio += -g.mu * m.mu / (1.0 + nu) + g.kappa * 2.0 * m.kappa / (1.0 - 2.0 * nu);
+    };
+    if (cells.empty())
+        for (std::size_t c = 0; c < gradient.moduli.size(); ++c) add(c);
+    for (const int c : cells) add(static_cast<std::size_t>(c));
+    return result;
+}
+
+Matrix3Xd fibre_direction_gradient(const Model& model, const ModelGradient& gradient, std::size_t group) {
+    assert(group < gradient.fibre_shape.size());
+    const FibreGroup& fibres = (*model.fibres)[group];
+    Matrix3Xd result = Matrix3Xd::Zero(3, model.body->cell_count());
+    for (std::size_t k = 0; k < fibres.points.size(); ++k)
+        result.col(fibres.points[k].cell) += fibres.gradients[k].transpose() * gradient.fibre_shape[group][k];
+    return result;
+}
+
+GradientSum::GradientSum(const Model& model, bool fibre_shapes)
+    : model_(model), moduli_(no_moduli_work(model)), fibres_(no_fibre_work(model, fibre_shapes)) {
+    for (const Signal& signal : model.activation) gradient_.activation.emplace_back(signal.values.size(), 0.0);
+    gradient_.forces_N.assign(model.forces.size(), Vector3d::Zero());
+    gradient_.attached_masses_kg.assign(model.masses.size(), 0.0);
+}
+
+void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp) {
+    add_moduli_work(model_, at.x, p, at.rate, moduli_);
+    if (!model_.fibres->empty()) {
+        std::fill(fibres_.by_activation.begin(), fibres_.by_activation.end(), 0.0);
+        add_fibre_work(model_, at.x, p, activations(model_, at.time_s, at.before_jump), fibres_);
+        for (std::size_t g = 0; g < fibres_.by_activation.size(); ++g) {
+            const Signal::Weights w = model_.activation[g].weights(at.time_s, at.before_jump);
+            gradient_.activation[g][w.left] -= w.of_left * fibres_.by_activation[g];
+            gradient_.activation[g][w.right] -= w.of_right * fibres_.by_activation[g];
+        }
+    }
+    for (std::size_t f = 0; f < model_.forces.size(); ++f) {
+        const DeadForce& load = model_.forces[f];
+        if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s)) gradient_.forces_N[f] += p * load.share;
+    }
+    gradient_.gravity_m_s2 += Mp.rowwise().sum();
+    Matrix3Xd u = model_.gravity_m_s2.replicate(1, p.cols());
+    if (at.accelerations) u += *at.accelerations;
+    add_momentum(p, Mp, u, at.by_velocity_force);
+}
+
+void GradientSum::add_momentum(const Matrix3Xd& p, const Matrix3Xd& Mp, const Matrix3Xd& u, const Matrix3Xd* by_velocity_force) {
+    of_mass_ += dot(Mp, u);
+    for (std::size_t k = 0; k < model_.masses.size(); ++k)
+        gradient_.attached_masses_kg[k] += p.cwiseProduct(u).colwise().sum() * model_.masses[k].share;
+    if (by_velocity_force) gradient_.velocity_force_1_s += dot(Mp, *by_velocity_force);
+}
+
+ModelGradient GradientSum::take() {
+    // Forces are minus the derivatives of the energy.
+    for (std::size_t c = 0; c < moduli_.elastic.size(); ++c) {
+        const double viscous = moduli_.viscous[c];
+        gradient_.moduli.push_back({-moduli_.elastic[c].mu - model_.damping_s * viscous, -moduli_.elastic[c].kappa});
+        gradient_.damping_s -= model_.moduli[c].mu * viscous;
+    }
+    for (const double work : fibres_.by_stiffness) gradient_.fibre_stiffness_Pa.push_back(-work);
+    for (auto& group : fibres_.by_shape)
+        for (Eigen::VectorXd& shape : group) shape = -shape;
+    gradient_.fibre_shape = std::move(fibres_.by_shape);
+    double attached = 0.0;
+    for (std::size_t k = 0; k < model_.masses.size(); ++k) attached += model_.masses[k].mass_kg * gradient_.attached_masses_kg[k];
+    gradient_.density_kg_m3 = model_.density_kg_m3 > 0.0 ? (of_mass_ - attached) / model_.density_kg_m3 : 0.0;
+    return std::move(gradient_);
+}
+
+}  // namespace myo

@@ -1,0 +1,29 @@
+#include "sensitivity/run_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+
+namespace myo {
+
+Result<RunParts> plan_parts(int steps, const TapeBytes& cost, double budget_bytes) {
+    double least = 0.0;
+    for (int parts = 1; parts <= std::max(steps, 1); ++parts) {
+        RunParts plan;
+        plan.steps_per_part = std::max(1, (steps + parts - 1) / parts);
+        plan.parts = std::max(1, (steps + plan.steps_per_part - 1) / plan.steps_per_part);
+        // States are kept for a block of steps at a time: as many blocks as steps in each.
+        plan.points_every = std::max(1, static_cast<int>(std::lround(std::sqrt(plan.steps_per_part))));
+        const int points = plan.steps_per_part / plan.points_every + 1;
+        const double cuts = plan.parts > 1 ? plan.parts : 0;
+        plan.bytes = plan.steps_per_part * cost.per_step + (points + cuts) * cost.per_state + plan.points_every * cost.per_record;
+        if (plan.bytes <= budget_bytes) return plan;
+        least = parts == 1 ? plan.bytes : std::min(least, plan.bytes);
+    }
+    return Error{"the gradient of " + std::to_string(steps) + " steps needs at least " + format_number(least / 1e6, 3) + " MB, more than its budget of " +
+                     format_number(budget_bytes / 1e6, 3) + " MB",
+                 {}};
+}
+
+}  // namespace myo
