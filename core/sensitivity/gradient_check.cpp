@@ -1,0 +1,85 @@
+#include "sensitivity/gradient_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+
+namespace myo {
+namespace {
+
+/// The loss of one run; not a number where it failed, with the reason in `message`.
+double loss_of_run(const Model& model, const SimulationOptions& options, const LossOfMotion& loss, const Progress& progress, std::string& message) {
+    NodeMotion motion;
+    RunObserver observer;
+    observer.stood = [&](const RunPoint& point) {
+        motion.times_s.push_back(point.time_s);
+        motion.positions.emplace_back(point.state.x(Eigen::all, loss.nodes));
+        motion.velocities.emplace_back(point.state.v(Eigen::all, loss.nodes));
+    };
+    StageSolver solver(model, options.solver);
+    RunPart whole;
+    whole.keep_motion = false;
+    const Trace trace = simulate_part(solver, options, whole, progress.with_sink({}), observer);
+    if (trace.complete()) return loss.evaluate(motion).value;
+    message = trace.message;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+double GradientCheck::median_error() const {
+    if (rows.empty()) return 0.0;
+    std::vector<double> errors;
+    for (const GradientCheckRow& row : rows) errors.push_back(row.relative_error);
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return *middle;
+}
+
+double GradientCheck::worst_error() const {
+    double worst = 0.0;
+    for (const GradientCheckRow& row : rows) worst = std::max(worst, row.relative_error);
+    return worst;
+}
+
+GradientCheck check_gradient(const Model& model, SimulationOptions options, const LossOfMotion& loss, const std::vector<CheckedParameter>& parameters,
+                             AdjointOptions adjoint, int threads, const Progress& progress) {
+    options.solver.tolerance = 1e-10;
+    adjoint.tolerance = 1e-10;
+    adjoint.fibre_shapes = !model.fibres->empty();
+    GradientCheck check;
+    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint, progress);
+    check.status = run.status;
+    check.message = run.message;
+    if (!run.complete()) return check;
+
+    constexpr double shifts[] = {-2.0, -1.0, 1.0, 2.0}, weights[] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0};
+    std::vector<double> losses(4 * parameters.size());
+    std::vector<std::string> messages(losses.size());
+    parallel_tasks(static_cast<int>(losses.size()), threads, [&](int task) {
+        const auto i = static_cast<std::size_t>(task);
+        const CheckedParameter& parameter = parameters[i / 4];
+        Model changed = model;
+        SimulationOptions changed_options = options;
+        parameter.change(changed, changed_options, shifts[i % 4] * parameter.step);
+        losses[i] = loss_of_run(changed, changed_options, loss, progress, messages[i]);
+    });
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+        GradientCheckRow row{parameters[p].name, parameters[p].derivative(run.gradient)};
+        for (std::size_t k = 0; k < 4; ++k) {
+            row.difference += weights[k] * losses[4 * p + k] / parameters[p].step;
+            if (std::isfinite(losses[4 * p + k])) continue;
+            check.status = progress.cancelled() ? RunStatus::cancelled : RunStatus::failed;
+            check.message = parameters[p].name + ": " + messages[4 * p + k];
+            return check;
+        }
+        const double size = std::max(std::abs(row.adjoint), std::abs(row.difference));
+        row.relative_error = size > 0.0 ? std::abs(row.adjoint - row.difference) / size : 0.0;
+        check.rows.push_back(std::move(row));
+    }
+    return check;
+}
+
+}  // namespace myo

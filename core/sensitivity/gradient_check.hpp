@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sensitivity/adjoint_run.hpp"
+
+namespace myo {
+
+/// A parameter, or a direction in many, along which a gradient is compared with differences.
+struct CheckedParameter {
+    std::string name;
+    double step = 0.0;                                                        // of the differences, in its unit
+    std::function<void(Model&, SimulationOptions&, double)> change;           // by so much
+    std::function<double(const ModelGradient&)> derivative;
+};
+
+/// All that this model depends on: moduli, damping, density, Lambda, gravity, forces, attached masses, fibres (stiffness, directions,
+/// every knot of the signals within the run) and the start. Vectors are taken along one fixed direction each.
+std::vector<CheckedParameter> checked_parameters(const Model& model, const SimulationOptions& options);
+
+struct GradientCheckRow {
+    std::string name;
+    double adjoint = 0.0, difference = 0.0;
+    double relative_error = 0.0;   // |adjoint - difference| over the larger of both; 0 where both are 0
+};
+
+struct GradientCheck {
+    RunStatus status = RunStatus::not_run;
+    std::string message;
+    std::vector<GradientCheckRow> rows;
+
+    bool complete() const { return status == RunStatus::complete; }
+    double median_error() const;
+    double worst_error() const;
+};
+
+/// Compares simulate_with_gradient() with central differences of fourth order: four runs per parameter, on up to `threads` threads.
+/// Stages and linear solves are solved to 1e-10, as differences see their noise. Errors: those of the runs.
+GradientCheck check_gradient(const Model& model, SimulationOptions options, const LossOfMotion& loss, const std::vector<CheckedParameter>& parameters,
+                             AdjointOptions adjoint = {}, int threads = 1, const Progress& progress = {});
+
+}  // namespace myo

@@ -1,0 +1,214 @@
+#include "sensitivity/adjoint_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "sensitivity/driven_beam.hpp"
+#include "sensitivity/gradient_check.hpp"
+#include "sensitivity/run_parts.hpp"
+#include "sensitivity/tangent_run.hpp"
+#include "support/figures.hpp"
+
+namespace myo {
+namespace {
+
+using test::driven_beam;
+using test::rough_loss;
+using test::short_run;
+
+struct Case {
+    ElementKind kind;
+    TimeScheme integrator;
+    StartKind start;
+    Strategy strategy = Strategy::automatic;
+    const char* material = "neo_hookean";
+};
+
+class AdjointRun : public testing::TestWithParam<Case> {};
+
+TEST_P(AdjointRun, EqualsCentralDifferencesForEveryParameter) {
+    const auto [kind, integrator, start, strategy, material] = GetParam();
+    const Model model = driven_beam(kind, material);
+    SimulationOptions options = short_run(integrator, start);
+    options.solver.strategy = strategy;
+    options.initial.velocities = 0.05 * test::rough_field(model.body->node_count(), 0.4);
+    const std::vector<CheckedParameter> parameters = checked_parameters(model, options);
+    EXPECT_GE(parameters.size(), 19u);
+    const GradientCheck check = check_gradient(model, options, rough_loss(model), parameters);
+    ASSERT_TRUE(check.complete()) << check.message;
+    bool identical = true;
+    for (const GradientCheckRow& row : check.rows) {
+        EXPECT_NE(row.adjoint, 0.0) << row.name;
+        EXPECT_LT(row.relative_error, 1e-5) << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
+        identical = identical && row.adjoint == row.difference;
+    }
+    EXPECT_FALSE(identical);
+    EXPECT_LT(check.median_error(), 1e-6);
+    test::record("median_error", check.median_error());
+    test::record("worst_error", check.worst_error());
+}
+
+/// Along E, damping and the level of a signal, where tangents exist.
+TEST_P(AdjointRun, EqualsTheTangents) {
+    const auto [kind, integrator, start, strategy, material] = GetParam();
+    Model model = driven_beam(kind, material);
+    model.activation.front() = Signal::step(0.0, 1.0, 0.9);
+    SimulationOptions options = short_run(integrator, start);
+    options.solver.strategy = strategy;
+    options.solver.tangent_tolerance = 1e-12;
+    const LossOfMotion loss = rough_loss(model);
+    AdjointOptions adjoint;
+    adjoint.tolerance = 1e-12;
+    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
+    ASSERT_TRUE(run.complete()) << run.message;
+    ModelTangent level;
+    level.activation = {Signal::step(0.0, 0.0, 1.0), Signal::constant(0.0)};
+    const SensitiveTrace tangents = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, 2.6e5), damping_tangent(), level}, loss.nodes);
+    const MotionLoss derivative = loss.evaluate(run.motion);
+    const double expected[] = {young_gradient(model, run.gradient).youngs_modulus_Pa, run.gradient.damping_s, run.gradient.activation[0][1]};
+    for (std::size_t p = 0; p < 3; ++p) {
+        double along = 0.0;
+        for (std::size_t k = 0; k < derivative.d_positions.size(); ++k)
+            along += tangents.tangents[p].positions[k].cwiseProduct(derivative.d_positions[k]).sum() +
+                     tangents.tangents[p].velocities[k].cwiseProduct(derivative.d_velocities[k]).sum();
+        EXPECT_NE(along, 0.0);
+        EXPECT_NEAR(expected[p] / along, 1.0, 1e-8) << "parameter " << p;
+    }
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& info) {
+    const Case& c = info.param;
+    return to_string(c.kind) + "_" + to_string(c.integrator.integrator) + std::to_string(std::lround(10.0 * c.integrator.rho_inf)) +
+           (c.start == StartKind::equilibrium ? "_equilibrium_" : "_straight_") + to_string(c.strategy) + "_" + c.material;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, AdjointRun,
+    testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight},
+                    Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium},
+                    Case{ElementKind::hex8, Integrator::implicit_euler, StartKind::straight, Strategy::newton},
+                    Case{ElementKind::hex8, Integrator::bdf2, StartKind::equilibrium},
+                    Case{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
+                    Case{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight},
+                    Case{ElementKind::hex8_full, Integrator::implicit_euler, StartKind::straight, Strategy::projective, "projective_corotational"},
+                    Case{ElementKind::hex8_full, Integrator::tr_bdf2, StartKind::straight, Strategy::lagged_newton, "corotational"},
+                    Case{ElementKind::hex8_mean_dilatation, Integrator::tr_bdf2, StartKind::straight, Strategy::lagged_newton, "st_venant_kirchhoff"},
+                    Case{ElementKind::tet10, {Integrator::generalized_alpha, 0.2}, StartKind::equilibrium},
+                    Case{ElementKind::tet10, Integrator::bdf2, StartKind::straight, Strategy::newton},
+                    Case{ElementKind::tet4, Integrator::implicit_euler, StartKind::equilibrium}),
+    case_name);
+
+bool same(const ModelGradient& a, const ModelGradient& b) {
+    for (std::size_t c = 0; c < a.moduli.size(); ++c)
+        if (a.moduli[c].mu != b.moduli[c].mu || a.moduli[c].kappa != b.moduli[c].kappa) return false;
+    return a.damping_s == b.damping_s && a.density_kg_m3 == b.density_kg_m3 && a.velocity_force_1_s == b.velocity_force_1_s && a.activation == b.activation &&
+           a.initial_positions == b.initial_positions && a.initial_velocities == b.initial_velocities && a.forces_N == b.forces_N;
+}
+
+TEST(GradientRun, IsTheSameEveryTimeAndItsMotionThatOfTheRun) {
+    const Model model = driven_beam(ElementKind::hex8);
+    const SimulationOptions options = short_run(Integrator::tr_bdf2, StartKind::straight);
+    const LossOfMotion loss = rough_loss(model);
+    const GradientRun first = simulate_with_gradient(model, options, loss), second = simulate_with_gradient(model, options, loss);
+    ASSERT_TRUE(first.complete() && second.complete());
+    EXPECT_TRUE(same(first.gradient, second.gradient));
+    const Trace trace = simulate(model, options);
+    EXPECT_EQ(first.motion.times_s, trace.times_s);
+    EXPECT_EQ(first.motion.positions, trace.positions);
+    EXPECT_EQ(first.motion.velocities, trace.velocities);
+    EXPECT_EQ(first.loss, loss.evaluate({trace.times_s, trace.positions, trace.velocities}).value);
+}
+
+/// What a budget cuts away is made again: the same gradient up to the stages' tolerance.
+TEST(GradientRun, OfARunInPartsIsThatOfTheWhole) {
+    const Model model = driven_beam(ElementKind::hex8);
+    for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::bdf2, Integrator::generalized_alpha}) {
+        SimulationOptions options = short_run(integrator, StartKind::straight);
+        options.end_s = 0.25;
+        options.solver.tolerance = 1e-11;
+        const LossOfMotion loss = rough_loss(model);
+        AdjointOptions adjoint;
+        adjoint.tolerance = 1e-11;
+        const GradientRun whole = simulate_with_gradient(model, options, loss, adjoint);
+        ASSERT_TRUE(whole.complete()) << whole.message;
+        EXPECT_EQ(whole.parts, 1);
+        adjoint.memory_bytes = 0.8 * whole.tape_bytes;
+        const GradientRun cut = simulate_with_gradient(model, options, loss, adjoint);
+        ASSERT_TRUE(cut.complete()) << cut.message;
+        EXPECT_GT(cut.parts, 1);
+        EXPECT_LE(cut.tape_bytes, adjoint.memory_bytes);
+        EXPECT_EQ(cut.motion.times_s, whole.motion.times_s);
+        EXPECT_NEAR(young_gradient(model, cut.gradient).youngs_modulus_Pa / young_gradient(model, whole.gradient).youngs_modulus_Pa, 1.0, 1e-7);
+        EXPECT_NEAR(cut.gradient.damping_s / whole.gradient.damping_s, 1.0, 1e-7);
+        EXPECT_LT((cut.gradient.initial_velocities - whole.gradient.initial_velocities).norm(), 1e-7 * whole.gradient.initial_velocities.norm());
+        adjoint.memory_bytes = 1e4;
+        const GradientRun refused = simulate_with_gradient(model, options, loss, adjoint);
+        EXPECT_EQ(refused.status, RunStatus::failed);
+        EXPECT_NE(refused.message.find("MB"), std::string::npos);
+    }
+}
+
+/// Run again from where it was cut, a part repeats itself to the last bit, and a tape gives back the states it did not keep.
+TEST(GradientRun, RepeatsPartsAndStatesExactly) {
+    const Model model = driven_beam(ElementKind::hex8);
+    SimulationOptions options = short_run(Integrator::generalized_alpha, StartKind::straight);
+    options.end_s = 0.1;
+    std::vector<RunPoint> points;
+    RunTape tape(3, true);
+    const auto run_from = [&](const RunPoint* from, bool taped) {
+        StageSolver solver(model, options.solver);
+        RunPart part;
+        part.from = from;
+        RunObserver observer;
+        if (taped) tape.record(observer);
+        observer.stood = [&points, hung = observer.stood](const RunPoint& point) {
+            if (hung) hung(point);
+            points.push_back(point);
+        };
+        EXPECT_TRUE(simulate_part(solver, options, part, {}, observer).complete());
+        return std::exchange(points, {});
+    };
+    const std::vector<RunPoint> whole = run_from(nullptr, true);
+    const std::vector<RunPoint> once = run_from(&whole[7], false), twice = run_from(&whole[7], false);
+    ASSERT_EQ(once.size(), whole.size() - 7);
+    for (std::size_t k = 0; k < once.size(); ++k) {
+        EXPECT_EQ(once[k].state.x, twice[k].state.x);
+        EXPECT_EQ(once[k].state.force_lag, twice[k].state.force_lag);
+        EXPECT_EQ(once[k].state.rate, twice[k].state.rate);
+        EXPECT_LT((once[k].state.x - whole[k + 7].state.x).cwiseAbs().maxCoeff(), 1e-9);
+    }
+    StageSolver solver(model, options.solver);
+    for (std::size_t k = whole.size() - 1; tape.step_count() > 0;)
+        for (std::vector<StepRecord> records = tape.take_last(solver); !records.empty(); records.pop_back()) {
+            const Kinematics &again = records.back().start, &then = whole[--k].state;
+            EXPECT_EQ(again.x, then.x);
+            EXPECT_EQ(again.v, then.v);
+            EXPECT_EQ(again.force, then.force);
+            EXPECT_EQ(again.v_lag, then.v_lag);
+            EXPECT_EQ(again.force_lag, then.force_lag);
+        }
+}
+
+TEST(RunParts, FitTheBudgetAndLeaveNoStepOut) {
+    const TapeBytes cost{10.0, 30.0, 50.0};
+    for (const int steps : {1, 2, 7, 160, 1000}) {
+        const Result<RunParts> whole = plan_parts(steps, cost, 1e9);
+        ASSERT_TRUE(whole);
+        EXPECT_EQ(whole->parts, 1);
+        for (double budget = whole->bytes; budget > 100.0; budget *= 0.9) {
+            const Result<RunParts> plan = plan_parts(steps, cost, budget);
+            if (!plan) break;
+            EXPECT_LE(plan->bytes, budget);
+            EXPECT_GE(plan->parts * plan->steps_per_part, steps);
+            EXPECT_LT((plan->parts - 1) * plan->steps_per_part, steps);
+        }
+    }
+    // Twice as many steps need about root 2 as much.
+    double least = 1e9;
+    while (plan_parts(1000, cost, 0.99 * least)) least *= 0.99;
+    EXPECT_LT(least, 0.25 * plan_parts(1000, cost, 1e9)->bytes);
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+
+#include "sensitivity/adjoint_run.hpp"
+#include "support/beam.hpp"
+
+namespace myo::test {
+
+/// A beam with all that a model can have: damping, velocity force, fibres with a jumping signal and a smooth one, a force that ends
+/// inside a step, an attached mass.
+inline Model driven_beam(ElementKind kind, const char* material = "neo_hookean") {
+    BeamSpec spec;
+    spec.kind = kind;
+    spec.material = material;
+    spec.gravity_m_s2 = 9.81;
+    spec.youngs_modulus_Pa = 2.6e5;
+    spec.poissons_ratio = 0.49;
+    spec.damping_s = 0.003;
+    if (cell_type(kind) == CellType::tet10) spec.cells = {2, 1, 1};
+    Model model = make_beam(spec);
+    auto fibres = std::make_shared<std::vector<FibreGroup>>();
+    fibres->push_back(fibres_in_box(model.body->mesh, Box{{0.02, 0, 0}, {0.09, 0.03, 0.01}}, Eigen::Vector3d::UnitX(), 8e4, "lower"));
+    fibres->push_back(fibres_in_box(model.body->mesh, Box{{0.0, 0, 0.02}, {0.1, 0.03, 0.03}}, Eigen::Vector3d(1.0, 0.3, 0.0).normalized(), 5e4, "upper"));
+    model.fibres = fibres;
+    model.activation = {Signal::held({-0.01, 0.01, 0.0225}, {0.95, 0.9, 1.05}), Signal{{0.0, 0.02, 0.03}, {1.0, 1.1, 0.95}}};
+    push_tip(model, spec, {0.02, 0.05, 0.0});
+    model.forces.back().until_s = 0.012;
+    model.masses.push_back({tip_share(model, spec), 0.01});
+    model.velocity_force_1_s = 3.0;
+    return model;
+}
+
+inline SimulationOptions short_run(const TimeScheme& integrator, StartKind start) {
+    SimulationOptions options;
+    options.integrator = integrator;
+    options.start = start;
+    options.h_s = 0.005;
+    options.end_s = 0.03;
+    options.solver.tolerance = 1e-10;
+    return options;
+}
+
+/// Of positions and velocities of all nodes, with weights that differ from place to place and time to time.
+inline LossOfMotion rough_loss(const Model& model) {
+    LossOfMotion loss;
+    for (int i = 0; i < model.body->node_count(); ++i) loss.nodes.push_back(i);
+    const Eigen::Matrix3Xd rest = model.body->mesh.nodes;
+    loss.evaluate = [rest](const NodeMotion& motion) {
+        MotionLoss result;
+        for (std::size_t k = 0; k < motion.times_s.size(); ++k) {
+            const Eigen::Matrix3Xd weight = 1.0 + 0.5 * rough_field(rest.cols(), static_cast<double>(k)).array();
+            const Eigen::Matrix3Xd u = motion.positions[k] - rest, &v = motion.velocities[k];
+            result.value += 0.5 * u.cwiseProduct(weight).cwiseProduct(u).sum() + 5e-5 * v.cwiseProduct(weight).cwiseProduct(v).sum() +
+                            1e-3 * u.cwiseProduct(weight).sum();
+            result.d_positions.push_back(u.cwiseProduct(weight) + 1e-3 * weight);
+            result.d_velocities.push_back(1e-4 * v.cwiseProduct(weight));
+        }
+        return result;
+    };
+    return loss;
+}
+
+}  // namespace myo::test
