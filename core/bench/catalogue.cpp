@@ -11,6 +11,7 @@ const std::vector<BenchCase>& bench_catalogue() {
         bench_arm(),
         bench_threads(),
         bench_tangents(),
+        bench_backward(),
         bench_scaling(),
         bench_published(),
         bench_locking(),

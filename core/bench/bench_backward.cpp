@@ -1,0 +1,85 @@
+#include <cmath>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "bench/beam_run.hpp"
+#include "bench/bench_cases.hpp"
+#include "sensitivity/adjoint_run.hpp"
+
+namespace myo {
+namespace {
+
+/// The beam with two antagonists, each with a signal that has a value per step.
+Model muscled_beam(const BenchBeam& beam, const SimulationOptions& options) {
+    Model model = bench_beam(beam);
+    auto fibres = std::make_shared<std::vector<FibreGroup>>();
+    for (const double low : {0.0, 0.0225}) {
+        const Box layer{{0.0, 0.0, low}, {0.1, 0.03, low + 0.0075}};
+        fibres->push_back(fibres_in_box(model.body->mesh, layer, Eigen::Vector3d::UnitX(), 2e4, low > 0.0 ? "upper" : "lower"));
+        Signal signal{{}, {}};
+        for (double t = 0.0; t < options.end_s + 0.5 * options.h_s; t += options.h_s) {
+            signal.times_s.push_back(t);
+            signal.values.push_back(1.0 + (low > 0.0 ? 0.02 : -0.02) * std::sin(2.0 * std::numbers::pi * t));
+        }
+        model.activation.push_back(std::move(signal));
+    }
+    model.fibres = fibres;
+    return model;
+}
+
+/// The way back of a run's gradient with respect to all moduli and signals, beside the run alone.
+Result<BenchFigures> backward(const std::string& name, const BenchBeam& beam, const SimulationOptions& options, const std::vector<BenchReference>& references) {
+    const Model model = muscled_beam(beam, options);
+    double start = thread_time_s();
+    const Trace trace = simulate(model, options);
+    const double forward_ms = 1e3 * (thread_time_s() - start) / static_cast<double>(trace.times_s.size() - 1);
+    if (!trace.complete()) return Error{trace.message, name};
+
+    LossOfMotion loss;
+    for (int i = 0; i < model.body->node_count(); ++i)
+        if (model.body->mesh.nodes(0, i) > 0.1 - 1e-6) loss.nodes.push_back(i);
+    loss.evaluate = [&](const NodeMotion& motion) {
+        MotionLoss result;
+        for (const Eigen::Matrix3Xd& x : motion.positions) {
+            const Eigen::Matrix3Xd distance = x - motion.positions.front();
+            result.value += 0.5 * distance.squaredNorm();
+            result.d_positions.push_back(distance);
+        }
+        start = thread_time_s();
+        return result;
+    };
+    const GradientRun run = simulate_with_gradient(model, options, loss);
+    BenchFigures figures;
+    figures.run_s = thread_time_s() - start;
+    if (!run.complete()) return Error{run.message, name};
+    figures.name = std::to_string(model.body->dofs()) + " DOF, " + to_string(beam.element) + ", backward, " + name;
+    figures.dofs = model.body->dofs();
+    figures.cells = model.body->cell_count();
+    figures.steps = run.steps;
+    figures.h_s = options.h_s;
+    figures.goal_ms = 0.8 * forward_ms;
+    figures.references = references;
+    figures.note = "forward alone " + format_number(forward_ms, 3) + " ms/step, backward over forward " + format_number(figures.ms_per_step() / forward_ms, 3) +
+                   ", kept of the run " + format_number(run.tape_bytes / 1e6, 3) + " MB";
+    return figures;
+}
+
+}  // namespace
+
+BenchCase bench_backward() {
+    const BenchBeam published{ElementKind::hex8_full, {23, 7, 7}, "projective_corotational"};
+    const BenchBeam honest{ElementKind::hex8, {23, 7, 7}, "neo_hookean", 0.003};
+    return {"backward",
+            "gradient with respect to all moduli and a muscle signal per step, h = 10 ms, 160 steps",
+            {
+                {"paper's energy, Euler, residual 1e-6", [=] {
+                     return backward("paper's energy, Euler, residual 1e-6", published, bench_options(Integrator::implicit_euler, 0.01, 160, 1e-6),
+                                     {{"DiffPD projective, backward", 1110.0}, {"DiffPD Newton, backward", 750.0}});
+                 }},
+                {"neo-Hookean, damped, TR-BDF2, residual 1e-6", [=] {
+                     return backward("neo-Hookean, damped, TR-BDF2, residual 1e-6", honest, bench_options(Integrator::tr_bdf2, 0.01, 160, 1e-6), {});
+                 }},
+            }};
+}
+
+}  // namespace myo
