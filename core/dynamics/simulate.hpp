@@ -89,9 +89,6 @@ Trace simulate(const Model& model, const SimulationOptions& options, const Progr
 Trace simulate_part(StageSolver& solver, const SimulationOptions& options, const RunPart& part, const Progress& progress = {},
                     const RunObserver& observer = {});
 
-/// Ends of the steps of a run, ascending: jumps of the model and multiples of h.
-std::vector<double> step_ends(const Model& model, double h_s, double end_s);
-
 /// Sets the force of a state anew from the loads and activations right of a jump.
 void set_jump_force(StageSolver& solver, double time_s, Kinematics& state);
 

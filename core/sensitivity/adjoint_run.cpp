@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "dynamics/step_grid.hpp"
 #include "sensitivity/adjoint_step.hpp"
 #include "sensitivity/run_parts.hpp"
 

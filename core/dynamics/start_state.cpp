@@ -1,0 +1,72 @@
+#include "dynamics/start_state.hpp"
+
+#include <cassert>
+
+#include "dynamics/statics.hpp"
+
+namespace myo {
+
+using Eigen::Matrix3Xd;
+
+namespace {
+
+/// Whether these velocities turn or strain a cell by more than half of itself within h.
+bool tears(const Body& body, const Matrix3Xd& v, double h) {
+    const Matrix3Xd& X = body.mesh.nodes;
+    for (const auto& cell : body.mesh.cells.colwise())
+        for (const int a : cell)
+            for (const int b : cell)
+                if (h * (v.col(a) - v.col(b)).norm() > 0.5 * (X.col(a) - X.col(b)).norm()) return true;
+    return false;
+}
+
+}  // namespace
+
+void count(const StageReport& report, Trace& trace) {
+    ++trace.stages;
+    trace.newton_iterations += report.newton_iterations;
+    trace.linear_iterations += report.linear_iterations;
+    trace.factorisations += report.factorisations;
+    trace.times += report.times;
+}
+
+void hold_clamped(const Body& body, Matrix3Xd& x) {
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) x.col(i) = body.mesh.nodes.col(i);
+}
+
+bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics& state, Trace& trace) {
+    const Body& body = *solver.model().body;
+    const InitialState& initial = options.initial;
+    assert(initial.positions.size() == 0 || initial.positions.cols() == body.node_count());
+    assert(initial.velocities.size() == 0 || initial.velocities.cols() == body.node_count());
+    state.x = initial.positions.size() > 0 ? initial.positions : body.mesh.nodes;
+    state.v = initial.velocities.size() > 0 ? initial.velocities : Matrix3Xd::Zero(3, body.node_count());
+    hold_clamped(body, state.x);
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) state.v.col(i).setZero();
+    trace.status = RunStatus::failed;
+    if (!state.x.allFinite() || !state.v.allFinite()) {
+        trace.message = "the initial positions or velocities are not finite";
+        return false;
+    }
+    if (options.starts_at_equilibrium()) {
+        const StageReport report = solve_equilibrium(solver, 0.0, state.x);
+        count(report, trace);
+        trace.message = report.message;
+        if (!report.ok()) return false;
+    }
+    state.strain = strains(body, state.x);
+    state.rate = strain_tangent(body, state.x, state.v);
+    return true;
+}
+
+bool needs_euler(const Model& model, double h_s, Kinematics& state) {
+    if (state.force.allFinite() && state.strain.allFinite()) return model.damping_s > 0.0 && tears(*model.body, state.v, h_s);
+    state.force.setZero();
+    state.strain = strains(*model.body, model.body->mesh.nodes);
+    state.rate.setZero();
+    return true;
+}
+
+}  // namespace myo

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "dynamics/simulate.hpp"
+
+namespace myo {
+
+/// Puts clamped nodes where they are held.
+void hold_clamped(const Body& body, Eigen::Matrix3Xd& x);
+
+/// Positions, velocities and strains at t = 0; forces are not set yet. False: there is no such start, and the trace says why.
+bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics& state, Trace& trace);
+
+/// Whether the first step has to be one of implicit Euler. Forces and strains of a start without energy are forgotten: implicit Euler
+/// needs none. A viscous body whose velocities would turn or strain a cell by more than half of itself within h: the trapezoid would take the
+/// mean of viscous forces that turn while it does, and feed in many times the energy of the motion.
+bool needs_euler(const Model& model, double h_s, Kinematics& state);
+
+/// Enters a solve in the run's counts.
+void count(const StageReport& report, Trace& trace);
+
+}  // namespace myo
