@@ -90,7 +90,7 @@ private:
     }
 
     bool transpose_part(const MotionLoss& loss) {
-        while (tape_->step_count() > 0) {
+        while (!tape_->empty()) {
             if (progress_.cancelled()) {
                 result_.status = RunStatus::cancelled;
                 result_.message = "stopped on the way back";

@@ -11,23 +11,29 @@ using Eigen::VectorXd;
 
 void RunTape::record(RunObserver& observer) {
     observer.stepped = [this](StageSolver&, const TimeScheme& scheme, double t, double h, const std::vector<SolvedStage>& solved) {
-        TapedStep step{scheme, t, h, {}, {}};
-        for (const SolvedStage& s : solved) step.stages.push_back({s.stage.time_s, s.stage.before_jump, s.solution.x});
-        steps_.push_back(std::move(step));
+        Block& block = blocks_.back();
+        block.steps.push_back({scheme, t, h, {}, {}});
+        const auto size = static_cast<std::size_t>(solved.front().solution.x.size());
+        if (block.positions.empty()) block.positions.reserve(static_cast<std::size_t>(points_every_) * solved.size() * size);
+        for (const SolvedStage& s : solved) {
+            block.steps.back().stages.push_back({s.stage.time_s, s.stage.before_jump});
+            block.positions.insert(block.positions.end(), s.solution.x.data(), s.solution.x.data() + size);
+        }
     };
     observer.jumped = [this](StageSolver&, const Kinematics& state, double t) {
-        if (steps_.empty()) start_ = {t, state};
-        else steps_.back().jump_s = t;
+        if (blocks_.empty()) start_ = {t, state};
+        else blocks_.back().steps.back().jump_s = t;
     };
     observer.stood = [this](const RunPoint& point) {
-        if (step_count() % points_every_ != 0) return;
-        points_.push_back(point.state);
+        if (!blocks_.empty() && static_cast<int>(blocks_.back().steps.size()) < points_every_) return;
+        blocks_.push_back({{}, {}, point.state});
         if (with_strains_) return;
-        for (VectorXd* strain : {&points_.back().strain, &points_.back().rate, &points_.back().rate_lag}) strain->resize(0);
+        Kinematics& start = blocks_.back().start;
+        for (VectorXd* strain : {&start.strain, &start.rate, &start.rate_lag}) strain->resize(0);
     };
 }
 
-StepRecord RunTape::replay(StageSolver& solver, const TapedStep& step, Kinematics& state) const {
+StepRecord RunTape::replay(StageSolver& solver, const TapedStep& step, const double* positions, Kinematics& state) const {
     const Model& model = solver.model();
     StepRecord record;
     record.scheme = step.scheme;
@@ -37,9 +43,9 @@ StepRecord RunTape::replay(StageSolver& solver, const TapedStep& step, Kinematic
         const TapedStage& taped = step.stages[record.solved.size()];
         stage.time_s = taped.time_s;
         stage.before_jump = taped.before_jump;
-        solution.x = taped.x;
-        record.solved.push_back({stage, {taped.x, {}}});
-        if (with_strains_) solution.strain = strains(*model.body, taped.x);
+        solution.x = Eigen::Map<const Matrix3Xd>(positions + static_cast<Eigen::Index>(record.solved.size()) * state.x.size(), 3, state.x.cols());
+        record.solved.push_back({stage, {solution.x, {}}});
+        if (with_strains_) solution.strain = strains(*model.body, solution.x);
         return true;
     };
     const StepProblem<decltype(solve)> problem{solver.mass(), step.time_s, step.h_s, model.velocity_force_1_s, solve};
@@ -56,14 +62,16 @@ StepRecord RunTape::replay(StageSolver& solver, const TapedStep& step, Kinematic
 }
 
 std::vector<StepRecord> RunTape::take_last(StageSolver& solver) {
-    assert(!steps_.empty());
-    const std::size_t first = (steps_.size() - 1) / static_cast<std::size_t>(points_every_) * static_cast<std::size_t>(points_every_);
-    points_.resize(first / static_cast<std::size_t>(points_every_) + 1);
-    Kinematics state = std::move(points_.back());
-    points_.pop_back();
+    assert(!empty());
+    const Block block = std::move(blocks_.back());
+    blocks_.pop_back();
+    Kinematics state = block.start;
+    const double* positions = block.positions.data();
     std::vector<StepRecord> records;
-    for (std::size_t k = first; k < steps_.size(); ++k) records.push_back(replay(solver, steps_[k], state));
-    steps_.resize(first);
+    for (const TapedStep& step : block.steps) {
+        records.push_back(replay(solver, step, positions, state));
+        positions += static_cast<std::ptrdiff_t>(step.stages.size()) * state.x.size();
+    }
     return records;
 }
 

@@ -37,7 +37,7 @@ public:
     /// The start of the run, if the tape begins there.
     const std::optional<JumpRecord>& start() const { return start_; }
 
-    int step_count() const { return static_cast<int>(steps_.size()); }
+    bool empty() const { return blocks_.empty(); }
 
     /// The last `points_every` steps or fewer, taken off the tape. The solver makes the forces of jumps.
     std::vector<StepRecord> take_last(StageSolver& solver);
@@ -46,7 +46,6 @@ private:
     struct TapedStage {
         double time_s;
         bool before_jump;
-        Eigen::Matrix3Xd x;
     };
     struct TapedStep {
         TimeScheme scheme;
@@ -54,13 +53,19 @@ private:
         std::vector<TapedStage> stages;
         std::optional<double> jump_s;
     };
-    StepRecord replay(StageSolver& solver, const TapedStep& step, Kinematics& state) const;
+    /// Taped steps between two whole states. Their stage positions stand in one array: thousands of small ones that live long would
+    /// keep the heap from giving back what lies between them.
+    struct Block {
+        std::vector<TapedStep> steps;
+        std::vector<double> positions;
+        Kinematics start;
+    };
+    StepRecord replay(StageSolver& solver, const TapedStep& step, const double* positions, Kinematics& state) const;
 
     int points_every_;
     bool with_strains_;
     std::optional<JumpRecord> start_;
-    std::vector<TapedStep> steps_;
-    std::vector<Kinematics> points_;   // before the steps 0, points_every, ...
+    std::vector<Block> blocks_;
 };
 
 /// What a tape takes [bytes]: per step, and per whole state.

@@ -179,7 +179,7 @@ TEST(GradientRun, RepeatsPartsAndStatesExactly) {
         EXPECT_LT((once[k].state.x - whole[k + 7].state.x).cwiseAbs().maxCoeff(), 1e-9);
     }
     StageSolver solver(model, options.solver);
-    for (std::size_t k = whole.size() - 1; tape.step_count() > 0;)
+    for (std::size_t k = whole.size() - 1; !tape.empty();)
         for (std::vector<StepRecord> records = tape.take_last(solver); !records.empty(); records.pop_back()) {
             const Kinematics &again = records.back().start, &then = whole[--k].state;
             EXPECT_EQ(again.x, then.x);
