@@ -341,7 +341,7 @@ TEST(Calibrate, KeepsTheFitWhenAPredictionFails) {
     const Folder folder("failed_prediction");
     write_small_experiment(folder);
     // No block of rubber carries this.
-    folder.write("exp/experiment.toml", small_toml() + "load = [{kind = \"force\", box_m = [[0.039, -0.001, -0.001], [0.041, 0.021, 0.021]], force_N = [1e6, 0, 0]}]\n");
+    folder.write("exp/experiment.toml", small_toml() + "load = [{kind = \"force\", box_m = [[0.039, -0.001, -0.001], [0.041, 0.021, 0.021]], force_N = [1e300, 0, 0]}]\n");
     const ProgramRun run = run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out")}));
     EXPECT_EQ(run.status, 1);
     EXPECT_THAT(run.err, HasSubstr("the fit converged, but with its values trial drop again"));
