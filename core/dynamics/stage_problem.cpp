@@ -75,9 +75,9 @@ double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
     double muscles = 0.0;
     if (!model().fibres->empty()) {
-        InternalEnergy fibres;
+        InternalEnergy fibres;   // in the body at rest: a guess that strains them would make little of what is left of them
         fibres.gradient = Matrix3Xd::Zero(3, start.cols());
-        add_fibres(model(), start, activation_, HessianKind::none, fibres);
+        add_fibres(model(), model().body->mesh.nodes, activation_, HessianKind::none, fibres);
         muscles = gather(pattern(), fibres.gradient).norm();
     }
     return std::max({external + inertial + muscles, elastic, rounding_of_forces(start) / tolerance, 1e-30});
