@@ -16,12 +16,11 @@ bool has_fixed_knot(const SoughtSignals& sought) { return sought.from_before && 
 }  // namespace
 
 std::vector<double> knot_times(const SoughtSignals& sought) {
-    const double period = 1.0 / sought.frequency_Hz;
     // A knot beyond the end of a held signal would act on nothing; a linear one ends at the first knot there.
     const double spans = std::max(1.0, std::ceil(sought.end_s * sought.frequency_Hz - 1e-9));
     const int count = static_cast<int>(spans) + (sought.hold ? 0 : 1);
     std::vector<double> times;
-    for (int k = has_fixed_knot(sought) ? 1 : 0; k < count; ++k) times.push_back(k * period);
+    for (int k = has_fixed_knot(sought) ? 1 : 0; k < count; ++k) times.push_back(k / sought.frequency_Hz);
     return times;
 }
 

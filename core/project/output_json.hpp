@@ -26,6 +26,12 @@ Json simulate_json(const Study& study, const StudyRun& run, const RunFacts& fact
 /// not complete would have given is null; its failure_before or failure_after says why. Asserts that the calibration is usable.
 Json calibrate_json(const Study& study, const Calibration& calibration, const RunFacts& facts);
 
+/// Mesh, material and time integration, as every result file of a study has them.
+Json study_size_json(const Study& study);
+
+/// rms and steady state of each marker, by its name.
+Json marker_scores_json(const TrialScore& score);
+
 /// The score of a trial by its name, or null.
 const TrialScore* find_score(const StudyRun& run, const std::string& trial);
 
