@@ -16,7 +16,7 @@ struct RunFacts {
     std::vector<std::string> command = {};      // as it was called
     double setup_s = 0.0;                       // reading, meshing, preparing
     std::uint64_t peak_memory_bytes = 0;
-    std::optional<std::uint64_t> seed = {};     // as asked for; nothing in a run is random
+    std::optional<std::uint64_t> seed = {};     // as asked for; only starts of a search are random
 };
 
 /// What lies in simulate.json: size, cost and comparison. Trials that did not complete are left out; `failure` says why.
