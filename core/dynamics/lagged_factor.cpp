@@ -54,8 +54,11 @@ bool LaggedFactor::factorize(const SymmetricSparse& H, const Body& body, const E
 }
 
 bool LaggedFactor::renew(const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {
-    if (renew_with(problem.evaluate(x, HessianKind::exact).hessian, problem, x, report)) return true;
-    return renew_with(problem.evaluate(x, HessianKind::positive).hessian, problem, x, report);
+    for (const HessianKind kind : {HessianKind::exact, HessianKind::positive_fibres, HessianKind::positive}) {
+        if (kind == HessianKind::positive_fibres && problem.model().fibres->empty()) continue;
+        if (renew_with(problem.evaluate(x, kind).hessian, problem, x, report)) return true;
+    }
+    return false;
 }
 
 bool LaggedFactor::renew_with(const SymmetricSparse& H, const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {

@@ -25,7 +25,7 @@ public:
     /// gradients. Analyses the pattern when asked first.
     bool is_whole(const BlockPattern& pattern);
 
-    /// Factors the exact Hessian at x or, where that is not definite, the one of positive cells. False: neither is.
+    /// Factors the exact Hessian at x or, where that is not definite, the one of positive fibres, or of positive cells. False: none is.
     bool renew(const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report);
 
     /// Factors a given matrix, made at x.

@@ -54,8 +54,9 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
     Matrix3Xd best = x;
     double best_residual = std::numeric_limits<double>::infinity();
     int without_progress = 0;
+    HessianKind kind = HessianKind::exact;
     for (int iteration = 0; iteration < options.max_newton_iterations; ++iteration, ++report.newton_iterations) {
-        const StageProblem::Evaluation now = problem.evaluate(x, HessianKind::exact, &pressure);
+        const StageProblem::Evaluation now = problem.evaluate(x, kind, &pressure);
         const double residual = now.residual.norm() / scale;
         if (!std::isfinite(residual)) break;
         if (residual < 0.5 * best_residual) without_progress = 0;
@@ -74,7 +75,11 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
         if (without_progress > 6) break;
         MatrixXd step;
         const double accuracy = std::clamp(0.1 * residual, 1e-6, 1e-2);
-        if (!solve_by_lagged_factor(now.hessian, -now.residual, accuracy, problem, x, factor, report, step)) break;
+        if (!solve_by_lagged_factor(now.hessian, -now.residual, accuracy, problem, x, factor, report, step)) {
+            if (kind != HessianKind::exact || model.fibres->empty()) break;
+            kind = HessianKind::positive_fibres;   // muscles that push make the exact one indefinite
+            continue;
+        }
         const Matrix3Xd dx = scatter(problem.pattern(), step);
         pressure = predicted_pressures(model, x, dx);
         if (!pressure.allFinite()) break;
@@ -83,6 +88,22 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
     x = best;
     report.residual = best_residual;
     return false;
+}
+
+/// Factors the exact Hessian or, where it is not definite or lately was not, that of positive fibres or of positive cells. `hessian`: the
+/// exact one, on return the one that was factored. `indefinite`: steps still to be taken without the exact one.
+static bool factor_definite(const StageProblem& problem, const Matrix3Xd& x, int& indefinite, LaggedFactor& factor, SymmetricSparse& hessian, StageReport& report) {
+    if (indefinite == 0 && factor.renew_with(hessian, problem, x, report)) return true;
+    indefinite = indefinite > 0 ? indefinite - 1 : 1;   // where one Hessian was indefinite the next one mostly is
+    if (!problem.model().fibres->empty()) {
+        hessian = problem.evaluate(x, HessianKind::positive_fibres).hessian;
+        if (factor.renew_with(hessian, problem, x, report)) return true;
+    }
+    hessian = problem.evaluate(x, HessianKind::positive).hessian;
+    // Positive cells leave motions without any stiffness, along which a step would know no end: a small shift along the mass.
+    const SymmetricSparse& inertia = problem.constants().inertia;
+    hessian.coeffs() += 1e-6 * hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
+    return factor.renew_with(hessian, problem, x, report);
 }
 
 bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor, Matrix3Xd& x, StageReport& report) {
@@ -97,15 +118,7 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
             return false;
         }
         if (residual <= options.tolerance) return true;
-        if (indefinite > 0 || !factor.renew_with(now.hessian, problem, x, report)) {
-            // Where one Hessian was indefinite the next one mostly is.
-            indefinite = indefinite > 0 ? indefinite - 1 : 1;
-            now.hessian = problem.evaluate(x, HessianKind::positive).hessian;
-            // Positive cells leave motions without any stiffness, along which a step would know no end: a small shift along the mass.
-            const SymmetricSparse& inertia = problem.constants().inertia;
-            now.hessian.coeffs() += 1e-6 * now.hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
-            if (!factor.renew_with(now.hessian, problem, x, report)) return false;
-        }
+        if (!factor_definite(problem, x, indefinite, factor, now.hessian, report)) return false;
         MatrixXd step = -factor.solve(problem.pattern(), now.residual);
         if (!factor.is_whole(problem.pattern()) && !solve_by_lagged_factor(now.hessian, -now.residual, 1e-3, problem, x, factor, report, step)) return false;
         const double slope = now.residual.dot(step.col(0));

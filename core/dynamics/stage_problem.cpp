@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/stopwatch.hpp"
+#include "model/fibre_forces.hpp"
 
 namespace myo {
 namespace {
@@ -72,7 +73,14 @@ double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const
     // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
     const double volume = model().body->unit_mass.sum();
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
-    return std::max({external + inertial, elastic, rounding_of_forces(start) / tolerance, 1e-30});
+    double muscles = 0.0;
+    if (!model().fibres->empty()) {
+        InternalEnergy fibres;
+        fibres.gradient = Matrix3Xd::Zero(3, start.cols());
+        add_fibres(model(), start, activation_, HessianKind::none, fibres);
+        muscles = gather(pattern(), fibres.gradient).norm();
+    }
+    return std::max({external + inertial + muscles, elastic, rounding_of_forces(start) / tolerance, 1e-30});
 }
 
 /// Norm below which the residual is noise: F is known to eps |x| / edge, which the bulk modulus turns into a nodal force over

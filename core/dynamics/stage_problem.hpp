@@ -39,7 +39,7 @@ public:
     const StageConstants& constants() const { return constants_; }
     const Stage& stage() const { return stage_; }
 
-    /// The forces that act on the body, inertia at the start among them [N]: what a residual is measured against.
+    /// The forces that act on the body, inertia and those of muscles at the start among them [N]: what a residual is measured against.
     double force_scale(const Eigen::Matrix3Xd& start, double tolerance) const;
 
 private:

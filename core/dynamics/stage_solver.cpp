@@ -29,6 +29,10 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
     if (fresh && !factor_.renew(problem, x, report)) return false;
     if (!fresh) factor_.turn_to(body, x);
     while (true) {
+        if (fresh) {   // nothing better is at hand than slow progress
+            options.max_iterations = 60;
+            options.slow_contraction = 0.9;
+        }
         const QuasiNewtonResult result = quasi_newton(problem, options, metric, x);
         report.newton_iterations += result.iterations;
         report.residual = result.residual;
@@ -66,11 +70,15 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     } else if (options_.strategy != Strategy::newton && factor_.is_whole(problem.pattern())) {
         if (lagged_newton(problem, scale, x, report)) return converged();
     }
-    // A long way of small descents may end where cells are squeezed and the Hessian is indefinite: Newton does better from afar.
-    const double start_residual = problem.evaluate(start, HessianKind::none).residual.norm() / scale;
-    if (!x.allFinite() || !(report.residual < start_residual)) x = start;
+    if (!x.allFinite()) x = start;
     if (factor_.is_whole(problem.pattern())) factor_.mark_stale();   // parts serve conjugate gradients for long
     if (mixed_newton(problem, options_, scale, factor_, x, report)) return converged();
+    // A long way of small descents may end where cells are squeezed and the Hessian is indefinite: Newton does better from afar.
+    Matrix3Xd afresh = start;
+    if (mixed_newton(problem, options_, scale, factor_, afresh, report)) {
+        x = afresh;
+        return converged();
+    }
     const bool found = energy_newton(problem, options_, scale, factor_, x, report);
     factor_.mark_stale();
     if (found) return converged();

@@ -64,7 +64,7 @@ void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double
             forces += shape * (stiffness * stretch / length * s).transpose();
             if (kind == HessianKind::none) continue;
             Eigen::Matrix3d hessian = volume * fibre_response(s, activation[g], group.stiffness_Pa).hessian;
-            if (kind == HessianKind::positive) project_positive(hessian);
+            if (kind != HessianKind::exact) project_positive(hessian);
             matrix.add(shape, hessian);
         }
         add_at_nodes<N>(cells, cell, forces, out.gradient);

@@ -26,7 +26,8 @@ Stiffness stiffness(const Model& model);
 enum class HessianKind {
     none,
     exact,
-    positive,   // each cell's matrix projected on the positive semi-definite ones
+    positive_fibres,   // that of the fibres projected on the positive semi-definite ones: enough where muscles push
+    positive,          // each cell's matrix projected, too
 };
 
 struct InternalEnergy {
