@@ -1,5 +1,6 @@
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "project/calibrate_study.hpp"
 #include "project/optimize_study.hpp"
