@@ -13,6 +13,8 @@ const std::vector<Command>& commands() {
     static const std::vector<Command> table{
         {"simulate", "Runs the trials of an experiment folder with its declared model", declare_simulate},
         {"calibrate", "Fits the declared unknowns of an experiment folder and reports", declare_calibrate},
+        {"optimize", "Finds the actuation that makes the markers follow a trial's trace", declare_optimize},
+        {"gradcheck", "Compares the gradient of a trial's run with differences, for every parameter", declare_gradcheck},
         {"mesh", "Meshes a surface, or checks a volume mesh; prints counts and quality", declare_mesh},
         {"screenshot", "Draws the workbench into a picture, without a display", declare_screenshot},
         {"bench", "Measures speed and memory of the solver; prints a table", declare_bench},

@@ -20,6 +20,8 @@ std::vector<std::string> command_names();
 
 std::function<int()> declare_simulate(CLI::App& app);
 std::function<int()> declare_calibrate(CLI::App& app);
+std::function<int()> declare_optimize(CLI::App& app);
+std::function<int()> declare_gradcheck(CLI::App& app);
 std::function<int()> declare_mesh(CLI::App& app);
 std::function<int()> declare_screenshot(CLI::App& app);
 std::function<int()> declare_bench(CLI::App& app);

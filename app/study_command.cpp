@@ -48,18 +48,18 @@ Result<void> check_steps(const Study& study) {
 
 void declare_study_call(CLI::App& app, StudyCall& call) {
     app.add_option("EXP", call.experiment, "experiment folder")->type_name("");
-    app.add_option("--out", call.out, "folder for the results, made when missing")->type_name("DIR");
+    if (call.writes_folder) app.add_option("--out", call.out, "folder for the results, made when missing")->type_name("DIR");
     add_study_options(app, call.study);
     add_work_options(app, call.work);
 }
 
 Result<Experiment> open_experiment(const StudyCall& call) {
     if (call.experiment.empty()) return Error{"name an experiment folder", ""};
-    if (call.out.empty()) return Error{"name a folder for the results", "--out"};
+    if (call.writes_folder && call.out.empty()) return Error{"name a folder for the results", "--out"};
     if (call.study.spectral_radius && call.study.settings.integrator != Integrator::generalized_alpha)
         return Error{"only --integrator " + to_string(Integrator::generalized_alpha) + " has one to choose", "--spectral-radius"};
     Result<Experiment> experiment = read_experiment(call.experiment, call.study.overrides);
-    if (!experiment) return experiment.error();
+    if (!experiment || !call.writes_folder) return experiment;
     if (const Result<void> folder = prepare_output_folder(call.out, *experiment); !folder)
         return Error{folder.error().text(), "--out"};
     return experiment;

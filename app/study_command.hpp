@@ -9,13 +9,14 @@
 #include "project/output_json.hpp"
 #include "project/study.hpp"
 
-// What simulate and calibrate have in common.
+// What the commands on an experiment folder have in common.
 
 namespace myo {
 
 struct StudyCall {
     std::filesystem::path experiment;
     std::filesystem::path out;
+    bool writes_folder = true;   // false: the command has no --out
     WorkOptions work;
     StudyOptions study;
 };

@@ -72,4 +72,14 @@ Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x,
     return surface + Eigen::Map<const Matrix3d>(dR.data()) * binding.offset;
 }
 
+Eigen::Matrix3Xd marker_pull(const MarkerBinding& binding, const Eigen::Matrix3Xd& x, const Vector3d& pull) {
+    const Eigen::Matrix3Xd surface = pull * binding.weights.transpose();
+    if (on_surface(binding)) return surface;
+    const Matrix3d F = x * binding.gradient;
+    const Matrix3d on_rotation = pull * binding.offset.transpose();
+    const Eigen::Matrix<double, 9, 1> on_F =
+        polar_rotation_derivative(F, polar_rotation(F)).transpose() * Eigen::Map<const Eigen::Matrix<double, 9, 1>>(on_rotation.data());
+    return surface + Eigen::Map<const Matrix3d>(on_F.data()) * binding.gradient.transpose();
+}
+
 }  // namespace myo

@@ -31,4 +31,7 @@ Eigen::Vector3d marker_position(const MarkerBinding& binding, const Eigen::Matri
 /// Its derivative along dx.
 Eigen::Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
 
+/// The transpose of marker_tangent(): what a pull on the marker is on the binding's nodes, 3 x nodes.
+Eigen::Matrix3Xd marker_pull(const MarkerBinding& binding, const Eigen::Matrix3Xd& x, const Eigen::Vector3d& pull);
+
 }  // namespace myo

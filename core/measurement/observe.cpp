@@ -3,40 +3,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "measurement/hermite_weights.hpp"
+
 namespace myo {
 namespace {
 
 using Eigen::Matrix3Xd;
-
-/// Values and time derivative on the Hermite curve of one step interval.
-struct HermiteWeights {
-    std::size_t step = 0;   // interval [step, step + 1]
-    double x0 = 1.0, v0 = 0.0, x1 = 0.0, v1 = 0.0;          // position
-    double dx0 = 0.0, dv0 = 0.0, dx1 = 0.0, dv1 = 0.0;      // velocity
-};
-
-HermiteWeights hermite_weights(const std::vector<double>& times, double t) {
-    HermiteWeights w;
-    if (t <= times.front() || times.size() == 1) return w;   // at rest before the start
-    if (t >= times.back()) {
-        w.step = times.size() - 2;
-        w.x0 = 0.0;
-        w.x1 = w.dv1 = 1.0;
-        return w;
-    }
-    w.step = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin()) - 1;
-    const double h = times[w.step + 1] - times[w.step];
-    const double s = (t - times[w.step]) / h;
-    w.x0 = (1 + 2 * s) * (1 - s) * (1 - s);
-    w.v0 = h * s * (1 - s) * (1 - s);
-    w.x1 = s * s * (3 - 2 * s);
-    w.v1 = h * s * s * (s - 1);
-    w.dx0 = 6 * s * (s - 1) / h;
-    w.dv0 = (1 - s) * (1 - 3 * s);
-    w.dx1 = -w.dx0;
-    w.dv1 = s * (3 * s - 2);
-    return w;
-}
 
 /// x(t) of the nodes from their series of positions and velocities.
 template <class Positions, class Velocities>
@@ -81,10 +53,7 @@ SensitiveTracks observe(const SensitiveTrace& run, const MarkerSet& markers, con
     const auto v = [&](std::size_t k) -> Matrix3Xd { return run.trace.velocities[k](Eigen::all, markers.nodes); };
     for (Eigen::Index t = 0; t < samples; ++t) {
         const HermiteWeights w = hermite_weights(run.trace.times_s, times_s(t));
-        HermiteWeights dw = w;
-        dw.x0 = w.dx0, dw.v0 = w.dv0, dw.x1 = w.dx1, dw.v1 = w.dv1;
-        const Matrix3Xd now = combine(w, x, v);
-        const Matrix3Xd rate = combine(dw, x, v);
+        const Matrix3Xd now = combine(w, x, v), rate = combine(w.rate(), x, v);
         std::vector<Matrix3Xd> d;
         for (const NodeTangent& tangent : run.tangents)
             d.push_back(combine(w, [&](std::size_t k) -> const Matrix3Xd& { return tangent.positions[k]; },
@@ -99,6 +68,48 @@ SensitiveTracks observe(const SensitiveTrace& run, const MarkerSet& markers, con
         }
     }
     return result;
+}
+
+MarkerTracks observe(const NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s) {
+    assert(!motion.times_s.empty());
+    const std::size_t count = markers.bindings.size();
+    MarkerTracks tracks{std::vector<Matrix3Xd>(count, Matrix3Xd(3, times_s.size())), std::vector<Matrix3Xd>(count, Matrix3Xd(3, times_s.size()))};
+    const auto x = [&](std::size_t k) -> const Matrix3Xd& { return motion.positions[k]; };
+    const auto v = [&](std::size_t k) -> const Matrix3Xd& { return motion.velocities[k]; };
+    for (Eigen::Index t = 0; t < times_s.size(); ++t) {
+        const HermiteWeights w = hermite_weights(motion.times_s, times_s(t));
+        const Matrix3Xd now = combine(w, x, v), rate = combine(w.rate(), x, v);
+        for (std::size_t m = 0; m < count; ++m) {
+            const Matrix3Xd local = columns(now, markers.positions[m]);
+            tracks.positions[m].col(t) = marker_position(markers.bindings[m], local);
+            tracks.velocities[m].col(t) = marker_tangent(markers.bindings[m], local, columns(rate, markers.positions[m]));
+        }
+    }
+    return tracks;
+}
+
+MotionLoss pull_on_nodes(const NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s, const std::vector<Matrix3Xd>& pulls) {
+    assert(!motion.times_s.empty() && pulls.size() == markers.bindings.size());
+    const Matrix3Xd none = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(markers.nodes.size()));
+    MotionLoss loss;
+    loss.d_positions.assign(motion.times_s.size(), none);
+    loss.d_velocities.assign(motion.times_s.size(), none);
+    const auto x = [&](std::size_t k) -> const Matrix3Xd& { return motion.positions[k]; };
+    const auto v = [&](std::size_t k) -> const Matrix3Xd& { return motion.velocities[k]; };
+    for (Eigen::Index t = 0; t < times_s.size(); ++t) {
+        const HermiteWeights w = hermite_weights(motion.times_s, times_s(t));
+        const Matrix3Xd now = combine(w, x, v);
+        Matrix3Xd on_nodes = none;
+        for (std::size_t m = 0; m < pulls.size(); ++m) {
+            if (pulls[m].col(t).isZero(0.0)) continue;
+            on_nodes(Eigen::all, markers.positions[m]) += marker_pull(markers.bindings[m], columns(now, markers.positions[m]), pulls[m].col(t));
+        }
+        loss.d_positions[w.step] += w.x0 * on_nodes;
+        loss.d_velocities[w.step] += w.v0 * on_nodes;
+        if (w.x1 != 0.0) loss.d_positions[w.step + 1] += w.x1 * on_nodes;
+        if (w.v1 != 0.0) loss.d_velocities[w.step + 1] += w.v1 * on_nodes;
+    }
+    return loss;
 }
 
 MarkerTracks observe(const Trace& trace, const MarkerSet& markers, const Eigen::VectorXd& times_s) {

@@ -6,6 +6,7 @@
 
 #include "dynamics/simulate.hpp"
 #include "measurement/marker_binding.hpp"
+#include "sensitivity/adjoint_run.hpp"
 #include "sensitivity/tangent_run.hpp"
 
 namespace myo {
@@ -25,6 +26,16 @@ struct MarkerTracks {
     std::vector<Eigen::Matrix3Xd> velocities;   // d position / d t [m/s]
 };
 MarkerTracks observe(const Trace& trace, const MarkerSet& markers, const Eigen::VectorXd& times_s);
+
+/// The same of a motion of markers.nodes alone.
+MarkerTracks observe(const NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s);
+
+/// The way back: derivatives of a loss with respect to the nodes' motion from those with respect to the marker positions.
+///
+/// @param pulls  per marker 3 x T [1/m]
+/// @return       d_positions and d_velocities of markers.nodes at the motion's times; value 0
+MotionLoss pull_on_nodes(const NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s,
+                         const std::vector<Eigen::Matrix3Xd>& pulls);
 
 /// The same with the derivative of the positions with respect to each parameter: [parameter][marker] 3 x T.
 struct SensitiveTracks {

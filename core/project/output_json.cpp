@@ -102,6 +102,10 @@ Json correlation_json(const Calibration& calibration) {
 
 }  // namespace
 
+Json study_size_json(const Study& study) { return size_json(study); }
+
+Json marker_scores_json(const TrialScore& score) { return markers_json(score); }
+
 const TrialScore* find_score(const StudyRun& run, const std::string& trial) {
     const auto found = std::find_if(run.scores.begin(), run.scores.end(), [&](const TrialScore& s) { return s.name == trial; });
     return found != run.scores.end() ? &*found : nullptr;

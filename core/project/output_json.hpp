@@ -16,7 +16,7 @@ struct RunFacts {
     std::vector<std::string> command = {};      // as it was called
     double setup_s = 0.0;                       // reading, meshing, preparing
     std::uint64_t peak_memory_bytes = 0;
-    std::optional<std::uint64_t> seed = {};     // as asked for; nothing in a run is random
+    std::optional<std::uint64_t> seed = {};     // as asked for; only starts of a search are random
 };
 
 /// What lies in simulate.json: size, cost and comparison. Trials that did not complete are left out; `failure` says why.
@@ -25,6 +25,12 @@ Json simulate_json(const Study& study, const StudyRun& run, const RunFacts& fact
 /// What lies in calibrate.json: parameters with deviations and correlation, comparison before and after. What a trial that did
 /// not complete would have given is null; its failure_before or failure_after says why. Asserts that the calibration is usable.
 Json calibrate_json(const Study& study, const Calibration& calibration, const RunFacts& facts);
+
+/// Mesh, material and time integration, as every result file of a study has them.
+Json study_size_json(const Study& study);
+
+/// rms and steady state of each marker, by its name.
+Json marker_scores_json(const TrialScore& score);
 
 /// The score of a trial by its name, or null.
 const TrialScore* find_score(const StudyRun& run, const std::string& trial);

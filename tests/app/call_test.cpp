@@ -58,7 +58,7 @@ TEST_P(BadCalls, AreTurnedDownInOneSentence) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadCalls,
     ::testing::Values(
-        BadCall{{"simulte"}, {"simulte", "did you mean 'simulate'"}}, BadCall{{"optimize", "EXP", "--out", "OUT"}, {"optimize", "simulate, calibrate, mesh"}},
+        BadCall{{"simulte"}, {"simulte", "did you mean 'simulate'"}}, BadCall{{"anneal", "EXP", "--out", "OUT"}, {"anneal", "simulate, calibrate"}},
         BadCall{{"nowhere/beam.stl"}, {"nowhere/beam.stl", "not found"}}, BadCall{{"simulate"}, {"experiment folder"}},
         BadCall{{"simulate", "EXP"}, {"--out"}}, BadCall{{"simulate", "nowhere", "--out", "OUT"}, {"nowhere"}},
         BadCall{{"simulate", "EXP", "--out"}, {"--out"}}, BadCall{{"simulate", "EXP", "EXP", "--out", "OUT"}, {"one argument too many"}},

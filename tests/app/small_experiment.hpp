@@ -42,6 +42,47 @@ start = "straight"
 )";
 }
 
+/// The block with two antagonists instead, and one trial that starts at rest.
+inline std::string muscled_toml() {
+    return R"(schema = "experiment/1"
+name = "muscled block"
+[geometry]
+kind = "box"
+size_m = [0.04, 0.02, 0.02]
+[clamp]
+box_m = [[-0.0005, -0.001, -0.001], [0.0005, 0.021, 0.021]]
+[material]
+model = "neo_hookean"
+youngs_modulus_Pa = 2.0e5
+poissons_ratio = 0.45
+density_kg_m3 = 1000
+damping_s = 0.003
+[[muscle]]
+name = "upper"
+box_m = [[0.0, -0.001, 0.014], [0.04, 0.021, 0.021]]
+fibre = [1.0, 0.0, 0.0]
+stiffness_Pa = 1.0e5
+[[muscle]]
+name = "lower"
+box_m = [[0.0, -0.001, -0.001], [0.04, 0.021, 0.006]]
+fibre = [1.0, 0.0, 0.0]
+stiffness_Pa = 1.0e5
+follows = { muscle = "upper", ratio = -0.5 }
+[markers]
+noise_m = 1e-6
+[markers.rest_m]
+tip = [0.04, 0.01, 0.02]
+middle = [0.02, 0.01, 0.02]
+[[trial]]
+name = "wave"
+role = "fit"
+trace = "wave.csv"
+format = "csv"
+start = "equilibrium"
+actuation = "signals.csv"
+)";
+}
+
 inline std::string small_trace(double end_s = 0.1) {
     std::string text = "time_s,tip_x_m,tip_y_m,tip_z_m,middle_x_m,middle_y_m,middle_z_m\n";
     char line[256];

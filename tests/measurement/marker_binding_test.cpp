@@ -53,6 +53,19 @@ TEST(MarkerBinding, TurnsAStandoffWithTheMaterial) {
     }
 }
 
+TEST(MarkerBinding, PullIsTheTransposedTangent) {
+    for (const VolumeMesh& mesh : meshes())
+        for (const Vector3d& rest : {Vector3d(0.08, -0.006, 0.024), Vector3d(0.0612, 0.0, 0.0113)}) {
+            const MarkerBinding binding = bind_marker(mesh, BoundaryLocator(mesh), rest);
+            const Matrix3Xd x = gathered(binding, mesh.nodes) + 0.002 * Matrix3Xd::Random(3, static_cast<Eigen::Index>(binding.nodes.size()));
+            const Matrix3Xd dx = Matrix3Xd::Random(3, x.cols());
+            const Vector3d pull(0.3, -1.0, 0.7);
+            const double along = pull.dot(marker_tangent(binding, x, dx));
+            EXPECT_NE(along, 0.0);
+            EXPECT_NEAR(marker_pull(binding, x, pull).cwiseProduct(dx).sum(), along, 1e-12 * std::abs(along));
+        }
+}
+
 TEST(MarkerBinding, TangentEqualsDifferences) {
     for (const VolumeMesh& mesh : meshes()) {
         const MarkerBinding binding = bind_marker(mesh, BoundaryLocator(mesh), Vector3d(0.08, -0.006, 0.024));

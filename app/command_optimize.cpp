@@ -1,0 +1,148 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "project/optimize_study.hpp"
+#include "project/study_target.hpp"
+#include "study_command.hpp"
+
+namespace myo {
+namespace {
+
+struct OptimizeCall : StudyCall {
+    std::string trial;
+    std::optional<double> frequency_Hz, smoothness_mm_s, lowest, highest;
+    bool hold = false;
+    bool resume = false;
+    int max_evaluations = OptimizeSettings{}.max_evaluations;
+    int starts = 1;
+};
+
+OptimizeSettings settings_of(const OptimizeCall& call) {
+    OptimizeSettings settings;
+    settings.frequency_Hz = call.frequency_Hz.value_or(settings.frequency_Hz);
+    settings.hold = call.hold;
+    if (call.smoothness_mm_s) settings.smoothness_m_s = 1e-3 * *call.smoothness_mm_s;
+    settings.lowest = call.lowest.value_or(settings.lowest);
+    settings.highest = call.highest.value_or(settings.highest);
+    settings.max_evaluations = call.max_evaluations;
+    settings.starts = call.starts;
+    settings.seed = call.work.seed.value_or(settings.seed);
+    return settings;
+}
+
+std::string result_lines(const Study& study, const Optimization& result) {
+    char line[256];
+    std::snprintf(line, sizeof line, "%-32s %9s  %9s", "marker, rms [mm]", "before", "after");
+    std::string text = line;
+    const TrialScore &before = result.before.scores.front(), &after = result.after.scores.front();
+    for (std::size_t m = 0; m < after.markers.size(); ++m) {
+        std::snprintf(line, sizeof line, "\n%-32.32s %s  %s", after.markers[m].name.c_str(), in_millimetres(before.markers[m].rms_m).c_str(),
+                      in_millimetres(after.markers[m].rms_m).c_str());
+        text += line;
+    }
+    std::snprintf(line, sizeof line, "\n%-32s %s  %s", "all", in_millimetres(before.rms_m).c_str(), in_millimetres(after.rms_m).c_str());
+    text += line;
+    for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
+        const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
+        text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " + format_number(row.minCoeff(), 4) + " ... " +
+                format_number(row.maxCoeff(), 4);
+    }
+    return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " + format_number(result.seconds, 3) + " s, " +
+           std::to_string(study.body->dofs()) + " DOF";
+}
+
+Result<void> write_results(const OptimizeCall& call, const Study& study, const Optimization& result, double setup_s) {
+    const RunFacts facts = run_facts(call, setup_s);
+    if (const Result<void> files = write_actuation(call.out, study, result); !files) return files.error();
+    if (const Result<void> page = write_html(call.out / "report.html", optimize_report(study, result, facts)); !page) return page.error();
+    return write_json(call.out / "optimize.json", optimize_json(study, result, facts));
+}
+
+int end_status(const OptimizeCall& call, const Optimization& result, Console& console) {
+    const std::string kept = "; the best signals so far are written to " + call.out.string() + ", --resume goes on from them";
+    if (result.stopped) {
+        console.complain("stopped before the search converged" + kept);
+        return status_stopped;
+    }
+    if (result.fit.converged()) return status_done;
+    console.complain("the search did not converge: " + result.fit.message + kept);
+    return status_failed;
+}
+
+int optimize_command(const OptimizeCall& call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    const Progress progress = console.progress();
+    const Stopwatch setup;
+    const Result<Experiment> experiment = open_experiment(call);
+    if (!experiment) return console.refuse(experiment.error());
+    const Result<std::size_t> trial = find_trial(*experiment, call.trial);
+    if (!trial) return console.refuse(trial.error());
+    Result<Study> whole = open_study(call, *experiment, progress);
+    const auto stopped = [&] {
+        console.complain("stopped before the first evaluation was complete; nothing was written");
+        return status_stopped;
+    };
+    if (progress.cancelled()) return stopped();
+    if (!whole) return console.refuse(whole.error());
+    const Study study = with_one_trial(std::move(*whole), *trial);
+    if (const Result<void> free = check_actuation_file(call.out, study, *experiment); !free) return console.refuse(free.error());
+    const OptimizeSettings settings = settings_of(call);
+    const Result<ActuationProblem> problem = actuation_problem(study, settings);
+    if (!problem) return console.refuse(problem.error());
+    EarlierOptimization from{unmoved_values(problem->sought)};
+    if (call.resume) {
+        const Result<EarlierOptimization> earlier = read_optimization(call.out, study, *problem);
+        if (!earlier) return console.refuse(earlier.error());
+        from = *earlier;
+    }
+    for (const std::string& warning : study.warnings) console.warn(warning);
+    std::vector<std::string> names;
+    for (const SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
+    console.print(study.experiment.name + ", trial " + study.trials.front().name + ": " + std::to_string(from.values.size()) + " values of " +
+                  join(names) + " at " + format_number(settings.frequency_Hz) + " Hz");
+    const double setup_s = setup.seconds();
+
+    Optimization result = optimize_study(study, *problem, settings, from.values, progress);
+    result.earlier_evaluations = from.evaluations;
+    if (!result.usable()) {
+        if (result.stopped) return stopped();
+        console.complain("the trial could not be run: " + result.fit.message + "; a smaller --dt or another mesh (--element, --resolution) may help");
+        return status_failed;
+    }
+    for (const std::string& warning : result.warnings) console.warn(warning);
+    if (const Result<void> written = write_results(call, study, result, setup_s); !written) return console.refuse(written.error());
+    console.print("\n" + result_lines(study, result) + "; report: " + (call.out / "report.html").string());
+    return end_status(call, result, console);
+}
+
+}  // namespace
+
+std::function<int()> declare_optimize(CLI::App& app) {
+    const auto call = std::make_shared<OptimizeCall>();
+    declare_study_call(app, *call);
+    app.add_option("--trial", call->trial, "trial whose trace is the target (default: the first with role fit)")->type_name("NAME");
+    add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")->type_name("HZ");
+    app.add_flag("--hold", call->hold, "hold each value until the next instead of going there in a straight line");
+    app.add_option_function<std::string>(
+           "--smoothness",
+           [call](const std::string& text) {
+               double value = 0.0;
+               if (!parse_number(text, value) || !std::isfinite(value) || value < 0.0) throw CLI::ValidationError("--smoothness", "'" + text + "' is not a number from 0 on");
+               call->smoothness_mm_s = value;
+           },
+           "so many millimetres of rms error a signal that changes by 1 per second is worth (default: the noise of the markers)")
+        ->type_name("MM");
+    add_optional_number(app, "--lowest", call->lowest, "lowest activation of any muscle (default: 0.5)");
+    add_optional_number(app, "--highest", call->highest, "highest activation of any muscle (default: 2)");
+    add_count(app, "--max-evaluations", call->max_evaluations, "runs with their gradient, at most (default: 100)");
+    add_count(app, "--starts", call->starts, "searches: the first from where the signals rest, the others from random levels (--seed)");
+    app.add_flag("--resume", call->resume, "go on from the optimize.json in DIR");
+    return [call] { return optimize_command(*call); };
+}
+
+}  // namespace myo

@@ -1,0 +1,82 @@
+#include "inverse/actuation_signals.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Linear signals that leave from `before` have a knot at t = 0 that is not free.
+bool has_fixed_knot(const SoughtSignals& sought) { return sought.from_before && !sought.hold; }
+
+}  // namespace
+
+std::vector<double> knot_times(const SoughtSignals& sought) {
+    // A knot beyond the end of a held signal would act on nothing; a linear one ends at the first knot there.
+    const double spans = std::max(1.0, std::ceil(sought.end_s * sought.frequency_Hz - 1e-9));
+    const int count = static_cast<int>(spans) + (sought.hold ? 0 : 1);
+    std::vector<double> times;
+    for (int k = has_fixed_knot(sought) ? 1 : 0; k < count; ++k) times.push_back(k / sought.frequency_Hz);
+    return times;
+}
+
+MatrixXd unmoved_values(const SoughtSignals& sought) {
+    MatrixXd values(static_cast<Index>(sought.signals.size()), static_cast<Index>(knot_times(sought).size()));
+    for (Index s = 0; s < values.rows(); ++s) {
+        const SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
+        values.row(s).setConstant(std::clamp(signal.before, signal.lower, signal.upper));
+    }
+    return values;
+}
+
+std::vector<Signal> activations_of(const SoughtSignals& sought, const MatrixXd& values) {
+    std::vector<double> times = knot_times(sought);
+    assert(values.rows() == static_cast<Index>(sought.signals.size()) && values.cols() == static_cast<Index>(times.size()));
+    const bool fixed = has_fixed_knot(sought);
+    if (sought.hold) times.insert(times.begin(), -1.0 / sought.frequency_Hz);
+    else if (fixed) times.insert(times.begin(), 0.0);
+    std::vector<Signal> activations;
+    for (const SignalShare& group : sought.groups) {
+        const auto of_group = [&](double s) { return 1.0 + group.factor * (s - 1.0); };
+        std::vector<double> knots;
+        if (sought.hold || fixed) knots.push_back(of_group(sought.signals[group.signal].before));
+        for (const double value : values.row(static_cast<Index>(group.signal))) knots.push_back(of_group(value));
+        activations.push_back(sought.hold ? Signal::held(times, knots) : Signal{times, knots});
+    }
+    return activations;
+}
+
+MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vector<double>>& activation) {
+    assert(activation.size() == sought.groups.size());
+    MatrixXd gradient = MatrixXd::Zero(static_cast<Index>(sought.signals.size()), static_cast<Index>(knot_times(sought).size()));
+    for (std::size_t g = 0; g < activation.size(); ++g) {
+        const std::vector<double> knots = sought.hold ? held_sample_gradient(activation[g]) : activation[g];
+        const Index first = static_cast<Index>(knots.size()) - gradient.cols();   // those before it are not free
+        for (Index k = 0; k < gradient.cols(); ++k)
+            gradient(static_cast<Index>(sought.groups[g].signal), k) += sought.groups[g].factor * knots[static_cast<std::size_t>(first + k)];
+    }
+    return gradient;
+}
+
+double mean_square_rate(const SoughtSignals& sought, const MatrixXd& values, double weight, MatrixXd& gradient) {
+    const Index first = sought.from_before ? 0 : 1, rates = values.cols() - first;
+    if (rates < 1 || values.rows() == 0) return 0.0;
+    const double count = static_cast<double>(rates * values.rows());
+    double sum = 0.0;
+    for (Index s = 0; s < values.rows(); ++s)
+        for (Index k = first; k < values.cols(); ++k) {
+            const double left = k > 0 ? values(s, k - 1) : sought.signals[static_cast<std::size_t>(s)].before;
+            const double rate = (values(s, k) - left) * sought.frequency_Hz;
+            const double slope = weight * 2.0 * rate * sought.frequency_Hz / count;
+            sum += rate * rate;
+            gradient(s, k) += slope;
+            if (k > 0) gradient(s, k - 1) -= slope;
+        }
+    return sum / count;
+}
+
+}  // namespace myo

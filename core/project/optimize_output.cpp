@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "measurement/actuation_csv.hpp"
+#include "measurement/trace_csv.hpp"
+#include "project/optimize_study.hpp"
+#include "project/output_files.hpp"
+#include "project/output_motion.hpp"
+
+namespace myo {
+namespace {
+namespace fs = std::filesystem;
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// A held signal is at its new value so long after its knot.
+constexpr double rise_s = 1e-6;
+
+const char* interpolation(bool hold) { return hold ? "hold" : "linear"; }
+
+/// Without NaN: a signal's own knots, jumps as steep rises.
+ActuationTable actuation_table(const SoughtSignals& sought, const MatrixXd& values) {
+    std::vector<double> times;
+    std::vector<std::vector<double>> rows;
+    SoughtSignals alone = sought;   // each signal as if it were a group
+    alone.groups.clear();
+    for (std::size_t s = 0; s < sought.signals.size(); ++s) alone.groups.push_back({s, 1.0});
+    const std::vector<Signal> signals = activations_of(alone, values);
+    for (std::size_t k = 0; k < signals.front().times_s.size(); ++k) {
+        const double t = signals.front().times_s[k];
+        if (t < 0.0) continue;   // before the start it is what it is there
+        const bool again = !times.empty() && t == times.back();
+        times.push_back(again ? t + rise_s : t);
+        rows.emplace_back();
+        for (const Signal& signal : signals) rows.back().push_back(signal.values[k]);
+    }
+    ActuationTable table;
+    table.time_s = Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Index>(times.size()));
+    table.values.resize(static_cast<Index>(signals.size()), static_cast<Index>(rows.size()));
+    for (std::size_t s = 0; s < signals.size(); ++s) {
+        table.muscles.push_back(sought.signals[s].name);
+        for (std::size_t k = 0; k < rows.size(); ++k) table.values(static_cast<Index>(s), static_cast<Index>(k)) = rows[k][s];
+    }
+    return table;
+}
+
+fs::path actuation_file(const Study& study) { return trial_file_names(study.experiment).front() + "_actuation.csv"; }
+
+const char* ending_word(FitStatus status) {
+    switch (status) {
+        case FitStatus::not_run: return "not_run";
+        case FitStatus::converged: return "converged";
+        case FitStatus::not_converged: return "not_converged";
+        case FitStatus::cancelled: return "stopped";
+        case FitStatus::failed: return "failed";
+    }
+    return "";
+}
+
+Json signals_json(const SoughtSignals& sought, const MatrixXd& values) {
+    Json signals = Json::array();
+    for (std::size_t s = 0; s < sought.signals.size(); ++s)
+        signals.push_back({{"name", sought.signals[s].name},
+                           {"lower", sought.signals[s].lower},
+                           {"upper", sought.signals[s].upper},
+                           {"before", sought.signals[s].before},
+                           {"values", json_array(Eigen::VectorXd(values.row(static_cast<Index>(s)).transpose()))}});
+    return signals;
+}
+
+Json muscles_json(const Study& study, const SoughtSignals& sought) {
+    Json muscles = Json::array();
+    for (std::size_t g = 0; g < sought.groups.size(); ++g)
+        muscles.push_back({{"name", study.experiment.muscles[g].name}, {"signal", sought.signals[sought.groups[g].signal].name}, {"factor", sought.groups[g].factor}});
+    return muscles;
+}
+
+Json history_json(const std::vector<ActuationIterate>& log) {
+    Json history = Json::array();
+    for (const ActuationIterate& line : log) {
+        Json entry{{"ok", line.ok}, {"seconds", line.seconds}};
+        if (line.ok) {
+            entry["loss_m2"] = json_number(line.loss_m2);
+            entry["rms_m"] = json_number(line.rms_m);
+            entry["gradient_norm_m2"] = json_number(line.gradient_norm_m2);
+        }
+        history.push_back(std::move(entry));
+    }
+    return history;
+}
+
+Json starts_json(const std::vector<StartEnding>& starts) {
+    Json list = Json::array();
+    for (const StartEnding& start : starts) {
+        Json entry{{"ended", ending_word(start.status)}, {"evaluations", start.evaluations}};
+        if (start.loss_before_m2 > 0.0) {
+            entry["loss_before_m2"] = json_number(start.loss_before_m2);
+            entry["loss_after_m2"] = json_number(start.loss_after_m2);
+        }
+        if (!start.message.empty()) entry["message"] = start.message;
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+/// Root mean square of each coordinate over all markers; null where none was seen.
+Json rms_of_axes(const TrialPrediction& prediction) {
+    Eigen::Vector3d axes;
+    for (Index axis = 0; axis < 3; ++axis) {
+        std::vector<Eigen::Matrix3Xd> rows;
+        for (const Eigen::Matrix3Xd& residual : prediction.residual_m) {
+            rows.emplace_back(Eigen::Matrix3Xd::Constant(3, residual.cols(), std::nan("")));
+            rows.back().row(axis) = residual.row(axis);
+        }
+        axes(axis) = rms(rows);
+    }
+    return json_array(Eigen::VectorXd(axes));
+}
+
+}  // namespace
+
+Result<EarlierOptimization> read_optimization(const fs::path& folder, const Study& study, const ActuationProblem& problem) {
+    const fs::path file = folder / "optimize.json";
+    std::error_code code;
+    if (!fs::exists(file, code)) return Error{"there is nothing to resume: no optimize.json", folder.string()};
+    const Result<Json> json = read_json(file);
+    if (!json) return json.error();
+    const auto refuse = [&](const std::string& what) { return Error{what + "; without --resume it starts anew", file.string()}; };
+    const auto is = [&](const char* key, const Json& value) { return json->contains(key) && json->at(key) == value; };
+    if (!json->is_object() || !is("schema", "optimize/1")) return refuse("is not of the form optimize/1");
+    if (!is("trial", study.trials.front().name)) return refuse("is of another trial than " + study.trials.front().name);
+    if (!is("frequency_Hz", problem.sought.frequency_Hz) || !is("interpolation", interpolation(problem.sought.hold))) return refuse("has signals with other knots");
+    EarlierOptimization earlier;
+    earlier.values = unmoved_values(problem.sought);
+    const Json& signals = json->contains("signals") ? json->at("signals") : *json;
+    if (!signals.is_array() || signals.size() != problem.sought.signals.size()) return refuse("has other signals");
+    for (std::size_t s = 0; s < signals.size(); ++s) {
+        const Json& signal = signals[s];
+        if (!signal.is_object() || !signal.contains("name") || signal.at("name") != problem.sought.signals[s].name) return refuse("has other signals");
+        if (!signal.contains("values") || !signal.at("values").is_array() || static_cast<Index>(signal.at("values").size()) != earlier.values.cols())
+            return refuse("has signals with other knots");
+        for (Index k = 0; k < earlier.values.cols(); ++k) {
+            const Json& value = signal.at("values")[static_cast<std::size_t>(k)];
+            if (!value.is_number()) return refuse("has a value that is no number");
+            earlier.values(static_cast<Index>(s), k) = value.get<double>();
+        }
+    }
+    if (json->contains("evaluations_in_all") && json->at("evaluations_in_all").is_number_integer()) earlier.evaluations = json->at("evaluations_in_all").get<int>();
+    return earlier;
+}
+
+Json optimize_json(const Study& study, const Optimization& optimization, const RunFacts& facts) {
+    assert(optimization.usable());
+    const SoughtSignals& sought = optimization.problem.sought;
+    const ActuationFit& fit = optimization.fit;
+    int evaluations = 0;
+    for (const StartEnding& start : optimization.starts) evaluations += start.evaluations;
+    Json json{{"schema", "optimize/1"},
+              {"trial", study.trials.front().name},
+              {"frequency_Hz", sought.frequency_Hz},
+              {"interpolation", interpolation(sought.hold)},
+              {"smoothness_m_s", optimization.problem.smoothness_m_s},
+              {"rms_before_m", json_number(optimization.before.fit_rms_m)},
+              {"rms_after_m", json_number(optimization.after.fit_rms_m)},
+              {"rms_after_xyz_m", rms_of_axes(optimization.after.predictions.front())},
+              {"loss_before_m2", json_number(fit.first.loss_m2)},
+              {"loss_after_m2", json_number(fit.best.loss_m2)},
+              {"gradient_norm_m2", json_number(fit.gradient_norm_m2)},
+              {"evaluations", evaluations},
+              {"evaluations_in_all", evaluations + optimization.earlier_evaluations},
+              {"seconds", optimization.seconds},
+              {"converged", fit.converged()},
+              {"stopped", optimization.stopped},
+              {"message", fit.message},
+              {"actuation", actuation_file(study).string()},
+              {"knot_times_s", json_array(knot_times(sought))},
+              {"signals", signals_json(sought, fit.values)},
+              {"muscles", muscles_json(study, sought)},
+              {"starts", starts_json(optimization.starts)},
+              {"history", history_json(fit.log)}};
+    if (optimization.settings.starts > 1) json["seed"] = optimization.settings.seed;
+    std::vector<std::string> warnings = study.warnings;
+    warnings.insert(warnings.end(), optimization.warnings.begin(), optimization.warnings.end());
+    json["warnings"] = warnings;
+    json.update(study_size_json(study));
+    json["steps"] = fit.best.steps;
+    json["setup_s"] = facts.setup_s;
+    json["peak_memory_bytes"] = facts.peak_memory_bytes;
+    json["version"] = facts.version;
+    json["command"] = facts.command;
+    const TrialScore& before = optimization.before.scores.front();
+    const TrialScore& after = optimization.after.scores.front();
+    json["trials"] = Json::array({{{"name", after.name}, {"rms_before_m", json_number(before.rms_m)}, {"rms_m", json_number(after.rms_m)}, {"markers", marker_scores_json(after)}}});
+    return json;
+}
+
+Result<void> write_actuation(const fs::path& folder, const Study& study, const Optimization& optimization) {
+    if (const Result<void> written = write_actuation_csv(folder / actuation_file(study), actuation_table(optimization.problem.sought, optimization.fit.values)); !written)
+        return written.error();
+    return write_traces(folder, study, optimization.after);
+}
+
+Result<void> check_actuation_file(const fs::path& folder, const Study& study, const Experiment& whole) {
+    std::error_code code;
+    const fs::path target = folder / actuation_file(study);
+    for (const TrialDeclaration& trial : whole.trials)
+        if (fs::equivalent(target, trial.trace, code) || (trial.actuation && fs::equivalent(target, *trial.actuation, code)))
+            return Error{"results would replace " + target.filename().string() + ", which the experiment reads; choose another folder", "--out"};
+    return {};
+}
+
+}  // namespace myo

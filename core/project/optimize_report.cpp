@@ -1,0 +1,111 @@
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "project/calibrate_study.hpp"
+#include "project/optimize_study.hpp"
+#include "project/study_report_parts.hpp"
+#include "report/chart.hpp"
+#include "report/markup.hpp"
+
+namespace myo {
+namespace {
+
+std::string in_mm(double metres) { return readable_number(1e3 * metres, 3); }
+
+std::string ending(const Optimization& optimization) {
+    if (optimization.stopped) return "The user stopped the search: these are the best signals up to then.";
+    if (!optimization.fit.converged()) return "The search did not converge: " + optimization.fit.message + ".";
+    return "";
+}
+
+int evaluations_of(const Optimization& optimization) {
+    int count = 0;
+    for (const StartEnding& start : optimization.starts) count += start.evaluations;
+    return count;
+}
+
+std::vector<KeyFigure> key_figures(const Study& study, const Optimization& optimization) {
+    const SoughtSignals& sought = optimization.problem.sought;
+    std::vector<KeyFigure> figures;
+    figures.push_back({"Error (rms)", in_mm(optimization.after.fit_rms_m), "mm", "was " + in_mm(optimization.before.fit_rms_m) + " mm at the start"});
+    for (std::size_t s = 0; s < sought.signals.size(); ++s) {
+        const auto row = optimization.fit.values.row(static_cast<Eigen::Index>(s));
+        figures.push_back({"Signal " + sought.signals[s].name, readable_number(row.minCoeff(), 3) + " … " + readable_number(row.maxCoeff(), 3), "",
+                           std::to_string(row.size()) + " values at " + readable_number(sought.frequency_Hz, 3) + " Hz" + (sought.hold ? ", held" : "")});
+    }
+    figures.push_back({"Evaluations", std::to_string(evaluations_of(optimization)), "", readable_number(optimization.seconds, 3) + " s, " + std::to_string(study.body->dofs()) + " degrees of freedom"});
+    return figures;
+}
+
+LineChart signal_chart(const Study& study, const Optimization& optimization) {
+    const SoughtSignals& sought = optimization.problem.sought;
+    const std::vector<Signal> signals = activations_of(sought, optimization.fit.values);
+    Panel panel{{.label = "activation a"}, {}, 220.0};
+    for (std::size_t g = 0; g < signals.size(); ++g) {
+        Series series{study.experiment.muscles[g].name, {}, {}, sought.hold ? SeriesStyle::line : SeriesStyle::line_and_dots};
+        for (std::size_t k = 0; k < signals[g].times_s.size(); ++k) {
+            series.x.push_back(std::max(0.0, signals[g].times_s[k]));
+            series.y.push_back(signals[g].values[k]);
+        }
+        // A held signal lasts to the end, where it has no knot.
+        series.x.push_back(std::max(sought.end_s, series.x.back()));
+        series.y.push_back(signals[g].values.back());
+        panel.series.push_back(std::move(series));
+    }
+    panel.horizontal.push_back({1.0, "passive"});
+    return {"Signals", {.label = "time", .unit = "s"}, {panel}};
+}
+
+LineChart loss_chart(const Optimization& optimization) {
+    Panel loss{{.label = "rms of the loss", .unit = "mm", .logarithmic = true}, {}, 170.0}, gradient{{.label = "gradient", .unit = "mm²", .logarithmic = true}, {}, 130.0};
+    Series each{"evaluation", {}, {}, SeriesStyle::dots}, best{"best so far", {}, {}, SeriesStyle::line}, norm{"", {}, {}, SeriesStyle::dots};
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < optimization.fit.log.size(); ++i) {
+        const ActuationIterate& line = optimization.fit.log[i];
+        const double x = static_cast<double>(i + 1), y = line.ok ? 1e3 * std::sqrt(line.loss_m2) : std::nan("");
+        if (line.ok) least = std::min(least, y);
+        each.x.push_back(x), each.y.push_back(y);
+        best.x.push_back(x), best.y.push_back(least);
+        norm.x.push_back(x), norm.y.push_back(line.ok ? 1e6 * line.gradient_norm_m2 : std::nan(""));
+    }
+    loss.series = {each, best};
+    gradient.series = {norm};
+    return {"Loss", {.label = "evaluation"}, {loss, gradient}};
+}
+
+/// The shape in which the pages of a fit show a trial.
+Calibration shown_as_fit(const Optimization& optimization) {
+    Calibration shown;
+    shown.before = optimization.before;
+    shown.after = optimization.after;
+    return shown;
+}
+
+}  // namespace
+
+HtmlReport optimize_report(const Study& study, const Optimization& optimization, const RunFacts& facts) {
+    assert(optimization.usable());
+    const Calibration shown = shown_as_fit(optimization);
+    HtmlReport report;
+    report.title = study.experiment.name;
+    report.summary = {"The actuation that makes the markers follow trial " + study.trials.front().name + ": muscle signals with values " +
+                      readable_number(1e3 / optimization.problem.sought.frequency_Hz, 3) + " ms apart, found by " + std::to_string(evaluations_of(optimization)) +
+                      " runs with their gradients in " + readable_number(optimization.seconds, 3) + " s."};
+    report.key_figures = key_figures(study, optimization);
+    report.warnings.lines = optimization.warnings;
+    report.warnings.lines.insert(report.warnings.lines.end(), study.warnings.begin(), study.warnings.end());
+    if (const std::string end = ending(optimization); !end.empty()) report.warnings.lines.insert(report.warnings.lines.begin(), end);
+    report.sections.push_back({"Signals", {Figure{svg(signal_chart(study, optimization)), "1 is passive; below it a muscle contracts, above it it extends. Muscles that follow another are drawn, too."}}});
+    report.sections.push_back(trial_section(study, shown, 0));
+    report.sections.push_back({"Search", {Figure{svg(loss_chart(optimization)), "The loss is the mean square distance of the coordinates plus the square of " +
+                                                                                    readable_number(1e3 * optimization.problem.smoothness_m_s, 3) +
+                                                                                    " mm·s times the mean square rate of the signals; its root is shown."}}});
+    report.sections.push_back(model_section(study, shown));
+    report.sections.back().blocks.push_back(EmbeddedJson{"optimize", optimize_json(study, optimization, facts)});
+    report.footer = "Myoloop " + facts.version;
+    for (const std::string& word : facts.command) report.footer += (&word == &facts.command.front() ? " — " : " ") + word;
+    return report;
+}
+
+}  // namespace myo

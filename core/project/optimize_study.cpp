@@ -1,0 +1,141 @@
+#include "project/optimize_study.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "base/text.hpp"
+#include "project/read_experiment.hpp"
+#include "project/read_trial.hpp"
+#include "project/study_target.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// One signal for each muscle that follows none. Its bounds keep its followers, too, between the lowest and the highest.
+SoughtSignals sought_signals(const Study& study, const OptimizeSettings& settings, double end_s) {
+    const std::vector<MuscleLeader> leaders = muscle_leaders(study.experiment);
+    const StudyTrial& trial = study.trials.front();
+    SoughtSignals sought;
+    sought.frequency_Hz = settings.frequency_Hz;
+    sought.end_s = end_s;
+    sought.hold = settings.hold;
+    sought.from_before = trial.options.start == StartKind::equilibrium;
+    std::vector<std::size_t> signal_of(leaders.size());
+    for (std::size_t m = 0; m < leaders.size(); ++m) {
+        if (leaders[m].leader != m) continue;
+        signal_of[m] = sought.signals.size();
+        sought.signals.push_back({study.experiment.muscles[m].name, settings.lowest, settings.highest, trial.model.activation[m].value_before(0.0)});
+    }
+    for (const MuscleLeader& muscle : leaders) {
+        sought.groups.push_back({signal_of[muscle.leader], muscle.factor});
+        if (muscle.factor == 0.0) continue;
+        SoughtSignal& signal = sought.signals[sought.groups.back().signal];
+        const double a = 1.0 + (settings.lowest - 1.0) / muscle.factor, b = 1.0 + (settings.highest - 1.0) / muscle.factor;
+        signal.lower = std::max(signal.lower, std::min(a, b));
+        signal.upper = std::min(signal.upper, std::max(a, b));
+    }
+    return sought;
+}
+
+/// The last time at which a marker is seen; 0 when none is after the start.
+double last_seen(const MarkerTarget& target) {
+    for (Index t = target.times_s.size() - 1; t >= 0; --t)
+        for (const Eigen::Matrix3Xd& track : target.positions_m)
+            if (track.col(t).allFinite()) return std::max(0.0, target.times_s(t));
+    return 0.0;
+}
+
+/// A level per signal, within 0.3 of passive and the bounds.
+MatrixXd random_values(const SoughtSignals& sought, std::mt19937_64& random) {
+    MatrixXd values = unmoved_values(sought);
+    for (Index s = 0; s < values.rows(); ++s) {
+        const SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
+        const double low = std::max(0.7, signal.lower), high = std::min(1.3, signal.upper);
+        // The top 53 bits, as one machine's uniform distribution need not be another's.
+        values.row(s).setConstant(std::clamp(low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53, signal.lower, signal.upper));
+    }
+    return values;
+}
+
+std::vector<std::string> bound_warnings(const SoughtSignals& sought, const MatrixXd& values) {
+    std::vector<std::string> warnings;
+    for (Index s = 0; s < values.rows(); ++s) {
+        const SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
+        const Index stopped = (values.row(s).array() <= signal.lower).count() + (values.row(s).array() >= signal.upper).count();
+        if (stopped > 0)
+            warnings.push_back(signal.name + ": " + std::to_string(stopped) + " of " + std::to_string(values.cols()) + " values ended at a bound (" +
+                               format_number(signal.lower, 4) + ", " + format_number(signal.upper, 4) + ")");
+    }
+    return warnings;
+}
+
+StudyRun run_of(const Study& study, const ActuationEvaluation& evaluation) {
+    StudyValues values = declared_values(study);
+    for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
+    return scored_run(study, values, {prediction_of(study, 0, evaluation.motion)}, {0});
+}
+
+}  // namespace
+
+Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings) {
+    assert(study.trials.size() == 1);
+    const StudyTrial& trial = study.trials.front();
+    if (study.experiment.muscles.empty()) return declaration_error(study.experiment, "muscle", "none is declared, so there is no actuation to be found");
+    if (!(settings.lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
+    ActuationProblem problem;
+    problem.model = trial.model;
+    problem.options = trial.options;
+    problem.target = trial_target(study, 0, std::numeric_limits<double>::infinity());
+    problem.options.end_s = last_seen(problem.target);
+    if (!(problem.options.end_s > 0.0)) return Error{"trial " + trial.name + ": no marker was seen after the start", study.experiment.trials.front().trace.string()};
+    if (settings.frequency_Hz * trial.options.h_s > 1.0 + 1e-9)
+        return Error{format_number(settings.frequency_Hz) + " Hz asks for more than one knot per step of " + format_number(1e3 * trial.options.h_s, 4) +
+                         " ms; choose a lower one or a smaller --dt",
+                     "--frequency"};
+    problem.sought = sought_signals(study, settings, problem.options.end_s);
+    for (const SoughtSignal& signal : problem.sought.signals)
+        if (!(signal.lower < signal.upper)) return Error{"muscle " + signal.name + " and those that follow it have no value in common within the bounds", "--lowest"};
+    const double noise = std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size()));
+    problem.smoothness_m_s = settings.smoothness_m_s.value_or(noise);
+    return problem;
+}
+
+Optimization optimize_study(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings, const MatrixXd& start,
+                            const Progress& progress) {
+    const auto begin = std::chrono::steady_clock::now();
+    Optimization result;
+    result.settings = settings;
+    result.problem = problem;
+    std::mt19937_64 random(settings.seed);
+    ActuationEvaluation first;
+    double done = 0.0;
+    for (int s = 0; s < settings.starts && !progress.cancelled(); ++s) {
+        const Progress inner = progress.with_sink([&](const ProgressEvent& event) {
+            const std::string words = settings.starts > 1 ? "start " + std::to_string(s + 1) + " of " + std::to_string(settings.starts) + "  " : "";
+            progress.report({event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
+        });
+        ActuationFit fit = fit_actuation(problem, s == 0 ? start : random_values(problem.sought, random), {settings.max_evaluations}, inner);
+        done += static_cast<double>(fit.log.size());
+        result.starts.push_back({fit.status, fit.message, fit.first.loss_m2, fit.best.loss_m2, static_cast<int>(fit.log.size())});
+        if (fit.usable() && !first.ok()) first = fit.first;
+        const bool better = fit.usable() && (!result.usable() || fit.best.loss_m2 < result.fit.best.loss_m2);
+        if (better || s == 0) result.fit = std::move(fit);
+    }
+    result.stopped = progress.cancelled();
+    if (result.usable()) {
+        result.before = run_of(study, first);
+        result.after = run_of(study, result.fit.best);
+        result.warnings = bound_warnings(problem.sought, result.fit.values);
+    }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+}  // namespace myo

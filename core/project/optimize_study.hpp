@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inverse/actuation_fit.hpp"
+#include "project/output_json.hpp"
+#include "project/run_study.hpp"
+#include "report/html_report.hpp"
+
+namespace myo {
+
+/// How the actuation of a trial is looked for.
+struct OptimizeSettings {
+    double frequency_Hz = 20.0;             // of the knots
+    bool hold = false;                      // constant from knot to knot instead of linear
+    std::optional<double> smoothness_m_s;   // see ActuationProblem; default: the noise of the markers times a second
+    double lowest = 0.5, highest = 2.0;     // of every muscle's activation, followers included
+    int max_evaluations = 100;              // of each start
+    int starts = 1;                         // the first is the given one, the others are random levels
+    std::uint64_t seed = 1;
+};
+
+/// The problem of a study's only trial (with_one_trial()): one signal for every muscle that follows none, from t = 0 to the last sample.
+/// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds.
+Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings);
+
+/// How one of several starts ended.
+struct StartEnding {
+    FitStatus status = FitStatus::not_run;
+    std::string message;
+    double loss_before_m2 = 0.0, loss_after_m2 = 0.0;
+    int evaluations = 0;
+};
+
+/// The actuation of a trial.
+struct Optimization {
+    OptimizeSettings settings;
+    ActuationProblem problem;
+    ActuationFit fit;                    // of the start that ended with the least loss
+    std::vector<StartEnding> starts;
+    StudyRun before, after;              // the trial with the first start's values, and with those found; markers only
+    int earlier_evaluations = 0;         // of the calls that this one resumes
+    double seconds = 0.0;
+    bool stopped = false;                // by the user
+    std::vector<std::string> warnings;
+
+    bool usable() const { return fit.usable(); }
+};
+
+/// Looks for the signals from `start` (signals x knots) and from random levels. Cancelled, it gives the best values so far.
+Optimization optimize_study(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings, const Eigen::MatrixXd& start,
+                            const Progress& progress = {});
+
+/// Where an earlier call has left off: the values in its optimize.json.
+struct EarlierOptimization {
+    Eigen::MatrixXd values;   // signals x knots
+    int evaluations = 0;
+};
+/// Errors: no such file or not of this form; another trial, other signals or other knots.
+Result<EarlierOptimization> read_optimization(const std::filesystem::path& folder, const Study& study, const ActuationProblem& problem);
+
+/// What lies in optimize.json. Asserts that the optimization is usable, as the others below do.
+Json optimize_json(const Study& study, const Optimization& optimization, const RunFacts& facts);
+
+/// Writes `<trial>_actuation.csv` in the schema's form, one column for every muscle that follows none, and `<trial>.csv`, the
+/// simulated markers. A held signal rises within a microsecond after its knot, for the schema's signals do not jump.
+Result<void> write_actuation(const std::filesystem::path& folder, const Study& study, const Optimization& optimization);
+
+/// Error: `<trial>_actuation.csv` would replace a file that the experiment reads.
+Result<void> check_actuation_file(const std::filesystem::path& folder, const Study& study, const Experiment& whole);
+
+/// Signals, markers over their targets, how the loss fell.
+HtmlReport optimize_report(const Study& study, const Optimization& optimization, const RunFacts& facts);
+
+}  // namespace myo

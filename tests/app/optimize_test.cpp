@@ -1,0 +1,176 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/program.hpp"
+#include "app/small_experiment.hpp"
+#include "measurement/actuation_csv.hpp"
+
+namespace myo::test {
+namespace {
+
+using ::testing::HasSubstr;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+json json_at(const Folder& folder, const char* path) { return json::parse(content_of(folder.path() / path)); }
+
+const std::vector<double> wave{1.0, 0.96, 0.9, 0.93, 1.0, 1.04, 1.02, 0.97, 0.95};   // at 20 Hz
+
+std::string signals_csv() {
+    std::string text = "time_s,upper\n";
+    for (std::size_t k = 0; k < wave.size(); ++k) text += std::to_string(0.05 * static_cast<double>(k)) + "," + std::to_string(wave[k]) + "\n";
+    return text;
+}
+
+/// The muscled block, its trace made by the program itself from known signals.
+void write_muscled_experiment(const Folder& folder) {
+    std::string trace = "time_s,tip_x_m,tip_y_m,tip_z_m,middle_x_m,middle_y_m,middle_z_m\n";
+    for (int k = 0; k <= 40; ++k) trace += std::to_string(0.01 * k) + ",0.04,0.01,0.02,0.02,0.01,0.02\n";
+    folder.write("made/experiment.toml", muscled_toml());
+    folder.write("made/signals.csv", signals_csv());
+    folder.write("made/wave.csv", trace);
+    const ProgramRun run = run_program({"simulate", folder.str("made"), "--out", folder.str("exp"), "--resolution", "0.01", "--quiet"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    folder.write("exp/experiment.toml", muscled_toml());
+    folder.write("exp/signals.csv", "time_s,upper\n0,1\n");
+}
+
+std::vector<std::string> optimize_call(const Folder& folder, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"optimize", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.01"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
+    const Folder folder("optimize");
+    write_muscled_experiment(folder);
+    const ProgramRun run = run_program(optimize_call(folder));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("signal upper: 8 values"));
+    const json j = json_at(folder, "out/optimize.json");
+    EXPECT_EQ(j.at("schema"), "optimize/1");
+    EXPECT_EQ(j.at("trial"), "wave");
+    EXPECT_EQ(j.at("converged"), true);
+    ASSERT_EQ(j.at("signals").size(), 1u);
+    EXPECT_EQ(j["signals"][0].at("name"), "upper");
+    for (std::size_t k = 1; k < wave.size(); ++k) EXPECT_NEAR(j["signals"][0].at("values")[k - 1].get<double>(), wave[k], 1e-3) << k;
+    EXPECT_EQ(j.at("muscles")[1].at("factor"), -0.5);
+    EXPECT_LT(j.at("rms_after_m").get<double>(), 1e-3 * j.at("rms_before_m").get<double>());
+    EXPECT_EQ(j.at("history").size(), j.at("evaluations").get<std::size_t>());
+    EXPECT_EQ(content_of(folder.path() / "out/optimize.json").find("null"), std::string::npos);
+    const std::string page = content_of(folder.path() / "out/report.html");
+    for (const char* text : {"muscled block", "Signals", "after the fit", "optimize/1", "<svg"}) EXPECT_THAT(page, HasSubstr(text));
+    EXPECT_EQ(page.find("NaN"), std::string::npos);
+
+    // What it wrote is an experiment's file: run with it, the trial follows the trace as well.
+    const Result<ActuationTable> table = read_actuation_csv(folder.path() / "out/wave_actuation.csv");
+    ASSERT_TRUE(table) << table.error().text();
+    EXPECT_EQ(table->muscles, std::vector<std::string>{"upper"});
+    folder.write("exp/signals.csv", content_of(folder.path() / "out/wave_actuation.csv"));
+    ASSERT_EQ(run_program({"simulate", folder.str("exp"), "--out", folder.str("again"), "--resolution", "0.01", "--quiet"}).status, 0);
+    EXPECT_NEAR(json_at(folder, "again/simulate.json")["trials"][0]["rms_m"].get<double>(), j.at("rms_after_m").get<double>(), 1e-9);
+}
+
+TEST(Optimize, HeldSignalsCanBePlayed) {
+    const Folder folder("optimize_hold");
+    write_muscled_experiment(folder);
+    ASSERT_EQ(run_program(optimize_call(folder, {"--hold", "--frequency", "50", "--smoothness", "0.001", "--quiet"})).status, 0);
+    const json j = json_at(folder, "out/optimize.json");
+    EXPECT_EQ(j.at("interpolation"), "hold");
+    EXPECT_EQ(j.at("knot_times_s").size(), 20u);
+    EXPECT_LT(j.at("rms_after_m").get<double>(), 0.1 * j.at("rms_before_m").get<double>());
+    folder.write("exp/signals.csv", content_of(folder.path() / "out/wave_actuation.csv"));
+    ASSERT_EQ(run_program({"simulate", folder.str("exp"), "--out", folder.str("again"), "--resolution", "0.01", "--quiet"}).status, 0);
+    // The schema's signals do not jump, and the steps see the rise, not the jump.
+    EXPECT_LT(json_at(folder, "again/simulate.json")["trials"][0]["rms_m"].get<double>(), 0.15 * j.at("rms_before_m").get<double>());
+}
+
+TEST(Optimize, CtrlCKeepsTheBestAndResumeGoesOnFromIt) {
+    const Folder folder("optimize_interrupt");
+    write_muscled_experiment(folder);
+    // Small steps, so that there is time to stop it.
+    const ProgramRun run = run_program(optimize_call(folder, {"--dt", "0.0005", "--json-progress"}), "\"done\":2.");
+    ASSERT_EQ(run.status, 130) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("--resume"));
+    const json stopped = json_at(folder, "out/optimize.json");
+    EXPECT_EQ(stopped.at("stopped"), true);
+    EXPECT_LE(stopped.at("loss_after_m2").get<double>(), stopped.at("loss_before_m2").get<double>());
+    EXPECT_TRUE(folder.has("out/report.html") && folder.has("out/wave.csv") && folder.has("out/wave_actuation.csv"));
+
+    ProgramRun again = run_program(optimize_call(folder, {"--resume", "--frequency", "10"}));
+    EXPECT_EQ(again.status, 2);
+    EXPECT_EQ(count_lines(again.err), 1) << again.err;
+    EXPECT_THAT(again.err, HasSubstr("other knots"));
+    again = run_program(optimize_call(folder, {"--dt", "0.0005", "--resume", "--max-evaluations", "1", "--quiet"}));
+    const json resumed = json_at(folder, "out/optimize.json");
+    EXPECT_NEAR(resumed.at("loss_before_m2").get<double>() / stopped.at("loss_after_m2").get<double>(), 1.0, 1e-6);
+    EXPECT_EQ(resumed.at("evaluations_in_all").get<int>(), stopped.at("evaluations").get<int>() + resumed.at("evaluations").get<int>());
+}
+
+TEST(Optimize, SeveralStartsAreRepeatedByTheirSeed) {
+    const Folder folder("optimize_starts");
+    write_muscled_experiment(folder);
+    const std::vector<std::string> more{"--starts", "2", "--seed", "5", "--max-evaluations", "4", "--quiet"};
+    EXPECT_EQ(run_program(optimize_call(folder, more)).status, 1);   // four are too few
+    const json first = json_at(folder, "out/optimize.json");
+    ASSERT_EQ(first.at("starts").size(), 2u);
+    EXPECT_EQ(first.at("seed"), 5);
+    EXPECT_NE(first["starts"][0].at("loss_before_m2"), first["starts"][1].at("loss_before_m2"));
+    EXPECT_EQ(run_program(optimize_call(folder, more)).status, 1);
+    EXPECT_EQ(json_at(folder, "out/optimize.json").at("signals"), first.at("signals"));
+}
+
+TEST(Optimize, BadCallsAreTurnedDownInOneSentence) {
+    const Folder folder("optimize_bad");
+    write_small_experiment(folder);
+    folder.write("muscled/experiment.toml", muscled_toml());
+    folder.write("muscled/signals.csv", "time_s,upper\n0,1\n");
+    folder.write("muscled/wave.csv", small_trace());
+    const std::vector<std::pair<std::vector<std::string>, std::string>> calls{
+        {{"optimize", folder.str("exp"), "--out", folder.str("out")}, "muscle"},
+        {{"optimize", folder.str("muscled")}, "--out"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--trial", "wawe"}, "did you mean 'wave'"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--frequency", "1000"}, "--frequency"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--frequency", "-1"}, "--frequency"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--smoothness", "-1"}, "--smoothness"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--lowest", "2", "--highest", "1"}, "--lowest"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--resume"}, "nothing to resume"},
+        {{"gradcheck", folder.str("muscled"), "--trial", "wawe"}, "did you mean 'wave'"},
+        {{"gradcheck", folder.str("nowhere")}, "nowhere"},
+        {{"gradcheck"}, "experiment folder"},
+        {{"gradcheck", folder.str("muscled"), "--steps", "0"}, "--steps"},
+    };
+    for (auto [words, expected] : calls) {
+        if (words.size() > 1) words.insert(words.end(), {"--resolution", "0.01"});
+        const ProgramRun run = run_program(words);
+        EXPECT_EQ(run.status, 2) << expected;
+        EXPECT_EQ(count_lines(run.err), 1) << run.err;
+        EXPECT_THAT(run.err, HasSubstr(expected));
+    }
+    EXPECT_FALSE(folder.has("out/optimize.json"));
+}
+
+TEST(Gradcheck, EveryParameterOfATrialAgreesWithDifferences) {
+    const Folder folder("gradcheck");
+    write_small_experiment(folder);
+    write_muscled_experiment(folder);
+    for (const char* integrator : {"tr_bdf2", "implicit_euler"}) {
+        const ProgramRun run = run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01", "--integrator", integrator, "--json", folder.str("check.json")});
+        ASSERT_EQ(run.status, 0) << run.out << run.err;
+        for (const char* word : {"Young's modulus", "stiffness of upper", "activation of lower", "initial velocities", "median"}) EXPECT_THAT(run.out, HasSubstr(word));
+        const json j = json_at(folder, "check.json");
+        EXPECT_EQ(j.at("schema"), "gradcheck/1");
+        EXPECT_EQ(j.at("integrator"), integrator);
+        EXPECT_EQ(j.at("against_trace"), true);
+        EXPECT_LE(j.at("median_relative_error").get<double>(), 1e-6);
+        EXPECT_LE(j.at("worst_relative_error").get<double>(), 1e-5);
+        EXPECT_GE(j.at("parameters").size(), 10u);
+        for (const json& row : j["parameters"]) EXPECT_NE(row.at("adjoint").get<double>(), 0.0) << row;
+    }
+}
+
+}  // namespace
+}  // namespace myo::test
