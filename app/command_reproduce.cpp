@@ -92,6 +92,8 @@ int reproduce_command(const ReproduceCall& call) {
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result->values["seconds"] = seconds;
+    result->values["coarse"] = call.coarse;
+    if (call.coarse) result->warnings.push_back("--coarse: these are not the paper's meshes; what is said about them holds for the full run only");
     for (const std::string& warning : result->warnings) console.warn(warning);
     if (const Result<void> written = write_reproduction(call.out, *one, *result); !written) return console.refuse(written.error());
     for (const Table& table : result->tables) console.print(table_text(table) + "\n");

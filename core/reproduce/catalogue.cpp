@@ -4,7 +4,10 @@ namespace myo {
 
 const std::vector<ReproductionCase>& reproduction_catalogue() {
     static const std::vector<ReproductionCase> cases = {
+        reproduce_beam_static(),
+        reproduce_beam_modulus(),
         reproduce_numerical_damping(),
+        reproduce_lambda(),
     };
     return cases;
 }

@@ -29,8 +29,8 @@ Model make_paper_beam(const PaperBeam& beam);
 /// As published: whole cubes that fit 23 or 32 times along the beam, full integration, projective energy, equal vertex masses.
 PaperBeam published_hex_beam(int cells_along);
 
-/// Mass the published program gave to each vertex [kg]: density times the mean volume of a cell.
-double published_vertex_mass_kg(const Model& model);
+/// Mass the published program gave to each vertex of its 23 x 7 x 7 cubes [kg]: density times the volume of a cube.
+double published_vertex_mass_kg();
 
 /// The points of the tip's surface nearest to the tracked markers [m]: the paper's Top, Left and Right.
 inline constexpr int left_marker = 1;

@@ -240,7 +240,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     const Result<Work> done = simulate_all(settings, progress);
     if (!done) return done.error();
     const Work& work = *done;
-    const double factor_kg = 2.0 * published_vertex_mass_kg(work.published.model);
+    const double factor_kg = 2.0 * published_vertex_mass_kg();
 
     Reproduction result;
     result.title = "A velocity force against numerical damping";

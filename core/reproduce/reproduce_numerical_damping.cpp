@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <iterator>
 #include <numbers>
 
@@ -157,7 +158,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     result.findings = {
         "The simulated damping of implicit Euler follows the paper's formula within " + format_number(100.0 * own_error, 2) + " % on our beam (" + format_number(hertz(omega), 4) +
             " Hz) and within " + format_number(100.0 * published_error, 2) + " % on the beam as published (" + format_number(hertz(studies[1].beam.mode.omega_rad_s), 4) + " Hz).",
-        "TR-BDF2 adds at 10 ms a damping ratio of " + format_number(studies[2].ratio(3), 2) + ", " + format_number(studies[0].ratio(3) / studies[2].ratio(3), 2) +
+        "TR-BDF2 adds at 10 ms a damping ratio of " + format_number(studies[2].ratio(3), 2) + ", " + std::to_string(std::lround(studies[0].ratio(3) / studies[2].ratio(3))) +
             " times less than implicit Euler's " + format_number(studies[0].ratio(3), 3) + "; the most at any of these steps is " + format_number(second_order, 2) + "."};
     if (!trials.empty())
         result.findings.push_back("The real beam swings with a damping ratio of " + format_number(measured, 3) + ": implicit Euler damps by itself as much at h = " +
