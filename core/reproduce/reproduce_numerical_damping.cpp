@@ -32,7 +32,7 @@ struct Study {
 Result<std::vector<Study>> simulate_all(const ReproduceSettings& settings, const Progress& progress) {
     PaperBeam own;
     if (settings.coarse) own.cells = {7, 2, 2};
-    const Result<RingingBeam> honest = ringing_beam(own), published = ringing_beam(published_hex_beam(settings.coarse ? 10 : 23));
+    const Result<RingingBeam> honest = ringing_beam(own), published = ringing_beam(published_hex_beam(settings.coarse ? 6 : 23));
     if (!honest) return honest.error();
     if (!published) return published.error();
     std::vector<Study> studies{{*honest, Integrator::implicit_euler, {}}, {*published, Integrator::implicit_euler, {}}, {*honest, Integrator::tr_bdf2, {}}};
