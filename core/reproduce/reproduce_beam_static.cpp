@@ -54,10 +54,10 @@ PaperBeam beam_at(const StaticCase& one, std::size_t step) {
         if (step >= no_locking) beam.element = ElementKind::hex8;
     } else {
         beam = {.element = ElementKind::tet4, .cells = one.cells, .mass_model = MassModel::equal_vertices, .material = "projective_corotational"};
-        // The same nodes, as nearly: two edges of a linear tetrahedron make one of a quadratic.
+        // About the same nodes, as two edges of a linear tetrahedron make one of a quadratic, but no more than it needs: 20,787 unknowns.
         if (step >= no_locking) {
             beam.element = ElementKind::tet10;
-            beam.cells = one.cells / 2;
+            beam.cells = (one.cells / 2).cwiseMin(Eigen::Vector3i(20, 6, 6));
         }
     }
     if (step >= true_mass) beam.mass_model = MassModel::consistent;
@@ -206,7 +206,7 @@ std::vector<std::string> findings_of(const std::vector<StaticRow>& rows) {
             "Case E, hexahedra as published: " + mm(hex_e.dz_mm[published]) + " beside the commercial solver's " + mm(commercial[2].dz_mm) +
                 ": a body with three quarters of the bending stiffness makes up for locking.",
             "Our model is within " + format_number(100.0 * worst_hex, 2) + " % (hexahedra) and " + format_number(100.0 * worst_tet, 2) +
-                " % (quadratic tetrahedra) of the commercial solver in every case, at the paper's numbers of unknowns."};
+                " % (quadratic tetrahedra) of the commercial solver in every case, with the paper's numbers of unknowns or, for quadratic tetrahedra, at most 20,787."};
 }
 
 Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {

@@ -31,11 +31,12 @@ constexpr double envelope_rate = 0.5 * (published_rates[0] + published_rates[1])
 /// Of the linear vibration under implicit Euler: the modulus per step is sqrt((1 + h Lambda) / (1 + h^2 omega^2)) = exp(-rate h).
 double linear_lambda(double omega, double h, double rate) { return (std::exp(-2.0 * rate * h) * (1.0 + h * h * omega * omega) - 1.0) / h; }
 
-/// The number at which the simulated decay is the wanted one, by the secant rule from a good start.
-Result<double> fit_rate(const std::function<Result<double>(double)>& rate_of, double start, double step, double wanted) {
-    double a = start, b = start + step;
+/// The number at which the simulated decay is the wanted one, by the secant rule from the linear vibration's number and slope.
+Result<double> fit_rate(const std::function<Result<double>(double)>& rate_of, double start, double slope, double wanted) {
+    double a = start;
     Result<double> ra = rate_of(a);
     if (!ra) return ra;
+    double b = a + (wanted - *ra) / slope;
     Result<double> rb = rate_of(b);
     for (int k = 0; k < 8 && rb && std::abs(*rb - wanted) > 2e-4 * envelope_rate; ++k) {
         const double next = b + (wanted - *rb) * (b - a) / (*rb - *ra);
@@ -58,7 +59,7 @@ struct LambdaRow {
 };
 
 Result<double> rate_with(const RingingBeam& beam, double h, double lambda, const Progress& progress) {
-    const Result<RungBeam> run = ring(beam, {.scheme = Integrator::implicit_euler, .h_s = h, .velocity_force_1_s = lambda}, progress);
+    const Result<RungBeam> run = ring(beam, {.scheme = Integrator::implicit_euler, .h_s = h, .velocity_force_1_s = lambda, .end_s = 0.9}, progress);
     if (!run) return run.error();
     return run->vibration.rate_1_s;
 }
@@ -71,9 +72,9 @@ Result<LambdaRow> lambda_row(const RingingBeam& beam, double h, const Progress& 
     if (critical.status != SolveStatus::converged) return Error{"the power iteration did not settle", ""};
     row.critical_structure = critical.velocity_force_1_s;
     const auto rate_of = [&](double lambda) { return rate_with(beam, h, lambda, progress); };
-    const Result<double> fitted = fit_rate(rate_of, row.fitted_linear, 0.1, envelope_rate);
+    const Result<double> fitted = fit_rate(rate_of, row.fitted_linear, -0.5 / (1.0 + h * row.fitted_linear), envelope_rate);
     if (!fitted) return fitted.error();
-    const Result<double> amplitude = fit_rate(rate_of, row.critical_linear, -0.1, 0.0);
+    const Result<double> amplitude = fit_rate(rate_of, row.critical_linear, -0.5 / (1.0 + h * row.critical_linear), 0.0);
     if (!amplitude) return amplitude.error();
     row.fitted = *fitted;
     row.critical_amplitude = *amplitude;
@@ -136,8 +137,8 @@ Result<BetterWay> better_way(const RingingBeam& beam, double lambda_of_ten_ms, c
         return run->vibration.rate_1_s;
     };
     // Strain-rate damping of the whole stiffness would give rate = damping omega^2 / 2.
-    const double start = 2.0 * envelope_rate / (beam.mode.omega_rad_s * beam.mode.omega_rad_s);
-    const Result<double> damping = fit_rate(rate_of, start, 0.2 * start, envelope_rate);
+    const double slope = 0.5 * beam.mode.omega_rad_s * beam.mode.omega_rad_s;
+    const Result<double> damping = fit_rate(rate_of, envelope_rate / slope, slope, envelope_rate);
     if (!damping) return damping.error();
     BetterWay way{*damping, std::vector<double>(step_count), std::vector<double>(step_count), std::vector<RungBeam>(step_count)};
     const Result<void> done = at_all_steps(settings, progress, "one damping at every step", [&](std::size_t i) -> Result<void> {
