@@ -17,7 +17,7 @@ namespace myo {
 /// What every command that works for a while takes.
 struct WorkOptions {
     int threads = 0;                     // 0: all that the hardware has
-    std::optional<std::uint64_t> seed;   // recorded; nothing so far is random
+    std::optional<std::uint64_t> seed;   // recorded; of random starts
     bool quiet = false;
     bool json_progress = false;
 };

@@ -246,6 +246,11 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
             result.findings.push_back(targets.all[k].name + ": " + format_number(s.mean_Pa) + " Pa; ten starts over a factor of ten end within " + format_number(100.0 * s.spread, 2) +
                                       " % of each other, after at most " + std::to_string(s.simulations) + " simulations each.");
     }
+    if (!trials->empty()) {
+        const double own = summarise(*jobs, 1).mean_Pa, published = summarise(*jobs, 2).mean_Pa;
+        result.findings.push_back("Fitted to the same recordings, the formulation as published gives " + format_number(published) + " Pa, " + format_number(100.0 * (published / paper_Pa - 1.0), 2) +
+                                  " % from the paper's value, and our model " + format_number(own) + " Pa: " + format_number(100.0 * (published / own - 1.0), 2) + " % of the paper's modulus are the model's errors.");
+    }
     Table starts{"Every start", {{"model and target"}, {"start", "Pa", 6}, {"end", "Pa", 8}, {"simulations", "", 2}}, {}};
     for (const Job& job : *jobs)
         if (job.target < targets.repeated) starts.rows.push_back({targets.all[job.target].name, job.start_Pa, job.fit->end_Pa, job.fit->simulations});
