@@ -17,6 +17,7 @@ const std::vector<Command>& commands() {
         {"gradcheck", "Compares the gradient of a trial's run with differences, for every parameter", declare_gradcheck},
         {"mesh", "Meshes a surface, or checks a volume mesh; prints counts and quality", declare_mesh},
         {"screenshot", "Draws the workbench into a picture, without a display", declare_screenshot},
+        {"reproduce", "Repeats an experiment of the paper, our numbers beside its own", declare_reproduce},
         {"bench", "Measures speed and memory of the solver; prints a table", declare_bench},
         {"effects", "Lists the vocabulary of missing effects", declare_effects},
         {"info", "Prints version, libraries, threads, elements, integrators, materials", declare_info},

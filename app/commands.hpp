@@ -24,6 +24,7 @@ std::function<int()> declare_optimize(CLI::App& app);
 std::function<int()> declare_gradcheck(CLI::App& app);
 std::function<int()> declare_mesh(CLI::App& app);
 std::function<int()> declare_screenshot(CLI::App& app);
+std::function<int()> declare_reproduce(CLI::App& app);
 std::function<int()> declare_bench(CLI::App& app);
 std::function<int()> declare_effects(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);

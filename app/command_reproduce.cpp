@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "bench/published_beam.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "exit_status.hpp"
+#include "options.hpp"
+#include "reproduce/reproduction.hpp"
+
+namespace myo {
+namespace {
+
+struct ReproduceCall {
+    std::string id;
+    std::filesystem::path out;
+    bool coarse = false;
+    WorkOptions work;
+};
+
+std::string cell_text(const Cell& cell, const Column& column) {
+    if (const auto* text = std::get_if<std::string>(&cell.content)) return *text;
+    const double value = std::get<double>(cell.content);
+    return std::isfinite(value) ? format_number(value, column.digits) : "-";
+}
+
+/// Characters, not bytes, of UTF-8 text.
+std::size_t width_of(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+}
+
+/// Columns of equal width, titles and units above.
+std::string table_text(const Table& table) {
+    std::vector<std::vector<std::string>> rows(2);
+    for (const Column& column : table.columns) {
+        rows[0].push_back(column.title);
+        rows[1].push_back(column.unit);
+    }
+    for (const std::vector<Cell>& cells : table.rows) {
+        rows.emplace_back();
+        for (std::size_t i = 0; i < cells.size(); ++i) rows.back().push_back(cell_text(cells[i], table.columns[i]));
+    }
+    std::string text = table.caption;
+    for (const std::vector<std::string>& row : rows) {
+        text += "\n ";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            std::size_t width = 0;
+            for (const std::vector<std::string>& other : rows)
+                if (i < other.size()) width = std::max(width, width_of(other[i]));
+            const std::string blanks(width - width_of(row[i]), ' ');
+            text += " " + (i == 0 ? row[i] + blanks : blanks + row[i]) + " ";
+        }
+    }
+    return text;
+}
+
+int list_cases() {
+    for (const ReproductionCase& one : reproduction_catalogue()) std::printf("%-18s %s\n", one.id.c_str(), one.summary.c_str());
+    return status_done;
+}
+
+int reproduce_command(const ReproduceCall& call) {
+    if (call.id.empty()) return list_cases();
+    Console console(call.work.quiet, call.work.json_progress);
+    const ReproductionCase* const one = find_reproduction(call.id);
+    if (one == nullptr) return console.refuse({unknown_word(call.id, reproduction_ids()), "reproduce"});
+    if (call.out.empty()) return console.refuse({"--out DIR is needed: the folder for tables, figures and report", "reproduce"});
+    std::error_code code;
+    std::filesystem::create_directories(call.out, code);
+    if (code) return console.refuse({"folder cannot be made: " + code.message(), call.out.string()});
+
+    ReproduceSettings settings;
+    settings.data = data_folder();
+    settings.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
+    settings.coarse = call.coarse;
+    if (call.work.seed) settings.seed = *call.work.seed;
+    const Progress progress = console.progress();
+    const auto start = std::chrono::steady_clock::now();
+    Result<Reproduction> result = one->run(settings, progress);
+    if (progress.cancelled()) {
+        console.complain("stopped; nothing was written");
+        return status_stopped;
+    }
+    if (!result) {
+        console.complain(result.error().text());
+        return status_failed;
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result->values["seconds"] = seconds;
+    result->values["coarse"] = call.coarse;
+    if (call.coarse) result->warnings.push_back("--coarse: these are not the paper's meshes; what is said about them holds for the full run only");
+    for (const std::string& warning : result->warnings) console.warn(warning);
+    if (const Result<void> written = write_reproduction(call.out, *one, *result); !written) return console.refuse(written.error());
+    for (const Table& table : result->tables) console.print(table_text(table) + "\n");
+    for (const std::string& finding : result->findings) console.print("- " + finding);
+    console.print("\n" + format_number(seconds, 3) + " s; report: " + (call.out / "report.html").string());
+    return status_done;
+}
+
+}  // namespace
+
+std::function<int()> declare_reproduce(CLI::App& app) {
+    const auto call = std::make_shared<ReproduceCall>();
+    app.add_option("case", call->id, "One of: " + join(reproduction_ids()) + "; lists them when left out");
+    app.add_option("--out", call->out, "Folder for <case>.json, the figures and report.html")->type_name("DIR");
+    app.add_flag("--coarse", call->coarse, "Few cells and steps: seconds instead of minutes, numbers good to some percent");
+    add_work_options(app, call->work);
+    return [call] { return reproduce_command(*call); };
+}
+
+}  // namespace myo

@@ -1,0 +1,64 @@
+#include "reproduce/reproduction.hpp"
+
+#include "base/files.hpp"
+
+namespace myo {
+namespace {
+
+std::string figure_name(const ReproductionCase& one, const ReproductionFigure& figure) {
+    return one.id + (figure.ending.empty() ? "" : "_" + figure.ending) + ".svg";
+}
+
+}  // namespace
+
+Json table_json(const Table& table) {
+    Json rows = Json::array();
+    for (const std::vector<Cell>& cells : table.rows) {
+        Json row = Json::object();
+        for (std::size_t i = 0; i < cells.size() && i < table.columns.size(); ++i) {
+            const Column& column = table.columns[i];
+            const std::string key = column.unit.empty() ? column.title : column.title + " [" + column.unit + "]";
+            if (const auto* text = std::get_if<std::string>(&cells[i].content)) row[key] = *text;
+            else row[key] = json_number(std::get<double>(cells[i].content));
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+HtmlReport reproduction_report(const ReproductionCase& one, const Reproduction& result) {
+    HtmlReport report;
+    report.title = result.title;
+    report.summary = {one.summary};
+    report.warnings.lines = result.warnings;
+    Section findings{"What came out", {BulletList{result.findings}}};
+    for (const ReproductionFigure& figure : result.figures) findings.blocks.emplace_back(figure.figure);
+    report.sections.push_back(findings);
+    Section numbers{"Numbers", {}};
+    for (const Table& table : result.tables) numbers.blocks.emplace_back(table);
+    numbers.blocks.emplace_back(EmbeddedJson{one.id, result.values});
+    report.sections.push_back(numbers);
+    report.footer = "myoloop reproduce " + one.id +
+                    " · the paper: Dubied, Michelis, Spielberg, Katzschmann, Sim-to-Real for Soft Robots using Differentiable FEM, RA-L 2022";
+    return report;
+}
+
+Result<void> write_reproduction(const std::filesystem::path& folder, const ReproductionCase& one, const Reproduction& result) {
+    Json json = {{"schema", "reproduce/1"}, {"case", one.id}, {"summary", one.summary}};
+    json["findings"] = result.findings;
+    json["warnings"] = result.warnings;
+    for (const auto& [key, value] : result.values.items()) json[key] = value;
+    for (const Table& table : result.tables) json["tables"].push_back({{"caption", table.caption}, {"rows", table_json(table)}});
+    for (const ReproductionFigure& figure : result.figures)
+        if (const Result<void> written = write_file(folder / figure_name(one, figure), figure.figure.svg); !written) return written;
+    if (const Result<void> written = write_json(folder / (one.id + ".json"), json); !written) return written;
+    return write_html(folder / "report.html", reproduction_report(one, result));
+}
+
+std::string missing_data(const ReproduceSettings& settings, const std::string& folder) {
+    const std::filesystem::path place = settings.data / "data/mocap" / folder;
+    return "the measured files are not in " + place.string() + ": fetch the motion-capture recordings of the public repository srl-ethz/diffPD_sim2real (" +
+           folder + ", .c3d or .csv) and put them there, or name the folder above data/mocap in MYOLOOP_DATA; without them only simulated and published numbers are shown";
+}
+
+}  // namespace myo

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "reproduce/reproduction.hpp"
+
+namespace myo {
+
+ReproductionCase reproduce_beam_static();
+ReproductionCase reproduce_beam_modulus();
+ReproductionCase reproduce_numerical_damping();
+ReproductionCase reproduce_lambda();
+
+}  // namespace myo
