@@ -68,8 +68,8 @@ struct ActuationFit {
 };
 
 /// Minimises the loss within the bounds, by NLopt's limited-memory quasi-Newton method on the exact gradient of the run (Luksan's
-/// variable metric; Liu & Nocedal 1989), one run forwards and backwards per evaluation. It took 34 where SLSQP took 78, and MMA more
-/// than 100 (two antagonists, 80 values).
+/// variable metric; Liu & Nocedal 1989), one run forwards and backwards per evaluation. It took 34 where MMA took
+/// more than 100 (two antagonists, 80 values).
 ///
 /// Cancelled or not converged, it gives the best values so far; failed: the model could not be run at the start. Where it cannot be
 /// run elsewhere the search steps back. Progress counts evaluations, with the running one as a fraction. Asserts that something is sought.
