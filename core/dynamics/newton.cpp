@@ -25,8 +25,8 @@ bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double 
         return factor.solve(body.pattern, V);
     };
     bool fresh = false;
-    // Of many columns every iteration is dear, and those of a factor of this very matrix are some four fewer.
-    const bool pays = 4 * B.cols() > factor.iterations_per_factorisation(body);
+    // Of many columns every iteration is dear, and those of a factor of this very matrix are some fewer.
+    const bool pays = B.cols() > factor.iterations_per_factorisation(body);
     if (pays || factor.is_stale(problem.stage().inertia_1_s2)) {
         if (!factor.renew_with(H, problem, x, report)) return false;
         fresh = true;
