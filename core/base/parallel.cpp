@@ -9,19 +9,38 @@
 #include <vector>
 
 namespace myo {
+namespace {
+
+/// Threads for the loops inside the task at hand. Two trials on two threads leave none to their steps: a loop that waited for the
+/// other trial's thread took three times as long as one that does all of its work.
+thread_local int free_threads = 0;   // 0: outside of all tasks, all of the machine's
+
+class FreeThreads {
+public:
+    explicit FreeThreads(int count) : before_(free_threads) { free_threads = count; }
+    ~FreeThreads() { free_threads = before_; }
+    FreeThreads(const FreeThreads&) = delete;
+    FreeThreads& operator=(const FreeThreads&) = delete;
+
+private:
+    int before_;
+};
+
+}  // namespace
 
 void parallel_tasks(int count, int threads, const std::function<void(int)>& task) {
     if (count <= 0) return;
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
+    threads = std::clamp(threads, 1, hardware_threads());
     const auto guarded = [&](int i) {
+        const FreeThreads inside(std::max(1, threads / count));
         try {
             task(i);
         } catch (...) {
             failures[static_cast<std::size_t>(i)] = std::current_exception();
         }
     };
-    // The arena holds the loops inside the tasks, too: two trials on two threads leave no thread to their steps.
-    tbb::task_arena arena(std::clamp(threads, 1, hardware_threads()));
+    tbb::task_arena arena(threads);
     arena.execute([&] { tbb::parallel_for(0, count, guarded, tbb::simple_partitioner()); });
     for (const std::exception_ptr& failure : failures)
         if (failure) std::rethrow_exception(failure);
@@ -29,10 +48,15 @@ void parallel_tasks(int count, int threads, const std::function<void(int)>& task
 
 void parallel_ranges(int count, int grain, const std::function<void(int, int)>& range) {
     if (count <= 0) return;
-    const int parts = std::min(tbb::this_task_arena::max_concurrency(), count / std::max(grain, 1));
+    const int threads = free_threads > 0 ? free_threads : tbb::this_task_arena::max_concurrency();
+    const int parts = std::min(threads, count / std::max(grain, 1));
     if (parts <= 1) return range(0, count);
     const auto start_of = [&](int part) { return static_cast<int>(static_cast<long>(count) * part / parts); };
-    tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, parts, [&](int part) { range(start_of(part), start_of(part + 1)); }, tbb::static_partitioner()); });
+    const auto guarded = [&](int part) {
+        const FreeThreads inside(threads);
+        range(start_of(part), start_of(part + 1));
+    };
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, parts, guarded, tbb::static_partitioner()); });
 }
 
 int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
