@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "bench/published_beam.hpp"
 #include "commands.hpp"
@@ -80,7 +80,7 @@ int reproduce_command(const ReproduceCall& call) {
     settings.coarse = call.coarse;
     if (call.work.seed) settings.seed = *call.work.seed;
     const Progress progress = console.progress();
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Result<Reproduction> result = one->run(settings, progress);
     if (progress.cancelled()) {
         console.complain("stopped; nothing was written");
@@ -90,7 +90,7 @@ int reproduce_command(const ReproduceCall& call) {
         console.complain(result.error().text());
         return status_failed;
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = watch.seconds();
     result->values["seconds"] = seconds;
     result->values["coarse"] = call.coarse;
     if (call.coarse) result->warnings.push_back("--coarse: these are not the paper's meshes; what is said about them holds for the full run only");

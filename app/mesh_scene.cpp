@@ -1,9 +1,9 @@
 #include "mesh_scene.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "base/stopwatch.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
 
@@ -67,12 +67,12 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     options.integrator = study.scheme();
     options.h_s = settings.time_step_s;
     options.end_s = release_s;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Trace trace = simulate(model, options, progress);
 
     RunResult result;
+    result.seconds = watch.seconds();
     result.warnings = check_integration(model, options.integrator, options.h_s).warnings;
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;
     SimulatedTrial shown;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 
+#include "base/stopwatch.hpp"
 #include "console.hpp"
 #include "options.hpp"
 #include "project/output_json.hpp"
@@ -21,15 +21,6 @@ struct StudyCall {
     StudyOptions study;
 };
 void declare_study_call(CLI::App& app, StudyCall& call);
-
-/// Seconds since it was made.
-class Stopwatch {
-public:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Reads the experiment and makes sure that results can be written; nothing long yet.
 /// Errors: the call's, the input's, or those of the output folder.

@@ -4,17 +4,26 @@
 
 namespace myo {
 
-/// Adds the time from its making to its end to a sum [s], on the wall clock.
+/// Seconds on the wall clock since it was made.
 class Stopwatch {
 public:
-    explicit Stopwatch(double& sum_s) : sum_s_(sum_s) {}
-    ~Stopwatch() { sum_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Adds the time from its making to its end to a sum [s].
+class TimedScope {
+public:
+    explicit TimedScope(double& sum_s) : sum_s_(sum_s) {}
+    ~TimedScope() { sum_s_ += watch_.seconds(); }
+    TimedScope(const TimedScope&) = delete;
+    TimedScope& operator=(const TimedScope&) = delete;
 
 private:
     double& sum_s_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Stopwatch watch_;
 };
 
 }  // namespace myo

@@ -1,15 +1,13 @@
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "bench/beam_run.hpp"
 #include "bench/bench_cases.hpp"
 
 namespace myo {
 namespace {
-
-double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// The same run on one thread and on two in turn, three times each; the best of each counts, on the wall clock.
 Result<BenchFigures> two_threads(const Eigen::Vector3i& cells, int steps) {
@@ -19,9 +17,9 @@ Result<BenchFigures> two_threads(const Eigen::Vector3i& cells, int steps) {
     Trace traces[2];
     for (int turn = 0; turn < 3; ++turn)
         for (const int threads : {1, 2}) {
-            const double start = wall_s();
+            const Stopwatch watch;
             parallel_tasks(1, threads, [&](int) { traces[threads - 1] = simulate(model, options); });
-            best[threads - 1] = std::min(best[threads - 1], wall_s() - start);
+            best[threads - 1] = std::min(best[threads - 1], watch.seconds());
         }
     for (const Trace& trace : traces)
         if (!trace.complete()) return Error{trace.message, "threads"};

@@ -64,8 +64,8 @@ bool LaggedFactor::renew(const StageProblem& problem, const Eigen::Matrix3Xd& x,
 bool LaggedFactor::renew_with(const SymmetricSparse& H, const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {
     ++report.factorisations;
     extra_iterations_ = 0;
-    usual_iterations_ = 2;
-    const Stopwatch watch(report.times.factorisation_s);
+    usual_iterations_.reset();
+    const TimedScope scope(report.times.factorisation_s);
     stale_ = !factorize(H, *problem.model().body, x);
     inertia_1_s2_ = problem.stage().inertia_1_s2;
     factored_rotations_ = nodal_rotations(*problem.model().body, x);
@@ -90,8 +90,8 @@ bool LaggedFactor::is_stale(double inertia_1_s2) const {
 }
 
 void LaggedFactor::charge(int iterations, const Body& body) {
-    if (!whole_.has_factor() && usual_iterations_ == 2) usual_iterations_ = iterations;   // the first solve with these parts
-    extra_iterations_ += std::max(0, iterations - usual_iterations_);
+    if (!usual_iterations_) usual_iterations_ = whole_.has_factor() ? 2 : iterations;
+    extra_iterations_ += std::max(0, iterations - *usual_iterations_);
     if (extra_iterations_ > iterations_per_factorisation(body)) stale_ = true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 #include "dynamics/stage_problem.hpp"
 #include "solver/fast_cholesky.hpp"
 #include "solver/schwarz.hpp"
@@ -57,7 +59,7 @@ private:
     Eigen::Matrix<double, 9, Eigen::Dynamic> factored_rotations_;
     Eigen::Matrix<double, 9, Eigen::Dynamic> warp_;   // W per node
     double inertia_1_s2_ = -1.0;
-    int usual_iterations_ = 2;
+    std::optional<int> usual_iterations_;   // of a solve with this factor; none yet
     long extra_iterations_ = 0;
     bool stale_ = true;
 };

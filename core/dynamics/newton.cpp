@@ -17,11 +17,11 @@ bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double 
                             LaggedFactor& factor, StageReport& report, MatrixXd& solution, const MatrixXd& guess) {
     const Body& body = *problem.model().body;
     const auto product = [&](const MatrixXd& V) {
-        const Stopwatch watch(report.times.linear_s);
+        const TimedScope scope(report.times.linear_s);
         return symmetric_product(H, V);
     };
     const auto metric = [&](const MatrixXd& V) {
-        const Stopwatch watch(report.times.linear_s);
+        const TimedScope scope(report.times.linear_s);
         return factor.solve(body.pattern, V);
     };
     bool fresh = false;

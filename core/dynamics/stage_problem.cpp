@@ -43,7 +43,7 @@ StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, 
 
 StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind kind, const VectorXd* pressure) const {
     double untimed = 0.0;
-    const Stopwatch watch(!times_ ? untimed : kind == HessianKind::none ? times_->forces_s : times_->stiffness_s);
+    const TimedScope scope(!times_ ? untimed : kind == HessianKind::none ? times_->forces_s : times_->stiffness_s);
     InternalInput input;
     input.stiffness = &constants_.stiffness;
     input.activation = &activation_;

@@ -22,7 +22,7 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
     options.tolerance = options_.tolerance;
     options.scale = scale;
     const auto metric = [&](const VectorXd& b) {
-        const Stopwatch watch(report.times.linear_s);
+        const TimedScope scope(report.times.linear_s);
         return VectorXd(factor_.solve(body.pattern, b));
     };
     bool fresh = factor_.is_stale(problem.stage().inertia_1_s2);
@@ -60,7 +60,7 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
         options.max_iterations = 2000;
         options.slow_contraction = std::numeric_limits<double>::infinity();
         const auto metric = [&](const VectorXd& b) {
-            const Stopwatch watch(report.times.linear_s);
+            const TimedScope scope(report.times.linear_s);
             return projective_.solve(b);
         };
         const QuasiNewtonResult result = quasi_newton(problem, options, metric, x);

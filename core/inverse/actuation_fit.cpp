@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -69,7 +68,7 @@ private:
             if (event.total > 0.0 && throttle_.ready()) report(std::clamp(event.done / event.total, 0.0, 0.999));
         });
         {
-            const Stopwatch watch(line.seconds);
+            const TimedScope scope(line.seconds);
             last_ = evaluate_actuation(problem_, values, inner);
         }
         if (last_.status == RunStatus::cancelled) return;   // ended half-way: none
@@ -187,7 +186,7 @@ ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Ma
 
 ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& start, const ActuationFitOptions& options, const Progress& progress) {
     assert(start.size() > 0 && problem.target.coordinates() > 0);
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Bounds bounds(problem.sought, start);
     ActuationFit fit;
     fit.start = fit.values = bounds.inside(start);
@@ -205,7 +204,7 @@ ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& star
         fit.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
         fit.message = progress.cancelled() ? "stopped by the user" : search.last().message;
     }
-    fit.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    fit.seconds = watch.seconds();
     return fit;
 }
 

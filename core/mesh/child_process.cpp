@@ -10,6 +10,8 @@
 #include <csignal>
 #include <thread>
 
+#include "base/stopwatch.hpp"
+
 namespace myo {
 namespace {
 
@@ -46,7 +48,7 @@ ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::
     pid_t child = 0;
     if (const int failure = spawn(program, arguments, child); failure != 0) return {ChildEnd::How::not_started, failure};
 
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     // Small meshes take milliseconds: the pauses grow from 1 to 10 ms.
     auto pause = std::chrono::milliseconds(1);
     for (;;) {
@@ -56,7 +58,7 @@ ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::
         if (done == child && WIFSIGNALED(status)) return {ChildEnd::How::signalled, WTERMSIG(status)};
         if (done < 0) return {ChildEnd::How::not_started, errno};
 
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds = watch.seconds();
         const bool stop = cancelled();
         if (stop || seconds > time_limit_s) {
             kill(child, SIGKILL);

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/child_process.hpp"
@@ -199,7 +199,7 @@ double tet_volume_for_edge(double edge) { return std::pow(edge / 1.5, 3); }
 double tet_edge_for_volume(double max_volume) { return 1.5 * std::cbrt(max_volume); }
 
 Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& options, const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     if (options.type == CellType::hex8) return Error{"TetGen makes tetrahedra, not hexahedra", ""};
     if ((options.edge && !(*options.edge > 0.0)) || (options.max_volume && !(*options.max_volume > 0.0))) {
         return Error{"edge length and cell volume must be positive", ""};
@@ -218,7 +218,7 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
             if (best) break;
             return Error{"the mesh would have over " + format_number(options.max_cells, 3) + " cells: choose longer edges", ""};
         }
-        const double used = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double used = watch.seconds();
         auto mesh = run_tetgen(*welded, max_volume, options, options.time_limit_s - used, progress);
         if (!mesh && best && !progress.cancelled()) break;
         if (!mesh) return mesh.error();

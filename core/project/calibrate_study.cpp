@@ -1,10 +1,10 @@
 #include "project/calibrate_study.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "project/predict_trials.hpp"
 
@@ -12,7 +12,6 @@ namespace myo {
 namespace {
 
 using Eigen::Matrix3Xd;
-using Clock = std::chrono::steady_clock;
 
 /// Residuals and Jacobian of the fit trials in units of the noise; occluded coordinates have residual 0.
 ///
@@ -128,7 +127,7 @@ std::vector<std::string> calibration_warnings(const Study& study, const Calibrat
 }  // namespace
 
 Calibration calibrate_study(const Study& study, const std::vector<std::string>& names, const Progress& progress) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     Calibration result;
     result.parameters = study_parameters(study, names);
     std::vector<Parameter> parameters;
@@ -156,7 +155,7 @@ Calibration calibrate_study(const Study& study, const std::vector<std::string>& 
                  std::move(kept), progress, result);
         result.warnings = calibration_warnings(study, result);
     }
-    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.seconds = watch.seconds();
     return result;
 }
 

@@ -1,9 +1,9 @@
 #include "project/gradcheck_study.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 
+#include "base/stopwatch.hpp"
 #include "project/study_target.hpp"
 
 namespace myo {
@@ -35,7 +35,7 @@ MarkerTarget rest_target(const Study& study, int steps, double h_s) {
 }  // namespace
 
 StudyGradientCheck gradcheck_study(const Study& study, std::size_t index, int steps, const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const StudyTrial& trial = study.trials[index];
     Model model = trial.model;
     for (const std::size_t muscle : trial.free_levels) model.activation = with_level(study.experiment, model.activation, muscle, 1.05);
@@ -58,7 +58,7 @@ StudyGradientCheck gradcheck_study(const Study& study, std::size_t index, int st
         return value;
     };
     result.check = check_gradient(model, options, loss, checked_parameters(model, options), {}, study.settings.threads, progress);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds = watch.seconds();
     return result;
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "project/read_experiment.hpp"
 #include "project/read_trial.hpp"
@@ -109,7 +109,7 @@ Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSet
 
 Optimization optimize_study(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings, const MatrixXd& start,
                             const Progress& progress) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Optimization result;
     result.settings = settings;
     result.problem = problem;
@@ -134,7 +134,7 @@ Optimization optimize_study(const Study& study, const ActuationProblem& problem,
         result.after = run_of(study, result.fit.best);
         result.warnings = bound_warnings(problem.sought, result.fit.values);
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.seconds = watch.seconds();
     return result;
 }
 

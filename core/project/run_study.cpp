@@ -1,10 +1,10 @@
 #include "project/run_study.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "base/stopwatch.hpp"
 #include "project/level_curve.hpp"
 #include "project/predict_trials.hpp"
 
@@ -12,9 +12,6 @@ namespace myo {
 namespace {
 
 using Eigen::Matrix3Xd;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Over those of the trials that have this role; NaN when one of them is missing, for the rest would not compare with another run.
 double pooled_rms(const Study& study, const StudyRun& run, const std::vector<std::size_t>& trials, TrialRole role) {
@@ -82,7 +79,7 @@ StudyRun scored_run(const Study& study, const StudyValues& values, std::vector<T
 }
 
 StudyRun run_study(const Study& study, const StudyValues& values, const Progress& progress, const std::string& only_trial) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     std::vector<std::size_t> trials;
     for (std::size_t t = 0; t < study.trials.size(); ++t)
         if (only_trial.empty() || study.trials[t].name == only_trial) trials.push_back(t);
@@ -92,7 +89,7 @@ StudyRun run_study(const Study& study, const StudyValues& values, const Progress
     std::vector<TrialPrediction> predictions(study.trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) predictions[trials[i]] = std::move(done[i]);
     StudyRun run = scored_run(study, values, std::move(predictions), trials);
-    run.seconds = seconds_since(start);
+    run.seconds = watch.seconds();
     return run;
 }
 

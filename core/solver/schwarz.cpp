@@ -15,8 +15,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Unknowns of a part before its overlap: large parts need few iterations, small ones little memory. Measured on the beam with 214
-/// thousand unknowns.
+/// Unknowns of a part before its overlap: large parts need few iterations, small ones little memory.
 constexpr int unknowns_per_part = 12000;
 /// Layers of neighbours that each part takes along.
 constexpr int overlap_layers = 2;
