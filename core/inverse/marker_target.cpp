@@ -2,9 +2,12 @@
 
 #include <cassert>
 
+#include "measurement/rigid_motion.hpp"
+
 namespace myo {
 
 using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 Eigen::Index MarkerTarget::coordinates() const {
@@ -13,27 +16,48 @@ Eigen::Index MarkerTarget::coordinates() const {
     return count;
 }
 
-std::vector<Matrix3Xd> target_residuals(const MarkerTarget& target, const NodeMotion& motion) {
-    std::vector<Matrix3Xd> residuals = observe(motion, target.markers, target.times_s).positions;
+namespace {
+
+VectorXd model_times(const MarkerTarget& target) { return target.times_s.array() - target.placement.start_shift_s; }
+
+/// Markers at the model's times; displacements where the target is one.
+MarkerTracks unplaced(const MarkerTarget& target, const NodeMotion& motion) {
+    MarkerTracks tracks = observe(motion, target.markers, model_times(target));
+    if (!target.from_start) return tracks;
     const std::vector<Matrix3Xd> origin = observe(motion, target.markers, VectorXd::Zero(1)).positions;
-    for (std::size_t m = 0; m < residuals.size(); ++m) {
-        residuals[m] -= target.positions_m[m];
-        if (target.from_start) residuals[m].colwise() -= Eigen::Vector3d(origin[m].col(0));
-    }
+    for (std::size_t m = 0; m < origin.size(); ++m) tracks.positions[m].colwise() -= Vector3d(origin[m].col(0));
+    return tracks;
+}
+
+Matrix3Xd residual_of(const MarkerTarget& target, const Eigen::Matrix3d& R, const Matrix3Xd& x, std::size_t marker) {
+    Matrix3Xd residual = R * x - target.positions_m[marker];
+    if (!target.from_start) residual.colwise() += target.placement.translation_m;
+    return residual;
+}
+
+Matrix3Xd or_zero(const Matrix3Xd& residual) { return residual.array().isFinite().select(residual, 0.0); }
+
+}  // namespace
+
+std::vector<Matrix3Xd> target_residuals(const MarkerTarget& target, const NodeMotion& motion) {
+    const Eigen::Matrix3d R = small_rotation(target.placement.rotation_rad);
+    std::vector<Matrix3Xd> residuals = unplaced(target, motion).positions;
+    for (std::size_t m = 0; m < residuals.size(); ++m) residuals[m] = residual_of(target, R, residuals[m], m);
     return residuals;
 }
 
 MotionLoss mean_square(const MarkerTarget& target, const NodeMotion& motion) {
     const auto count = static_cast<double>(target.coordinates());
     assert(count > 0.0);
+    const Eigen::Matrix3d back_turned = small_rotation(-target.placement.rotation_rad);
     std::vector<Matrix3Xd> pulls = target_residuals(target, motion);
     double sum = 0.0;
     for (Matrix3Xd& residual : pulls) {
-        residual = residual.array().isFinite().select(residual, 0.0);
+        residual = or_zero(residual);
         sum += residual.squaredNorm();
-        residual *= 2.0 / count;
+        residual = (2.0 / count * back_turned * residual).eval();
     }
-    MotionLoss loss = pull_on_nodes(motion, target.markers, target.times_s, pulls);
+    MotionLoss loss = pull_on_nodes(motion, target.markers, model_times(target), pulls);
     if (target.from_start) {
         std::vector<Matrix3Xd> back;
         for (const Matrix3Xd& pull : pulls) back.emplace_back(-pull.rowwise().sum());
@@ -42,6 +66,23 @@ MotionLoss mean_square(const MarkerTarget& target, const NodeMotion& motion) {
     }
     loss.value = sum / count;
     return loss;
+}
+
+MarkerPlacement mean_square_by_placement(const MarkerTarget& target, const NodeMotion& motion) {
+    const auto count = static_cast<double>(target.coordinates());
+    assert(count > 0.0);
+    const Vector3d omega = target.placement.rotation_rad;
+    const Eigen::Matrix3d R = small_rotation(omega);
+    const MarkerTracks tracks = unplaced(target, motion);
+    MarkerPlacement gradient;
+    for (std::size_t m = 0; m < tracks.positions.size(); ++m) {
+        const Matrix3Xd& x = tracks.positions[m];
+        const Matrix3Xd pull = 2.0 / count * or_zero(residual_of(target, R, x, m));
+        if (!target.from_start) gradient.translation_m += pull.rowwise().sum();
+        for (Eigen::Index t = 0; t < x.cols(); ++t) gradient.rotation_rad += d_rotated_d_omega(omega, x.col(t)).transpose() * pull.col(t);
+        gradient.start_shift_s -= pull.cwiseProduct(R * tracks.velocities[m]).sum();
+    }
+    return gradient;
 }
 
 LossOfMotion mean_square_of(const MarkerTarget& target) {

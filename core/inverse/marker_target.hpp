@@ -9,22 +9,34 @@
 
 namespace myo {
 
+/// How the cameras' frame and clock stand to the model's: what is at x at time t is seen at R(rotation) x + translation, stamped
+/// t + start_shift. Displacements from the start are turned alone.
+struct MarkerPlacement {
+    Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();   // see small_rotation()
+    double start_shift_s = 0.0;
+};
+
 /// Where markers shall be.
 struct MarkerTarget {
     MarkerSet markers;
     Eigen::VectorXd times_s;                     // T, 0 is the start
     std::vector<Eigen::Matrix3Xd> positions_m;   // per marker 3 x T; NaN: anywhere
     bool from_start = false;                     // positions are displacements from where the marker is at t = 0
+    MarkerPlacement placement;
 
     /// Coordinates that are compared.
     Eigen::Index coordinates() const;
 };
 
-/// Marker minus target, 3 x T per marker [m]; NaN where there is no target.
+/// Marker as placed minus target, 3 x T per marker [m]; NaN where there is no target.
 std::vector<Eigen::Matrix3Xd> target_residuals(const MarkerTarget& target, const NodeMotion& motion);
 
 /// Mean square of the residuals' coordinates [m2] and its derivative with respect to the motion of the markers' nodes.
 MotionLoss mean_square(const MarkerTarget& target, const NodeMotion& motion);
+
+/// The derivative of mean_square() with respect to the placement, per unit of each of its fields.
+MarkerPlacement mean_square_by_placement(const MarkerTarget& target, const NodeMotion& motion);
 
 /// mean_square() as the loss of a run. The target must outlive it.
 LossOfMotion mean_square_of(const MarkerTarget& target);

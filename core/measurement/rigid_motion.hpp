@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "base/cross_matrix.hpp"
+
 namespace myo {
 
 /// A rigid motion p -> R p + t, from one frame to another; translation in m.
@@ -24,13 +26,6 @@ inline RigidMotion compose(const RigidMotion& second, const RigidMotion& first) 
 
 /// Angle of a rotation matrix [rad], 0 to pi; exact for small angles too.
 double rotation_angle(const Eigen::Matrix3d& rotation);
-
-/// [v]x with [v]x p = v x p.
-inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-    Eigen::Matrix3d m;
-    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-    return m;
-}
 
 /// Rotation about the axis omega by |omega| [rad]: the exponential map, smooth through zero.
 Eigen::Matrix3d small_rotation(const Eigen::Vector3d& omega);

@@ -20,7 +20,7 @@ struct StudyGradientCheck {
 /// Compares the gradient of the first `steps` steps with differences, for all that the trial's model depends on.
 ///
 /// So that everything matters to the loss, the run begins with a kick, a smooth field of velocities of up to half the body's size per
-/// second, and free levels of actuation are 1.05. Errors: those of the runs, in the check's status.
+/// second, free levels of actuation are 1.05, and the cameras' frame and clock are a little off. Errors: those of the runs, in the check's status.
 StudyGradientCheck gradcheck_study(const Study& study, std::size_t trial, int steps, const Progress& progress = {});
 
 }  // namespace myo

@@ -29,6 +29,11 @@ double loss_of_run(const Model& model, const SimulationOptions& options, const L
 
 }  // namespace
 
+double relative_difference(double a, double b) {
+    const double size = std::max(std::abs(a), std::abs(b));
+    return size > 0.0 ? std::abs(a - b) / size : 0.0;
+}
+
 double GradientCheck::median_error() const {
     if (rows.empty()) return 0.0;
     std::vector<double> errors;
@@ -75,8 +80,7 @@ GradientCheck check_gradient(const Model& model, SimulationOptions options, cons
             check.message = parameters[p].name + ": " + messages[4 * p + k];
             return check;
         }
-        const double size = std::max(std::abs(row.adjoint), std::abs(row.difference));
-        row.relative_error = size > 0.0 ? std::abs(row.adjoint - row.difference) / size : 0.0;
+        row.relative_error = relative_difference(row.adjoint, row.difference);
         check.rows.push_back(std::move(row));
     }
     return check;

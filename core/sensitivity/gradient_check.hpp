@@ -23,8 +23,11 @@ std::vector<CheckedParameter> checked_parameters(const Model& model, const Simul
 struct GradientCheckRow {
     std::string name;
     double adjoint = 0.0, difference = 0.0;
-    double relative_error = 0.0;   // |adjoint - difference| over the larger of both; 0 where both are 0
+    double relative_error = 0.0;   // relative_difference() of both
 };
+
+/// |a - b| over the larger of both; 0 where both are 0.
+double relative_difference(double a, double b);
 
 struct GradientCheck {
     RunStatus status = RunStatus::not_run;
