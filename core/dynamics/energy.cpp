@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "model/internal_forces.hpp"
+#include "model/force_element.hpp"
 
 namespace myo {
 
@@ -15,7 +15,9 @@ Energy energy(const Model& model, const Eigen::SparseMatrix<double>& mass, const
     input.activation = &levels;
     Energy result;
     result.kinetic_J = 0.5 * times_mass(v, mass).cwiseProduct(v).sum();
-    result.internal_J = internal_energy(model, x, input, HessianKind::none).energy;
+    InternalEnergy internal = internal_energy(model, x, input, HessianKind::none);
+    add_force_elements(model, {x, nullptr, 0.0, time_s, before}, HessianKind::none, internal);
+    result.internal_J = internal.energy;
     result.work_J = external_forces(model, mass, time_s, before).cwiseProduct(x - model.body->mesh.nodes).sum();
     return result;
 }

@@ -10,7 +10,7 @@ namespace myo {
 /// Mechanical energy of a state under the loads of one moment, all dead.
 struct Energy {
     double kinetic_J = 0.0;
-    double internal_J = 0.0;   // of the material and the fibres; not finite where the law knows no such deformation
+    double internal_J = 0.0;   // of the material, the fibres and the force elements; not finite where the law knows no such deformation
     double work_J = 0.0;       // of gravity and the active forces along the way from the rest shape
 
     /// Constant in time for a conservative body under constant loads and activations; dampers only take from it.

@@ -16,6 +16,7 @@ bool implicit_euler_step(const StepProblem<Solve>& p, const Kinematics& s, Kinem
     stage.constant = times_mass(stage.inertia_1_s2 * s.x + (1.0 / p.h + p.velocity_force_1_s) * s.v, p.mass);
     stage.rate_factor_1_s = 1.0 / p.h;
     stage.rate_history = -s.strain / p.h;
+    stage.velocity_history = -s.x / p.h;
     StageSolution end;
     if (!p.solve(stage, end)) return false;
     next.v = (end.x - s.x) / p.h;

@@ -32,6 +32,7 @@ const LinearisedStep::LinearStage& LinearisedStep::linear_stage(const Stage& sta
     at_rest.inertia_1_s2 = stage.inertia_1_s2;
     at_rest.rate_factor_1_s = stage.rate_factor_1_s;
     at_rest.rate_history = -stage.rate_factor_1_s * strains(*solver_->model().body, x_);
+    at_rest.velocity_history = -stage.rate_factor_1_s * x_;
     stages_.push_back({at_rest, solver_->hessian(at_rest, x_)});
     return stages_.back();
 }
@@ -55,6 +56,10 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
         Matrix3Xd load = stage.constant;
         if (model.damping_s > 0.0) load -= viscous_gradient(model, x_, stage.rate_history);
         const LinearStage& linear = linear_stage(stage);
+        if (depends_on_velocity(model)) {
+            const Matrix3Xd v = stage_velocities(linear.stage, x_);
+            load -= velocity_tangent(model, force_state(linear.stage, x_, v), stage.velocity_history);
+        }
         solution.x = scatter(pattern, solver_->solve_linear(linear.hessian, linear.stage, x_, gather(pattern, load)));
         solution.strain = strain_tangent(*model.body, x_, solution.x);
         return true;

@@ -26,6 +26,8 @@ constexpr double most_parts = 4.0;
 /// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what moves.
 bool gains_energy(const Model& model, const Eigen::SparseMatrix<double>& mass, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
     if (model.velocity_force_1_s > 0.0 || activations(model, 0.5 * (from_s + to_s)) != activations(model, to_s, true)) return false;
+    for (const ForceElementPointer& element : model.force_elements)
+        if (!element->steady(from_s, to_s)) return false;
     const Energy before = energy(model, mass, from.x, from.v, to_s, true), after = energy(model, mass, to.x, to.v, to_s, true);
     const double moved = before.kinetic_J + after.kinetic_J + std::abs(after.internal_J - before.internal_J);
     return after.total_J() - before.total_J() > 0.02 * moved;   // false where there was none before
@@ -193,6 +195,7 @@ Stage jump_stage(const Kinematics& state, double time_s) {
     stage.time_s = time_s;
     stage.constant = Eigen::Matrix3Xd::Zero(3, state.x.cols());
     stage.rate_history = state.rate;
+    stage.velocity_history = state.v;
     return stage;
 }
 

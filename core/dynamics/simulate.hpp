@@ -92,7 +92,7 @@ Trace simulate_part(StageSolver& solver, const SimulationOptions& options, const
 /// Sets the force of a state anew from the loads and activations right of a jump.
 void set_jump_force(StageSolver& solver, double time_s, Kinematics& state);
 
-/// The stage that gives the forces at a jump: strain rates as they are, loads from the right.
+/// The stage that gives the forces at a jump: velocities and strain rates as they are, loads from the right.
 Stage jump_stage(const Kinematics& state, double time_s);
 
 }  // namespace myo

@@ -39,6 +39,7 @@ bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const 
     stage.constant = times_mass(stage.inertia_1_s2 * s.x + (q - lambda) * v_history + q * s.v, p.mass) + force_history;
     stage.rate_factor_1_s = q;
     stage.rate_history = -q * s.strain - rate_history;
+    stage.velocity_history = -q * s.x - v_history;
     StageSolution end;
     if (!p.solve(stage, end)) return false;
 

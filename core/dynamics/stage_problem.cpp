@@ -28,6 +28,15 @@ SymmetricSparse inertia_in_pattern(const Body& body, const Eigen::SparseMatrix<d
 
 }  // namespace
 
+Matrix3Xd stage_velocities(const Stage& stage, const Matrix3Xd& x) {
+    if (stage.velocity_history.size() == 0) return {};
+    return stage.rate_factor_1_s * x + stage.velocity_history;
+}
+
+ForceState force_state(const Stage& stage, const Matrix3Xd& x, const Matrix3Xd& v) {
+    return {x, v.size() > 0 ? &v : nullptr, stage.rate_factor_1_s, stage.time_s, stage.before_jump};
+}
+
 StageConstants stage_constants(const Model& model) {
     StageConstants constants{&model, mass_matrix(model), {}, stiffness(model)};
     constants.inertia = inertia_in_pattern(*model.body, constants.mass);
@@ -50,6 +59,10 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind 
     if (stage_.rate_history.size() > 0) input.rate = {stage_.rate_factor_1_s, &stage_.rate_history};
     input.pressure = pressure;
     InternalEnergy internal = internal_energy(model(), x, input, kind);
+    if (!model().force_elements.empty()) {
+        const Matrix3Xd v = depends_on_velocity(model()) ? stage_velocities(stage_, x) : Matrix3Xd();
+        add_force_elements(model(), force_state(stage_, x, v), kind, internal);
+    }
 
     Evaluation result;
     result.potential = internal.energy - dead_.cwiseProduct(x).sum();
@@ -73,14 +86,13 @@ double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const
     // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
     const double volume = model().body->unit_mass.sum();
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
-    double muscles = 0.0;
-    if (!model().fibres->empty()) {
-        InternalEnergy fibres;   // in the body at rest: a guess that strains them would make little of what is left of them
-        fibres.gradient = Matrix3Xd::Zero(3, start.cols());
-        add_fibres(model(), model().body->mesh.nodes, activation_, HessianKind::none, fibres);
-        muscles = gather(pattern(), fibres.gradient).norm();
-    }
-    return std::max({external + inertial + muscles, elastic, rounding_of_forces(start) / tolerance, 1e-30});
+    InternalEnergy at_rest;   // of muscles and force elements: a guess that strains them would make little of what is left of them
+    at_rest.gradient = Matrix3Xd::Zero(3, start.cols());
+    const Matrix3Xd& X = model().body->mesh.nodes;
+    add_fibres(model(), X, activation_, HessianKind::none, at_rest);
+    add_force_elements(model(), {X, nullptr, 0.0, stage_.time_s, stage_.before_jump}, HessianKind::none, at_rest);
+    const double active = gather(pattern(), at_rest.gradient).norm();
+    return std::max({external + inertial + active, elastic, rounding_of_forces(start) / tolerance, 1e-30});
 }
 
 /// Norm below which the residual is noise: F is known to eps |x| / edge, which the bulk modulus turns into a nodal force over

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/stage.hpp"
+#include "model/force_element.hpp"
 #include "model/internal_forces.hpp"
 #include "model/model.hpp"
 #include "solver/sparse_cholesky.hpp"
@@ -19,6 +20,12 @@ struct StageConstants {
     Stiffness stiffness;
 };
 StageConstants stage_constants(const Model& model);
+
+/// Nodal velocities of a stage at x, 3 x n; empty where the stage knows none.
+Eigen::Matrix3Xd stage_velocities(const Stage& stage, const Eigen::Matrix3Xd& x);
+
+/// Where the force elements of a stage at x stand; v: its stage_velocities(), which the state refers to.
+ForceState force_state(const Stage& stage, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v);
 
 /// A stage as a minimisation over the free unknowns.
 class StageProblem {
@@ -39,7 +46,7 @@ public:
     const StageConstants& constants() const { return constants_; }
     const Stage& stage() const { return stage_; }
 
-    /// The forces that act on the body, its inertia at the start and the active forces of its muscles at rest among them [N]: what a
+    /// The forces that act on the body, its inertia at the start and what its muscles and force elements do to it at rest among them [N]: what a
     /// residual is measured against.
     double force_scale(const Eigen::Matrix3Xd& start, double tolerance) const;
 

@@ -23,6 +23,7 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     trapezoid.constant = times_mass(s.x / (d * d) + 2.0 / d * s.v - lambda * (s.x / d + s.v), p.mass) + s.force;
     trapezoid.rate_factor_1_s = 1.0 / d;
     trapezoid.rate_history = -s.strain / d - s.rate;
+    trapezoid.velocity_history = -s.x / d - s.v;
     StageSolution middle;
     if (!p.solve(trapezoid, middle)) return false;
     const Eigen::Matrix3Xd v1 = (middle.x - s.x) / d - s.v;
@@ -34,6 +35,7 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     bdf2.constant = times_mass(history / d + (c1 * v1 - c0 * s.v) / d - lambda * history, p.mass);
     bdf2.rate_factor_1_s = 1.0 / d;
     bdf2.rate_history = (c0 * s.strain - c1 * middle.strain) / d;
+    bdf2.velocity_history = -history;
     StageSolution end;
     if (!p.solve(bdf2, end)) return false;
     next.v = end.x / d - history;

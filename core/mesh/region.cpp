@@ -9,6 +9,7 @@
 
 #include "mesh/cell_topology.hpp"
 #include "mesh/clipping.hpp"
+#include "mesh/face_quadrature.hpp"
 #include "mesh/face_shape.hpp"
 
 namespace myo {
@@ -34,16 +35,6 @@ std::vector<Patch> flat_patches(const Eigen::Matrix3Xd& X) {
     if (nodes == 4) return {at(o, e1, centre), at(e1, one, centre), at(one, e2, centre), at(e2, o, centre)};
     return {at(o, m1, m2), at(m1, e1, centre), at(m2, centre, e2), at(m1, centre, m2)};
 }
-
-// Dunavant's rule of degree 4: a product of bilinear functions' factors is of degree 2, so there is room to spare.
-constexpr std::array<std::array<double, 4>, 6> triangle_rule{{
-    {0.223381589678011, 0.445948490915965, 0.445948490915965, 0.108103018168070},
-    {0.223381589678011, 0.445948490915965, 0.108103018168070, 0.445948490915965},
-    {0.223381589678011, 0.108103018168070, 0.445948490915965, 0.445948490915965},
-    {0.109951743655322, 0.091576213509771, 0.091576213509771, 0.816847572980458},
-    {0.109951743655322, 0.091576213509771, 0.816847572980458, 0.091576213509771},
-    {0.109951743655322, 0.816847572980458, 0.091576213509771, 0.091576213509771},
-}};
 
 // Parameters of a point of the patch. Linear in the patch, then, for quadrilaterals, corrected by the inverse of the bilinear map.
 Vector2 parameters_of(const Patch& patch, const Eigen::Matrix3Xd& X, const Vector3& x) {
@@ -71,10 +62,10 @@ void add_patch(const Patch& patch, const Eigen::Matrix3Xd& X, const Eigen::Vecto
         const double area = 0.5 * (part[i - 1] - part[0]).cross(part[i] - part[0]).norm();
         if (area == 0.0) continue;
         integral.area += area;
-        for (const auto& [weight, a, b, c] : triangle_rule) {
-            const Vector3 x = a * part[0] + b * part[i - 1] + c * part[i];
+        for (const auto& [uv, weight] : face_quadrature(3)) {   // parameters of a bilinear face are not linear in the triangle
+            const Vector3 x = (1.0 - uv.sum()) * part[0] + uv[0] * part[i - 1] + uv[1] * part[i];
             const Eigen::VectorXd N = face_shape(static_cast<int>(X.cols()), parameters_of(patch, X, x));
-            for (Eigen::Index n = 0; n < nodes.size(); ++n) integral.weight[nodes[n]] += area * weight * N[n];
+            for (Eigen::Index n = 0; n < nodes.size(); ++n) integral.weight[nodes[n]] += 2.0 * area * weight * N[n];
         }
     }
 }

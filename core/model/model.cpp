@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "model/force_element.hpp"
 
 namespace myo {
 
@@ -68,6 +69,8 @@ std::vector<double> jump_times(const Model& model) {
             if (std::isfinite(t)) times.push_back(t);
     for (const Signal& signal : model.activation)
         for (const double t : signal.jumps()) times.push_back(t);
+    for (const ForceElementPointer& element : model.force_elements)
+        for (const double t : element->jumps()) times.push_back(t);
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;

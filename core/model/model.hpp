@@ -33,6 +33,9 @@ struct AttachedMass {
     double mass_kg = 0.0;
 };
 
+class ForceElement;
+using ForceElementPointer = std::shared_ptr<const ForceElement>;
+
 /// Everything that does not change while it runs: a body with its material, fibres and loads. Cheap to copy.
 struct Model {
     BodyPointer body;
@@ -47,6 +50,7 @@ struct Model {
     std::vector<Signal> activation;               // per fibre group
     std::vector<DeadForce> forces;
     std::vector<AttachedMass> masses;
+    std::vector<ForceElementPointer> force_elements;   // springs, pressures, drag ...
 };
 
 /// The same moduli in every cell.
@@ -64,7 +68,7 @@ Eigen::Matrix3Xd external_forces(const Model& model, const Eigen::SparseMatrix<d
 /// Activations of all groups at t.
 std::vector<double> activations(const Model& model, double t, bool before = false);
 
-/// Times at which a force or an activation jumps, ascending, without repetition.
+/// Times at which a force, an activation or a force element jumps, ascending, without repetition.
 std::vector<double> jump_times(const Model& model);
 
 }  // namespace myo

@@ -94,12 +94,14 @@ void AdjointFollower::jump(StageSolver& solver, const JumpRecord& at) {
     Matrix3Xd& adjoint = state_.nodal[force_field];
     if (adjoint.size() == 0) return;
     const Matrix3Xd times_M = times_mass(adjoint, solver.mass());
-    const SymmetricSparse K = solver.hessian(jump_stage(s, at.time_s), s.x);
+    const Stage stage = jump_stage(s, at.time_s);
+    const SymmetricSparse K = solver.hessian(stage, s.x);
     add_to(state_.nodal[x_field], -1.0, scatter(pattern, K.selfadjointView<Eigen::Lower>() * gather(pattern, adjoint)));
     add_to(state_.nodal[v_field], model_.velocity_force_1_s, times_M);
     if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, strain_tangent(*model_.body, s.x, adjoint));
+    if (depends_on_velocity(model_)) add_to(state_.nodal[v_field], -1.0, velocity_tangent(model_, force_state(stage, s.x, s.v), adjoint));
     const Matrix3Xd u = model_.velocity_force_1_s * s.v;
-    gradient_.add({s.x, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, &u, &s.v}, adjoint, times_M);
+    gradient_.add({s.x, &s.v, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, &u, &s.v}, adjoint, times_M);
     adjoint.resize(3, 0);
 }
 
@@ -111,6 +113,7 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
     // Adjoints of the fields after the step and of the stages' constants, momenta also times the mass.
     std::vector<Matrix3Xd> rows(rows_count), mass_rows(rows_count);
     std::vector<VectorXd> strain_rows(static_cast<std::size_t>(strain_fields + stages));
+    std::vector<Matrix3Xd> velocity_rows(static_cast<std::size_t>(stages));   // of the stages' velocity histories
     std::move(state_.nodal.begin(), state_.nodal.end(), rows.begin());
     std::move(state_.strain.begin(), state_.strain.end(), strain_rows.begin());
     for (const int row : {force_field, force_lag_field}) {
@@ -126,6 +129,10 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
             const auto r = static_cast<std::size_t>(row);
             add_to(sum, plain.nodal(row, c), is_momentum_row(row) && is_motion_column(c) ? mass_rows[r] : rows[r]);
         }
+        // Velocities of a stage depend on motions as rates of strain on strains.
+        const int beside = c < strain_fields ? c : c - nodal_fields + strain_fields;
+        if (c < strain_fields || c >= nodal_fields)
+            for (int k = 0; k < stages; ++k) add_to(sum, plain.strain(strain_fields + k, beside), velocity_rows[static_cast<std::size_t>(k)]);
         return sum;
     };
     const auto strain_column = [&](int c) {
@@ -151,9 +158,11 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
         rows[row] = scatter(body.pattern, p);
         mass_rows[row] = times_mass(rows[row], solver.mass());
         if (model_.damping_s > 0.0) strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(body, solution.x, rows[row]);
+        const Matrix3Xd v = stage_velocities(stage, solution.x);
+        if (depends_on_velocity(model_)) velocity_rows[static_cast<std::size_t>(k)] = -velocity_tangent(model_, force_state(stage, solution.x, v), rows[row]);
         const Matrix3Xd u = accelerations(plain, record, nodal_fields + k), by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
         const StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
-        gradient_.add({solution.x, rate, stage.time_s, stage.before_jump, &u, &by_velocity_force}, rows[row], mass_rows[row]);
+        gradient_.add({solution.x, &v, rate, stage.time_s, stage.before_jump, &u, &by_velocity_force}, rows[row], mass_rows[row]);
     }
     for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = column(field);
     for (int field = 0; field < strain_fields; ++field) state_.strain[static_cast<std::size_t>(field)] = strain_column(field);
@@ -190,7 +199,7 @@ bool AdjointFollower::start(StageSolver& solver, const SimulationOptions& option
     const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x, gather(body.pattern, initial_.initial_positions));
     if (!solved.allFinite()) return false;
     const Matrix3Xd p = scatter(body.pattern, solved);
-    gradient_.add({at.x, {}, stage.time_s, stage.before_jump}, p, times_mass(p, solver.mass()));
+    gradient_.add({at.x, nullptr, {}, stage.time_s, stage.before_jump}, p, times_mass(p, solver.mass()));
     initial_.initial_positions.setZero();
     return true;
 }

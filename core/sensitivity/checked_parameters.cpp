@@ -1,6 +1,7 @@
 #include <cmath>
 #include <memory>
 
+#include "model/force_element.hpp"
 #include "sensitivity/gradient_check.hpp"
 
 namespace myo {
@@ -86,6 +87,22 @@ void add_fibres(const Model& model, const SimulationOptions& options, std::vecto
     }
 }
 
+void add_force_elements(const Model& model, std::vector<CheckedParameter>& list) {
+    for (std::size_t e = 0; e < model.force_elements.size(); ++e) {
+        const std::vector<ForceParameter> parameters = model.force_elements[e]->parameters();
+        for (std::size_t k = 0; k < parameters.size(); ++k) {
+            const auto index = static_cast<Eigen::Index>(k);
+            list.push_back({"force element " + std::to_string(e) + ", " + parameters[k].name, 1e-3 * parameters[k].scale,
+                            [e, index](Model& m, SimulationOptions&, double by) {
+                                Eigen::VectorXd values = parameter_values(*m.force_elements[e]);
+                                values(index) += by;
+                                m.force_elements[e] = m.force_elements[e]->changed(values);
+                            },
+                            [e, index](const ModelGradient& g) { return g.force_elements[e](index); }});
+        }
+    }
+}
+
 void add_start(const Model& model, const SimulationOptions& options, std::vector<CheckedParameter>& list) {
     const Matrix3Xd& X = model.body->mesh.nodes;
     const Matrix3Xd field = rough_field(*model.body);
@@ -112,6 +129,7 @@ std::vector<CheckedParameter> checked_parameters(const Model& model, const Simul
     add_material(model, list);
     add_loads(model, list);
     add_fibres(model, options, list);
+    add_force_elements(model, list);
     add_start(model, options, list);
     return list;
 }

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "model/force_element.hpp"
+
 namespace myo {
 namespace {
 
@@ -42,6 +44,7 @@ GradientSum::GradientSum(const Model& model, bool fibre_shapes)
     for (const Signal& signal : model.activation) gradient_.activation.emplace_back(signal.values.size(), 0.0);
     gradient_.forces_N.assign(model.forces.size(), Vector3d::Zero());
     gradient_.attached_masses_kg.assign(model.masses.size(), 0.0);
+    for (const ForceElementPointer& element : model.force_elements) gradient_.force_elements.push_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(element->parameters().size())));
 }
 
 void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp) {
@@ -54,6 +57,11 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
             gradient_.activation[g][w.left] -= w.of_left * fibres_.by_activation[g];
             gradient_.activation[g][w.right] -= w.of_right * fibres_.by_activation[g];
         }
+    }
+    for (std::size_t e = 0; e < model_.force_elements.size(); ++e) {
+        Eigen::VectorXd work = Eigen::VectorXd::Zero(gradient_.force_elements[e].size());
+        model_.force_elements[e]->add_work(*model_.body, {at.x, at.v, 0.0, at.time_s, at.before_jump}, p, work);
+        gradient_.force_elements[e] -= work;
     }
     for (std::size_t f = 0; f < model_.forces.size(); ++f) {
         const DeadForce& load = model_.forces[f];

@@ -21,6 +21,7 @@ struct ModelGradient {
     std::vector<std::vector<Eigen::VectorXd>> fibre_shape;   // per group and point, see FibrePoint::shape; only when asked for
     std::vector<Eigen::Vector3d> forces_N;            // per dead force
     std::vector<double> attached_masses_kg;
+    std::vector<Eigen::VectorXd> force_elements;      // per element and parameter
     Eigen::Matrix3Xd initial_positions;               // 3 x n; zero on clamped nodes and where a run starts at equilibrium
     Eigen::Matrix3Xd initial_velocities;              // 3 x n; zero on clamped nodes
 };
@@ -41,6 +42,7 @@ public:
     /// The equilibrium inertia M x + dW/dx = ... of a stage, a jump or the start, solved or evaluated at x.
     struct Balance {
         const Eigen::Matrix3Xd& x;
+        const Eigen::Matrix3Xd* v = nullptr;   // for the force elements; null: at rest
         StrainRate rate;                   // history null: not known, or no derivative with respect to damping wanted
         double time_s = 0.0;
         bool before_jump = false;

@@ -17,6 +17,13 @@ ModelTangent damping_tangent() {
     return tangent;
 }
 
+Eigen::Matrix3Xd force_element_tangent(const Model& model, const ModelTangent& tangent, const ForceState& at) {
+    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, at.x.cols());
+    for (std::size_t e = 0; e < tangent.force_elements.size(); ++e)
+        if (tangent.force_elements[e].size() > 0) model.force_elements[e]->add_tangent(*model.body, at, tangent.force_elements[e], gradient);
+    return gradient;
+}
+
 Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
                                   const Eigen::VectorXd& rate, double time_s, bool before_jump) {
     // The energy is linear in the moduli and in damping times moduli, so its derivative is itself at their derivatives.

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "model/force_element.hpp"
 #include "model/internal_forces.hpp"
 #include "model/model.hpp"
 
@@ -14,6 +15,7 @@ struct ModelTangent {
     std::vector<Moduli> moduli;        // per cell
     double damping_s = 0.0;
     std::vector<Signal> activation;    // per fibre group: d a(t)
+    std::vector<Eigen::VectorXd> force_elements;   // per element: change of its parameters; empty ones are zero
 };
 
 /// d/dE: the moduli over E. Asserts youngs_modulus_Pa > 0.
@@ -22,7 +24,10 @@ ModelTangent youngs_modulus_tangent(const Model& model, double youngs_modulus_Pa
 /// d/d damping.
 ModelTangent damping_tangent();
 
-/// Derivative of the gradient dW/dx along the parameter, positions and strain rate held, 3 x n [N per unit of the parameter].
+/// Derivative of the gradient of the force elements along the parameter, positions and velocities held, 3 x n.
+Eigen::Matrix3Xd force_element_tangent(const Model& model, const ModelTangent& tangent, const ForceState& at);
+
+/// Derivative of the gradient dW/dx of material and fibres along the parameter, positions and strain rate held, 3 x n [N per unit of the parameter].
 Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
                                   const Eigen::VectorXd& rate, double time_s, bool before_jump);
 

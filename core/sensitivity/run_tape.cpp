@@ -80,7 +80,7 @@ TapeBytes tape_bytes(const Model& model, const TimeScheme& scheme, bool with_str
     const double nodal = 24.0 * model.body->node_count(), strain = with_strains ? 8.0 * model.body->strain_count() : 0.0;
     const bool remembers = steps.nodal.row(v_lag_field).any();
     const double stages = steps.stages(), fields = remembers ? 5.0 : 3.0;
-    return {stages * nodal, fields * nodal + (remembers ? 3.0 : 2.0) * strain, fields * nodal + stages * (2.0 * nodal + strain)};
+    return {stages * nodal, fields * nodal + (remembers ? 3.0 : 2.0) * strain, fields * nodal + stages * (3.0 * nodal + strain)};
 }
 
 }  // namespace myo

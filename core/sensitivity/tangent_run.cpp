@@ -24,7 +24,7 @@ public:
             Kinematics& d = state_[p];
             d.x = d.v = d.force = Matrix3Xd::Zero(3, body.node_count());
             if (options_.starts_at_equilibrium()) {
-                const Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, 0.0, true);
+                const Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, 0.0, true) + element_tangent(p, stage, state.x, {});
                 d.x = scatter(body.pattern, solver.solve_linear(K, stage, state.x, gather(body.pattern, -g)));
             }
             d.strain = strain_tangent(body, state.x, d.x);
@@ -35,10 +35,11 @@ public:
 
     void jump(StageSolver& solver, const Kinematics& state, double t) {
         const BlockPattern& pattern = model_.body->pattern;
-        const SymmetricSparse K = solver.hessian(jump_stage(state, t), state.x);
+        const Stage stage = jump_stage(state, t);
+        const SymmetricSparse K = solver.hessian(stage, state.x);
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
             Kinematics& d = state_[p];
-            Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, t, false);
+            Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, t, false) + element_tangent(p, stage, state.x, d.v);
             if (model_.damping_s > 0.0) g += viscous_gradient(model_, state.x, d.rate);
             const Matrix3Xd velocity_force = model_.velocity_force_1_s * times_mass(d.v, solver.mass());
             d.force = scatter(pattern, -(K.selfadjointView<Eigen::Lower>() * gather(pattern, d.x)) - gather(pattern, g - velocity_force));
@@ -59,6 +60,7 @@ public:
                 run_step(solver, scheme, t, h, p, d_solved[p], [&](const Stage& d_stage) {
                     Matrix3Xd g = gradient_tangent(model_, parameters_[p], solution.x, rate, stage.time_s, stage.before_jump);
                     if (model_.damping_s > 0.0) g += viscous_gradient(model_, solution.x, d_stage.rate_history);
+                    if (!model_.force_elements.empty()) g += element_tangent(p, stage, solution.x, d_stage.velocity_history);
                     B.col(static_cast<Eigen::Index>(p)) = gather(body.pattern, d_stage.constant - g);
                 });
             if (guesses_.size() <= k) guesses_.resize(k + 1);
@@ -111,6 +113,15 @@ private:
         const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model_.velocity_force_1_s, solve};
         take_step(scheme, problem, state_[p], next);
         return next;
+    }
+
+    /// What the parameter and a change of the velocities change in the gradient of the force elements.
+    Matrix3Xd element_tangent(std::size_t p, const Stage& stage, const Matrix3Xd& x, const Matrix3Xd& dv) const {
+        const Matrix3Xd v = stage_velocities(stage, x);
+        const ForceState at = force_state(stage, x, v);
+        Matrix3Xd g = force_element_tangent(model_, parameters_[p], at);
+        if (dv.size() > 0 && depends_on_velocity(model_)) g += velocity_tangent(model_, at, dv);
+        return g;
     }
 
     void keep(std::size_t p) {

@@ -3,8 +3,13 @@
 #include <cmath>
 #include <memory>
 
+#include "model/cavity_pressure.hpp"
+#include "model/elastic_bed.hpp"
+#include "model/loaded_face.hpp"
+#include "model/surface_drag.hpp"
 #include "sensitivity/adjoint_run.hpp"
 #include "support/beam.hpp"
+#include "support/hollow.hpp"
 
 namespace myo::test {
 
@@ -29,6 +34,23 @@ inline Model driven_beam(ElementKind kind, const char* material = "neo_hookean")
     model.forces.back().until_s = 0.012;
     model.masses.push_back({tip_share(model, spec), 0.01});
     model.velocity_force_1_s = 3.0;
+    return model;
+}
+
+/// A hollow block on an elastic bed in a fluid, its chamber under a pressure that rises and jumps.
+inline Model blown_block(ElementKind kind) {
+    Model model = hollow_block(kind);
+    const Body& held = *model.body;
+    std::vector<int> clamped;
+    for (int i = 0; i < held.node_count(); ++i)
+        if (held.clamped[static_cast<std::size_t>(i)]) clamped.push_back(i);
+    const std::vector<int> bed = faces_of_nodes(held, clamped);
+    model.body = make_body(held.mesh, kind, {});
+    const Body& body = *model.body;
+    model.gravity_m_s2 = {0.0, 0.0, -9.81};
+    model.damping_s = 0.002;
+    model.force_elements = {elastic_bed(body, bed, 3e7), surface_drag(body, free_faces(body), 20.0, 3000.0),
+                            cavity_pressure(body, closed_cavities(body).at(0), Signal{{0.0, 0.0125, 0.0125, 0.03}, {4e3, 7e3, 2e3, 6e3}})};
     return model;
 }
 

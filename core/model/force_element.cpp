@@ -1,0 +1,39 @@
+#include "model/force_element.hpp"
+
+#include <algorithm>
+
+namespace myo {
+
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+void ForceElement::add_work(const Body& body, const ForceState& at, const Matrix3Xd& p, VectorXd& by_parameter) const {
+    for (Eigen::Index k = 0; k < by_parameter.size(); ++k) {
+        Matrix3Xd gradient = Matrix3Xd::Zero(3, p.cols());
+        add_tangent(body, at, VectorXd::Unit(by_parameter.size(), k), gradient);
+        by_parameter(k) += gradient.cwiseProduct(p).sum();
+    }
+}
+
+VectorXd parameter_values(const ForceElement& element) {
+    const std::vector<ForceParameter> parameters = element.parameters();
+    VectorXd values(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k) values(static_cast<Eigen::Index>(k)) = parameters[k].value;
+    return values;
+}
+
+bool depends_on_velocity(const Model& model) {
+    return std::any_of(model.force_elements.begin(), model.force_elements.end(), [](const ForceElementPointer& e) { return e->depends_on_velocity(); });
+}
+
+void add_force_elements(const Model& model, const ForceState& at, HessianKind kind, InternalEnergy& out) {
+    for (const ForceElementPointer& element : model.force_elements) element->add(*model.body, at, kind, out);
+}
+
+Matrix3Xd velocity_tangent(const Model& model, const ForceState& at, const Matrix3Xd& dv) {
+    Matrix3Xd gradient = Matrix3Xd::Zero(3, at.x.cols());
+    for (const ForceElementPointer& element : model.force_elements) element->add_velocity_tangent(*model.body, at, dv, gradient);
+    return gradient;
+}
+
+}  // namespace myo

@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+#include "model/cavity_pressure.hpp"
+#include "model/elastic_bed.hpp"
+#include "model/loaded_face.hpp"
+#include "model/surface_drag.hpp"
+#include "support/hollow.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct Case {
+    const char* element;
+    ElementKind kind;
+};
+
+/// A hollow block, clamped at one end, with one force element.
+Model model_with(const Case& c) {
+    Model model = test::hollow_block(c.kind);
+    const Body& body = *model.body;
+    const std::string element = c.element;
+    if (element == "bed") model.force_elements = {elastic_bed(body, free_faces(body), 3e5)};
+    if (element == "drag") model.force_elements = {surface_drag(body, free_faces(body), 20.0, 900.0)};
+    if (element == "pressure") model.force_elements = {cavity_pressure(body, closed_cavities(body).at(0), Signal{{0.0, 1.0}, {4e3, 6e3}})};
+    return model;
+}
+
+class ForceElements : public testing::TestWithParam<Case> {
+protected:
+    ForceElements() : model(model_with(GetParam())), X(model.body->mesh.nodes) {
+        x = X + 2e-4 * test::rough_field(X.cols(), 0.3);
+        v_history = test::rough_field(X.cols(), 1.1) - factor * x;
+    }
+
+    InternalEnergy at(const Matrix3Xd& positions, HessianKind kind) const {
+        InternalEnergy out;
+        out.gradient = Matrix3Xd::Zero(3, X.cols());
+        if (kind != HessianKind::none) out.hessian = model.body->pattern.zero;
+        const Matrix3Xd v = factor * positions + v_history;
+        add_force_elements(model, {positions, &v, factor, time_s}, kind, out);
+        return out;
+    }
+
+    static constexpr double factor = 200.0, time_s = 0.3;
+    Model model;
+    Matrix3Xd X, x, v_history;
+};
+
+TEST_P(ForceElements, HaveTheGradientOfTheirPotentialAndItsHessian) {
+    const Matrix3Xd d = scatter(model.body->pattern, gather(model.body->pattern, test::rough_field(X.cols(), 2.0)));
+    const double step = 1e-6;
+    const InternalEnergy here = at(x, HessianKind::exact), up = at(x + step * d, HessianKind::none), down = at(x - step * d, HessianKind::none);
+    const double slope = here.gradient.cwiseProduct(d).sum();
+    EXPECT_NE(slope, 0.0);
+    EXPECT_NEAR((up.energy - down.energy) / (2.0 * step) / slope, 1.0, 1e-6);
+    const VectorXd product = here.hessian.selfadjointView<Eigen::Lower>() * gather(model.body->pattern, d);
+    const VectorXd difference = gather(model.body->pattern, (up.gradient - down.gradient) / (2.0 * step));
+    EXPECT_GT(difference.norm(), 0.0);
+    EXPECT_LT((product - difference).norm(), 1e-6 * difference.norm());
+}
+
+TEST_P(ForceElements, KnowTheirDerivativesByParametersAndVelocity) {
+    const ForceElement& element = *model.force_elements.front();
+    const Body& body = *model.body;
+    const Matrix3Xd v = factor * x + v_history, p = test::rough_field(X.cols(), 5.0);
+    const ForceState state{x, &v, factor, time_s};
+    const VectorXd values = parameter_values(element);
+    const auto gradient_of = [&](const ForceElement& some, const ForceState& there) {
+        InternalEnergy out;
+        out.gradient = Matrix3Xd::Zero(3, X.cols());
+        some.add(body, there, HessianKind::none, out);
+        return out.gradient;
+    };
+    VectorXd work = VectorXd::Zero(values.size());
+    element.add_work(body, state, p, work);
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+        const VectorXd change = 1e-4 * element.parameters()[static_cast<std::size_t>(k)].scale * VectorXd::Unit(values.size(), k);
+        Matrix3Xd tangent = Matrix3Xd::Zero(3, X.cols());
+        element.add_tangent(body, state, change, tangent);
+        const Matrix3Xd difference = 0.5 * (gradient_of(*element.changed(values + change), state) - gradient_of(*element.changed(values - change), state));
+        EXPECT_GT(difference.norm(), 0.0);
+        EXPECT_LT((tangent - difference).norm(), 1e-8 * difference.norm());
+        EXPECT_NEAR(work(k) * change(k), tangent.cwiseProduct(p).sum(), 1e-10 * std::abs(tangent.cwiseProduct(p).sum()));
+    }
+    if (!element.depends_on_velocity()) return;
+    const Matrix3Xd dv = test::rough_field(X.cols(), 7.0), up = v + 1e-5 * dv, down = v - 1e-5 * dv;
+    const Matrix3Xd difference = (gradient_of(element, {x, &up, factor, time_s}) - gradient_of(element, {x, &down, factor, time_s})) / 2e-5;
+    EXPECT_LT((velocity_tangent(model, state, dv) - difference).norm(), 1e-7 * difference.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ForceElements,
+                         testing::Values(Case{"bed", ElementKind::hex8}, Case{"bed", ElementKind::tet10}, Case{"drag", ElementKind::hex8}, Case{"drag", ElementKind::tet10},
+                                         Case{"pressure", ElementKind::hex8}, Case{"pressure", ElementKind::tet4}, Case{"pressure", ElementKind::tet10}),
+                         [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
+
+TEST(CavityPressure, PushesNothingAwayAndTurnsWithTheBody) {
+    const Model model = test::hollow_block(ElementKind::hex8);
+    const Body& body = *model.body;
+    const std::vector<std::vector<int>> cavities = closed_cavities(body);
+    ASSERT_EQ(cavities.size(), 1u);
+    EXPECT_EQ(open_edges(body, cavities[0]), 0);
+    EXPECT_NEAR(cavity_volume(body, cavities[0], body.mesh.nodes), test::hollow_volume_m3, 1e-12);
+    const ForceElementPointer pressure = cavity_pressure(body, cavities[0], Signal::constant(5e3));
+    const auto gradient = [&](const Matrix3Xd& x) {
+        InternalEnergy out;
+        out.gradient = Matrix3Xd::Zero(3, x.cols());
+        pressure->add(body, {x}, HessianKind::none, out);
+        return out.gradient;
+    };
+    const Matrix3Xd x = body.mesh.nodes + 3e-4 * test::rough_field(body.node_count(), 0.2);
+    const Matrix3Xd g = gradient(x);
+    EXPECT_GT(g.norm(), 1.0);
+    EXPECT_LT(g.rowwise().sum().norm(), 1e-12 * g.norm());
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+    EXPECT_LT((gradient(R * x) - R * g).norm(), 1e-12 * g.norm());
+}
+
+}  // namespace
+}  // namespace myo

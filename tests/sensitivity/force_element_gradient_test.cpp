@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include "sensitivity/driven_beam.hpp"
+#include "sensitivity/gradient_check.hpp"
+#include "sensitivity/tangent_run.hpp"
+#include "support/figures.hpp"
+
+namespace myo {
+namespace {
+
+using test::blown_block;
+using test::rough_loss;
+using test::short_run;
+
+struct Case {
+    ElementKind kind;
+    TimeScheme scheme;
+    StartKind start;
+};
+
+/// Springs, drag and the pressure of a cavity, all at once.
+class ForceElementGradient : public testing::TestWithParam<Case> {};
+
+TEST_P(ForceElementGradient, EqualsCentralDifferences) {
+    const auto [kind, scheme, start] = GetParam();
+    const Model model = blown_block(kind);
+    SimulationOptions options = short_run(scheme, start);
+    options.initial.velocities = 0.3 * test::rough_field(model.body->node_count(), 0.4);
+    const GradientCheck check = check_gradient(model, options, rough_loss(model), checked_parameters(model, options));
+    ASSERT_TRUE(check.complete()) << check.message;
+    int of_elements = 0;
+    for (const GradientCheckRow& row : check.rows) {
+        EXPECT_NE(row.adjoint, 0.0) << row.name;
+        EXPECT_LT(row.relative_error, 1e-5) << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
+        of_elements += row.name.starts_with("force element") ? 1 : 0;
+    }
+    EXPECT_EQ(of_elements, 7);
+    EXPECT_LT(check.median_error(), 1e-6);
+    test::record("median_error", check.median_error());
+    test::record("worst_error", check.worst_error());
+}
+
+TEST_P(ForceElementGradient, EqualsTheTangents) {
+    const auto [kind, scheme, start] = GetParam();
+    const Model model = blown_block(kind);
+    SimulationOptions options = short_run(scheme, start);
+    options.solver.tangent_tolerance = 1e-12;
+    const LossOfMotion loss = rough_loss(model);
+    AdjointOptions adjoint;
+    adjoint.tolerance = 1e-12;
+    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
+    ASSERT_TRUE(run.complete()) << run.message;
+    std::vector<ModelTangent> parameters;
+    std::vector<double> expected;
+    for (std::size_t e = 0; e < model.force_elements.size(); ++e)
+        for (Eigen::Index k = 0; k < run.gradient.force_elements[e].size(); ++k) {
+            ModelTangent one;
+            one.force_elements.resize(model.force_elements.size());
+            one.force_elements[e] = Eigen::VectorXd::Unit(run.gradient.force_elements[e].size(), k);
+            parameters.push_back(std::move(one));
+            expected.push_back(run.gradient.force_elements[e](k));
+        }
+    const SensitiveTrace tangents = simulate_with_tangents(model, options, parameters, loss.nodes);
+    const MotionLoss derivative = loss.evaluate(run.motion);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+        double along = 0.0;
+        for (std::size_t k = 0; k < derivative.d_positions.size(); ++k)
+            along += tangents.tangents[p].positions[k].cwiseProduct(derivative.d_positions[k]).sum() +
+                     tangents.tangents[p].velocities[k].cwiseProduct(derivative.d_velocities[k]).sum();
+        EXPECT_NE(along, 0.0);
+        EXPECT_NEAR(expected[p] / along, 1.0, 1e-7) << "parameter " << p;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ForceElementGradient,
+                         testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight}, Case{ElementKind::hex8, Integrator::bdf2, StartKind::straight}, Case{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
+                                         Case{ElementKind::hex8, Integrator::implicit_euler, StartKind::equilibrium},
+                                         Case{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
+                                         Case{ElementKind::tet10, Integrator::tr_bdf2, StartKind::straight}),
+                         [](const auto& c) {
+                             return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) + (c.param.start == StartKind::equilibrium ? "_equilibrium" : "");
+                         });
+
+}  // namespace
+}  // namespace myo
