@@ -12,6 +12,7 @@ BenchCase bench_arm();
 BenchCase bench_threads();
 BenchCase bench_tangents();
 BenchCase bench_backward();
+BenchCase bench_gradient_memory();
 BenchCase bench_scaling();
 BenchCase bench_published();
 BenchCase bench_locking();

@@ -12,6 +12,7 @@ const std::vector<BenchCase>& bench_catalogue() {
         bench_threads(),
         bench_tangents(),
         bench_backward(),
+        bench_gradient_memory(),
         bench_scaling(),
         bench_published(),
         bench_locking(),

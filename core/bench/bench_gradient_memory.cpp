@@ -1,0 +1,53 @@
+#include "base/text.hpp"
+#include "bench/beam_run.hpp"
+#include "bench/bench_cases.hpp"
+#include "mesh/region.hpp"
+#include "sensitivity/adjoint_run.hpp"
+
+namespace myo {
+namespace {
+
+/// Position of the tip at the end of the run, and with it the gradient of 160 steps.
+Result<BenchFigures> gradient_within(double budget_bytes, const BenchBeam& beam, int steps) {
+    const double made = thread_time_s();
+    const Model model = bench_beam(beam);
+    const SimulationOptions options = bench_options(Integrator::tr_bdf2, 0.01, steps, 1e-6);
+    LossOfMotion loss;
+    loss.nodes = nodes_in_box(model.body->mesh, Box{{0.1 - 1e-6, -1.0, -1.0}, {1.0, 1.0, 1.0}});
+    loss.evaluate = [](const NodeMotion& motion) {
+        MotionLoss result;
+        result.d_positions.resize(motion.positions.size());
+        const Eigen::Matrix3Xd moved = motion.positions.back() - motion.positions.front();
+        result.value = 0.5 * moved.squaredNorm();
+        result.d_positions.back() = moved;
+        return result;
+    };
+    AdjointOptions adjoint;
+    adjoint.memory_bytes = budget_bytes;
+    const double start = thread_time_s();
+    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
+    BenchFigures figures;
+    figures.setup_s = start - made;
+    figures.run_s = thread_time_s() - start;
+    figures.name = std::to_string(model.body->dofs()) + " DOF, gradient of " + std::to_string(steps) + " steps, budget " + format_number(budget_bytes / 1e6, 3) + " MB";
+    if (!run.complete()) return Error{run.message, figures.name};
+    figures.dofs = model.body->dofs();
+    figures.cells = model.body->cell_count();
+    figures.steps = run.steps;
+    figures.h_s = options.h_s;
+    figures.quantities = {{"kept of the run at once", run.tape_bytes / 1e6, "MB", {}}, {"parts it was cut into", static_cast<double>(run.parts), "", {}},
+                          {"dloss/dE times E", young_gradient(model, run.gradient).youngs_modulus_Pa * 263824.0, "m2", {}}};
+    return figures;
+}
+
+}  // namespace
+
+BenchCase bench_gradient_memory() {
+    const BenchBeam honest{ElementKind::hex8, {69, 21, 21}, "neo_hookean", 0.003};
+    BenchCase result{"gradient-memory", "gradient of 160 steps of 100 thousand degrees of freedom, forwards and backwards, within a budget for what is kept of the run", {}};
+    for (const double megabytes : {256.0, 64.0})
+        result.runs.push_back({format_number(megabytes, 3) + " MB", [=] { return gradient_within(1e6 * megabytes, honest, 160); }});
+    return result;
+}
+
+}  // namespace myo
