@@ -205,8 +205,8 @@ Result<void> write_actuation(const fs::path& folder, const Study& study, const O
 Result<void> check_actuation_file(const fs::path& folder, const Study& study, const Experiment& whole) {
     std::error_code code;
     const fs::path target = folder / actuation_file(study);
-    for (const TrialDeclaration& trial : whole.trials)
-        if (fs::equivalent(target, trial.trace, code) || (trial.actuation && fs::equivalent(target, *trial.actuation, code)))
+    for (const fs::path& read : tables_read(whole))
+        if (fs::equivalent(target, read, code))
             return Error{"results would replace " + target.filename().string() + ", which the experiment reads; choose another folder", "--out"};
     return {};
 }
