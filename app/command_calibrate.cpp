@@ -17,6 +17,7 @@ struct CalibrateCall : StudyCall {
     std::vector<std::string> parameters;
 };
 
+const char* const first_evaluation = "the first evaluation was complete";
 const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
 
 std::string parameter_lines(const Calibration& calibration) {
@@ -82,25 +83,18 @@ int end_status(const CalibrateCall& call, const Calibration& calibration, Consol
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const Stopwatch setup;
-    const Result<Experiment> experiment = open_experiment(call);
-    if (!experiment) return console.refuse(experiment.error());
-    const Result<Study> study = open_study(call, *experiment, progress);
-    const auto stopped = [&] {
-        console.complain("stopped before the first evaluation was complete; nothing was written");
-        return status_stopped;
-    };
-    if (progress.cancelled()) return stopped();
-    if (!study) return console.refuse(study.error());
+    const StudyOpening opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
+    if (!opening.study) return opening.status;
+    const std::optional<Study>& study = opening.study;
     if (study_parameters(*study, call.parameters).empty())
         return console.refuse({"material.calibrate is empty and nothing else is unknown; name what to fit with --parameters", call.experiment.string()});
     for (const std::string& warning : study->warnings) console.warn(warning);
-    const double setup_s = setup.seconds();
+    const double setup_s = opening.setup.seconds();
     console.print(study->experiment.name);
 
     const Calibration calibration = calibrate_study(*study, call.parameters, progress);
     if (!calibration.usable()) {
-        if (calibration.stopped) return stopped();
+        if (calibration.stopped) return stopped_before(first_evaluation, console);
         console.complain("the fit failed: " + calibration.fit.message + try_words);
         return status_failed;
     }
