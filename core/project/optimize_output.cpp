@@ -48,17 +48,6 @@ ActuationTable actuation_table(const SoughtSignals& sought, const MatrixXd& valu
 
 fs::path actuation_file(const Study& study) { return trial_file_names(study.experiment).front() + "_actuation.csv"; }
 
-const char* ending_word(FitStatus status) {
-    switch (status) {
-        case FitStatus::not_run: return "not_run";
-        case FitStatus::converged: return "converged";
-        case FitStatus::not_converged: return "not_converged";
-        case FitStatus::cancelled: return "stopped";
-        case FitStatus::failed: return "failed";
-    }
-    return "";
-}
-
 Json signals_json(const SoughtSignals& sought, const MatrixXd& values) {
     Json signals = Json::array();
     for (std::size_t s = 0; s < sought.signals.size(); ++s)
