@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -35,6 +36,18 @@ OptimizeSettings settings_of(const OptimizeCall& call) {
     return settings;
 }
 
+/// ", ± 0.01" of the middle one of those that are determined.
+std::string deviation_words(const ActuationDeviations& deviations, Eigen::Index signal) {
+    if (!deviations.found) return "";
+    std::vector<double> known;
+    for (const double deviation : deviations.deviations.row(signal))
+        if (std::isfinite(deviation)) known.push_back(deviation);
+    if (known.empty()) return ", not determined";
+    const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+    std::nth_element(known.begin(), middle, known.end());
+    return ", ± " + format_number(*middle, 2) + " (median)";
+}
+
 std::string result_lines(const Study& study, const Optimization& result) {
     char line[256];
     std::snprintf(line, sizeof line, "%-32s %9s  %9s", "marker, rms [mm]", "before", "after");
@@ -50,8 +63,9 @@ std::string result_lines(const Study& study, const Optimization& result) {
     for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
         const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
         text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " + format_number(row.minCoeff(), 4) + " ... " +
-                format_number(row.maxCoeff(), 4);
+                format_number(row.maxCoeff(), 4) + deviation_words(result.deviations, static_cast<Eigen::Index>(s));
     }
+    if (!result.deviations.found) text += "\nstandard deviations: " + result.deviations.reason;
     return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " + format_number(result.seconds, 3) + " s, " +
            std::to_string(study.body->dofs()) + " DOF";
 }
