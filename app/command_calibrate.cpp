@@ -15,8 +15,11 @@ namespace {
 
 struct CalibrateCall : StudyCall {
     std::vector<std::string> parameters;
+    bool resume = false;
+    int starts = 1;
 };
 
+const char* const first_evaluation = "the first evaluation was complete";
 const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
 
 std::string parameter_lines(const Calibration& calibration) {
@@ -33,6 +36,23 @@ std::string parameter_lines(const Calibration& calibration) {
         text += line;
     }
     return text;
+}
+
+std::string start_lines(const Calibration& calibration) {
+    std::string text;
+    if (calibration.starts.size() < 2) return text;
+    for (std::size_t s = 0; s < calibration.starts.size(); ++s) {
+        const CalibrationStart& start = calibration.starts[s];
+        std::string ended = ending_word(start.status);
+        std::replace(ended.begin(), ended.end(), '_', ' ');
+        text += "\nstart " + std::to_string(s + 1) + ": " + ended + ", cost " + format_number(start.cost_before, 5) + " to " + format_number(start.cost_after, 5) + ", " +
+                std::to_string(start.history.size()) + " evaluations;";
+        for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(i);
+            text += (i > 0 ? ", " : " ") + calibration.parameters[i].parameter.name + " " + format_number(start.start(row), 4) + " to " + format_number(start.values(row), 5);
+        }
+    }
+    return text + "\n";
 }
 
 std::string trial_lines(const Study& study, const Calibration& calibration) {
@@ -63,8 +83,7 @@ const char* const try_words =
 
 /// What is written is said to be only a part, when it is.
 int end_status(const CalibrateCall& call, const Calibration& calibration, Console& console) {
-    const std::string restart = " written to " + call.out.string() + "; start from them with --set material.youngs_modulus_Pa=" +
-                                format_number(calibration.after.values.youngs_modulus_Pa);
+    const std::string restart = " written to " + call.out.string() + ", --resume goes on from them";
     if (calibration.stopped) {
         console.complain(calibration.fit.converged() ? "stopped before all trials were predicted; the fitted values are written to " + call.out.string()
                                                      : "stopped before the fit converged; the best values so far are" + restart);
@@ -82,32 +101,34 @@ int end_status(const CalibrateCall& call, const Calibration& calibration, Consol
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const Stopwatch setup;
-    const Result<Experiment> experiment = open_experiment(call);
-    if (!experiment) return console.refuse(experiment.error());
-    const Result<Study> study = open_study(call, *experiment, progress);
-    const auto stopped = [&] {
-        console.complain("stopped before the first evaluation was complete; nothing was written");
-        return status_stopped;
-    };
-    if (progress.cancelled()) return stopped();
-    if (!study) return console.refuse(study.error());
+    const StudyOpening opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
+    if (!opening.study) return opening.status;
+    const std::optional<Study>& study = opening.study;
     if (study_parameters(*study, call.parameters).empty())
         return console.refuse({"material.calibrate is empty and nothing else is unknown; name what to fit with --parameters", call.experiment.string()});
+    CalibrationSettings settings{call.parameters, {}, call.starts, call.work.seed.value_or(1)};
+    EarlierCalibration earlier;
+    if (call.resume) {
+        const Result<EarlierCalibration> read = read_calibration(call.out, *study, settings);
+        if (!read) return console.refuse(read.error());
+        earlier = *read;
+        settings.from = earlier.values;
+    }
     for (const std::string& warning : study->warnings) console.warn(warning);
-    const double setup_s = setup.seconds();
+    const double setup_s = opening.setup.seconds();
     console.print(study->experiment.name);
 
-    const Calibration calibration = calibrate_study(*study, call.parameters, progress);
+    Calibration calibration = calibrate_study(*study, settings, progress);
+    calibration.earlier_evaluations = earlier.evaluations;
     if (!calibration.usable()) {
-        if (calibration.stopped) return stopped();
+        if (calibration.stopped) return stopped_before(first_evaluation, console);
         console.complain("the fit failed: " + calibration.fit.message + try_words);
         return status_failed;
     }
     for (const std::string& warning : calibration.warnings) console.warn(warning);
     if (const Result<void> written = write_results(call, *study, calibration, setup_s); !written) return console.refuse(written.error());
-    console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(*study, calibration) + "\n\n" + std::to_string(calibration.fit.evaluations) +
-                  (calibration.fit.evaluations == 1 ? " evaluation, " : " evaluations, ") + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
+    console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(*study, calibration) + "\n" + start_lines(calibration) + "\n" + std::to_string(calibration.evaluations()) +
+                  (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return end_status(call, calibration, console);
 }
 
@@ -126,6 +147,8 @@ std::function<int()> declare_calibrate(CLI::App& app) {
            },
            "material parameters to fit, instead of material.calibrate: " + join(material_parameters, ","))
         ->type_name("A,B");
+    add_count(app, "--starts", call->starts, "fits: the first from the declared values, the others from random ones around them (--seed); the best is kept");
+    app.add_flag("--resume", call->resume, "go on from the calibrate.json in DIR");
     return [call] { return calibrate_command(*call); };
 }
 

@@ -6,7 +6,6 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "project/gradcheck_study.hpp"
-#include "project/study_target.hpp"
 #include "report/json.hpp"
 #include "study_command.hpp"
 
@@ -14,9 +13,9 @@ namespace myo {
 namespace {
 
 constexpr double most_relative_error = 1e-5;
+const char* const complete_check = "the check was complete";
 
 struct GradcheckCall : StudyCall {
-    std::string trial;
     std::string json;
     int steps = 8;
 };
@@ -62,27 +61,17 @@ Json gradcheck_json(const Study& study, const StudyGradientCheck& run, const Run
 int gradcheck_command(const GradcheckCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const Stopwatch setup;
-    const Result<Experiment> experiment = open_experiment(call);
-    if (!experiment) return console.refuse(experiment.error());
-    const Result<std::size_t> trial = find_trial(*experiment, call.trial);
-    if (!trial) return console.refuse(trial.error());
-    Result<Study> whole = open_study(call, *experiment, progress);
-    const auto stopped = [&] {
-        console.complain("stopped before the check was complete; nothing was written");
-        return status_stopped;
-    };
-    if (progress.cancelled()) return stopped();
-    if (!whole) return console.refuse(whole.error());
-    const Study study = with_one_trial(std::move(*whole), *trial);
+    const StudyOpening opening = open_command(call, TrialChoice::one, complete_check, console, progress);
+    if (!opening.study) return opening.status;
+    const Study& study = *opening.study;
     for (const std::string& warning : study.warnings) console.warn(warning);
     const StudyTrial& checked = study.trials.front();
     console.print(study.experiment.name + ", trial " + checked.name + ": " + std::to_string(study.body->dofs()) + " DOF of " + to_string(study.mesh.element) + ", " +
                   std::to_string(call.steps) + " steps of " + format_number(1e3 * checked.options.h_s, 4) + " ms with " + to_string(study.settings.integrator));
 
-    const double setup_s = setup.seconds();
+    const double setup_s = opening.setup.seconds();
     const StudyGradientCheck run = gradcheck_study(study, 0, call.steps, progress);
-    if (progress.cancelled()) return stopped();
+    if (progress.cancelled()) return stopped_before(complete_check, console);
     if (!run.check.complete()) {
         console.complain("the gradient could not be checked: " + run.check.message + "; a smaller --dt or fewer --steps may help");
         return status_failed;

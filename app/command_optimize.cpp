@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -7,20 +8,20 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "project/optimize_study.hpp"
-#include "project/study_target.hpp"
 #include "study_command.hpp"
 
 namespace myo {
 namespace {
 
 struct OptimizeCall : StudyCall {
-    std::string trial;
     std::optional<double> frequency_Hz, smoothness_mm_s, lowest, highest;
     bool hold = false;
     bool resume = false;
     int max_evaluations = OptimizeSettings{}.max_evaluations;
     int starts = 1;
 };
+
+const char* const first_evaluation = "the first evaluation was complete";
 
 OptimizeSettings settings_of(const OptimizeCall& call) {
     OptimizeSettings settings;
@@ -33,6 +34,18 @@ OptimizeSettings settings_of(const OptimizeCall& call) {
     settings.starts = call.starts;
     settings.seed = call.work.seed.value_or(settings.seed);
     return settings;
+}
+
+/// ", ± 0.01" of the middle one of those that are determined.
+std::string deviation_words(const ActuationDeviations& deviations, Eigen::Index signal) {
+    if (!deviations.found) return "";
+    std::vector<double> known;
+    for (const double deviation : deviations.deviations.row(signal))
+        if (std::isfinite(deviation)) known.push_back(deviation);
+    if (known.empty()) return ", not determined";
+    const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+    std::nth_element(known.begin(), middle, known.end());
+    return ", ± " + format_number(*middle, 2) + " (median)";
 }
 
 std::string result_lines(const Study& study, const Optimization& result) {
@@ -50,8 +63,9 @@ std::string result_lines(const Study& study, const Optimization& result) {
     for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
         const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
         text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " + format_number(row.minCoeff(), 4) + " ... " +
-                format_number(row.maxCoeff(), 4);
+                format_number(row.maxCoeff(), 4) + deviation_words(result.deviations, static_cast<Eigen::Index>(s));
     }
+    if (!result.deviations.found) text += "\nstandard deviations: " + result.deviations.reason;
     return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " + format_number(result.seconds, 3) + " s, " +
            std::to_string(study.body->dofs()) + " DOF";
 }
@@ -77,20 +91,10 @@ int end_status(const OptimizeCall& call, const Optimization& result, Console& co
 int optimize_command(const OptimizeCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const Stopwatch setup;
-    const Result<Experiment> experiment = open_experiment(call);
-    if (!experiment) return console.refuse(experiment.error());
-    const Result<std::size_t> trial = find_trial(*experiment, call.trial);
-    if (!trial) return console.refuse(trial.error());
-    Result<Study> whole = open_study(call, *experiment, progress);
-    const auto stopped = [&] {
-        console.complain("stopped before the first evaluation was complete; nothing was written");
-        return status_stopped;
-    };
-    if (progress.cancelled()) return stopped();
-    if (!whole) return console.refuse(whole.error());
-    const Study study = with_one_trial(std::move(*whole), *trial);
-    if (const Result<void> free = check_actuation_file(call.out, study, *experiment); !free) return console.refuse(free.error());
+    const StudyOpening opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
+    if (!opening.study) return opening.status;
+    const Study& study = *opening.study;
+    if (const Result<void> free = check_actuation_file(call.out, study, opening.experiment); !free) return console.refuse(free.error());
     const OptimizeSettings settings = settings_of(call);
     const Result<ActuationProblem> problem = actuation_problem(study, settings);
     if (!problem) return console.refuse(problem.error());
@@ -105,12 +109,12 @@ int optimize_command(const OptimizeCall& call) {
     for (const SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
     console.print(study.experiment.name + ", trial " + study.trials.front().name + ": " + std::to_string(from.values.size()) + " values of " +
                   join(names) + " at " + format_number(settings.frequency_Hz) + " Hz");
-    const double setup_s = setup.seconds();
+    const double setup_s = opening.setup.seconds();
 
     Optimization result = optimize_study(study, *problem, settings, from.values, progress);
     result.earlier_evaluations = from.evaluations;
     if (!result.usable()) {
-        if (result.stopped) return stopped();
+        if (result.stopped) return stopped_before(first_evaluation, console);
         console.complain("the trial could not be run: " + result.fit.message + "; a smaller --dt or another mesh (--element, --resolution) may help");
         return status_failed;
     }

@@ -13,19 +13,11 @@ namespace myo {
 namespace {
 
 struct SimulateCall : StudyCall {
-    std::string trial;
     bool vtu = false;
 };
 
 /// About as many frames as an animation needs.
 constexpr int series_frames = 100;
-
-Result<void> check_trial(const Experiment& experiment, const std::string& name) {
-    std::vector<std::string> names;
-    for (const TrialDeclaration& trial : experiment.trials) names.push_back(trial.name);
-    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
-    return Error{"trial " + unknown_word(name, names), "--trial"};
-}
 
 std::string mesh_line(const Study& study) {
     return std::to_string(study.mesh.mesh.cell_count()) + " " + to_string(study.mesh.element) + " elements of " +
@@ -76,18 +68,11 @@ Result<void> write_results(const SimulateCall& call, const Study& study, const S
 int simulate_command(const SimulateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const Stopwatch setup;
-    const Result<Experiment> experiment = open_experiment(call);
-    if (!experiment) return console.refuse(experiment.error());
-    if (const Result<void> known = check_trial(*experiment, call.trial); !known) return console.refuse(known.error());
-    const Result<Study> study = open_study(call, *experiment, progress);
-    if (progress.cancelled()) {
-        console.complain("stopped before the first trial; nothing was written");
-        return status_stopped;
-    }
-    if (!study) return console.refuse(study.error());
+    const StudyOpening opening = open_command(call, TrialChoice::all, "the first trial", console, progress);
+    if (!opening.study) return opening.status;
+    const std::optional<Study>& study = opening.study;
     for (const std::string& warning : study->warnings) console.warn(warning);
-    const double setup_s = setup.seconds();
+    const double setup_s = opening.setup.seconds();
 
     const StudyValues values = with_predicted_levels(*study, declared_values(*study));
     console.print(study->experiment.name + "\n" + mesh_line(*study) + "\n" + values_line(*study, values));

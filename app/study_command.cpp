@@ -8,11 +8,13 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "exit_status.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "project/check_body.hpp"
 #include "project/output_files.hpp"
 #include "project/read_experiment.hpp"
+#include "project/study_target.hpp"
 
 namespace myo {
 namespace {
@@ -44,15 +46,7 @@ Result<void> check_steps(const Study& study) {
                  "--dt"};
 }
 
-}  // namespace
-
-void declare_study_call(CLI::App& app, StudyCall& call) {
-    app.add_option("EXP", call.experiment, "experiment folder")->type_name("");
-    if (call.writes_folder) app.add_option("--out", call.out, "folder for the results, made when missing")->type_name("DIR");
-    add_study_options(app, call.study);
-    add_work_options(app, call.work);
-}
-
+/// Reads the experiment and makes sure that results can be written; nothing long yet.
 Result<Experiment> open_experiment(const StudyCall& call) {
     if (call.experiment.empty()) return Error{"name an experiment folder", ""};
     if (call.writes_folder && call.out.empty()) return Error{"name a folder for the results", "--out"};
@@ -65,6 +59,7 @@ Result<Experiment> open_experiment(const StudyCall& call) {
     return experiment;
 }
 
+/// prepare_study() with limits that keep a slip of the keyboard from filling the memory.
 Result<Study> open_study(const StudyCall& call, const Experiment& experiment, const Progress& progress) {
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
     Result<Study> study = prepare_study(experiment, study_settings(call.study, call.work), progress);
@@ -72,6 +67,36 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, co
     if (const Result<void> few = check_steps(*study); !few) return few.error();
     check_integration(*study);
     return study;
+}
+
+}  // namespace
+
+void declare_study_call(CLI::App& app, StudyCall& call) {
+    app.add_option("EXP", call.experiment, "experiment folder")->type_name("");
+    if (call.writes_folder) app.add_option("--out", call.out, "folder for the results, made when missing")->type_name("DIR");
+    add_study_options(app, call.study);
+    add_work_options(app, call.work);
+}
+
+StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::string& first_result, Console& console, const Progress& progress) {
+    StudyOpening opening;
+    Result<Experiment> experiment = open_experiment(call);
+    const Result<std::size_t> trial = experiment ? find_trial(*experiment, call.trial) : Result<std::size_t>(experiment.error());
+    if (!trial) {
+        opening.status = console.refuse(trial.error());
+        return opening;
+    }
+    Result<Study> study = open_study(call, *experiment, progress);
+    opening.experiment = std::move(*experiment);
+    if (progress.cancelled()) opening.status = stopped_before(first_result, console);
+    else if (!study) opening.status = console.refuse(study.error());
+    else opening.study = choice == TrialChoice::one ? with_one_trial(std::move(*study), *trial) : std::move(*study);
+    return opening;
+}
+
+int stopped_before(const std::string& first_result, Console& console) {
+    console.complain("stopped before " + first_result + "; nothing was written");
+    return status_stopped;
 }
 
 RunFacts run_facts(const StudyCall& call, double setup_s) {

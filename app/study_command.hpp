@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/stopwatch.hpp"
@@ -17,18 +18,32 @@ struct StudyCall {
     std::filesystem::path experiment;
     std::filesystem::path out;
     bool writes_folder = true;   // false: the command has no --out
+    std::string trial;           // of commands with --trial
     WorkOptions work;
     StudyOptions study;
 };
 void declare_study_call(CLI::App& app, StudyCall& call);
 
-/// Reads the experiment and makes sure that results can be written; nothing long yet.
-/// Errors: the call's, the input's, or those of the output folder.
-Result<Experiment> open_experiment(const StudyCall& call);
+enum class TrialChoice { all, one };
 
-/// prepare_study() with limits that keep a slip of the keyboard from filling the memory, and with check_integration().
-/// Errors: the input's; --resolution or --dt that would make more than the memory holds.
-Result<Study> open_study(const StudyCall& call, const Experiment& experiment, const Progress& progress);
+/// How a command on an experiment begins.
+struct StudyOpening {
+    std::optional<Study> study;   // none: the command ends with `status`, and why has been said
+    int status = 0;
+    Experiment experiment;        // all of it
+    Stopwatch setup;              // since the beginning
+};
+
+/// Reads and prepares the study, of one trial alone (with_one_trial) when the command is on one. A call.trial that is not known is
+/// refused either way.
+///
+/// Errors: the call's, the input's, those of the output folder; --resolution or --dt that would make more than the memory holds. The
+/// integration is checked, too.
+/// @param first_result  what a user who stops it now does not get: "stopped before <first_result>; nothing was written"
+StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::string& first_result, Console& console, const Progress& progress);
+
+/// Says so on the console; the exit status of a command stopped before anything was written.
+int stopped_before(const std::string& first_result, Console& console);
 
 RunFacts run_facts(const StudyCall& call, double setup_s);
 

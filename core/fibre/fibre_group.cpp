@@ -1,36 +1,14 @@
 #include "fibre/fibre_group.hpp"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 
 #include "fem/quadrature.hpp"
 #include "fem/shape_functions.hpp"
+#include "fibre/cell_parts.hpp"
 #include "mesh/region.hpp"
 
 namespace myo {
 namespace {
-
-template <class Shape>
-void add_point(const VolumeMesh& mesh, int cell, const QuadraturePoint& point, const Eigen::Vector3d& direction, FibreGroup& group) {
-    constexpr int N = Shape::nodes;
-    Eigen::Matrix<double, 3, N> X;
-    for (int a = 0; a < N; ++a) X.col(a) = mesh.nodes.col(mesh.cells(a, cell));
-    const Eigen::Matrix<double, N, 3> D = Shape::derivatives(point.xi);
-    const Eigen::Matrix3d jacobian = X * D;
-    const Eigen::Matrix<double, N, 3> gradient = D * jacobian.inverse();
-    group.points.push_back({cell, gradient * direction, point.weight * jacobian.determinant()});
-    group.gradients.emplace_back(gradient);
-}
-
-template <class Shape>
-void add_cell(const VolumeMesh& mesh, int cell, const std::vector<QuadraturePoint>& rule, double fraction,
-              const Eigen::Vector3d& direction, FibreGroup& group) {
-    for (QuadraturePoint point : rule) {
-        point.weight *= fraction;
-        add_point<Shape>(mesh, cell, point, direction, group);
-    }
-}
 
 /// The cell as a box, when its edges lie along the axes.
 bool axis_aligned(const VolumeMesh& mesh, int cell, Box& box) {
@@ -54,8 +32,7 @@ void add_box_cell(const VolumeMesh& mesh, int cell, const Box& cell_box, const B
     for (QuadraturePoint point : hex_gauss(2)) {
         const Eigen::Vector3d unit = 0.5 * (point.xi + Eigen::Vector3d::Ones());
         point.xi = 2.0 * (low + part.cwiseProduct(unit)) - Eigen::Vector3d::Ones();
-        point.weight *= part.prod();
-        add_point<Hex8>(mesh, cell, point, direction, group);
+        add_fibre_point(mesh, cell, point.xi, 0.125 * point.weight * (part.cwiseProduct(size)).prod(), direction, group);
     }
 }
 
@@ -74,10 +51,8 @@ FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Ve
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         if (fraction(c) <= 0.0) continue;
         Box cell_box;
-        if (mesh.type == CellType::tet4) add_cell<Tet4>(mesh, c, tet_centroid(), fraction(c), direction, group);
-        else if (mesh.type == CellType::tet10) add_cell<Tet10>(mesh, c, tet_degree2(), fraction(c), direction, group);
-        else if (axis_aligned(mesh, c, cell_box)) add_box_cell(mesh, c, cell_box, box, direction, group);
-        else add_cell<Hex8>(mesh, c, hex_gauss(2), fraction(c), direction, group);
+        if (mesh.type == CellType::hex8 && axis_aligned(mesh, c, cell_box)) add_box_cell(mesh, c, cell_box, box, direction, group);
+        else add_whole_cell(mesh, c, fraction(c), [&](const Eigen::Vector3d&) { return direction; }, group);
     }
     return group;
 }

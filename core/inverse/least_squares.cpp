@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "base/throttle.hpp"
 
@@ -60,7 +61,10 @@ public:
             if (point == values) return evaluation;
         if (progress_.cancelled()) return stopped_;
         if (report_.evaluations == 0) shown_.report(0.0, {});   // something is seen while the first one is under way
+        FitIterate iterate{values, std::numeric_limits<double>::infinity()};
+        const Stopwatch watch;
         ResidualEvaluation fresh = function_(values, shown_.inside(report_.evaluations, last_words_));
+        iterate.seconds = watch.seconds();
         if (!fresh.ok && progress_.cancelled()) return stopped_;   // ended half-way
         if (cache_.size() == 3) cache_.erase(cache_.begin());
         if (fresh.ok && !std::isfinite(fresh.residuals.squaredNorm())) {
@@ -70,7 +74,8 @@ public:
         cache_.emplace_back(values, std::move(fresh));
         const ResidualEvaluation& evaluation = cache_.back().second;
         ++report_.evaluations;
-        if (evaluation.ok) keep(values, evaluation);
+        if (evaluation.ok) keep(iterate, evaluation);
+        report_.history.push_back(std::move(iterate));
         last_words_ = quality_words(evaluation);
         shown_.report(report_.evaluations, last_words_);
         return evaluation;
@@ -93,15 +98,14 @@ public:
     const std::vector<Parameter>& parameters() const { return parameters_; }
 
 private:
-    void keep(const VectorXd& values, const ResidualEvaluation& evaluation) {
-        const double cost = 0.5 * evaluation.residuals.squaredNorm();
-        if (report_.history.empty()) report_.cost_before = cost;
-        if (report_.history.empty() || cost < report_.cost_after) {
-            report_.values = values;
-            report_.cost_after = cost;
-            best_ = evaluation;
-        }
-        report_.history.push_back({values, cost});
+    void keep(FitIterate& iterate, const ResidualEvaluation& evaluation) {
+        iterate.cost = 0.5 * evaluation.residuals.squaredNorm();
+        const bool first = !report_.usable();
+        if (first) report_.cost_before = iterate.cost;
+        if (!first && !(iterate.cost < report_.cost_after)) return;
+        report_.values = iterate.values;
+        report_.cost_after = iterate.cost;
+        best_ = evaluation;
     }
 
     const std::vector<Parameter>& parameters_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string>
@@ -38,7 +39,10 @@ enum class FitStatus { not_run, converged, not_converged, cancelled, failed };
 
 struct FitIterate {
     Eigen::VectorXd values;
-    double cost = 0.0;                // |r|^2 / 2
+    double cost = 0.0;                // |r|^2 / 2; infinite where the model could not be run
+    double seconds = 0.0;             // of the evaluation
+
+    bool ok() const { return cost < std::numeric_limits<double>::infinity(); }
 };
 
 struct LeastSquaresReport {
@@ -51,11 +55,11 @@ struct LeastSquaresReport {
     double cost_before = 0.0;
     double cost_after = 0.0;
     int evaluations = 0;              // complete ones
-    std::vector<FitIterate> history;  // every evaluation where the model could be run, in order
+    std::vector<FitIterate> history;  // every complete evaluation, in order
 
     bool converged() const { return status == FitStatus::converged; }
     /// There are values from at least one evaluation, though the fit may have been stopped or not have converged.
-    bool usable() const { return !history.empty(); }
+    bool usable() const { return std::any_of(history.begin(), history.end(), [](const FitIterate& iterate) { return iterate.ok(); }); }
 };
 
 struct LeastSquaresOptions {

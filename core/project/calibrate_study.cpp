@@ -1,8 +1,10 @@
 #include "project/calibrate_study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
@@ -51,13 +53,13 @@ TrialPrediction markers_only(const TrialPrediction& full) {
     return {full.status, full.message, {}, full.positions_m, full.start_m, full.residual_m, {}};
 }
 
-/// Predictions of the fit trials that are worth keeping of all that the fit asks for: at the start, and with the least cost.
+/// Predictions of the fit trials that are worth keeping of all that the fit asks for: with the declared values, and with the least cost.
 struct KeptPredictions {
     std::vector<TrialPrediction> first, best;
     double least_cost = std::numeric_limits<double>::infinity();
 
-    void offer(std::vector<TrialPrediction> predictions, double cost) {
-        if (first.empty())
+    void offer(std::vector<TrialPrediction> predictions, double cost, bool as_declared) {
+        if (first.empty() && as_declared)
             for (const TrialPrediction& prediction : predictions) first.push_back(markers_only(prediction));
         if (!(cost < least_cost)) return;
         least_cost = cost;
@@ -66,24 +68,27 @@ struct KeptPredictions {
     }
 };
 
-/// The runs before and after: the fit trials as the fit has run them, the validation trials run now. Cancelled, nothing is run.
+/// The runs before and after: the fit trials as the fit has run them, all others run now. Cancelled, nothing is run.
 void set_runs(const Study& study, const StudyValues& declared, const StudyValues& fitted, KeptPredictions kept, const Progress& progress,
               Calibration& result) {
     const std::vector<std::size_t> fit = trials_with_role(study, TrialRole::fit), validation = trials_with_role(study, TrialRole::validate);
     std::vector<TrialPrediction> before(study.trials.size()), after(study.trials.size());
-    for (std::size_t i = 0; i < fit.size(); ++i) {
-        before[fit[i]] = std::move(kept.first[i]);
-        after[fit[i]] = std::move(kept.best[i]);
-    }
     std::vector<PredictionTask> tasks;
-    for (const std::size_t t : validation) tasks.push_back({t, &declared});
-    for (const std::size_t t : validation) tasks.push_back({t, &fitted});
+    std::vector<TrialPrediction*> places;
+    const auto run = [&](std::size_t trial, const StudyValues& values, TrialPrediction& place) {
+        tasks.push_back({trial, &values});
+        places.push_back(&place);
+    };
+    for (std::size_t i = 0; i < fit.size(); ++i) {
+        after[fit[i]] = std::move(kept.best[i]);
+        if (kept.first.empty()) run(fit[i], declared, before[fit[i]]);
+        else before[fit[i]] = std::move(kept.first[i]);
+    }
+    for (const std::size_t t : validation) run(t, declared, before[t]);
+    for (const std::size_t t : validation) run(t, fitted, after[t]);
     std::vector<TrialPrediction> predicted(tasks.size(), {RunStatus::cancelled, "stopped by the user", {}, {}, {}, {}, {}});
     if (!progress.cancelled()) predicted = predict_trials(study, tasks, {}, progress);
-    for (std::size_t i = 0; i < validation.size(); ++i) {
-        before[validation[i]] = markers_only(predicted[i]);
-        after[validation[i]] = std::move(predicted[validation.size() + i]);
-    }
+    for (std::size_t i = 0; i < tasks.size(); ++i) *places[i] = tasks[i].values == &declared ? markers_only(predicted[i]) : std::move(predicted[i]);
     for (const TrialPrediction& prediction : after) result.stopped = result.stopped || prediction.status == RunStatus::cancelled;
     for (const TrialPrediction& prediction : before) result.stopped = result.stopped || prediction.status == RunStatus::cancelled;
 
@@ -118,25 +123,56 @@ std::vector<std::string> calibration_warnings(const Study& study, const Calibrat
         else
             warnings.push_back(parameter.name + ": the fit ended at a bound");
     }
+    for (const CalibrationStart& start : calibration.starts)
+        if (start.status == FitStatus::converged && start.cost_after > 1.01 * fit.cost_after) {
+            warnings.push_back("starts converged to different values: there are several minima, of which the one with the least cost is given");
+            break;
+        }
     if (calibration.stopped) return warnings;   // what is missing is the user's wish
     if (!calibration.before.ok()) warnings.push_back("with the declared values a prediction failed: " + calibration.before.failure);
     if (!calibration.after.ok()) warnings.push_back("with the fitted values a prediction failed: " + calibration.after.failure);
     return warnings;
 }
 
+double given_start(const Parameter& parameter, const CalibrationSettings& settings) {
+    const auto found = settings.from.find(parameter.name);
+    return found == settings.from.end() ? parameter.value : std::clamp(found->second, parameter.lower, parameter.upper);
+}
+
+/// Even over what a person might have declared instead; over decades in the logarithm that the fit moves.
+double random_start(const Parameter& p, std::mt19937_64& random) {
+    // The top 53 bits, as one machine's uniform distribution need not be another's.
+    const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
+    const auto between = [unit](double low, double high) { return low + unit * (high - low); };
+    if (!p.over_decades) return std::clamp(between(std::max(p.lower, p.value - 3.0 * p.scale), std::min(p.upper, p.value + 3.0 * p.scale)), p.lower, p.upper);
+    const double at = std::log1p(p.value / p.scale);
+    return std::clamp(p.scale * std::expm1(between(std::max(0.0, at - 2.0), at + 2.0)), p.lower, p.upper);
+}
+
 }  // namespace
 
-Calibration calibrate_study(const Study& study, const std::vector<std::string>& names, const Progress& progress) {
+int Calibration::evaluations() const {
+    int sum = 0;
+    for (const CalibrationStart& start : starts) sum += static_cast<int>(start.history.size());
+    return sum;
+}
+
+Calibration calibrate_study(const Study& study, const CalibrationSettings& settings, const Progress& progress) {
     const Stopwatch watch;
     Calibration result;
-    result.parameters = study_parameters(study, names);
-    std::vector<Parameter> parameters;
-    for (const StudyParameter& p : result.parameters) parameters.push_back(p.parameter);
+    result.settings = settings;
+    result.parameters = study_parameters(study, settings.names);
     const std::vector<std::size_t> fit_trials = trials_with_role(study, TrialRole::fit);
     const auto values_at = [&](const Eigen::VectorXd& p) {
         StudyValues values = declared_values(study);
         for (std::size_t i = 0; i < result.parameters.size(); ++i) set_value(result.parameters[i], p(static_cast<Eigen::Index>(i)), values);
         return values;
+    };
+    const StudyValues declared = declared_values(study);
+    const auto is_declared = [&](const Eigen::VectorXd& p) {
+        for (std::size_t i = 0; i < result.parameters.size(); ++i)
+            if (p(static_cast<Eigen::Index>(i)) != value_of(result.parameters[i], declared)) return false;
+        return true;
     };
     KeptPredictions kept;
     const auto residuals = [&](const Eigen::VectorXd& p, const Progress& inner) {
@@ -145,14 +181,29 @@ Calibration calibrate_study(const Study& study, const std::vector<std::string>& 
         for (const std::size_t t : fit_trials) tasks.push_back({t, &values});
         std::vector<TrialPrediction> predictions = predict_trials(study, tasks, result.parameters, inner);
         ResidualEvaluation evaluation = weighted_residuals(study, fit_trials, predictions, result.parameters.size());
-        if (evaluation.ok) kept.offer(std::move(predictions), evaluation.residuals.squaredNorm());
+        if (evaluation.ok) kept.offer(std::move(predictions), evaluation.residuals.squaredNorm(), is_declared(p));
         return evaluation;
     };
-    result.fit = fit_least_squares(parameters, residuals, {}, progress);
-    result.stopped = result.fit.status == FitStatus::cancelled;
+    std::mt19937_64 random(settings.seed);
+    double done = 0.0;
+    for (int s = 0; s < settings.starts && (s == 0 || !progress.cancelled()); ++s) {
+        std::vector<Parameter> parameters;
+        for (const StudyParameter& p : result.parameters) parameters.push_back(p.parameter);
+        for (Parameter& p : parameters) p.value = s == 0 ? given_start(p, settings) : random_start(p, random);
+        const Progress inner = progress.with_sink([&](const ProgressEvent& event) {
+            const std::string words = settings.starts > 1 ? "start " + std::to_string(s + 1) + " of " + std::to_string(settings.starts) + "  " : "";
+            progress.report({event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
+        });
+        LeastSquaresReport fit = fit_least_squares(parameters, residuals, {}, inner);
+        done += static_cast<double>(fit.history.size());
+        result.starts.push_back({fit.status, fit.message, fit.start, fit.values, fit.cost_before, fit.cost_after, fit.history});
+        const bool better = fit.usable() && (!result.usable() || fit.cost_after < result.fit.cost_after);
+        if (better || s == 0) result.fit = std::move(fit);
+    }
+    result.stopped = progress.cancelled();
     if (result.usable()) {
-        set_runs(study, with_predicted_levels(study, declared_values(study)), with_predicted_levels(study, values_at(result.fit.values)),
-                 std::move(kept), progress, result);
+        set_runs(study, with_predicted_levels(study, declared), with_predicted_levels(study, values_at(result.fit.values)), std::move(kept), progress,
+                 result);
         result.warnings = calibration_warnings(study, result);
     }
     result.seconds = watch.seconds();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,10 +11,30 @@
 
 namespace myo {
 
+struct CalibrationSettings {
+    /// Which material parameters are moved (youngs_modulus, damping); empty: what the experiment says.
+    std::vector<std::string> names;
+    std::map<std::string, double> from;   // where the first start begins, by parameter; absent: as declared
+    int starts = 1;                       // the others are random, see calibrate_study()
+    std::uint64_t seed = 1;
+};
+
+/// How one of several starts ended.
+struct CalibrationStart {
+    FitStatus status = FitStatus::not_run;
+    std::string message;
+    Eigen::VectorXd start, values;   // per parameter
+    double cost_before = 0.0, cost_after = 0.0;   // see FitIterate; both 0 where nothing could be run
+    std::vector<FitIterate> history;
+};
+
 /// The declared fit: what the experiment leaves unknown, from its fit trials.
 struct Calibration {
     std::vector<StudyParameter> parameters;
-    LeastSquaresReport fit;
+    CalibrationSettings settings;
+    LeastSquaresReport fit;                // of the start that ended with the least cost
+    std::vector<CalibrationStart> starts;
+    int earlier_evaluations = 0;           // of the calls that this one resumes
     StudyRun before;                       // with the declared values; markers only, no node positions
     StudyRun after;                        // with the fitted values
     double seconds = 0.0;
@@ -20,12 +43,21 @@ struct Calibration {
 
     /// The fit trials are there, before and after. A validation trial may be missing: the runs say why.
     bool usable() const { return fit.usable(); }
+    int evaluations() const;               // of all starts
 };
 
 /// Fits on the fit trials, then predicts the validation trials with the declared and with the fitted values.
 ///
+/// Random starts lie within the bounds and three scales of the declared values (Parameter::scale; over decades: a factor of seven).
 /// Cancelled, it runs nothing more and gives the best values so far; unusable when no evaluation was complete.
-/// names: restricts which material parameters are moved (youngs_modulus, damping); empty: what the experiment says.
-Calibration calibrate_study(const Study& study, const std::vector<std::string>& names = {}, const Progress& progress = {});
+Calibration calibrate_study(const Study& study, const CalibrationSettings& settings = {}, const Progress& progress = {});
+
+/// Where an earlier call has left off: the values in its calibrate.json.
+struct EarlierCalibration {
+    std::map<std::string, double> values;   // by parameter
+    int evaluations = 0;
+};
+/// Errors: no such file or not of this form; other parameters than those that would be fitted now.
+Result<EarlierCalibration> read_calibration(const std::filesystem::path& folder, const Study& study, const CalibrationSettings& settings);
 
 }  // namespace myo

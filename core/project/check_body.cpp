@@ -110,9 +110,11 @@ Result<void> check_on_body(const Experiment& experiment, const SurfaceMesh& body
     const BodyCheck check(body);
     if (!check.holds_material(experiment.clamp_box_m))
         return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");
-    for (std::size_t i = 0; i < experiment.muscles.size(); ++i)
-        if (!check.holds_volume(experiment.muscles[i].box_m))
+    for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
+        const auto* box = std::get_if<MuscleBox>(&experiment.muscles[i].part);
+        if (box != nullptr && !check.holds_volume(box->box_m))
             return declaration_error(experiment, element("muscle", i) + ".box_m", "the box contains no material of the body");
+    }
     for (std::size_t i = 0; i < experiment.trials.size(); ++i)
         for (std::size_t j = 0; j < experiment.trials[i].loads.size(); ++j)
             if (!check.holds_surface(experiment.trials[i].loads[j].box_m))

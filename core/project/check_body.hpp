@@ -16,7 +16,8 @@ Result<SurfaceMesh> read_body_surface(const Experiment& experiment);
 ///
 /// @param body  closed and outward, mesh frame
 /// Errors, with key and line: a clamp or muscle box without material, a load box without surface, a rest position farther
-/// than max_standoff_m from the surface. Fixed markers are not on the body and may be anywhere.
+/// than max_standoff_m from the surface. Fixed markers are not on the body and may be anywhere. Muscles painted or along a line are
+/// looked at where they meet a mesh, by muscle_groups().
 Result<void> check_on_body(const Experiment& experiment, const SurfaceMesh& body);
 
 }  // namespace myo

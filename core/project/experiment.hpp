@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "fibre/polyline.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace myo {
@@ -43,10 +44,27 @@ struct FollowsDeclaration {
     double ratio = 0.0;
 };
 
-struct MuscleDeclaration {
-    std::string name;
+/// The part of the body inside a box.
+struct MuscleBox {
     Box box_m;
     Eigen::Vector3d fibre;   // unit
+};
+
+/// Elements painted one by one, in a file of core/fibre/painted_mask.hpp.
+struct MuscleMask {
+    std::filesystem::path file;             // resolved
+    std::optional<Eigen::Vector3d> fibre;   // unit; instead of the painted directions
+};
+
+/// All material within a radius of a line; fibres run along it.
+struct MuscleLine {
+    Polyline line;
+    double radius_m = 0.0;
+};
+
+struct MuscleDeclaration {
+    std::string name;
+    std::variant<MuscleBox, MuscleMask, MuscleLine> part;
     double stiffness_Pa = 0.0;
     std::optional<FollowsDeclaration> follows;
 };

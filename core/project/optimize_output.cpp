@@ -48,25 +48,19 @@ ActuationTable actuation_table(const SoughtSignals& sought, const MatrixXd& valu
 
 fs::path actuation_file(const Study& study) { return trial_file_names(study.experiment).front() + "_actuation.csv"; }
 
-const char* ending_word(FitStatus status) {
-    switch (status) {
-        case FitStatus::not_run: return "not_run";
-        case FitStatus::converged: return "converged";
-        case FitStatus::not_converged: return "not_converged";
-        case FitStatus::cancelled: return "stopped";
-        case FitStatus::failed: return "failed";
-    }
-    return "";
-}
-
-Json signals_json(const SoughtSignals& sought, const MatrixXd& values) {
+Json signals_json(const SoughtSignals& sought, const MatrixXd& values, const ActuationDeviations& deviations) {
     Json signals = Json::array();
-    for (std::size_t s = 0; s < sought.signals.size(); ++s)
+    const auto row = [](const MatrixXd& of, std::size_t s) { return json_array(Eigen::VectorXd(of.row(static_cast<Index>(s)).transpose())); };
+    for (std::size_t s = 0; s < sought.signals.size(); ++s) {
         signals.push_back({{"name", sought.signals[s].name},
                            {"lower", sought.signals[s].lower},
                            {"upper", sought.signals[s].upper},
                            {"before", sought.signals[s].before},
-                           {"values", json_array(Eigen::VectorXd(values.row(static_cast<Index>(s)).transpose()))}});
+                           {"values", row(values, s)}});
+        if (!deviations.found) continue;
+        signals.back()["std"] = row(deviations.deviations, s);
+        signals.back()["from_markers"] = row(deviations.from_target, s);
+    }
     return signals;
 }
 
@@ -176,10 +170,12 @@ Json optimize_json(const Study& study, const Optimization& optimization, const R
               {"message", fit.message},
               {"actuation", actuation_file(study).string()},
               {"knot_times_s", json_array(knot_times(sought))},
-              {"signals", signals_json(sought, fit.values)},
+              {"signals", signals_json(sought, fit.values, optimization.deviations)},
               {"muscles", muscles_json(study, sought)},
               {"starts", starts_json(optimization.starts)},
               {"history", history_json(fit.log)}};
+    if (optimization.deviations.found) json["std_noise_m"] = optimization.deviations.noise_m;
+    else json["std"] = optimization.deviations.reason;
     if (optimization.settings.starts > 1) json["seed"] = optimization.settings.seed;
     std::vector<std::string> warnings = study.warnings;
     warnings.insert(warnings.end(), optimization.warnings.begin(), optimization.warnings.end());
@@ -205,8 +201,8 @@ Result<void> write_actuation(const fs::path& folder, const Study& study, const O
 Result<void> check_actuation_file(const fs::path& folder, const Study& study, const Experiment& whole) {
     std::error_code code;
     const fs::path target = folder / actuation_file(study);
-    for (const TrialDeclaration& trial : whole.trials)
-        if (fs::equivalent(target, trial.trace, code) || (trial.actuation && fs::equivalent(target, *trial.actuation, code)))
+    for (const fs::path& read : tables_read(whole))
+        if (fs::equivalent(target, read, code))
             return Error{"results would replace " + target.filename().string() + ", which the experiment reads; choose another folder", "--out"};
     return {};
 }

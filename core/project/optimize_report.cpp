@@ -38,19 +38,40 @@ std::vector<KeyFigure> key_figures(const Study& study, const Optimization& optim
     return figures;
 }
 
+/// One standard deviation of every muscle's activation at the knots; empty when it was not found.
+std::vector<Signal> band_of(const Optimization& optimization) {
+    if (!optimization.deviations.found) return {};
+    const SoughtSignals& sought = optimization.problem.sought;
+    const Eigen::MatrixXd& deviations = optimization.deviations.deviations;
+    std::vector<Signal> widths = activations_of(sought, deviations);
+    const std::vector<Signal> none = activations_of(sought, Eigen::MatrixXd::Zero(deviations.rows(), deviations.cols()));
+    for (std::size_t g = 0; g < widths.size(); ++g)
+        for (std::size_t k = 0; k < widths[g].values.size(); ++k) widths[g].values[k] -= none[g].values[k];
+    return widths;
+}
+
+std::string band_words(const Optimization& optimization) {
+    const ActuationDeviations& deviations = optimization.deviations;
+    if (!deviations.found) return " Standard deviations were " + deviations.reason + ".";
+    return " Bands are one standard deviation: a noise of " + in_mm(deviations.noise_m) + " mm per coordinate, and the smoothness as what is known beforehand.";
+}
+
 LineChart signal_chart(const Study& study, const Optimization& optimization) {
     const SoughtSignals& sought = optimization.problem.sought;
     const std::vector<Signal> signals = activations_of(sought, optimization.fit.values);
+    const std::vector<Signal> widths = band_of(optimization);
     Panel panel{{.label = "activation a"}, {}, 220.0};
     for (std::size_t g = 0; g < signals.size(); ++g) {
         Series series{study.experiment.muscles[g].name, {}, {}, sought.hold ? SeriesStyle::line : SeriesStyle::line_and_dots};
         for (std::size_t k = 0; k < signals[g].times_s.size(); ++k) {
             series.x.push_back(std::max(0.0, signals[g].times_s[k]));
             series.y.push_back(signals[g].values[k]);
+            if (!widths.empty()) series.half_width.push_back(std::abs(widths[g].values[k]));
         }
         // A held signal lasts to the end, where it has no knot.
         series.x.push_back(std::max(sought.end_s, series.x.back()));
         series.y.push_back(signals[g].values.back());
+        if (!widths.empty()) series.half_width.push_back(series.half_width.back());
         panel.series.push_back(std::move(series));
     }
     panel.horizontal.push_back({1.0, "passive"});
@@ -96,7 +117,7 @@ HtmlReport optimize_report(const Study& study, const Optimization& optimization,
     report.warnings.lines = optimization.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), study.warnings.begin(), study.warnings.end());
     if (const std::string end = ending(optimization); !end.empty()) report.warnings.lines.insert(report.warnings.lines.begin(), end);
-    report.sections.push_back({"Signals", {Figure{svg(signal_chart(study, optimization)), "1 is passive; below it a muscle contracts, above it it extends. Muscles that follow another are drawn, too."}}});
+    report.sections.push_back({"Signals", {Figure{svg(signal_chart(study, optimization)), "1 is passive; below it a muscle contracts, above it it extends. Muscles that follow another are drawn, too." + band_words(optimization)}}});
     report.sections.push_back(trial_section(study, shown, 0));
     report.sections.push_back({"Search", {Figure{svg(loss_chart(optimization)), "The loss is the mean square distance of the coordinates plus the square of " +
                                                                                     readable_number(1e3 * optimization.problem.smoothness_m_s, 3) +

@@ -82,7 +82,17 @@ StudyRun run_of(const Study& study, const ActuationEvaluation& evaluation) {
     return scored_run(study, values, {prediction_of(study, 0, evaluation.motion)}, {0});
 }
 
+/// The same progress under another name: that of the run is a part of a search.
+Progress in_task(const Progress& progress, const std::string& task) {
+    return progress.with_sink([&progress, task](ProgressEvent event) {
+        event.task = task;
+        progress.report(event);
+    });
+}
+
 }  // namespace
+
+double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size())); }
 
 Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings) {
     assert(study.trials.size() == 1);
@@ -102,8 +112,7 @@ Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSet
     problem.sought = sought_signals(study, settings, problem.options.end_s);
     for (const SoughtSignal& signal : problem.sought.signals)
         if (!(signal.lower < signal.upper)) return Error{"muscle " + signal.name + " and those that follow it have no value in common within the bounds", "--lowest"};
-    const double noise = std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size()));
-    problem.smoothness_m_s = settings.smoothness_m_s.value_or(noise);
+    problem.smoothness_m_s = settings.smoothness_m_s.value_or(mean_noise(study));
     return problem;
 }
 
@@ -133,6 +142,9 @@ Optimization optimize_study(const Study& study, const ActuationProblem& problem,
         result.before = run_of(study, first);
         result.after = run_of(study, result.fit.best);
         result.warnings = bound_warnings(problem.sought, result.fit.values);
+        if (result.stopped) result.deviations.reason = "not looked for: the search was stopped";
+        else result.deviations = actuation_deviations(problem, result.fit.values, mean_noise(study), in_task(progress, "deviations"));
+        result.warnings.insert(result.warnings.end(), result.deviations.warnings.begin(), result.deviations.warnings.end());
     }
     result.seconds = watch.seconds();
     return result;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "inverse/actuation_deviations.hpp"
 #include "inverse/actuation_fit.hpp"
 #include "project/output_json.hpp"
 #include "project/run_study.hpp"
@@ -24,6 +25,9 @@ struct OptimizeSettings {
     std::uint64_t seed = 1;
 };
 
+/// Root mean square of the markers' noise [m].
+double mean_noise(const Study& study);
+
 /// The problem of a study's only trial (with_one_trial()): one signal for every muscle that follows none, from t = 0 to the last sample.
 /// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds.
 Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings);
@@ -41,6 +45,7 @@ struct Optimization {
     OptimizeSettings settings;
     ActuationProblem problem;
     ActuationFit fit;                    // of the start that ended with the least loss
+    ActuationDeviations deviations;      // of its values
     std::vector<StartEnding> starts;
     StudyRun before, after;              // the trial with the first start's values, and with those found; markers only
     int earlier_evaluations = 0;         // of the calls that this one resumes
@@ -51,7 +56,8 @@ struct Optimization {
     bool usable() const { return fit.usable(); }
 };
 
-/// Looks for the signals from `start` (signals x knots) and from random levels. Cancelled, it gives the best values so far.
+/// Looks for the signals from `start` (signals x knots) and from random levels, then for how well they are determined. Cancelled, it
+/// gives the best values so far, without deviations.
 Optimization optimize_study(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings, const Eigen::MatrixXd& start,
                             const Progress& progress = {});
 

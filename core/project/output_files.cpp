@@ -122,14 +122,24 @@ Result<void> write_series(const fs::path& folder, const Study& study, const Stud
     return {};
 }
 
+std::vector<fs::path> tables_read(const Experiment& experiment) {
+    std::vector<fs::path> files;
+    for (const TrialDeclaration& trial : experiment.trials) {
+        files.push_back(trial.trace);
+        if (trial.actuation) files.push_back(*trial.actuation);
+    }
+    for (const MuscleDeclaration& muscle : experiment.muscles)
+        if (const auto* mask = std::get_if<MuscleMask>(&muscle.part)) files.push_back(mask->file);
+    return files;
+}
+
 Result<void> prepare_output_folder(const fs::path& folder, const Experiment& experiment) {
     std::error_code code;
     if (fs::exists(folder, code) && !fs::is_directory(folder, code)) return Error{"is a file, not a folder", folder.string()};
     const std::vector<std::string> names = trial_file_names(experiment);
-    for (const TrialDeclaration& trial : experiment.trials)
+    for (const fs::path& read : tables_read(experiment))
         for (const std::string& name : names)
-            if (const fs::path target = folder / (name + ".csv");
-                fs::equivalent(target, trial.trace, code) || (trial.actuation && fs::equivalent(target, *trial.actuation, code)))
+            if (const fs::path target = folder / (name + ".csv"); fs::equivalent(target, read, code))
                 return Error{"results would replace " + target.filename().string() + ", which the experiment reads; choose another folder", folder.string()};
     fs::create_directories(folder, code);
     if (code) return Error{"folder cannot be made: " + code.message(), folder.string()};

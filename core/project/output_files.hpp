@@ -26,6 +26,9 @@ Result<void> write_traces(const std::filesystem::path& folder, const Study& stud
 Result<void> write_series(const std::filesystem::path& folder, const Study& study, const StudyRun& run, int frames,
                           const Progress& progress = {});
 
+/// The tables that an experiment reads beside its experiment.toml: traces, actuations, masks.
+std::vector<std::filesystem::path> tables_read(const Experiment& experiment);
+
 /// Makes the folder where results will go and sees whether files can be written there.
 /// Errors: it is a file, cannot be made, is not writable, or results would replace a file that the experiment reads.
 Result<void> prepare_output_folder(const std::filesystem::path& folder, const Experiment& experiment);

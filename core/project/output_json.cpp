@@ -94,6 +94,34 @@ Json parameters_json(const Calibration& calibration) {
     return parameters;
 }
 
+/// Every evaluation of every start, in order; values in the order of "parameters".
+Json history_json(const Calibration& calibration) {
+    Json history = Json::array();
+    for (std::size_t s = 0; s < calibration.starts.size(); ++s)
+        for (const FitIterate& iterate : calibration.starts[s].history) {
+            Json entry{{"ok", iterate.ok()}, {"values", json_array(iterate.values)}, {"seconds", iterate.seconds}};
+            if (iterate.ok()) entry["cost"] = iterate.cost;
+            if (calibration.starts.size() > 1) entry["start"] = s + 1;
+            history.push_back(std::move(entry));
+        }
+    return history;
+}
+
+Json starts_json(const Calibration& calibration) {
+    Json list = Json::array();
+    for (const CalibrationStart& start : calibration.starts) {
+        Json entry{{"ended", ending_word(start.status)}, {"evaluations", start.history.size()}, {"start", json_array(start.start)}};
+        if (start.cost_before > 0.0) {
+            entry["values"] = json_array(start.values);
+            entry["cost_before"] = start.cost_before;
+            entry["cost_after"] = start.cost_after;
+        }
+        if (!start.message.empty()) entry["message"] = start.message;
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
 Json correlation_json(const Calibration& calibration) {
     Json names = Json::array();
     for (const StudyParameter& p : calibration.parameters) names.push_back(p.parameter.name);
@@ -101,6 +129,17 @@ Json correlation_json(const Calibration& calibration) {
 }
 
 }  // namespace
+
+const char* ending_word(FitStatus status) {
+    switch (status) {
+        case FitStatus::not_run: return "not_run";
+        case FitStatus::converged: return "converged";
+        case FitStatus::not_converged: return "not_converged";
+        case FitStatus::cancelled: return "stopped";
+        case FitStatus::failed: return "failed";
+    }
+    return "";
+}
 
 Json study_size_json(const Study& study) { return size_json(study); }
 
@@ -150,7 +189,8 @@ Json calibrate_json(const Study& study, const Calibration& calibration, const Ru
               {"parameters", parameters_json(calibration)},
               {"rms_before_m", json_number(calibration.before.fit_rms_m)},
               {"rms_after_m", json_number(calibration.after.fit_rms_m)},
-              {"evaluations", calibration.fit.evaluations},
+              {"evaluations", calibration.evaluations()},
+              {"evaluations_in_all", calibration.evaluations() + calibration.earlier_evaluations},
               {"seconds", calibration.seconds},
               {"converged", calibration.fit.converged()},
               {"stopped", calibration.stopped},
@@ -160,6 +200,8 @@ Json calibrate_json(const Study& study, const Calibration& calibration, const Ru
         json["validation_rms_after_m"] = json_number(calibration.after.validation_rms_m);
     }
     json["correlation"] = correlation_json(calibration);
+    json["starts"] = starts_json(calibration);
+    json["history"] = history_json(calibration);
     for (std::size_t m = 0; m < study.marker_names.size(); ++m)
         json["noise_m"][study.marker_names[m]] = json_number(study.noise_m(static_cast<Eigen::Index>(m)));
     json["noise_declared"] = study.experiment.markers.noise_m.has_value();
@@ -171,6 +213,7 @@ Json calibrate_json(const Study& study, const Calibration& calibration, const Ru
     json["setup_s"] = facts.setup_s;
     json["peak_memory_bytes"] = facts.peak_memory_bytes;
     add_facts(facts, json);
+    if (calibration.settings.starts > 1) json["seed"] = calibration.settings.seed;
     Json trials = Json::array();
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
         Json trial = trial_facts(study, t);

@@ -32,6 +32,9 @@ Json study_size_json(const Study& study);
 /// rms and steady state of each marker, by its name.
 Json marker_scores_json(const TrialScore& score);
 
+/// How a search ended, in one word: "converged", "stopped", ...
+const char* ending_word(FitStatus status);
+
 /// The score of a trial by its name, or null.
 const TrialScore* find_score(const StudyRun& run, const std::string& trial);
 

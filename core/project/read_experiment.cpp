@@ -37,7 +37,7 @@ Experiment read_document(const TomlValue& root, const fs::path& folder) {
         const TomlReader environment = document.table("environment", {"gravity_m_s2"});
         if (environment.has("gravity_m_s2")) experiment.gravity_m_s2 = environment.vector3("gravity_m_s2");
     }
-    experiment.muscles = read_muscles(document);
+    experiment.muscles = read_muscles(document, folder);
     experiment.registration = read_registration(document, experiment.warnings);
     experiment.markers = read_markers(document);
     experiment.trials = read_trials(document, folder);

@@ -14,15 +14,43 @@ Eigen::Vector3d unit_direction(const TomlReader& table, const std::string& key) 
     return direction / length;
 }
 
-std::vector<MuscleDeclaration> read_muscles(const TomlReader& document) {
+namespace {
+
+MuscleLine read_line(const TomlReader& table) {
+    table.reject("fibre", "the fibres of a line run along it; leave this key out");
+    MuscleLine muscle{{table.points("line_m")}, table.number("radius_m", positive())};
+    const Eigen::Matrix3Xd& points = muscle.line.points_m;
+    if (points.cols() < 2) table.fail("line_m", "must have at least two points, not " + std::to_string(points.cols()));
+    for (Eigen::Index i = 1; i < points.cols(); ++i)
+        if (!((points.col(i) - points.col(i - 1)).norm() > 1e-3 * muscle.radius_m))
+            table.fail("line_m", "points " + std::to_string(i) + " and " + std::to_string(i + 1) + " are the same");
+    return muscle;
+}
+
+std::variant<MuscleBox, MuscleMask, MuscleLine> read_part(const TomlReader& table, const std::filesystem::path& folder) {
+    std::vector<std::string> given;
+    for (const char* key : {"box_m", "mask", "line_m"})
+        if (table.has(key)) given.emplace_back(key);
+    if (given.empty()) table.fail("box_m", "where the muscle is, is missing: give one of box_m, mask, line_m");
+    if (given.size() > 1) table.fail(given.back(), "stands beside " + given.front() + "; a muscle has exactly one of box_m, mask, line_m");
+    if (given.front() != "line_m") table.reject("radius_m", "belongs to line_m, which is missing");
+    if (given.front() == "line_m") return read_line(table);
+    if (given.front() == "box_m") return MuscleBox{table.box("box_m"), unit_direction(table, "fibre")};
+    MuscleMask mask{table.file("mask", folder), std::nullopt};
+    if (table.has("fibre")) mask.fibre = unit_direction(table, "fibre");
+    return mask;
+}
+
+}  // namespace
+
+std::vector<MuscleDeclaration> read_muscles(const TomlReader& document, const std::filesystem::path& folder) {
     std::vector<MuscleDeclaration> muscles;
-    for (const TomlReader& table : document.tables("muscle", {"name", "box_m", "fibre", "stiffness_Pa", "follows"})) {
+    for (const TomlReader& table : document.tables("muscle", {"name", "box_m", "mask", "line_m", "radius_m", "fibre", "stiffness_Pa", "follows"})) {
         MuscleDeclaration muscle;
         muscle.name = table.name("name");
         if (muscle.name.find(',') != std::string::npos || muscle.name == "time_s")
             table.fail("name", "heads a column of the actuation file, so it must not hold a comma or be time_s");
-        muscle.box_m = table.box("box_m");
-        muscle.fibre = unit_direction(table, "fibre");
+        muscle.part = read_part(table, folder);
         muscle.stiffness_Pa = table.number("stiffness_Pa", positive());
         if (table.has("follows")) {
             const TomlReader follows = table.table("follows", {"muscle", "ratio"});

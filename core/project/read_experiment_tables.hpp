@@ -15,7 +15,7 @@ namespace myo {
 
 std::variant<BoxGeometry, StlGeometry> read_geometry(const TomlReader& document, const std::filesystem::path& folder);
 MaterialDeclaration read_material(const TomlReader& document);
-std::vector<MuscleDeclaration> read_muscles(const TomlReader& document);
+std::vector<MuscleDeclaration> read_muscles(const TomlReader& document, const std::filesystem::path& folder);
 RegistrationDeclaration read_registration(const TomlReader& document, std::vector<std::string>& warnings);
 MarkersDeclaration read_markers(const TomlReader& document);
 std::vector<TrialDeclaration> read_trials(const TomlReader& document, const std::filesystem::path& folder);

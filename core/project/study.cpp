@@ -8,19 +8,13 @@
 #include "measurement/noise.hpp"
 #include "mesh/region.hpp"
 #include "project/check_body.hpp"
+#include "project/muscle_groups.hpp"
 #include "project/read_experiment.hpp"
 #include "project/read_trial.hpp"
 #include "project/study_frames.hpp"
 
 namespace myo {
 namespace {
-
-std::vector<FibreGroup> fibre_groups(const Experiment& experiment, const StudyMesh& mesh) {
-    std::vector<FibreGroup> groups;
-    for (const MuscleDeclaration& muscle : experiment.muscles)
-        groups.push_back(fibres_in_box(mesh.mesh, box_on_mesh(mesh, muscle.box_m), muscle.fibre, muscle.stiffness_Pa, muscle.name));
-    return groups;
-}
 
 /// Shares of a total over the surface inside a box, and the same without negative nodal shares (a clipped quadratic face has
 /// some), as a mass must be.
@@ -200,7 +194,9 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     warn_of_mass(model, study.warnings);
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
-    model.fibres = std::make_shared<const std::vector<FibreGroup>>(fibre_groups(experiment, study.mesh));
+    Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, study.mesh);
+    if (!muscles) return muscles.error();
+    model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
 
     std::vector<Recording> recordings;
     for (const TrialDeclaration& declaration : experiment.trials) {

@@ -120,14 +120,15 @@ std::string to_string(Voxels voxels) { return voxel_kinds.name(voxels); }
 std::vector<std::string> voxels_ids() { return voxel_kinds.names(); }
 bool parse_voxels(const std::string& id, Voxels& voxels) { return voxel_kinds.find(id, voxels); }
 
-Box box_on_mesh(const StudyMesh& mesh, const Box& declared) {
-    if (!mesh.shrunk_from) return declared;
+Eigen::Vector3d point_on_mesh(const StudyMesh& mesh, const Eigen::Vector3d& declared_m) {
+    if (!mesh.shrunk_from) return declared_m;
     const Box now = bounding_box(mesh.mesh.nodes);
     const Eigen::Array3d scale = now.size().array() / mesh.shrunk_from->size().array();
-    const auto moved = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
-        return now.lowest.array() + scale * (x - mesh.shrunk_from->lowest).array();
-    };
-    return {moved(declared.lowest), moved(declared.highest)};
+    return now.lowest.array() + scale * (declared_m - mesh.shrunk_from->lowest).array();
+}
+
+Box box_on_mesh(const StudyMesh& mesh, const Box& declared) {
+    return {point_on_mesh(mesh, declared.lowest), point_on_mesh(mesh, declared.highest)};
 }
 
 bool is_rectilinear(const SurfaceMesh& surface) {

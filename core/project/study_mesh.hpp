@@ -37,6 +37,9 @@ struct StudyMesh {
     std::vector<std::string> warnings;
 };
 
+/// A place declared on the body, moved to the same part of a mesh that shrank; otherwise the place itself.
+Eigen::Vector3d point_on_mesh(const StudyMesh& mesh, const Eigen::Vector3d& declared_m);
+
 /// A box declared on the body, moved to the same part of a mesh that shrank; otherwise the box itself.
 Box box_on_mesh(const StudyMesh& mesh, const Box& declared);
 

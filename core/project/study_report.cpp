@@ -82,7 +82,7 @@ std::vector<std::string> summary(const Study& study, const Calibration& calibrat
     std::string text = "Calibrated on " + trials(fitted);
     if (predicted > 0) text += "; " + trials(predicted) + (predicted == 1 ? " is" : " are") + " predicted with the result";
     text += ". The fit " + fit_words(calibration) + " after " +
-            std::to_string(calibration.fit.evaluations) + (calibration.fit.evaluations == 1 ? " evaluation in " : " evaluations in ") + readable_number(calibration.seconds, 3) + " s.";
+            std::to_string(calibration.evaluations()) + (calibration.evaluations() == 1 ? " evaluation in " : " evaluations in ") + readable_number(calibration.seconds, 3) + " s.";
     std::vector<std::string> lines{text};
     if (!study.experiment.description.empty()) lines.push_back(study.experiment.description);
     return lines;
@@ -92,6 +92,7 @@ Section parameter_section(const Study& study, const Calibration& calibration) {
     Section section{"Parameters", {parameter_table(study, calibration)}};
     section.blocks.push_back(Paragraph{"± is one standard deviation, from the noise of the markers; where the model leaves more than noise, it is "
                                        "enlarged in proportion. It does not cover what the model leaves out."});
+    if (calibration.starts.size() > 1) section.blocks.push_back(Details{"Starts", {starts_table(study, calibration)}});
     if (calibration.parameters.size() < 2) return section;
     Table correlation{"How errors of the parameters go together: 1 and −1 mean that the data tell them apart badly.", {{""}}, {}};
     const auto n = static_cast<Eigen::Index>(calibration.parameters.size());

@@ -14,6 +14,8 @@ namespace myo {
 std::string role_words(TrialRole role);
 
 Table parameter_table(const Study& study, const Calibration& calibration);
+/// How each start of several ended.
+Table starts_table(const Study& study, const Calibration& calibration);
 Table trial_table(const Study& study, const Calibration& calibration);
 
 /// One section per trial: figure of the worst marker, steady state, the other markers folded away; where the trial did not

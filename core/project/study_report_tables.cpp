@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,25 @@ Table parameter_table(const Study& study, const Calibration& calibration) {
         const ReadableEstimate estimate = readable_estimate(shown.factor * calibration.fit.values(row), deviation);
         table.rows.push_back({shown.name, shown.unit.empty() ? "1" : shown.unit, estimate.value, estimate.deviation.empty() ? deviation_cell(deviation) : Cell(estimate.deviation),
                               readable_number(shown.factor * calibration.fit.start(row), 4)});
+    }
+    return table;
+}
+
+Table starts_table(const Study& study, const Calibration& calibration) {
+    Table table{"The cost is half the sum of the squared differences in units of the noise.", {{"Start"}, {"Ended"}, {"Evaluations"}, {"Cost before"}, {"Cost after"}}, {}};
+    for (const StudyParameter& p : calibration.parameters) {
+        const ReadableParameter shown = readable_parameter(p, study);
+        table.columns.push_back({shown.name, shown.unit});
+    }
+    for (std::size_t s = 0; s < calibration.starts.size(); ++s) {
+        const CalibrationStart& start = calibration.starts[s];
+        std::string ended = ending_word(start.status);
+        std::replace(ended.begin(), ended.end(), '_', ' ');
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        const bool ran = start.cost_before > 0.0;
+        table.rows.push_back({s + 1, ended, start.history.size(), ran ? start.cost_before : none, ran ? start.cost_after : none});
+        for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
+            table.rows.back().emplace_back(ran ? readable_parameter(calibration.parameters[i], study).factor * start.values(static_cast<Eigen::Index>(i)) : none);
     }
     return table;
 }

@@ -174,6 +174,13 @@ Box TomlReader::box(const std::string& key) const {
     return box;
 }
 
+Eigen::Matrix3Xd TomlReader::points(const std::string& key) const {
+    const TomlValue& array = value(key, Kind::array);
+    Eigen::Matrix3Xd found(3, static_cast<Eigen::Index>(array.items.size()));
+    for (std::size_t i = 0; i < array.items.size(); ++i) found.col(static_cast<Eigen::Index>(i)) = vector(key, array.items[i], 3);
+    return found;
+}
+
 std::filesystem::path TomlReader::file(const std::string& key, const std::filesystem::path& folder) const {
     const std::string found = text(key);
     if (found.empty() || found.find('\0') != std::string::npos) fail(key, "must be a file name");

@@ -76,6 +76,7 @@ public:
     Eigen::Vector3d vector3(const std::string& key) const { return vector(key, 3); }
     Eigen::Matrix3d matrix3(const std::string& key) const;
     Box box(const std::string& key) const;            // [[lowest], [highest]]
+    Eigen::Matrix3Xd points(const std::string& key) const;   // [[x, y, z], ...], 3 x n
 
     /// A file that must exist, resolved against the folder.
     std::filesystem::path file(const std::string& key, const std::filesystem::path& folder) const;

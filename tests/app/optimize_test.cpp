@@ -57,12 +57,20 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
     ASSERT_EQ(j.at("signals").size(), 1u);
     EXPECT_EQ(j["signals"][0].at("name"), "upper");
     for (std::size_t k = 1; k < wave.size(); ++k) EXPECT_NEAR(j["signals"][0].at("values")[k - 1].get<double>(), wave[k], 1e-3) << k;
+    const json& std = j["signals"][0].at("std");
+    ASSERT_EQ(std.size(), wave.size() - 1);
+    for (const json& value : std) {
+        EXPECT_GT(value.get<double>(), 0.0);
+        EXPECT_LT(value.get<double>(), 1e-3);
+    }
+    EXPECT_GE(j.at("std_noise_m").get<double>(), 1e-6);
+    EXPECT_THAT(run.out, HasSubstr("±"));
     EXPECT_EQ(j.at("muscles")[1].at("factor"), -0.5);
     EXPECT_LT(j.at("rms_after_m").get<double>(), 1e-3 * j.at("rms_before_m").get<double>());
     EXPECT_EQ(j.at("history").size(), j.at("evaluations").get<std::size_t>());
     EXPECT_EQ(content_of(folder.path() / "out/optimize.json").find("null"), std::string::npos);
     const std::string page = content_of(folder.path() / "out/report.html");
-    for (const char* text : {"muscled block", "Signals", "after the fit", "optimize/1", "<svg"}) EXPECT_THAT(page, HasSubstr(text));
+    for (const char* text : {"muscled block", "Signals", "Bands are one standard deviation", "after the fit", "optimize/1", "<svg"}) EXPECT_THAT(page, HasSubstr(text));
     EXPECT_EQ(page.find("NaN"), std::string::npos);
 
     // What it wrote is an experiment's file: run with it, the trial follows the trace as well.
@@ -99,6 +107,7 @@ TEST(Optimize, CtrlCKeepsTheBestAndResumeGoesOnFromIt) {
     EXPECT_EQ(stopped.at("stopped"), true);
     EXPECT_LE(stopped.at("loss_after_m2").get<double>(), stopped.at("loss_before_m2").get<double>());
     EXPECT_TRUE(folder.has("out/report.html") && folder.has("out/wave.csv") && folder.has("out/wave_actuation.csv"));
+    EXPECT_THAT(stopped.at("std"), HasSubstr("stopped"));
 
     ProgramRun again = run_program(optimize_call(folder, {"--resume", "--frequency", "10"}));
     EXPECT_EQ(again.status, 2);

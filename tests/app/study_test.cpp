@@ -273,6 +273,61 @@ TEST(Calibrate, WritesEveryKeyOfTheContractAndAPage) {
     expect_clean(folder);
 }
 
+TEST(Calibrate, LogsEveryEvaluationAndResumeGoesOnFromTheLast) {
+    const Folder folder("calibrate_resume");
+    write_small_experiment(folder, 0.3);
+    ProgramRun run = run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resume"}));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(count_lines(run.err), 1) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("nothing to resume"));
+    ASSERT_EQ(run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--quiet"})).status, 0);
+    const json first = json_of(folder, "calibrate");
+    ASSERT_EQ(first.at("history").size(), first.at("evaluations").get<std::size_t>());
+    double least = 1e300;
+    for (const json& evaluation : first["history"]) {
+        EXPECT_EQ(evaluation.at("values").size(), 2u);
+        EXPECT_GT(evaluation.at("seconds").get<double>(), 0.0);
+        least = std::min(least, evaluation.at("cost").get<double>());
+    }
+    EXPECT_EQ(first["starts"][0].at("cost_after").get<double>(), least);
+    ASSERT_EQ(run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resume", "--quiet"})).status, 0);
+    const json second = json_of(folder, "calibrate");
+    for (const char* name : {"youngs_modulus_Pa", "damping_s"}) EXPECT_EQ(second["parameters"][name]["start"], first["parameters"][name]["value"]) << name;
+    EXPECT_NEAR(second["history"][0].at("cost").get<double>() / least, 1.0, 1e-9);
+    EXPECT_LE(second["starts"][0].at("cost_after").get<double>(), least * (1.0 + 1e-9));
+    EXPECT_EQ(second.at("evaluations_in_all").get<int>(), first.at("evaluations").get<int>() + second.at("evaluations").get<int>());
+    EXPECT_NEAR(second.at("rms_before_m").get<double>() / first.at("rms_before_m").get<double>(), 1.0, 1e-6) << "before is still with the declared values";
+    run = run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resume", "--parameters", "damping"}));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.err, HasSubstr("other parameters"));
+}
+
+TEST(Calibrate, SeveralStartsAreRepeatedByTheirSeed) {
+    const Folder folder("calibrate_starts");
+    write_small_experiment(folder, 0.3);
+    const std::vector<std::string> words = call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--starts", "3", "--seed", "7"});
+    const ProgramRun run = run_program(words);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("start 3: "));
+    const json first = json_of(folder, "calibrate");
+    ASSERT_EQ(first.at("starts").size(), 3u);
+    EXPECT_EQ(first.at("seed"), 7);
+    EXPECT_EQ(first.at("history").size(), first.at("evaluations").get<std::size_t>());
+    EXPECT_EQ(first["starts"][0].at("start")[0], 2e4);
+    const json* best = &first["starts"][0];
+    for (const json& start : first["starts"]) {
+        EXPECT_GE(start.at("start")[0].get<double>(), 1.4e4);
+        EXPECT_LE(start.at("start")[0].get<double>(), 2.6e4);
+        EXPECT_LT(start.at("cost_after").get<double>(), start.at("cost_before").get<double>());
+        EXPECT_NE(&start == &first["starts"][0], start.at("start")[0] != 2e4);
+        if (start.at("cost_after") < best->at("cost_after")) best = &start;
+    }
+    EXPECT_EQ(first["parameters"]["youngs_modulus_Pa"]["value"], best->at("values")[0]);
+    EXPECT_THAT(content_of(folder.path() / "out/report.html"), HasSubstr("Cost after"));
+    ASSERT_EQ(run_program(words).status, 0);
+    EXPECT_EQ(json_of(folder, "calibrate").at("starts"), first.at("starts"));
+}
+
 TEST(Calibrate, FitsOnlyWhatIsNamed) {
     const Folder folder("parameters");
     write_small_experiment(folder);

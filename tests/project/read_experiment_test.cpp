@@ -37,7 +37,7 @@ TEST(ReadExperiment, TakesEveryValueOfTheSchema) {
     EXPECT_EQ(e.gravity_m_s2, Eigen::Vector3d(0, 0, -9.8));
 
     ASSERT_EQ(e.muscles.size(), 2u);
-    EXPECT_EQ(e.muscles[0].fibre, Eigen::Vector3d::UnitX()) << "a nearly unit direction is normalised";
+    EXPECT_EQ(std::get<MuscleBox>(e.muscles[0].part).fibre, Eigen::Vector3d::UnitX()) << "a nearly unit direction is normalised";
     EXPECT_EQ(e.muscles[1].follows->muscle, "left");
     EXPECT_EQ(e.muscles[1].follows->ratio, -0.5);
 

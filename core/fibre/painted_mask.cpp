@@ -1,0 +1,152 @@
+#include "fibre/painted_mask.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "fibre/cell_parts.hpp"
+#include "mesh/box_tree.hpp"
+#include "mesh/cell_topology.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+/// Of the cells, by their corners: mid-side nodes add nothing.
+Vector3d centroid(const VolumeMesh& mesh, Index cell) {
+    const int corners = mesh.type == CellType::hex8 ? 8 : 4;
+    Vector3d sum = Vector3d::Zero();
+    for (int a = 0; a < corners; ++a) sum += mesh.nodes.col(mesh.cells(a, cell));
+    return sum / corners;
+}
+
+double mean_edge(const VolumeMesh& mesh, Index cell) {
+    double sum = 0.0;
+    const auto add = [&](const auto& edges) {
+        for (const auto& [a, b] : edges) sum += (mesh.nodes.col(mesh.cells(a, cell)) - mesh.nodes.col(mesh.cells(b, cell))).norm();
+        return sum / static_cast<double>(edges.size());
+    };
+    return mesh.type == CellType::hex8 ? add(hexahedron_edges) : add(tetrahedron_edges);
+}
+
+/// The mask as something that can be asked.
+class MaskLookup {
+public:
+    explicit MaskLookup(const PaintedMask& mask) : mask_(mask), tree_(points(mask)), bounds_(bounding_box(mask.centroids_m)) {
+        bounds_.lowest.array() -= mask.cell_size_m;
+        bounds_.highest.array() += mask.cell_size_m;
+    }
+
+    /// The nearest element within `reach`, or -1.
+    int nearest(const Vector3d& x, double reach) const {
+        if (!bounds_.contains(x)) return -1;
+        const auto squared_distance = [&](int i) { return (mask_.centroids_m.col(i) - x).squaredNorm(); };
+        const int i = tree_.nearest(x, squared_distance);
+        return squared_distance(i) <= reach * reach ? i : -1;
+    }
+
+    bool misses(const Vector3d& centre, double radius) const {
+        return (centre.array() + radius < bounds_.lowest.array()).any() || (centre.array() - radius > bounds_.highest.array()).any();
+    }
+
+private:
+    static std::vector<Box> points(const PaintedMask& mask) {
+        std::vector<Box> boxes;
+        for (const Vector3d x : mask.centroids_m.colwise()) boxes.push_back({x, x});
+        return boxes;
+    }
+
+    const PaintedMask& mask_;
+    BoxTree tree_;
+    Box bounds_;
+};
+
+void collect(const VolumeMesh& mesh, int cell, const CellPart& part, int cuts, const PaintedMask& mask, const MaskLookup& lookup,
+             std::vector<FibreSample>& samples, double& whole) {
+    if (cuts > 0) {
+        for (const CellPart& child : cut_in_eight(part)) collect(mesh, cell, child, cuts - 1, mask, lookup, samples, whole);
+        return;
+    }
+    const PartPlace place = place_of(mesh, cell, part);
+    whole += place.volume_m3;
+    const int i = lookup.nearest(place.centre_m, mask.cell_size_m);
+    if (i >= 0 && mask.weights(i) > 0.0) samples.push_back({part, mask.weights(i) * place.volume_m3, mask.directions.col(i)});
+}
+
+/// A cell in one piece of paint is asked for no more than its share and its line.
+bool evenly_painted(const std::vector<FibreSample>& samples, double volume_m3, double whole_m3) {
+    if (samples.empty() || std::abs(volume_m3 - whole_m3) > 1e-9 * whole_m3) return false;
+    const Vector3d& first = samples.front().direction;
+    for (const FibreSample& sample : samples)
+        if (sample.direction.cross(first).norm() > 1e-9) return false;
+    return true;
+}
+
+void add_resampled_cell(const VolumeMesh& mesh, int cell, const PartPlace& place, const PaintedMask& mask, const MaskLookup& lookup, FibreGroup& group) {
+    const double spacing = 0.25 * mask.cell_size_m, edge = 1.15 * place.radius_m;   // 2 / sqrt(3): a cube's edge
+    const int cuts = std::clamp(static_cast<int>(std::ceil(std::log2(edge / spacing) - 1e-6)), 0, 5);
+    std::vector<FibreSample> samples;
+    double whole = 0.0, volume = 0.0;
+    collect(mesh, cell, whole_cell(mesh.type), cuts, mask, lookup, samples, whole);
+    for (const FibreSample& sample : samples) volume += sample.volume_m3;
+    if (samples.size() == 1 || evenly_painted(samples, volume, whole)) {
+        const Vector3d direction = samples.front().direction;
+        add_whole_cell(mesh, cell, volume / whole, [&](const Vector3d&) { return direction; }, group);
+    } else {
+        add_samples(mesh, cell, samples, group);
+    }
+}
+
+}  // namespace
+
+PaintedMask mask_of_cells(const VolumeMesh& mesh, const Eigen::VectorXd& weights, const Eigen::Matrix3Xd& directions) {
+    assert(weights.size() == mesh.cell_count() && directions.cols() == mesh.cell_count());
+    std::vector<bool> at_paint(static_cast<std::size_t>(mesh.node_count()), false);
+    double edges = 0.0;
+    Index painted = 0;
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+        if (!(weights(c) > 0.0)) continue;
+        edges += mean_edge(mesh, c);
+        ++painted;
+        for (const int n : mesh.cells.col(c)) at_paint[static_cast<std::size_t>(n)] = true;
+    }
+    std::vector<Index> kept;
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+        for (const int n : mesh.cells.col(c))
+            if (at_paint[static_cast<std::size_t>(n)]) {
+                kept.push_back(c);
+                break;
+            }
+    PaintedMask mask;
+    mask.cell_size_m = painted > 0 ? edges / static_cast<double>(painted) : 0.0;
+    mask.centroids_m.resize(3, static_cast<Index>(kept.size()));
+    for (std::size_t i = 0; i < kept.size(); ++i) mask.centroids_m.col(static_cast<Index>(i)) = centroid(mesh, kept[i]);
+    mask.weights = weights(kept);
+    mask.directions = directions(Eigen::all, kept);
+    for (Index i = 0; i < mask.count(); ++i)
+        if (!(mask.weights(i) > 0.0)) mask.weights(i) = 0.0, mask.directions.col(i).setZero();
+    return mask;
+}
+
+FibreGroup fibres_of_mask(const VolumeMesh& mesh, const PaintedMask& mask, double stiffness_Pa, std::string name) {
+    FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
+    if (mask.count() == 0) return group;
+    assert(mask.cell_size_m > 0.0);
+    const MaskLookup lookup(mask);
+    const CellPart whole = whole_cell(mesh.type);
+    for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
+        const PartPlace place = place_of(mesh, c, whole);
+        if (lookup.misses(place.centre_m, place.radius_m)) continue;
+        // The rounding of a text file, and no more, lies between a painted cell's centroid and its own.
+        const int itself = lookup.nearest(centroid(mesh, c), 1e-6 * mask.cell_size_m);
+        if (itself < 0) add_resampled_cell(mesh, c, place, mask, lookup, group);
+        else if (mask.weights(itself) > 0.0) add_whole_cell(mesh, c, mask.weights(itself), [&](const Vector3d&) -> Vector3d { return mask.directions.col(itself); }, group);
+    }
+    return group;
+}
+
+}  // namespace myo

@@ -1,0 +1,54 @@
+#include "project/muscle_groups.hpp"
+
+#include "fibre/fibres_along_line.hpp"
+#include "fibre/painted_mask.hpp"
+#include "project/read_experiment.hpp"
+
+namespace myo {
+namespace {
+
+/// Columns moved to the same part of a mesh that shrank.
+Eigen::Matrix3Xd points_on_mesh(const StudyMesh& mesh, Eigen::Matrix3Xd points) {
+    for (auto point : points.colwise()) point = point_on_mesh(mesh, point);
+    return points;
+}
+
+struct GroupOf {
+    const MuscleDeclaration& muscle;
+    const StudyMesh& mesh;
+
+    Result<FibreGroup> operator()(const MuscleBox& part) const {
+        return fibres_in_box(mesh.mesh, box_on_mesh(mesh, part.box_m), part.fibre, muscle.stiffness_Pa, muscle.name);
+    }
+    Result<FibreGroup> operator()(const MuscleMask& part) const {
+        Result<PaintedMask> mask = read_painted_mask(part.file);
+        if (!mask) return mask.error();
+        mask->centroids_m = points_on_mesh(mesh, std::move(mask->centroids_m));
+        if (part.fibre) mask->directions.colwise() = *part.fibre;
+        return fibres_of_mask(mesh.mesh, *mask, muscle.stiffness_Pa, muscle.name);
+    }
+    Result<FibreGroup> operator()(const MuscleLine& part) const {
+        const Polyline line{points_on_mesh(mesh, part.line.points_m)};
+        return fibres_along_line(mesh.mesh, line, part.radius_m, muscle.stiffness_Pa, muscle.name);
+    }
+};
+
+}  // namespace
+
+Result<std::vector<FibreGroup>> muscle_groups(const Experiment& experiment, const StudyMesh& mesh) {
+    std::vector<FibreGroup> groups;
+    for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
+        const MuscleDeclaration& muscle = experiment.muscles[i];
+        Result<FibreGroup> group = std::visit(GroupOf{muscle, mesh}, muscle.part);
+        if (!group) return group.error();
+        const std::string table = "muscle[" + std::to_string(i) + "].";
+        if (group->points.empty() && std::holds_alternative<MuscleMask>(muscle.part))
+            return declaration_error(experiment, table + "mask", "no element of the mesh lies where the mask is painted; is it of this body, in its rest frame, in metres?");
+        if (group->points.empty() && std::holds_alternative<MuscleLine>(muscle.part))
+            return declaration_error(experiment, table + "line_m", "no material of the body lies within radius_m of the line");
+        groups.push_back(std::move(*group));
+    }
+    return groups;
+}
+
+}  // namespace myo

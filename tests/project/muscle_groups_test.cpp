@@ -1,0 +1,109 @@
+#include "project/muscle_groups.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fibre/painted_mask.hpp"
+#include "mesh/box_mesh.hpp"
+#include "mesh/region.hpp"
+#include "project/good_experiment.hpp"
+#include "project/read_experiment.hpp"
+#include "project/read_trial.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Vector3d;
+using ::testing::HasSubstr;
+using namespace testing_support;
+
+const std::string box_part = "box_m = [[0.01, 0.0, 0.0], [0.09, 0.015, 0.03]]\nfibre = [0.999, 0.0, 0.0]";
+const Box body{{0, 0, 0}, {0.1, 0.03, 0.03}};
+
+/// The good experiment with another part for its first muscle.
+class MuscleGroups : public testing::Test {
+protected:
+    Experiment experiment(const std::string& part) {
+        write_files(folder, replaced(good_toml, box_part, part));
+        Result<Experiment> read = read_experiment(folder.path());
+        EXPECT_TRUE(read) << read.error().text();
+        return read ? *read : Experiment{};
+    }
+    static StudyMesh on(const VolumeMesh& mesh) {
+        StudyMesh result;
+        result.mesh = mesh;
+        return result;
+    }
+
+    Folder folder{"muscle_groups"};
+};
+
+TEST_F(MuscleGroups, MaskIsTheBoxThatWasPainted) {
+    const VolumeMesh mesh = box_hex_mesh(body, {10, 4, 3});
+    const Box part{{0.01, 0, 0}, {0.09, 0.015, 0.03}};
+    ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(mesh, volume_fractions(mesh, part), Vector3d::UnitX().replicate(1, mesh.cell_count()))));
+    const Result<std::vector<FibreGroup>> boxes = muscle_groups(experiment(box_part), on(mesh)), masks = muscle_groups(experiment("mask = \"left.csv\""), on(mesh));
+    ASSERT_TRUE(boxes && masks);
+    ASSERT_EQ(masks->size(), 2u);
+    EXPECT_EQ((*masks)[0].name, "left");
+    EXPECT_EQ((*masks)[0].stiffness_Pa, 8e4);
+    ASSERT_EQ((*masks)[0].points.size(), (*boxes)[0].points.size());
+    EXPECT_NEAR((*masks)[0].volume(), part.size().prod(), 1e-15);
+    EXPECT_NEAR((*masks)[1].volume(), part.size().prod(), 1e-15) << "the antagonist keeps its box";
+    // Another direction than painted; and the pair of antagonists is tied as before.
+    const Experiment turned = experiment("mask = \"left.csv\"\nfibre = [0, 0, 1]");
+    const Result<std::vector<FibreGroup>> groups = muscle_groups(turned, on(mesh));
+    ASSERT_TRUE(groups);
+    for (const FibrePoint& point : (*groups)[0].points) {
+        Vector3d m = Vector3d::Zero();
+        for (int n = 0; n < 8; ++n) m += point.shape(n) * mesh.nodes.col(mesh.cells(n, point.cell));
+        ASSERT_LT((m - Vector3d::UnitZ()).norm(), 1e-12);
+    }
+    EXPECT_EQ(muscle_leaders(turned)[1].leader, 0u);
+    EXPECT_EQ(muscle_leaders(turned)[1].factor, -0.5);
+}
+
+TEST_F(MuscleGroups, LineHoldsItsCylinderOnEveryMesh) {
+    const Experiment e = experiment("line_m = [[0.01, 0.01, 0.01], [0.05, 0.01, 0.01], [0.09, 0.01, 0.02]]\nradius_m = 0.004");
+    const double length = 0.04 + std::hypot(0.04, 0.01);
+    for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) {
+        const VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(body, {9, 3, 3}) : tet_box_mesh(body, {9, 3, 3}, type);
+        const Result<std::vector<FibreGroup>> groups = muscle_groups(e, on(mesh));
+        ASSERT_TRUE(groups) << groups.error().text();
+        EXPECT_NEAR((*groups)[0].volume() / (std::numbers::pi * 16e-6 * length), 1.0, 0.005) << to_string(type);
+    }
+}
+
+/// A mesh that shrank (truncated voxels) takes the muscle along.
+TEST_F(MuscleGroups, MoveWithAMeshThatShrank) {
+    const VolumeMesh small = box_hex_mesh({{0, 0, 0}, {0.05, 0.015, 0.015}}, {10, 4, 3});
+    StudyMesh mesh = on(small);
+    mesh.shrunk_from = body;
+    const VolumeMesh whole = box_hex_mesh(body, {10, 4, 3});
+    const Box part{{0.01, 0, 0}, {0.09, 0.015, 0.03}};
+    ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(whole, volume_fractions(whole, part), Vector3d::UnitX().replicate(1, whole.cell_count()))));
+    const Result<std::vector<FibreGroup>> groups = muscle_groups(experiment("mask = \"left.csv\""), mesh);
+    ASSERT_TRUE(groups) << groups.error().text();
+    EXPECT_NEAR((*groups)[0].volume(), part.size().prod() / 8.0, 1e-15);
+}
+
+TEST_F(MuscleGroups, WhatMeetsNoMaterialIsNamedWithItsLine) {
+    const VolumeMesh mesh = box_hex_mesh(body, {10, 3, 3});
+    const auto error_of = [&](const std::string& part) {
+        const Result<std::vector<FibreGroup>> groups = muscle_groups(experiment(part), on(mesh));
+        EXPECT_FALSE(groups);
+        return groups ? std::string() : groups.error().text();
+    };
+    const std::string toml = replaced(good_toml, box_part, "mask = \"far.csv\"");
+    folder.write("far.csv", "# cell_size_m,0.01\nx_m,y_m,z_m,weight,fibre_x,fibre_y,fibre_z\n10,0,0,1,1,0,0\n");
+    const std::string at = "experiment.toml:" + std::to_string(line_of(toml, "mask = "));
+    EXPECT_THAT(error_of("mask = \"far.csv\""), HasSubstr(at + ": muscle[0].mask: no element of the mesh"));
+    EXPECT_THAT(error_of("line_m = [[0, 0, 1], [0.1, 0, 1]]\nradius_m = 0.01"), HasSubstr(at + ": muscle[0].line_m: no material"));
+    EXPECT_THAT(error_of("mask = \"signal.csv\""), HasSubstr("signal.csv:1: begins with '-'"));
+}
+
+}  // namespace
+}  // namespace myo
