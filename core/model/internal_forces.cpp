@@ -1,5 +1,6 @@
 #include "model/internal_forces.hpp"
 
+#include <array>
 #include <cassert>
 
 #include "base/parallel.hpp"
@@ -54,23 +55,41 @@ struct OwnColumns {
     int first = 0, end = 0;
 };
 
-/// Adds those of one lane's blocks to the assembled matrix that lie in the columns, transposed where the free numbering turns a pair
-/// round.
+/// Adds those of a pack's blocks to the assembled matrix that lie in the columns, transposed where the free numbering turns a pair
+/// round. Like BlockPattern::add for one block after the other in all lanes: what a cell's blocks share is looked up once, and a pack's
+/// matrices, which fill the nearest cache, are read once.
 template <int N>
-void assemble_lane(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, int lane, const PackOutput<N>& out, const OwnColumns& own,
+void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int pack, int lanes, const PackOutput<N>& out, const OwnColumns& own,
                    SymmetricSparse& matrix) {
-    const auto l = static_cast<std::size_t>(lane);
-    const auto owned = [&](int node) {
-        const int column = pattern.free_index[static_cast<std::size_t>(cells(node, cell))];
-        return column >= own.first && column < own.end;
+    struct BlockColumn {
+        double* first;   // of its first column; null: not ours
+        int length;      // of that column; the next two are shorter by one each
     };
+    std::array<std::array<BlockColumn, N>, pack_width> columns;
+    for (int lane = 0; lane < lanes; ++lane)
+        for (int b = 0; b < N; ++b) {
+            const int j = pattern.free_index[static_cast<std::size_t>(cells(b, pack * pack_width + lane))];
+            BlockColumn& column = columns[static_cast<std::size_t>(lane)][static_cast<std::size_t>(b)];
+            column = {nullptr, 0};
+            if (j < own.first || j >= own.end) continue;
+            const int* start = matrix.outerIndexPtr() + 3 * j;
+            column = {matrix.valuePtr() + start[0], start[1] - start[0]};
+        }
     for (int b = 0; b < N; ++b)
         for (int a = b; a < N; ++a) {
-            const Matrix3<Pack>& block = out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))];
-            if (pattern.stores(N, cell, a, b)) {
-                if (owned(b)) pattern.add(matrix, cells, cell, a, b, [&](int r, int s) { return static_cast<double>(block(r, s)[l]); });
-            } else if (owned(a)) {
-                pattern.add(matrix, cells, cell, b, a, [&](int r, int s) { return static_cast<double>(block(s, r)[l]); });
+            const auto* block = reinterpret_cast<const double*>(out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data());
+            for (int lane = 0; lane < lanes; ++lane) {
+                const int* ranks = pattern.cell_blocks.data() + static_cast<std::size_t>(pack * pack_width + lane) * N * N;
+                const bool turned = ranks[b * N + a] < 0;
+                const int rank = turned ? ranks[a * N + b] : ranks[b * N + a];
+                const BlockColumn& column = columns[static_cast<std::size_t>(lane)][static_cast<std::size_t>(turned ? a : b)];
+                if (rank < 0 || !column.first) continue;
+                const int down = turned ? 3 * pack_width : pack_width, right = turned ? pack_width : 3 * pack_width;
+                double* values = column.first + 3 * rank;
+                for (int s = 0; s < 3; ++s) {
+                    for (int r = rank == 0 ? s : 0; r < 3; ++r) values[r] += block[r * down + s * right + lane];
+                    values += column.length - 1 - s;
+                }
             }
         }
 }
@@ -109,40 +128,38 @@ void add_at_nodes(const NodeIncidence& incidence, const std::vector<Pack>& field
     });
 }
 
-/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1.
-template <bool WithHessian, int N, int Q, class KeepHessian>
+/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is evaluated.
+template <bool WithHessian, int N, int Q, class Output>
 void evaluate_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, int first, int end,
-                    std::vector<Pack>& forces, std::vector<Pack>& energies, const KeepHessian& keep_hessian) {
-    PackOutput<N> result;
+                    std::vector<Pack>& forces, std::vector<Pack>& energies, const Output& output) {
     for (int pack = first; pack < end; ++pack) {
+        PackOutput<N>& result = output(pack);
         const PackInput in = pack_input(model, cells, input, pack);
         evaluate_pack<WithHessian>(cells, pack, gather_lanes<N>(cells.lane_nodes[static_cast<std::size_t>(pack)], x), in, result);
         energies[static_cast<std::size_t>(pack)] = result.energy;
         std::copy(result.gradient.data(), result.gradient.data() + 3 * N, forces.begin() + pack * 3 * N);
-        if constexpr (WithHessian) keep_hessian(pack, result);
     }
 }
 
-/// Cells' matrices are made side by side for as many packs as fit in some megabytes, then every thread adds those that fall in its
-/// columns, cell by cell, so that sums do not depend on the number of threads.
+/// Cells' matrices are made side by side for as many packs as fit in a cache, then every thread adds those that fall in its
+/// columns, one after the other, so that sums do not depend on the number of threads.
 template <int N, int Q>
 void assemble_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive,
                     std::vector<Pack>& forces, std::vector<Pack>& energies, SymmetricSparse& hessian) {
-    constexpr int packs_at_once = 256;
+    constexpr int packs_at_once = 32;
     const BlockPattern& pattern = model.body->pattern;
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
         const int count = std::min(packs_at_once, cells.pack_count() - start);
         parallel_ranges(count, packs_per_thread / 8, [&](int first, int end) {
-            evaluate_packs<true>(cells, model, x, input, start + first, start + end, forces, energies, [&](int pack, PackOutput<N>& result) {
-                if (positive) project_cells_positive(cells.lanes_used(pack), result);
-                outputs[static_cast<std::size_t>(pack - start)] = result;
-            });
+            evaluate_packs<true>(cells, model, x, input, start + first, start + end, forces, energies,
+                                 [&](int pack) -> PackOutput<N>& { return outputs[static_cast<std::size_t>(pack - start)]; });
+            if (positive)
+                for (int k = first; k < end; ++k) project_cells_positive(cells.lanes_used(start + k), outputs[static_cast<std::size_t>(k)]);
         });
         parallel_ranges(pattern.free_count, nodes_per_thread / 8, [&](int first, int end) {
             for (int pack = start; pack < start + count; ++pack)
-                for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
-                    assemble_lane<N>(pattern, model.body->mesh.cells, pack * pack_width + lane, lane, outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
+                assemble_pack<N>(pattern, model.body->mesh.cells, pack, cells.lanes_used(pack), outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
         });
     }
 }
@@ -155,7 +172,8 @@ void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3
     energy_field.resize(static_cast<std::size_t>(cells.pack_count()));
     if (kind == HessianKind::none)
         parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
-            evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field, [](int, const PackOutput<N>&) {});
+            PackOutput<N> result;
+            evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field, [&](int) -> PackOutput<N>& { return result; });
         });
     else assemble_packs(cells, model, x, input, kind == HessianKind::positive, force_field, energy_field, out.hessian);
     for (int pack = 0; pack < cells.pack_count(); ++pack)

@@ -42,7 +42,7 @@ Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangen
         std::vector<double> d_activation;
         for (const Signal& signal : tangent.activation)
             d_activation.push_back(before_jump ? signal.value_before(time_s) : signal.value(time_s));
-        gradient += activation_gradient(model, x, activations(model, time_s, before_jump), d_activation);
+        gradient += activation_gradient(model, x, d_activation);
     }
     return gradient;
 }
