@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "model/cell_kernel.hpp"
 #include "model/fibre_forces.hpp"
+#include "model/node_sums.hpp"
 #include "model/positive_part.hpp"
 
 namespace myo {
@@ -15,7 +16,7 @@ using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 /// Least work that pays for handing it to another thread, which takes a few microseconds.
-constexpr int packs_per_thread = 24, nodes_per_thread = 1000;
+constexpr int packs_per_thread = 24;
 
 template <class Cells, class Visit>
 void for_each_pack(const Cells& cells, const Visit& visit) {
@@ -111,23 +112,6 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
     }
 }
 
-/// Sums the cells' nodal vectors (see NodeIncidence) at the nodes.
-void add_at_nodes(const NodeIncidence& incidence, const std::vector<Pack>& field, Matrix3Xd& nodal) {
-    const auto* values = reinterpret_cast<const double*>(field.data());
-    parallel_ranges(static_cast<int>(nodal.cols()), nodes_per_thread, [&](int first, int end) {
-        for (int i = first; i < end; ++i) {
-            double x = 0.0, y = 0.0, z = 0.0;
-            for (int k = incidence.start[static_cast<std::size_t>(i)]; k < incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
-                const double* at = values + incidence.offset[static_cast<std::size_t>(k)];
-                x += at[0];
-                y += at[pack_width];
-                z += at[2 * pack_width];
-            }
-            nodal.col(i) += Eigen::Vector3d(x, y, z);
-        }
-    });
-}
-
 /// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is evaluated.
 template <bool WithHessian, int N, int Q, class Output>
 void evaluate_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, int first, int end,
@@ -157,7 +141,7 @@ void assemble_packs(const PackedCells<N, Q>& cells, const Model& model, const Ma
             if (positive)
                 for (int k = first; k < end; ++k) project_cells_positive(cells.lanes_used(start + k), outputs[static_cast<std::size_t>(k)]);
         });
-        parallel_ranges(pattern.free_count, nodes_per_thread / 8, [&](int first, int end) {
+        parallel_ranges(pattern.free_count, 125, [&](int first, int end) {
             for (int pack = start; pack < start + count; ++pack)
                 assemble_pack<N>(pattern, model.body->mesh.cells, pack, cells.lanes_used(pack), outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
         });
@@ -178,7 +162,7 @@ void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3
     else assemble_packs(cells, model, x, input, kind == HessianKind::positive, force_field, energy_field, out.hessian);
     for (int pack = 0; pack < cells.pack_count(); ++pack)
         for (int lane = 0; lane < cells.lanes_used(pack); ++lane) out.energy += energy_field[static_cast<std::size_t>(pack)][static_cast<std::size_t>(lane)];
-    add_at_nodes(model.body->incidence, force_field, out.gradient);
+    add_at_nodes(model.body->incidence, reinterpret_cast<const double*>(force_field.data()), out.gradient);
 }
 
 /// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
@@ -232,16 +216,9 @@ VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const 
         if constexpr (N == 8 && Q == 1)
             if (!cells.hourglass.empty()) {
                 const HourglassStrain h = hourglass_strain(xe, geometry.gradient[0], cells.hourglass[static_cast<std::size_t>(pack)]);
+                const Eigen::Matrix<Pack, 3, 4> values = dx ? hourglass_tangent(h, de) : h.strain;
                 for (int s = 0; s < 4; ++s)
-                    for (int i = 0; i < 3; ++i) {
-                        Pack value = h.strain(i, s);
-                        if (dx) {
-                            value = 0.0;
-                            for (int a = 0; a < 8; ++a)
-                                value += h.Gamma(a, s) * (h.F_inverse(i, 0) * de(0, a) + h.F_inverse(i, 1) * de(1, a) + h.F_inverse(i, 2) * de(2, a));
-                        }
-                        store(6 + i + 3 * s, value);
-                    }
+                    for (int i = 0; i < 3; ++i) store(6 + i + 3 * s, values(i, s));
             }
     });
     return result;
