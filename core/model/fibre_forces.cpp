@@ -68,11 +68,11 @@ struct CellMatrix {
             H[k] = along * lanes.s[static_cast<std::size_t>(r)] * lanes.s[static_cast<std::size_t>(s)];
             if (r == s) H[k] += lanes.stiffness * across;
         }
-        for (int point = 0; point < lanes.count; ++point) {
-            const auto shape = shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + point)]);
-            const Eigen::Matrix<double, N, N> products = shape * shape.transpose();
-            for (std::size_t k = 0; k < 6; ++k) part[k] += static_cast<double>(H[k][static_cast<std::size_t>(point)]) * products;
-        }
+        for (std::size_t k = 0; k < 6; ++k)   // one part after the other: it stays in registers
+            for (int point = 0; point < lanes.count; ++point) {
+                const auto shape = shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + point)]);
+                part[k] += shape * (static_cast<double>(H[k][static_cast<std::size_t>(point)]) * shape).transpose();
+            }
     }
 
     void assemble(const Body& body, int cell, SymmetricSparse& matrix) const {
