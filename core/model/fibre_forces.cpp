@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/pack.hpp"
+#include "model/cell_blocks.hpp"
 #include "model/fibre_cells.hpp"
 
 namespace myo {
@@ -76,13 +77,10 @@ struct CellMatrix {
     }
 
     void assemble(const Body& body, int cell, SymmetricSparse& matrix) const {
+        const CellBlocks<N> blocks(body.pattern, body.mesh.cells, cell, {0, body.pattern.free_count}, matrix);
+        constexpr std::size_t of[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
         for (int b = 0; b < N; ++b)
-            for (int a = b; a < N; ++a) {
-                Eigen::Matrix3d block;
-                for (std::size_t k = 0; k < 6; ++k) block(pairs[k][0], pairs[k][1]) = block(pairs[k][1], pairs[k][0]) = part[k](a, b);
-                const bool stored = body.pattern.stores(N, cell, a, b);
-                body.pattern.add(matrix, body.mesh.cells, cell, stored ? a : b, stored ? b : a, block);
-            }
+            for (int a = b; a < N; ++a) blocks.add(a, b, [&](int r, int s) { return part[of[r][s]](a, b); });
     }
 };
 

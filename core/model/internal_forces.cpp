@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "base/parallel.hpp"
+#include "model/cell_blocks.hpp"
 #include "model/cell_kernel.hpp"
 #include "model/fibre_forces.hpp"
 #include "model/node_sums.hpp"
@@ -51,47 +52,18 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     return in;
 }
 
-/// Free nodes first ... end - 1: the block columns of one thread.
-struct OwnColumns {
-    int first = 0, end = 0;
-};
-
-/// Adds those of a pack's blocks to the assembled matrix that lie in the columns, transposed where the free numbering turns a pair
-/// round. Like BlockPattern::add for one block after the other in all lanes: what a cell's blocks share is looked up once, and a pack's
-/// matrices, which fill the nearest cache, are read once.
+/// Adds those of a pack's blocks to the assembled matrix that lie in the columns, one after the other in all lanes: a pack's matrices,
+/// which fill the nearest cache, are read once.
 template <int N>
 void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int pack, int lanes, const PackOutput<N>& out, const OwnColumns& own,
                    SymmetricSparse& matrix) {
-    struct BlockColumn {
-        double* first;   // of its first column; null: not ours
-        int length;      // of that column; the next two are shorter by one each
-    };
-    std::array<std::array<BlockColumn, N>, pack_width> columns;
-    for (int lane = 0; lane < lanes; ++lane)
-        for (int b = 0; b < N; ++b) {
-            const int j = pattern.free_index[static_cast<std::size_t>(cells(b, pack * pack_width + lane))];
-            BlockColumn& column = columns[static_cast<std::size_t>(lane)][static_cast<std::size_t>(b)];
-            column = {nullptr, 0};
-            if (j < own.first || j >= own.end) continue;
-            const int* start = matrix.outerIndexPtr() + 3 * j;
-            column = {matrix.valuePtr() + start[0], start[1] - start[0]};
-        }
+    std::array<CellBlocks<N>, pack_width> blocks;
+    for (int lane = 0; lane < lanes; ++lane) blocks[static_cast<std::size_t>(lane)] = CellBlocks<N>(pattern, cells, pack * pack_width + lane, own, matrix);
     for (int b = 0; b < N; ++b)
         for (int a = b; a < N; ++a) {
-            const auto* block = reinterpret_cast<const double*>(out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data());
-            for (int lane = 0; lane < lanes; ++lane) {
-                const int* ranks = pattern.cell_blocks.data() + static_cast<std::size_t>(pack * pack_width + lane) * N * N;
-                const bool turned = ranks[b * N + a] < 0;
-                const int rank = turned ? ranks[a * N + b] : ranks[b * N + a];
-                const BlockColumn& column = columns[static_cast<std::size_t>(lane)][static_cast<std::size_t>(turned ? a : b)];
-                if (rank < 0 || !column.first) continue;
-                const int down = turned ? 3 * pack_width : pack_width, right = turned ? pack_width : 3 * pack_width;
-                double* values = column.first + 3 * rank;
-                for (int s = 0; s < 3; ++s) {
-                    for (int r = rank == 0 ? s : 0; r < 3; ++r) values[r] += block[r * down + s * right + lane];
-                    values += column.length - 1 - s;
-                }
-            }
+            const auto* values = reinterpret_cast<const double*>(out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data());
+            for (int lane = 0; lane < lanes; ++lane)
+                blocks[static_cast<std::size_t>(lane)].add(a, b, [&](int r, int s) { return values[(r + 3 * s) * pack_width + lane]; });
         }
 }
 
