@@ -2,42 +2,47 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "bench/arm_model.hpp"
 #include "bench/beam_run.hpp"
 #include "bench/bench_cases.hpp"
+#include "mesh/region.hpp"
 #include "sensitivity/adjoint_run.hpp"
 
 namespace myo {
 namespace {
 
-/// The beam with two antagonists, each with a signal that has a value per step.
+/// A value per step, one period a second about 1.
+Signal wave(double amplitude, const SimulationOptions& options) {
+    Signal signal{{}, {}};
+    for (double t = 0.0; t < options.end_s + 0.5 * options.h_s; t += options.h_s) {
+        signal.times_s.push_back(t);
+        signal.values.push_back(1.0 + amplitude * std::sin(2.0 * std::numbers::pi * t));
+    }
+    return signal;
+}
+
+/// The beam with two antagonists.
 Model muscled_beam(const BenchBeam& beam, const SimulationOptions& options) {
     Model model = bench_beam(beam);
     auto fibres = std::make_shared<std::vector<FibreGroup>>();
     for (const double low : {0.0, 0.0225}) {
         const Box layer{{0.0, 0.0, low}, {0.1, 0.03, low + 0.0075}};
         fibres->push_back(fibres_in_box(model.body->mesh, layer, Eigen::Vector3d::UnitX(), 2e4, low > 0.0 ? "upper" : "lower"));
-        Signal signal{{}, {}};
-        for (double t = 0.0; t < options.end_s + 0.5 * options.h_s; t += options.h_s) {
-            signal.times_s.push_back(t);
-            signal.values.push_back(1.0 + (low > 0.0 ? 0.02 : -0.02) * std::sin(2.0 * std::numbers::pi * t));
-        }
-        model.activation.push_back(std::move(signal));
+        model.activation.push_back(wave(low > 0.0 ? 0.02 : -0.02, options));
     }
     model.fibres = fibres;
     return model;
 }
 
-/// The way back of a run's gradient with respect to all moduli and signals, beside the run alone.
-Result<BenchFigures> backward(const std::string& name, const BenchBeam& beam, const SimulationOptions& options, const std::vector<BenchReference>& references) {
-    const Model model = muscled_beam(beam, options);
+/// The way back of a run's gradient with respect to all moduli and signals, beside the run alone. The loss looks at the nodes of a tip.
+Result<BenchFigures> backward(const std::string& name, const Model& model, const Box& tip, const SimulationOptions& options, const std::vector<BenchReference>& references) {
     double start = thread_time_s();
     const Trace trace = simulate(model, options);
     const double forward_ms = 1e3 * (thread_time_s() - start) / static_cast<double>(trace.times_s.size() - 1);
     if (!trace.complete()) return Error{trace.message, name};
 
     LossOfMotion loss;
-    for (int i = 0; i < model.body->node_count(); ++i)
-        if (model.body->mesh.nodes(0, i) > 0.1 - 1e-6) loss.nodes.push_back(i);
+    loss.nodes = nodes_in_box(model.body->mesh, tip);
     loss.evaluate = [&](const NodeMotion& motion) {
         MotionLoss result;
         for (const Eigen::Matrix3Xd& x : motion.positions) {
@@ -52,7 +57,7 @@ Result<BenchFigures> backward(const std::string& name, const BenchBeam& beam, co
     BenchFigures figures;
     figures.run_s = thread_time_s() - start;
     if (!run.complete()) return Error{run.message, name};
-    figures.name = std::to_string(model.body->dofs()) + " DOF, " + to_string(beam.element) + ", backward, " + name;
+    figures.name = std::to_string(model.body->dofs()) + " DOF, " + to_string(model.body->kind) + ", backward, " + name;
     figures.dofs = model.body->dofs();
     figures.cells = model.body->cell_count();
     figures.steps = run.steps;
@@ -67,18 +72,29 @@ Result<BenchFigures> backward(const std::string& name, const BenchBeam& beam, co
 }  // namespace
 
 BenchCase bench_backward() {
+    const auto beam = [](const std::string& name, const BenchBeam& which, Integrator integrator, const std::vector<BenchReference>& references) {
+        const auto run = [=] {
+            const SimulationOptions options = bench_options(integrator, 0.01, 160, 1e-6);
+            return backward(name, muscled_beam(which, options), Box{{0.1 - 1e-6, -1.0, -1.0}, {1.0, 1.0, 1.0}}, options, references);
+        };
+        return BenchRun{name, run};
+    };
+    const auto arm = [] {
+        const SimulationOptions options = bench_options(Integrator::implicit_euler, 0.01, 160, 1e-6);
+        Model model = arm_model();
+        model.activation = {wave(0.2, options), wave(-0.1, options)};
+        return backward("arm, muscles' waves, Euler, residual 1e-6", model, Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1e-6}}, options,
+                        {{"DiffPD projective, backward, at strong actuation", 1740.0}, {"DiffPD Newton, backward", 2330.0}});
+    };
     const BenchBeam published{ElementKind::hex8_full, {23, 7, 7}, "projective_corotational"};
     const BenchBeam honest{ElementKind::hex8, {23, 7, 7}, "neo_hookean", 0.003};
     return {"backward",
             "gradient with respect to all moduli and a muscle signal per step, h = 10 ms, 160 steps",
             {
-                {"paper's energy, Euler, residual 1e-6", [=] {
-                     return backward("paper's energy, Euler, residual 1e-6", published, bench_options(Integrator::implicit_euler, 0.01, 160, 1e-6),
-                                     {{"DiffPD projective, backward", 1110.0}, {"DiffPD Newton, backward", 750.0}});
-                 }},
-                {"neo-Hookean, damped, TR-BDF2, residual 1e-6", [=] {
-                     return backward("neo-Hookean, damped, TR-BDF2, residual 1e-6", honest, bench_options(Integrator::tr_bdf2, 0.01, 160, 1e-6), {});
-                 }},
+                beam("paper's energy, Euler, residual 1e-6", published, Integrator::implicit_euler,
+                     {{"DiffPD projective, backward", 1110.0}, {"DiffPD Newton, backward", 750.0}}),
+                beam("neo-Hookean, damped, TR-BDF2, residual 1e-6", honest, Integrator::tr_bdf2, {}),
+                {"arm, muscles' waves, Euler, residual 1e-6", arm},
             }};
 }
 

@@ -74,7 +74,7 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind 
     }
     result.residual = gather(pattern(), internal.gradient);
     if (kind != HessianKind::none) {
-        result.hessian = std::move(internal.hessian);
+        result.hessian.swap(internal.hessian);   // Eigen's sparse matrices cannot be moved
         result.hessian.coeffs() += stage_.inertia_1_s2 * constants_.inertia.coeffs();
     }
     return result;

@@ -94,7 +94,10 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
 }
 
 SymmetricSparse StageSolver::hessian(const Stage& stage, const Matrix3Xd& x) {
-    return StageProblem(constants_, stage).evaluate(x, HessianKind::exact).hessian;
+    StageProblem::Evaluation evaluation = StageProblem(constants_, stage).evaluate(x, HessianKind::exact);
+    SymmetricSparse H;
+    H.swap(evaluation.hessian);   // Eigen's sparse matrices cannot be moved
+    return H;
 }
 
 MatrixXd StageSolver::solve_linear(const SymmetricSparse& H, const Stage& stage, const Matrix3Xd& x, const MatrixXd& B, const MatrixXd& guess) {

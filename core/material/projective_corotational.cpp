@@ -168,7 +168,7 @@ public:
 private:
     /// dD/dF from (I + p dcof/dD) dD + cof D dp = dF and cof D : dD = 0.
     static Matrix9<Pack> unit_volume_derivative(const Matrix3<Pack>& D, const Pack& p) {
-        Matrix9<Pack> K;   // (I + p dcof/dD)^-1, by Gauss-Jordan steps: the matrix is near the identity
+        Matrix9<Pack> K;   // (I + p dcof/dD)^-1, by Gauss-Jordan steps without pivoting: the matrix is near the identity
         for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             K(row, column) = row == column ? 1.0 : 0.0;
             if (i == k || j == l) return;
@@ -176,16 +176,21 @@ private:
             K(row, column) += sign * p * D(3 - i - k, 3 - j - l);
         });
         for (int pivot = 0; pivot < 9; ++pivot) {
+            // It is symmetric: only entries below the diagonal are kept. Rows done already have changed sign (the sweep operator).
+            const auto at = [&](int i, int j) -> Pack& { return i >= j ? K(i, j) : K(j, i); };
             const Pack inverse = 1.0 / K(pivot, pivot);
-            K(pivot, pivot) = 1.0;
-            for (int column = 0; column < 9; ++column) K(pivot, column) *= inverse;
-            for (int row = 0; row < 9; ++row) {
-                if (row == pivot) continue;
-                const Pack factor = K(row, pivot);
-                K(row, pivot) = 0.0;
-                for (int column = 0; column < 9; ++column) K(row, column) -= factor * K(pivot, column);
+            for (int column = 0; column < 9; ++column) {
+                if (column == pivot) continue;
+                const Pack factor = at(column, pivot) * inverse;
+                for (int row = column; row < 9; ++row)
+                    if (row != pivot) K(row, column) -= factor * at(row, pivot);
             }
+            for (int i = 0; i < 9; ++i)
+                if (i != pivot) at(i, pivot) *= inverse;
+            K(pivot, pivot) = -inverse;
         }
+        for (int column = 0; column < 9; ++column)
+            for (int row = column; row < 9; ++row) K(row, column) = K(column, row) = -K(row, column);
         const Matrix3<Pack> C = cofactor(D);
         std::array<Pack, 9> KC;
         Pack CKC = 0.0;

@@ -137,6 +137,20 @@ struct HourglassStrain {
     Eigen::Matrix<Pack, 8, 4> Gamma;
 };
 
+/// Its derivative along dx.
+inline Eigen::Matrix<Pack, 3, 4> hourglass_tangent(const HourglassStrain& h, const Eigen::Matrix<Pack, 3, 8>& dx) {
+    Eigen::Matrix<Pack, 3, 4> result;
+    for (int s = 0; s < 4; ++s) {
+        Pack spatial[3];
+        for (int i = 0; i < 3; ++i) {
+            spatial[i] = h.Gamma(0, s) * dx(i, 0);
+            for (int a = 1; a < 8; ++a) spatial[i] += h.Gamma(a, s) * dx(i, a);
+        }
+        for (int i = 0; i < 3; ++i) result(i, s) = h.F_inverse(i, 0) * spatial[0] + h.F_inverse(i, 1) * spatial[1] + h.F_inverse(i, 2) * spatial[2];
+    }
+    return result;
+}
+
 inline HourglassStrain hourglass_strain(const Eigen::Matrix<Pack, 3, 8>& x, const Eigen::Matrix<Pack, 8, 3>& G, const PackHourglass& geometry) {
     HourglassStrain h;
     const Matrix3<Pack> F = deformation_gradient<8>(x, G);
@@ -158,11 +172,11 @@ inline HourglassStrain hourglass_strain(const Eigen::Matrix<Pack, 3, 8>& x, cons
     return h;
 }
 
+/// h: at the positions of the cell.
 template <bool WithHessian>
-void add_hourglass(const Eigen::Matrix<Pack, 3, 8>& x, const Eigen::Matrix<Pack, 8, 3>& G, const PackHourglass& geometry, const Pack& volume,
-                   const PackInput& in, PackOutput<8>& out) {
+void add_hourglass(const HourglassStrain& h, const Eigen::Matrix<Pack, 8, 3>& G, const PackHourglass& geometry, const Pack& volume, const PackInput& in,
+                   PackOutput<8>& out) {
     using Shapes = Eigen::Matrix<Pack, 3, 4>;
-    const HourglassStrain h = hourglass_strain(x, G, geometry);
     const HourglassStiffness K(geometry, volume);
     // Rows of B take a motion to the cell's frame: strain rates there are B dx Gamma'.
     Matrix3<Pack> B;
@@ -308,8 +322,10 @@ void evaluate_pack(const PackedCells<N, Q>& cells, int pack, const Eigen::Matrix
         }
     }
     if constexpr (N == 8 && Q == 1)
-        if (!cells.hourglass.empty())
-            add_hourglass<WithHessian>(x, geometry.gradient[0], cells.hourglass[static_cast<std::size_t>(pack)], geometry.volume, in, out);
+        if (!cells.hourglass.empty()) {
+            const PackHourglass& shape = cells.hourglass[static_cast<std::size_t>(pack)];
+            add_hourglass<WithHessian>(hourglass_strain(x, geometry.gradient[0], shape), geometry.gradient[0], shape, geometry.volume, in, out);
+        }
 }
 
 }  // namespace myo

@@ -1,19 +1,53 @@
 #include "model/fibre_forces.hpp"
 
+#include <algorithm>
 #include <array>
 
+#include "base/pack.hpp"
+#include "model/cell_blocks.hpp"
 #include "model/fibre_cells.hpp"
-#include "model/positive_part.hpp"
 
 namespace myo {
 namespace {
 
 using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
 
 template <int N>
 void add_at_nodes(const Eigen::MatrixXi& cells, int cell, const CellVectors<N>& forces, Matrix3Xd& nodal) {
     for (int a = 0; a < N; ++a) nodal.col(cells(a, cell)) += forces.row(a).transpose();
+}
+
+/// Points of one cell side by side.
+template <int N>
+struct FibreLanes {
+    int first = 0, count = 0;   // lanes past the last point repeat it without volume
+    std::array<Pack, 3> s;      // F m
+    Pack length, stiffness;     // |s|; volume times w
+};
+
+/// Calls visit(lanes) for the points first ... last - 1, as many at once as a pack has lanes.
+template <int N, class Visit>
+void for_each_fibre_lanes(const FibreGroup& group, std::size_t first, std::size_t last, const CellVectors<N>& xe, const Visit& visit) {
+    for (std::size_t k = first; k < last; k += static_cast<std::size_t>(pack_width)) {
+        FibreLanes<N> lanes;
+        lanes.first = static_cast<int>(k);
+        lanes.count = static_cast<int>(std::min(last - k, static_cast<std::size_t>(pack_width)));
+        const auto point = [&](auto lane) -> const FibrePoint& { return group.points[std::min(k + lane, last - 1)]; };
+        for (int r = 0; r < 3; ++r) lanes.s[static_cast<std::size_t>(r)] = Pack([&](auto lane) { return shape_of<N>(point(lane)).dot(xe.col(r)); });
+        lanes.length = sqrt(lanes.s[0] * lanes.s[0] + lanes.s[1] * lanes.s[1] + lanes.s[2] * lanes.s[2]);
+        lanes.stiffness = Pack([&](auto lane) { return static_cast<int>(lane) < lanes.count ? group.stiffness_Pa * point(lane).volume : 0.0; });
+        visit(lanes);
+    }
+}
+
+/// forces += shape scale s' of every point.
+template <int N>
+void add_along_fibres(const FibreGroup& group, const FibreLanes<N>& lanes, const Pack& scale, CellVectors<N>& forces) {
+    for (int r = 0; r < 3; ++r) {
+        const Pack along = scale * lanes.s[static_cast<std::size_t>(r)];
+        for (int k = 0; k < lanes.count; ++k)
+            forces.col(r) += static_cast<double>(along[static_cast<std::size_t>(k)]) * shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + k)]);
+    }
 }
 
 /// The matrix of one cell, N x N per pair of coordinates (rr, rs with r < s).
@@ -26,20 +60,27 @@ struct CellMatrix {
         for (auto& p : part) p.setZero();
     }
 
-    template <class Shape>
-    void add(const Shape& shape, const Eigen::Matrix3d& H) {
-        const Eigen::Matrix<double, N, N> products = shape * shape.transpose();
-        for (std::size_t k = 0; k < 6; ++k) part[k] += H(pairs[k][0], pairs[k][1]) * products;
+    /// The points' second derivatives are stiffness (across (I - n n') + n n'), n = s / |s|.
+    void add(const FibreGroup& group, const FibreLanes<N>& lanes, const Pack& across) {
+        std::array<Pack, 6> H;
+        const Pack along = lanes.stiffness * (1.0 - across) / (lanes.length * lanes.length);
+        for (std::size_t k = 0; k < 6; ++k) {
+            const auto [r, s] = pairs[k];
+            H[k] = along * lanes.s[static_cast<std::size_t>(r)] * lanes.s[static_cast<std::size_t>(s)];
+            if (r == s) H[k] += lanes.stiffness * across;
+        }
+        for (std::size_t k = 0; k < 6; ++k)   // one part after the other: it stays in registers
+            for (int point = 0; point < lanes.count; ++point) {
+                const auto shape = shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + point)]);
+                part[k] += shape * (static_cast<double>(H[k][static_cast<std::size_t>(point)]) * shape).transpose();
+            }
     }
 
     void assemble(const Body& body, int cell, SymmetricSparse& matrix) const {
+        const CellBlocks<N> blocks(body.pattern, body.mesh.cells, cell, {0, body.pattern.free_count}, matrix);
+        constexpr std::size_t of[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
         for (int b = 0; b < N; ++b)
-            for (int a = b; a < N; ++a) {
-                Eigen::Matrix3d block;
-                for (std::size_t k = 0; k < 6; ++k) block(pairs[k][0], pairs[k][1]) = block(pairs[k][1], pairs[k][0]) = part[k](a, b);
-                const bool stored = body.pattern.stores(N, cell, a, b);
-                body.pattern.add(matrix, body.mesh.cells, cell, stored ? a : b, stored ? b : a, block);
-            }
+            for (int a = b; a < N; ++a) blocks.add(a, b, [&](int r, int s) { return part[of[r][s]](a, b); });
     }
 };
 
@@ -55,25 +96,20 @@ void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double
         CellVectors<N> forces = CellVectors<N>::Zero();
         CellMatrix<N> matrix;
         if (kind != HessianKind::none) matrix.clear();
-        for (std::size_t k = first; k < last; ++k) {
-            const auto shape = shape_of<N>(group.points[k]);
-            const Vector3d s = xe.transpose() * shape;
-            const double volume = group.points[k].volume, length = s.norm(), stretch = length - activation[g];
-            const double stiffness = volume * group.stiffness_Pa;
-            out.energy += 0.5 * stiffness * stretch * stretch;
-            forces += shape * (stiffness * stretch / length * s).transpose();
-            if (kind == HessianKind::none) continue;
-            Eigen::Matrix3d hessian = volume * fibre_response(s, activation[g], group.stiffness_Pa).hessian;
-            if (kind != HessianKind::exact) project_positive(hessian);
-            matrix.add(shape, hessian);
-        }
+        for_each_fibre_lanes<N>(group, first, last, xe, [&](const FibreLanes<N>& lanes) {
+            const Pack stretch = lanes.length - activation[g], relative = stretch / lanes.length;
+            out.energy += reduce(0.5 * lanes.stiffness * stretch * stretch);
+            add_along_fibres<N>(group, lanes, lanes.stiffness * relative, forces);
+            // Shorter than a it pushes, and bends away: only across the fibre the curvature is ever negative.
+            if (kind == HessianKind::exact) matrix.add(group, lanes, relative);
+            else if (kind != HessianKind::none) matrix.add(group, lanes, max(relative, Pack(0.0)));
+        });
         add_at_nodes<N>(cells, cell, forces, out.gradient);
         if (kind != HessianKind::none) matrix.assemble(*model.body, cell, out.hessian);
     });
 }
 
-Matrix3Xd activation_gradient(const Model& model, const Matrix3Xd& x, const std::vector<double>& activation,
-                              const std::vector<double>& d_activation) {
+Matrix3Xd activation_gradient(const Model& model, const Matrix3Xd& x, const std::vector<double>& d_activation) {
     Matrix3Xd gradient = Matrix3Xd::Zero(3, x.cols());
     const Eigen::MatrixXi& cells = model.body->mesh.cells;
     for_each_fibre_cell(model, [&](auto nodes, std::size_t g, std::size_t first, std::size_t last) {
@@ -82,11 +118,9 @@ Matrix3Xd activation_gradient(const Model& model, const Matrix3Xd& x, const std:
         const int cell = group.points[first].cell;
         const CellVectors<N> xe = cell_vectors<N>(cells, cell, x);
         CellVectors<N> forces = CellVectors<N>::Zero();
-        for (std::size_t k = first; k < last; ++k) {
-            const auto shape = shape_of<N>(group.points[k]);
-            const FibreResponse response = fibre_response(xe.transpose() * shape, activation[g], group.stiffness_Pa);
-            forces += shape * (d_activation[g] * group.points[k].volume * response.gradient_activation).transpose();
-        }
+        for_each_fibre_lanes<N>(group, first, last, xe, [&](const FibreLanes<N>& lanes) {
+            add_along_fibres<N>(group, lanes, -d_activation[g] * lanes.stiffness / lanes.length, forces);
+        });
         add_at_nodes<N>(cells, cell, forces, gradient);
     });
     return gradient;

@@ -1,10 +1,13 @@
 #include "model/internal_forces.hpp"
 
+#include <array>
 #include <cassert>
 
 #include "base/parallel.hpp"
+#include "model/cell_blocks.hpp"
 #include "model/cell_kernel.hpp"
 #include "model/fibre_forces.hpp"
+#include "model/node_sums.hpp"
 #include "model/positive_part.hpp"
 
 namespace myo {
@@ -14,7 +17,7 @@ using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 /// Least work that pays for handing it to another thread, which takes a few microseconds.
-constexpr int packs_per_thread = 24, nodes_per_thread = 1000;
+constexpr int packs_per_thread = 24;
 
 template <class Cells, class Visit>
 void for_each_pack(const Cells& cells, const Visit& visit) {
@@ -49,29 +52,18 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     return in;
 }
 
-/// Free nodes first ... end - 1: the block columns of one thread.
-struct OwnColumns {
-    int first = 0, end = 0;
-};
-
-/// Adds those of one lane's blocks to the assembled matrix that lie in the columns, transposed where the free numbering turns a pair
-/// round.
+/// Adds those of a pack's blocks to the assembled matrix that lie in the columns, one after the other in all lanes: a pack's matrices,
+/// which fill the nearest cache, are read once.
 template <int N>
-void assemble_lane(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, int lane, const PackOutput<N>& out, const OwnColumns& own,
+void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int pack, int lanes, const PackOutput<N>& out, const OwnColumns& own,
                    SymmetricSparse& matrix) {
-    const auto l = static_cast<std::size_t>(lane);
-    const auto owned = [&](int node) {
-        const int column = pattern.free_index[static_cast<std::size_t>(cells(node, cell))];
-        return column >= own.first && column < own.end;
-    };
+    std::array<CellBlocks<N>, pack_width> blocks;
+    for (int lane = 0; lane < lanes; ++lane) blocks[static_cast<std::size_t>(lane)] = CellBlocks<N>(pattern, cells, pack * pack_width + lane, own, matrix);
     for (int b = 0; b < N; ++b)
         for (int a = b; a < N; ++a) {
-            const Matrix3<Pack>& block = out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))];
-            if (pattern.stores(N, cell, a, b)) {
-                if (owned(b)) pattern.add(matrix, cells, cell, a, b, [&](int r, int s) { return static_cast<double>(block(r, s)[l]); });
-            } else if (owned(a)) {
-                pattern.add(matrix, cells, cell, b, a, [&](int r, int s) { return static_cast<double>(block(s, r)[l]); });
-            }
+            const auto* values = reinterpret_cast<const double*>(out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data());
+            for (int lane = 0; lane < lanes; ++lane)
+                blocks[static_cast<std::size_t>(lane)].add(a, b, [&](int r, int s) { return values[(r + 3 * s) * pack_width + lane]; });
         }
 }
 
@@ -92,57 +84,38 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
     }
 }
 
-/// Sums the cells' nodal vectors (see NodeIncidence) at the nodes.
-void add_at_nodes(const NodeIncidence& incidence, const std::vector<Pack>& field, Matrix3Xd& nodal) {
-    const auto* values = reinterpret_cast<const double*>(field.data());
-    parallel_ranges(static_cast<int>(nodal.cols()), nodes_per_thread, [&](int first, int end) {
-        for (int i = first; i < end; ++i) {
-            double x = 0.0, y = 0.0, z = 0.0;
-            for (int k = incidence.start[static_cast<std::size_t>(i)]; k < incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
-                const double* at = values + incidence.offset[static_cast<std::size_t>(k)];
-                x += at[0];
-                y += at[pack_width];
-                z += at[2 * pack_width];
-            }
-            nodal.col(i) += Eigen::Vector3d(x, y, z);
-        }
-    });
-}
-
-/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1.
-template <bool WithHessian, int N, int Q, class KeepHessian>
+/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is evaluated.
+template <bool WithHessian, int N, int Q, class Output>
 void evaluate_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, int first, int end,
-                    std::vector<Pack>& forces, std::vector<Pack>& energies, const KeepHessian& keep_hessian) {
-    PackOutput<N> result;
+                    std::vector<Pack>& forces, std::vector<Pack>& energies, const Output& output) {
     for (int pack = first; pack < end; ++pack) {
+        PackOutput<N>& result = output(pack);
         const PackInput in = pack_input(model, cells, input, pack);
         evaluate_pack<WithHessian>(cells, pack, gather_lanes<N>(cells.lane_nodes[static_cast<std::size_t>(pack)], x), in, result);
         energies[static_cast<std::size_t>(pack)] = result.energy;
         std::copy(result.gradient.data(), result.gradient.data() + 3 * N, forces.begin() + pack * 3 * N);
-        if constexpr (WithHessian) keep_hessian(pack, result);
     }
 }
 
-/// Cells' matrices are made side by side for as many packs as fit in some megabytes, then every thread adds those that fall in its
-/// columns, cell by cell, so that sums do not depend on the number of threads.
+/// Cells' matrices are made side by side for as many packs as fit in a cache, then every thread adds those that fall in its
+/// columns, one after the other, so that sums do not depend on the number of threads.
 template <int N, int Q>
 void assemble_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive,
                     std::vector<Pack>& forces, std::vector<Pack>& energies, SymmetricSparse& hessian) {
-    constexpr int packs_at_once = 256;
+    constexpr int packs_at_once = 32;
     const BlockPattern& pattern = model.body->pattern;
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
         const int count = std::min(packs_at_once, cells.pack_count() - start);
         parallel_ranges(count, packs_per_thread / 8, [&](int first, int end) {
-            evaluate_packs<true>(cells, model, x, input, start + first, start + end, forces, energies, [&](int pack, PackOutput<N>& result) {
-                if (positive) project_cells_positive(cells.lanes_used(pack), result);
-                outputs[static_cast<std::size_t>(pack - start)] = result;
-            });
+            evaluate_packs<true>(cells, model, x, input, start + first, start + end, forces, energies,
+                                 [&](int pack) -> PackOutput<N>& { return outputs[static_cast<std::size_t>(pack - start)]; });
+            if (positive)
+                for (int k = first; k < end; ++k) project_cells_positive(cells.lanes_used(start + k), outputs[static_cast<std::size_t>(k)]);
         });
-        parallel_ranges(pattern.free_count, nodes_per_thread / 8, [&](int first, int end) {
+        parallel_ranges(pattern.free_count, 125, [&](int first, int end) {
             for (int pack = start; pack < start + count; ++pack)
-                for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
-                    assemble_lane<N>(pattern, model.body->mesh.cells, pack * pack_width + lane, lane, outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
+                assemble_pack<N>(pattern, model.body->mesh.cells, pack, cells.lanes_used(pack), outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
         });
     }
 }
@@ -155,12 +128,13 @@ void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3
     energy_field.resize(static_cast<std::size_t>(cells.pack_count()));
     if (kind == HessianKind::none)
         parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
-            evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field, [](int, const PackOutput<N>&) {});
+            PackOutput<N> result;
+            evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field, [&](int) -> PackOutput<N>& { return result; });
         });
     else assemble_packs(cells, model, x, input, kind == HessianKind::positive, force_field, energy_field, out.hessian);
     for (int pack = 0; pack < cells.pack_count(); ++pack)
         for (int lane = 0; lane < cells.lanes_used(pack); ++lane) out.energy += energy_field[static_cast<std::size_t>(pack)][static_cast<std::size_t>(lane)];
-    add_at_nodes(model.body->incidence, force_field, out.gradient);
+    add_at_nodes(model.body->incidence, reinterpret_cast<const double*>(force_field.data()), out.gradient);
 }
 
 /// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
@@ -214,16 +188,9 @@ VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const 
         if constexpr (N == 8 && Q == 1)
             if (!cells.hourglass.empty()) {
                 const HourglassStrain h = hourglass_strain(xe, geometry.gradient[0], cells.hourglass[static_cast<std::size_t>(pack)]);
+                const Eigen::Matrix<Pack, 3, 4> values = dx ? hourglass_tangent(h, de) : h.strain;
                 for (int s = 0; s < 4; ++s)
-                    for (int i = 0; i < 3; ++i) {
-                        Pack value = h.strain(i, s);
-                        if (dx) {
-                            value = 0.0;
-                            for (int a = 0; a < 8; ++a)
-                                value += h.Gamma(a, s) * (h.F_inverse(i, 0) * de(0, a) + h.F_inverse(i, 1) * de(1, a) + h.F_inverse(i, 2) * de(2, a));
-                        }
-                        store(6 + i + 3 * s, value);
-                    }
+                    for (int i = 0; i < 3; ++i) store(6 + i + 3 * s, values(i, s));
             }
     });
     return result;

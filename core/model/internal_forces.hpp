@@ -58,8 +58,8 @@ Eigen::VectorXd strain_tangent(const Body& body, const Eigen::Matrix3Xd& x, cons
 /// Gradient of the viscous energy for a given strain rate, 3 x n [N]; linear in the rate.
 Eigen::Matrix3Xd viscous_gradient(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rate);
 
-/// Derivative of the gradient with respect to the activations along d_activation (per group), 3 x n [N].
-Eigen::Matrix3Xd activation_gradient(const Model& model, const Eigen::Matrix3Xd& x, const std::vector<double>& activation,
-                                     const std::vector<double>& d_activation);
+/// Derivative of the gradient with respect to the activations along d_activation (per group), 3 x n [N]; it is
+/// linear in the activations, so their values do not matter.
+Eigen::Matrix3Xd activation_gradient(const Model& model, const Eigen::Matrix3Xd& x, const std::vector<double>& d_activation);
 
 }  // namespace myo

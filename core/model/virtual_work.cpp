@@ -32,16 +32,7 @@ void add_hourglass_work(const Eigen::Matrix<Pack, 3, 8>& x, const Eigen::Matrix<
             for (int i = 0; i < 3; ++i) result(i, s) = geometry.frame(0, i) * at(0, s) + geometry.frame(1, i) * at(1, s) + geometry.frame(2, i) * at(2, s);
         return result;
     };
-    Shapes change;
-    for (int s = 0; s < 4; ++s) {
-        Pack spatial[3];
-        for (int i = 0; i < 3; ++i) {
-            spatial[i] = 0.0;
-            for (int a = 0; a < 8; ++a) spatial[i] += h.Gamma(a, s) * p(i, a);
-        }
-        for (int i = 0; i < 3; ++i) change(i, s) = h.F_inverse(i, 0) * spatial[0] + h.F_inverse(i, 1) * spatial[1] + h.F_inverse(i, 2) * spatial[2];
-    }
-    const Shapes response = HourglassStiffness(geometry, volume).apply(in_frame(change));
+    const Shapes response = HourglassStiffness(geometry, volume).apply(in_frame(hourglass_tangent(h, p)));
     const auto product_with = [&](const Shapes& strain) {
         const Shapes local = in_frame(strain);
         Pack sum = 0.0;

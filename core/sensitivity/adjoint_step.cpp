@@ -54,12 +54,7 @@ VectorXd AdjointFollower::Guess::next(const SymmetricSparse& H, const VectorXd& 
     for (Eigen::Index order = 1; order < size; ++order)
         for (Eigen::Index k = size - 1; k >= order; --k) D.col(k) = D.col(k - 1) - D.col(k);
     for (Eigen::Index k = 0; k < size; ++k) D.col(k) /= std::max(D.col(k).norm(), std::numeric_limits<double>::min());
-    MatrixXd HD(D.rows(), size);
-    for (Eigen::Index first = 0; first < size; first += 4) {   // four columns at a time have a product of their own
-        const Eigen::Index count = std::min<Eigen::Index>(4, size - first);
-        HD.middleCols(first, count) = symmetric_product(H, D.middleCols(first, count));
-    }
-    const MatrixXd G = D.transpose() * HD;
+    const MatrixXd G = D.transpose() * symmetric_product(H, D);
     return D * G.ldlt().solve(D.transpose() * b);
 }
 

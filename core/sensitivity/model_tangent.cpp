@@ -24,33 +24,33 @@ Eigen::Matrix3Xd force_element_tangent(const Model& model, const ModelTangent& t
     return gradient;
 }
 
-Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
-                                  const Eigen::VectorXd& rate, double time_s, bool before_jump) {
-    // The energy is linear in the moduli and in damping times moduli, so its derivative is itself at their derivatives.
+Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent) {
     Stiffness derivative;
     derivative.fibres = false;
     derivative.elastic = tangent.moduli;
-    if (rate.size() > 0 && (tangent.damping_s != 0.0 || (model.damping_s != 0.0 && !tangent.moduli.empty()))) {
-        derivative.viscous.assign(model.moduli.size(), Moduli{});
-        for (std::size_t c = 0; c < model.moduli.size(); ++c) {
-            const Moduli d = tangent.moduli.empty() ? Moduli{} : tangent.moduli[c];
-            derivative.viscous[c] = {tangent.damping_s * model.moduli[c].mu + model.damping_s * d.mu,
-                                     tangent.damping_s * model.moduli[c].kappa + model.damping_s * d.kappa};
-        }
+    if (tangent.damping_s == 0.0 && (model.damping_s == 0.0 || tangent.moduli.empty())) return derivative;
+    for (std::size_t c = 0; c < model.moduli.size(); ++c) {
+        const Moduli d = tangent.moduli.empty() ? Moduli{} : tangent.moduli[c];
+        derivative.viscous.push_back({tangent.damping_s * model.moduli[c].mu + model.damping_s * d.mu,
+                                      tangent.damping_s * model.moduli[c].kappa + model.damping_s * d.kappa});
     }
-    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
-    if (!derivative.elastic.empty() || !derivative.viscous.empty()) {
-        InternalInput input;
-        input.stiffness = &derivative;
-        input.rate = {0.0, &rate};
-        gradient = internal_energy(model, x, input, HessianKind::none).gradient;
-    }
-    if (!tangent.activation.empty()) {
-        std::vector<double> d_activation;
-        for (const Signal& signal : tangent.activation)
-            d_activation.push_back(before_jump ? signal.value_before(time_s) : signal.value(time_s));
-        gradient += activation_gradient(model, x, activations(model, time_s, before_jump), d_activation);
-    }
+    return derivative;
+}
+
+std::vector<double> activation_tangent(const ModelTangent& tangent, double time_s, bool before_jump) {
+    std::vector<double> derivative;
+    for (const Signal& signal : tangent.activation) derivative.push_back(before_jump ? signal.value_before(time_s) : signal.value(time_s));
+    return derivative;
+}
+
+Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
+                                  const Eigen::VectorXd& rate, double time_s, bool before_jump) {
+    const Stiffness derivative = stiffness_tangent(model, tangent);
+    InternalInput input;
+    input.stiffness = &derivative;
+    if (rate.size() > 0) input.rate = {0.0, &rate};
+    Eigen::Matrix3Xd gradient = internal_energy(model, x, input, HessianKind::none).gradient;
+    if (!tangent.activation.empty()) gradient += activation_gradient(model, x, activation_tangent(tangent, time_s, before_jump));
     return gradient;
 }
 

@@ -27,6 +27,12 @@ ModelTangent damping_tangent();
 /// Derivative of the gradient of the force elements along the parameter, positions and velocities held, 3 x n.
 Eigen::Matrix3Xd force_element_tangent(const Model& model, const ModelTangent& tangent, const ForceState& at);
 
+/// Derivative of the stiffness along the parameter: the energy is linear in the moduli and in damping times moduli.
+Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent);
+
+/// Derivative of the activations along the parameter, per fibre group; empty: zero.
+std::vector<double> activation_tangent(const ModelTangent& tangent, double time_s, bool before_jump);
+
 /// Derivative of the gradient dW/dx of material and fibres along the parameter, positions and strain rate held, 3 x n [N per unit of the parameter].
 Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
                                   const Eigen::VectorXd& rate, double time_s, bool before_jump);

@@ -1,86 +1,157 @@
 #include "sensitivity/tangent_run.hpp"
 
+#include <array>
+#include <utility>
+
+#include "base/parallel.hpp"
 #include "dynamics/statics.hpp"
+#include "model/force_columns.hpp"
+#include "sensitivity/step_coefficients.hpp"
+#include "solver/conjugate_gradient.hpp"
 
 namespace myo {
 namespace {
 
+using Eigen::Index;
 using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Carries d(Kinematics)/d(parameter) along a run.
+MatrixXd gather_columns(const BlockPattern& pattern, const NodalColumns& fields) {
+    MatrixXd result(pattern.unknowns(), fields.rows() / 3);
+    for (Index p = 0; p < result.cols(); ++p)
+        for (int i = 0; i < pattern.free_count; ++i)
+            result.col(p).segment<3>(3 * i) = fields.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p);
+    return result;
+}
+
+NodalColumns scatter_columns(const BlockPattern& pattern, const MatrixXd& unknowns) {
+    NodalColumns result = NodalColumns::Zero(3 * unknowns.cols(), static_cast<Index>(pattern.free_index.size()));
+    for (Index p = 0; p < unknowns.cols(); ++p)
+        for (int i = 0; i < pattern.free_count; ++i)
+            result.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p) = unknowns.col(p).segment<3>(3 * i);
+    return result;
+}
+
+/// times_mass() of all fields.
+NodalColumns mass_times(const NodalColumns& fields, const Eigen::SparseMatrix<double>& mass) {
+    if (fields.size() == 0) return {};
+    NodalColumns result(fields.rows(), fields.cols());
+    parallel_ranges(static_cast<int>(mass.outerSize()), 50, [&](int first, int end) {
+        for (int j = first; j < end; ++j) {
+            result.col(j).setZero();
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, j); entry; ++entry) result.col(j) += entry.value() * fields.col(entry.row());
+        }
+    });
+    return result;
+}
+
+/// The sum of factor times field, where empty fields are zero; a few columns at a time, so that the sum stays in the cache.
+using Terms = std::vector<std::pair<double, const MatrixXd*>>;
+MatrixXd sum_of(const Terms& terms) {
+    MatrixXd result;
+    for (const auto& [factor, field] : terms)
+        if (factor != 0.0 && field->size() > 0) result.resizeLike(*field);
+    constexpr Index entries_at_once = 2048;
+    for (Index start = 0; start < result.size(); start += entries_at_once) {
+        const Index count = std::min(entries_at_once, result.size() - start);
+        Eigen::Map<VectorXd> part(result.data() + start, count);
+        part.setZero();
+        for (const auto& [factor, field] : terms)
+            if (factor != 0.0 && field->size() > 0) part += factor * Eigen::Map<const VectorXd>(field->data() + start, count);
+    }
+    return result;
+}
+
+/// Carries d(Kinematics)/d(parameter) along a run, all parameters side by side. A step is linear but for the solves of its stages (see
+/// StepCoefficients).
 class TangentFollower {
 public:
     TangentFollower(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
                     const std::vector<int>& nodes)
-        : model_(model), options_(options), parameters_(parameters), nodes_(nodes), state_(parameters.size()), kept_(parameters.size()) {}
+        : model_(model), options_(options), parameters_(parameters), nodes_(nodes), kept_(parameters.size()) {
+        for (const ModelTangent& parameter : parameters) stiffness_.push_back(stiffness_tangent(model, parameter));
+    }
 
     void start(StageSolver& solver, const Kinematics& state) {
+        if (parameters_.empty()) return;
         const Body& body = *model_.body;
-        SymmetricSparse K;
-        const Stage stage = static_stage(body, 0.0);
-        if (options_.starts_at_equilibrium()) K = solver.hessian(stage, state.x);
-        for (std::size_t p = 0; p < parameters_.size(); ++p) {
-            Kinematics& d = state_[p];
-            d.x = d.v = d.force = Matrix3Xd::Zero(3, body.node_count());
-            if (options_.starts_at_equilibrium()) {
-                const Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, 0.0, true) + element_tangent(p, stage, state.x, {});
-                d.x = scatter(body.pattern, solver.solve_linear(K, stage, state.x, gather(body.pattern, -g)));
-            }
-            d.strain = strain_tangent(body, state.x, d.x);
-            d.rate = VectorXd::Zero(d.strain.size());
-            keep(p);
+        nodal_[x_field] = NodalColumns::Zero(3 * static_cast<Index>(parameters_.size()), body.node_count());
+        nodal_[v_field] = nodal_[x_field];
+        if (options_.starts_at_equilibrium()) {
+            const Stage stage = static_stage(body, 0.0);
+            const MatrixXd B = -gather_columns(body.pattern, gradient(stage, state.x, state.rate, {}, {}));
+            nodal_[x_field] = scatter_columns(body.pattern, solver.solve_linear(solver.hessian(stage, state.x), stage, state.x, B));
+            if (with_strains()) strain_[strain_field] = strain_tangents(body, state.x, nodal_[x_field]);
         }
+        keep();
     }
 
     void jump(StageSolver& solver, const Kinematics& state, double t) {
+        if (parameters_.empty()) return;
         const BlockPattern& pattern = model_.body->pattern;
         const Stage stage = jump_stage(state, t);
         const SymmetricSparse K = solver.hessian(stage, state.x);
-        for (std::size_t p = 0; p < parameters_.size(); ++p) {
-            Kinematics& d = state_[p];
-            Matrix3Xd g = gradient_tangent(model_, parameters_[p], state.x, state.rate, t, false) + element_tangent(p, stage, state.x, d.v);
-            if (model_.damping_s > 0.0) g += viscous_gradient(model_, state.x, d.rate);
-            const Matrix3Xd velocity_force = model_.velocity_force_1_s * times_mass(d.v, solver.mass());
-            d.force = scatter(pattern, -(K.selfadjointView<Eigen::Lower>() * gather(pattern, d.x)) - gather(pattern, g - velocity_force));
-        }
+        NodalColumns pushed = gradient(stage, state.x, state.rate, strain_[rate_field], nodal_[v_field]);
+        if (model_.velocity_force_1_s != 0.0) pushed -= model_.velocity_force_1_s * mass_times(nodal_[v_field], solver.mass());
+        nodal_[force_field] = scatter_columns(pattern, -symmetric_product(K, gather_columns(pattern, nodal_[x_field])) - gather_columns(pattern, pushed));
     }
 
-    void step(StageSolver& solver, const TimeScheme& scheme, double t, double h, const std::vector<SolvedStage>& solved) {
+    void step(StageSolver& solver, const TimeScheme& scheme, double, double h, const std::vector<SolvedStage>& solved) {
+        if (parameters_.empty()) return;
         const Body& body = *model_.body;
-        // Every parameter's step runs up to stage k, leaves its right-hand side there and is run again once all of them are solved
-        // together: the passes over matrix and factor are what costs.
-        std::vector<std::vector<StageSolution>> d_solved(parameters_.size());
-        for (std::size_t k = 0; k < solved.size(); ++k) {
-            const Stage& stage = solved[k].stage;
-            const StageSolution& solution = solved[k].solution;
-            const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
-            Eigen::MatrixXd B(body.pattern.unknowns(), static_cast<Eigen::Index>(parameters_.size()));
-            for (std::size_t p = 0; p < parameters_.size(); ++p)
-                run_step(solver, scheme, t, h, p, d_solved[p], [&](const Stage& d_stage) {
-                    Matrix3Xd g = gradient_tangent(model_, parameters_[p], solution.x, rate, stage.time_s, stage.before_jump);
-                    if (model_.damping_s > 0.0) g += viscous_gradient(model_, solution.x, d_stage.rate_history);
-                    if (!model_.force_elements.empty()) g += element_tangent(p, stage, solution.x, d_stage.velocity_history);
-                    B.col(static_cast<Eigen::Index>(p)) = gather(body.pattern, d_stage.constant - g);
-                });
-            if (guesses_.size() <= k) guesses_.resize(k + 1);
-            const Eigen::MatrixXd X = solver.solve_linear(solver.hessian(stage, solution.x), stage, solution.x, B, guesses_[k].next());
-            guesses_[k].add(X);
-            for (std::size_t p = 0; p < parameters_.size(); ++p) {
-                StageSolution d_solution;
-                d_solution.x = scatter(body.pattern, X.col(static_cast<Eigen::Index>(p)));
-                d_solution.strain = strain_tangent(body, solution.x, d_solution.x);
-                d_solved[p].push_back(std::move(d_solution));
+        const StepCoefficients step = step_coefficients(scheme, h, step_before_s_, model_.velocity_force_1_s);
+        std::vector<NodalColumns> solutions(solved.size());
+        std::vector<MatrixXd> strains(solved.size());
+        const auto nodal_row = [&](int row) {
+            Terms plain, through_mass;
+            for (int c = 0; c < step.nodal.cols(); ++c) {
+                const MatrixXd* field = c < nodal_fields ? &nodal_[static_cast<std::size_t>(c)] : &solutions[static_cast<std::size_t>(c - nodal_fields)];
+                (is_momentum_row(row) && is_motion_column(c) ? through_mass : plain).emplace_back(step.nodal(row, c), field);
             }
+            const NodalColumns momentum = mass_times(sum_of(through_mass), solver.mass());
+            plain.emplace_back(1.0, &momentum);
+            return sum_of(plain);
+        };
+        const auto strain_row = [&](int row) {
+            Terms terms;
+            for (int c = 0; c < step.strain.cols(); ++c)
+                terms.emplace_back(step.strain(row, c), c < strain_fields ? &strain_[static_cast<std::size_t>(c)] : &strains[static_cast<std::size_t>(c - strain_fields)]);
+            return sum_of(terms);
+        };
+
+        // Velocities of a stage depend on motions as rates of strain on strains.
+        const auto velocity_row = [&](int row) {
+            Terms terms;
+            if (!depends_on_velocity(model_)) return NodalColumns();
+            for (int c = 0; c < step.strain.cols(); ++c)
+                terms.emplace_back(step.strain(row, c), c < strain_fields ? &nodal_[static_cast<std::size_t>(c)] : &solutions[static_cast<std::size_t>(c - strain_fields)]);
+            return sum_of(terms);
+        };
+
+        guesses_.resize(solved.size());
+        for (std::size_t k = 0; k < solved.size(); ++k) {
+            const auto& [stage, solution] = solved[k];
+            const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
+            const auto stage_number = static_cast<int>(k);
+            MatrixXd B = gather_columns(body.pattern, nodal_row(nodal_fields + stage_number));
+            B -= gather_columns(body.pattern, gradient(stage, solution.x, rate, strain_row(strain_fields + stage_number), velocity_row(strain_fields + stage_number)));
+            const MatrixXd X = solver.solve_linear(solver.hessian(stage, solution.x), stage, solution.x, B, guesses_[k].next());
+            guesses_[k].add(X);
+            solutions[k] = scatter_columns(body.pattern, X);
+            if (with_strains()) strains[k] = strain_tangents(body, solution.x, solutions[k]);
         }
-        for (std::size_t p = 0; p < parameters_.size(); ++p) {
-            Kinematics next = run_step(solver, scheme, t, h, p, d_solved[p], [](const Stage&) {});
-            // The mass couples clamped nodes to their free neighbours; forces on them are reactions.
-            for (int i = 0; i < body.node_count(); ++i)
-                if (body.clamped[static_cast<std::size_t>(i)]) next.force.col(i).setZero();
-            state_[p] = std::move(next);
-            keep(p);
-        }
+        std::array<NodalColumns, nodal_fields> nodal;
+        std::array<MatrixXd, strain_fields> strain;
+        for (int field = 0; field < nodal_fields; ++field) nodal[static_cast<std::size_t>(field)] = nodal_row(field);
+        for (int field = 0; field < strain_fields; ++field) strain[static_cast<std::size_t>(field)] = strain_row(field);
+        nodal_ = std::move(nodal);
+        strain_ = std::move(strain);
+        // The mass couples clamped nodes to their free neighbours; forces on them are reactions.
+        for (int i = 0; i < body.node_count(); ++i)
+            if (body.clamped[static_cast<std::size_t>(i)] && nodal_[force_field].size() > 0) nodal_[force_field].col(i).setZero();
+        step_before_s_ = step.nodal.row(v_lag_field).any() ? h : 0.0;   // of schemes that look back
+        keep();
     }
 
     std::vector<NodeTangent> take() { return std::move(kept_); }
@@ -88,61 +159,81 @@ public:
 private:
     /// Where to start the linear solves: the solutions of the last two steps, continued.
     struct Guess {
-        Eigen::MatrixXd last, before_last;
-        Eigen::MatrixXd next() const { return before_last.size() > 0 ? Eigen::MatrixXd(2.0 * last - before_last) : last; }
-        void add(const Eigen::MatrixXd& X) {
+        MatrixXd last, before_last;
+        MatrixXd next() const { return before_last.size() > 0 ? MatrixXd(2.0 * last - before_last) : last; }
+        void add(const MatrixXd& X) {
             before_last = std::move(last);
             last = X;
         }
     };
 
-    /// One parameter's step with the stage solutions at hand; at the first stage without one, its derivative goes to `stop`.
-    template <class Stop>
-    Kinematics run_step(StageSolver& solver, const TimeScheme& scheme, double t, double h, std::size_t p, const std::vector<StageSolution>& d_solved,
-                        const Stop& stop) const {
-        std::size_t k = 0;
-        const auto solve = [&](const Stage& d_stage, StageSolution& d_solution) {
-            if (k == d_solved.size()) {
-                stop(d_stage);
-                return false;
+    /// Strains act through viscous forces alone.
+    bool with_strains() const { return model_.damping_s > 0.0; }
+
+    /// Derivatives of dW/dx at x with the positions held: along the parameters, and along those of the strain rates and of the velocities.
+    NodalColumns gradient(const Stage& stage, const Matrix3Xd& x, const VectorXd& rate, const MatrixXd& d_rates, const NodalColumns& d_velocities) const {
+        bool elastic = false, viscous = false;
+        for (const Stiffness& s : stiffness_) {
+            elastic = elastic || !s.elastic.empty();
+            viscous = viscous || !s.viscous.empty();
+        }
+        UnitForces forces;
+        if (elastic || viscous) forces = unit_forces(model_, x, viscous ? rate : VectorXd());
+        NodalColumns result = gradient_columns(model_, x, forces, stiffness_, with_strains() ? d_rates : MatrixXd());
+        for (std::size_t g = 0; g < model_.fibres->size(); ++g) {
+            Matrix3Xd of_group;   // per unit of its activation
+            for (std::size_t p = 0; p < parameters_.size(); ++p) {
+                const std::vector<double> d = activation_tangent(parameters_[p], stage.time_s, stage.before_jump);
+                if (d.empty() || d[g] == 0.0) continue;
+                if (of_group.size() == 0) {
+                    std::vector<double> unit(model_.fibres->size(), 0.0);
+                    unit[g] = 1.0;
+                    of_group = activation_gradient(model_, x, unit);
+                }
+                nodal_column(result, static_cast<Index>(p)) += d[g] * of_group;
             }
-            d_solution = d_solved[k++];
-            return true;
-        };
-        Kinematics next;
-        const StepProblem<decltype(solve)> problem{solver.mass(), t, h, model_.velocity_force_1_s, solve};
-        take_step(scheme, problem, state_[p], next);
-        return next;
+        }
+        if (!model_.force_elements.empty()) add_force_elements(stage, x, d_velocities, result);
+        return result;
     }
 
-    /// What the parameter and a change of the velocities change in the gradient of the force elements.
-    Matrix3Xd element_tangent(std::size_t p, const Stage& stage, const Matrix3Xd& x, const Matrix3Xd& dv) const {
+    void add_force_elements(const Stage& stage, const Matrix3Xd& x, const NodalColumns& d_velocities, NodalColumns& result) const {
         const Matrix3Xd v = stage_velocities(stage, x);
         const ForceState at = force_state(stage, x, v);
-        Matrix3Xd g = force_element_tangent(model_, parameters_[p], at);
-        if (dv.size() > 0 && depends_on_velocity(model_)) g += velocity_tangent(model_, at, dv);
-        return g;
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            auto column = nodal_column(result, static_cast<Index>(p));
+            column += force_element_tangent(model_, parameters_[p], at);
+            if (d_velocities.size() > 0) column += velocity_tangent(model_, at, nodal_column(d_velocities, static_cast<Index>(p)));
+        }
     }
 
-    void keep(std::size_t p) {
-        kept_[p].positions.emplace_back(state_[p].x(Eigen::all, nodes_));
-        kept_[p].velocities.emplace_back(state_[p].v(Eigen::all, nodes_));
+    void keep() {
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            const auto of_nodes = [&](NodalField field) { return Matrix3Xd(nodal_column(nodal_[field], static_cast<Index>(p))(Eigen::all, nodes_)); };
+            kept_[p].positions.push_back(of_nodes(x_field));
+            kept_[p].velocities.push_back(of_nodes(v_field));
+        }
     }
 
     const Model& model_;
     const SimulationOptions& options_;
     const std::vector<ModelTangent>& parameters_;
     const std::vector<int>& nodes_;
-    std::vector<Kinematics> state_;   // derivatives, per parameter
-    std::vector<Guess> guesses_;      // per stage of a step
+    std::vector<Stiffness> stiffness_;                  // its derivatives, per parameter
+    std::array<NodalColumns, nodal_fields> nodal_;      // derivatives of the state; empty: zero
+    std::array<MatrixXd, strain_fields> strain_;        // a column per parameter; empty: zero
+    double step_before_s_ = 0.0;                        // see Kinematics
+    std::vector<Guess> guesses_;                        // per stage of a step
     std::vector<NodeTangent> kept_;
 };
 
 }  // namespace
 
 SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
-                                      const std::vector<int>& nodes, const Progress& progress) {
-    TangentFollower follower(model, options, parameters, nodes);
+                                      const std::vector<int>& nodes, const Progress& progress, double tolerance) {
+    SimulationOptions tangent_options = options;
+    tangent_options.solver.tangent_tolerance = tolerance;
+    TangentFollower follower(model, tangent_options, parameters, nodes);
     RunObserver observer;
     observer.started = [&](StageSolver& solver, const Kinematics& state) { follower.start(solver, state); };
     observer.jumped = [&](StageSolver& solver, const Kinematics& state, double t) { follower.jump(solver, state, t); };
@@ -150,7 +241,7 @@ SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOption
         follower.step(solver, scheme, t, h, solved);
     };
     SensitiveTrace result;
-    result.trace = simulate(model, options, progress, observer);
+    result.trace = simulate(model, tangent_options, progress, observer);
     result.tangents = follower.take();
     return result;
 }

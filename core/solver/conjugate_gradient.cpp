@@ -14,10 +14,52 @@ using Eigen::RowVectorXd;
 
 RowVectorXd column_dots(const MatrixXd& A, const MatrixXd& B) { return A.cwiseProduct(B).colwise().sum(); }
 
+/// Whether columns and rows come in threes throughout, like the coordinates of nodes.
+bool has_blocks_of_three(const SymmetricSparse& lower) {
+    const int* start = lower.outerIndexPtr();
+    const int* rows = lower.innerIndexPtr();
+    if (lower.outerSize() % 3 != 0) return false;
+    for (int j = 0; j < lower.outerSize(); j += 3) {
+        const int length = start[j + 1] - start[j];
+        if (length < 3 || length % 3 != 0 || rows[start[j]] != j || start[j + 2] - start[j + 1] != length - 1 || start[j + 3] - start[j + 2] != length - 2) return false;
+        for (int e = 0; e < length; e += 3)
+            if (rows[start[j] + e + 2] != rows[start[j] + e] + 2) return false;
+        if (!std::equal(rows + start[j] + 1, rows + start[j] + length, rows + start[j + 1]) ||
+            !std::equal(rows + start[j] + 2, rows + start[j] + length, rows + start[j + 2]))
+            return false;
+    }
+    return true;
+}
+
+/// y += A x for the columns j, j + 1, j + 2, block by block: x and y are touched once for nine entries.
+template <class Lane>
+void add_block_column(const SymmetricSparse& lower, int j, const std::vector<Lane>& x, std::vector<Lane>& y) {
+    const int first = lower.outerIndexPtr()[j], length = lower.outerIndexPtr()[j + 1] - first;
+    const int* rows = lower.innerIndexPtr() + first;
+    const double* a = lower.valuePtr() + first;   // entry e of the columns, as if all began where the first does
+    const double *b = a + length - 1, *c = b + length - 2;
+    const auto at = static_cast<std::size_t>(j);
+    const Lane xa = x[at], xb = x[at + 1], xc = x[at + 2];
+    Lane ya = a[0] * xa + a[1] * xb + a[2] * xc, yb = a[1] * xa + b[1] * xb + b[2] * xc, yc = a[2] * xa + b[2] * xb + c[2] * xc;
+    for (int e = 3; e < length; e += 3) {
+        const auto i = static_cast<std::size_t>(rows[e]);
+        for (int r = 0; r < 3; ++r) {
+            const Lane xi = x[i + static_cast<std::size_t>(r)];
+            ya += a[e + r] * xi;
+            yb += b[e + r] * xi;
+            yc += c[e + r] * xi;
+            y[i + static_cast<std::size_t>(r)] += a[e + r] * xa + b[e + r] * xb + c[e + r] * xc;
+        }
+    }
+    y[at] += ya;
+    y[at + 1] += yb;
+    y[at + 2] += yc;
+}
+
 /// Columns first ... first + count - 1 of Y = A X, count <= K: a row's numbers lie side by side, so that the matrix is read once for
 /// K columns.
 template <int K>
-void product_of(const SymmetricSparse& lower, const MatrixXd& X, Eigen::Index first, Eigen::Index count, MatrixXd& Y) {
+void product_of(const SymmetricSparse& lower, bool in_threes, const MatrixXd& X, Eigen::Index first, Eigen::Index count, MatrixXd& Y) {
     using Lane = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, K>>;
     const auto n = static_cast<std::size_t>(X.rows());
     std::vector<Lane> x(n), y(n, Lane(0.0));
@@ -27,7 +69,9 @@ void product_of(const SymmetricSparse& lower, const MatrixXd& X, Eigen::Index fi
     const int* start = lower.outerIndexPtr();
     const int* rows = lower.innerIndexPtr();
     const double* values = lower.valuePtr();
-    for (std::size_t j = 0; j < n; ++j) {
+    if (in_threes)
+        for (int j = 0; j < lower.outerSize(); j += 3) add_block_column(lower, j, x, y);
+    for (std::size_t j = 0; j < n && !in_threes; ++j) {
         Lane sum = 0.0;
         const Lane xj = x[j];
         int entry = start[j];
@@ -100,15 +144,17 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
 
 MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
     MatrixXd Y(X.rows(), X.cols());
-    constexpr int wide = 16, narrow = 4;
+    constexpr int wide = 16;
     const Eigen::Index columns = X.cols();
     const int groups = static_cast<int>((columns + wide - 1) / wide);
+    const bool in_threes = has_blocks_of_three(lower);
     parallel_ranges(groups, 1, [&](int begin, int end) {
         for (Eigen::Index first = begin * wide; first < std::min<Eigen::Index>(end * wide, columns); first += wide) {
             const Eigen::Index count = std::min<Eigen::Index>(wide, columns - first);
-            if (count == 1) product_of<1>(lower, X, first, count, Y);
-            else if (count <= narrow) product_of<narrow>(lower, X, first, count, Y);
-            else product_of<wide>(lower, X, first, count, Y);
+            if (count == 1) product_of<1>(lower, in_threes, X, first, count, Y);
+            else if (count <= 4) product_of<4>(lower, in_threes, X, first, count, Y);
+            else if (count <= 8) product_of<8>(lower, in_threes, X, first, count, Y);
+            else product_of<wide>(lower, in_threes, X, first, count, Y);
         }
     });
     return Y;

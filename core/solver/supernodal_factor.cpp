@@ -299,6 +299,7 @@ Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<S
         const Eigen::Index count = B.cols() - first;
         if (count == 1) solve_columns<Scalar, 1>(pattern, factor, B, first++, 1, X);
         else if (count <= 4) solve_columns<Scalar, 4>(pattern, factor, B, std::exchange(first, first + count), count, X);
+        else if (count <= 8) solve_columns<Scalar, 8>(pattern, factor, B, std::exchange(first, first + count), count, X);
         else solve_columns<Scalar, 16>(pattern, factor, B, std::exchange(first, first + 16), std::min<Eigen::Index>(count, 16), X);
     }
     return X;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include <random>
+
 #include "solver/conjugate_gradient.hpp"
 
 namespace myo {
@@ -92,6 +94,27 @@ TEST(ConjugateGradient, ZeroRightHandSideIsDoneAtOnce) {
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(report.iterations, 0);
     EXPECT_TRUE(report.solution.isZero(0.0));
+}
+
+/// With and without the blocks of three that the coordinates of nodes make, for every number of columns side by side.
+TEST(SymmetricProduct, EqualsTheDenseOne) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> value(-1.0, 1.0);
+    for (const bool blocks : {true, false}) {
+        const int n = 24;
+        SymmetricSparse lower(n, n);
+        for (int j = 0; j < n; ++j)
+            for (int i = j; i < n; ++i) {
+                const bool kept = (i / 3 + 2 * (j / 3)) % 3 == 0 || i / 3 == j / 3;
+                if (kept && (blocks || (i + j) % 5 != 1)) lower.insert(i, j) = value(random);
+            }
+        lower.makeCompressed();
+        const MatrixXd full = MatrixXd(lower).selfadjointView<Eigen::Lower>();
+        for (const int columns : {1, 3, 7, 16, 37}) {
+            const MatrixXd X = MatrixXd::NullaryExpr(n, columns, [&] { return value(random); });
+            EXPECT_LT((symmetric_product(lower, X) - full * X).norm(), 1e-14 * full.norm() * X.norm()) << blocks << ' ' << columns;
+        }
+    }
 }
 
 }  // namespace

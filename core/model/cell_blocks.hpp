@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+
+#include "model/block_pattern.hpp"
+
+namespace myo {
+
+/// Free nodes first ... end - 1: the block columns of one thread.
+struct OwnColumns {
+    int first = 0, end = 0;
+};
+
+/// Where the blocks of one cell go in an assembled matrix: BlockPattern::add with what the blocks of a cell share looked up once,
+/// which is most of an assembly. Blocks out of the own columns are left out.
+template <int N>
+class CellBlocks {
+public:
+    CellBlocks() = default;
+    CellBlocks(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, const OwnColumns& own, SymmetricSparse& matrix)
+        : ranks_(pattern.cell_blocks.data() + static_cast<std::size_t>(cell) * N * N) {
+        for (int b = 0; b < N; ++b) {
+            const int j = pattern.free_index[static_cast<std::size_t>(cells(b, cell))];
+            if (j < own.first || j >= own.end) continue;
+            const int* start = matrix.outerIndexPtr() + 3 * j;
+            columns_[static_cast<std::size_t>(b)] = {matrix.valuePtr() + start[0], start[1] - start[0]};
+        }
+    }
+
+    /// Adds the block (a, b), where entry(r, s) is d2W / dx_ra dx_sb, transposed where the free numbering turns the pair round.
+    template <class Entry>
+    void add(int a, int b, const Entry& entry) const {
+        if (ranks_[b * N + a] >= 0) add_to(ranks_[b * N + a], columns_[static_cast<std::size_t>(b)], entry);
+        else if (ranks_[a * N + b] >= 0) add_to(ranks_[a * N + b], columns_[static_cast<std::size_t>(a)], [&](int r, int s) { return entry(s, r); });
+    }
+
+private:
+    struct BlockColumn {
+        double* first = nullptr;   // of its first column; null: not ours
+        int length = 0;            // of that column; the next two are shorter by one each
+    };
+
+    template <class Entry>
+    static void add_to(int rank, const BlockColumn& column, const Entry& entry) {
+        if (!column.first) return;
+        double* values = column.first + 3 * rank;
+        for (int s = 0; s < 3; ++s) {
+            for (int r = rank == 0 ? s : 0; r < 3; ++r) values[r] += entry(r, s);
+            values += column.length - 1 - s;
+        }
+    }
+
+    const int* ranks_ = nullptr;
+    std::array<BlockColumn, N> columns_;
+};
+
+}  // namespace myo
