@@ -44,7 +44,7 @@ TEST(FibresAlongLine, HaveTheVolumeOfTheCylinder) {
     const Polyline line = through({{0.15, 0.3, 0.2}, {0.85, 0.5, 0.4}});
     for (const CellType type : all_cell_types)
         for (const double radius : {0.15, 0.05, 0.015})
-            for (const Eigen::Vector3i& cells : {Eigen::Vector3i(2, 2, 1), Eigen::Vector3i(5, 4, 3), Eigen::Vector3i(12, 9, 7)}) {
+            for (const Eigen::Vector3i& cells : {Eigen::Vector3i(2, 2, 1), Eigen::Vector3i(5, 4, 3), Eigen::Vector3i(9, 7, 5)}) {
                 const VolumeMesh mesh = mesh_of(type, cells);
                 const FibreGroup group = fibres_along_line(mesh, line, radius, 1.0, "tube");
                 const double error = std::abs(group.volume() / (pi * radius * radius * line.length_m()) - 1.0);

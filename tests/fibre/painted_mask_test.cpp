@@ -52,14 +52,14 @@ TEST(PaintedMask, PullsLikeTheBoxOfTheSameCells) {
 /// Painted on one mesh, used on another: volume, place and pull stay.
 TEST(PaintedMask, SurvivesRemeshing) {
     double worst = 0.0, worst_work = 0.0;
-    for (const CellType from : all_cell_types) {
+    for (const CellType from : {CellType::hex8, CellType::tet4}) {
         const VolumeMesh painted = from == CellType::hex8 ? mesh_of(from, {10, 8, 6}) : mesh_of(from, {5, 4, 4});
         const PaintedMask mask = boxed_mask(painted);
         const FibreGroup original = fibres_of_mask(painted, mask, 2.0, "painted");
         const double expected = original.volume();
         const Eigen::Vector4d expected_work = test::work(painted, test::fibre_forces(painted, original, test::bent(painted), 0.8));
         for (const CellType to : all_cell_types)
-            for (const Eigen::Vector3i& cells : {Eigen::Vector3i(3, 3, 2), Eigen::Vector3i(7, 5, 5), Eigen::Vector3i(13, 11, 7)}) {
+            for (const Eigen::Vector3i& cells : {Eigen::Vector3i(3, 3, 2), Eigen::Vector3i(7, 5, 5), Eigen::Vector3i(11, 9, 7)}) {
                 const VolumeMesh mesh = mesh_of(to, cells);
                 const FibreGroup group = fibres_of_mask(mesh, mask, 2.0, "again");
                 const double error = group.volume() / expected - 1.0;
