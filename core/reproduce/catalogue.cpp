@@ -8,6 +8,9 @@ const std::vector<ReproductionCase>& reproduction_catalogue() {
         reproduce_beam_modulus(),
         reproduce_numerical_damping(),
         reproduce_lambda(),
+        reproduce_arm_static(),
+        reproduce_arm_dynamic(),
+        reproduce_fish(),
     };
     return cases;
 }

@@ -8,5 +8,8 @@ ReproductionCase reproduce_beam_static();
 ReproductionCase reproduce_beam_modulus();
 ReproductionCase reproduce_numerical_damping();
 ReproductionCase reproduce_lambda();
+ReproductionCase reproduce_arm_static();
+ReproductionCase reproduce_arm_dynamic();
+ReproductionCase reproduce_fish();
 
 }  // namespace myo

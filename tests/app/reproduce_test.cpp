@@ -13,7 +13,7 @@ TEST(ReproduceCommand, ListsItsCases) {
     const ProgramRun run = run_program({"reproduce"});
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.err, "");
-    for (const char* id : {"beam-static", "beam-modulus", "numerical-damping", "lambda"}) EXPECT_THAT(run.out, HasSubstr(id));
+    for (const char* id : {"beam-static", "beam-modulus", "numerical-damping", "lambda", "arm-static", "arm-dynamic", "fish"}) EXPECT_THAT(run.out, HasSubstr(id));
 }
 
 TEST(ReproduceCommand, TurnsDownWhatItDoesNotKnow) {
