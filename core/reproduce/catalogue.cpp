@@ -10,6 +10,7 @@ const std::vector<ReproductionCase>& reproduction_catalogue() {
         reproduce_lambda(),
         reproduce_arm_static(),
         reproduce_arm_dynamic(),
+        reproduce_arm_chamber(),
         reproduce_fish(),
     };
     return cases;

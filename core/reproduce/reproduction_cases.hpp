@@ -10,6 +10,7 @@ ReproductionCase reproduce_numerical_damping();
 ReproductionCase reproduce_lambda();
 ReproductionCase reproduce_arm_static();
 ReproductionCase reproduce_arm_dynamic();
+ReproductionCase reproduce_arm_chamber();
 ReproductionCase reproduce_fish();
 
 }  // namespace myo
