@@ -17,9 +17,6 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Relative residual of the linear solves.
-constexpr double tangent_tolerance = 1e-8;
-
 MatrixXd gather_columns(const BlockPattern& pattern, const NodalColumns& fields) {
     MatrixXd result(pattern.unknowns(), fields.rows() / 3);
     for (Index p = 0; p < result.cols(); ++p)
@@ -213,9 +210,7 @@ private:
 
 SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
                                       const std::vector<int>& nodes, const Progress& progress) {
-    SimulationOptions tangent_options = options;
-    tangent_options.solver.tangent_tolerance = tangent_tolerance;
-    TangentFollower follower(model, tangent_options, parameters, nodes);
+    TangentFollower follower(model, options, parameters, nodes);
     RunObserver observer;
     observer.started = [&](StageSolver& solver, const Kinematics& state) { follower.start(solver, state); };
     observer.jumped = [&](StageSolver& solver, const Kinematics& state, double t) { follower.jump(solver, state, t); };
@@ -223,7 +218,7 @@ SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOption
         follower.step(solver, scheme, t, h, solved);
     };
     SensitiveTrace result;
-    result.trace = simulate(model, tangent_options, progress, observer);
+    result.trace = simulate(model, options, progress, observer);
     result.tangents = follower.take();
     return result;
 }
