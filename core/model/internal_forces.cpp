@@ -52,19 +52,18 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     return in;
 }
 
-/// Adds those of a pack's blocks to the assembled matrix that lie in the columns, one after the other in all lanes: a pack's matrices,
-/// which fill the nearest cache, are read once.
+/// Adds those of a pack's blocks to the assembled matrix that lie in the columns, cell by cell.
 template <int N>
 void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int pack, int lanes, const PackOutput<N>& out, const OwnColumns& own,
                    SymmetricSparse& matrix) {
-    std::array<CellBlocks<N>, pack_width> blocks;
-    for (int lane = 0; lane < lanes; ++lane) blocks[static_cast<std::size_t>(lane)] = CellBlocks<N>(pattern, cells, pack * pack_width + lane, own, matrix);
-    for (int b = 0; b < N; ++b)
-        for (int a = b; a < N; ++a) {
-            const auto* values = reinterpret_cast<const double*>(out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data());
-            for (int lane = 0; lane < lanes; ++lane)
-                blocks[static_cast<std::size_t>(lane)].add(a, b, [&](int r, int s) { return values[(r + 3 * s) * pack_width + lane]; });
-        }
+    for (int lane = 0; lane < lanes; ++lane) {
+        const CellBlocks<N> blocks(pattern, cells, pack * pack_width + lane, own, matrix);
+        for (int b = 0; b < N; ++b)
+            for (int a = b; a < N; ++a) {
+                const auto* values = reinterpret_cast<const double*>(out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data()) + lane;
+                blocks.add(a, b, [&](int r, int s) { return values[(r + 3 * s) * pack_width]; });
+            }
+    }
 }
 
 template <int N>

@@ -230,10 +230,8 @@ private:
 }  // namespace
 
 SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
-                                      const std::vector<int>& nodes, const Progress& progress, double tolerance) {
-    SimulationOptions tangent_options = options;
-    tangent_options.solver.tangent_tolerance = tolerance;
-    TangentFollower follower(model, tangent_options, parameters, nodes);
+                                      const std::vector<int>& nodes, const Progress& progress) {
+    TangentFollower follower(model, options, parameters, nodes);
     RunObserver observer;
     observer.started = [&](StageSolver& solver, const Kinematics& state) { follower.start(solver, state); };
     observer.jumped = [&](StageSolver& solver, const Kinematics& state, double t) { follower.jump(solver, state, t); };
@@ -241,7 +239,7 @@ SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOption
         follower.step(solver, scheme, t, h, solved);
     };
     SensitiveTrace result;
-    result.trace = simulate(model, tangent_options, progress, observer);
+    result.trace = simulate(model, options, progress, observer);
     result.tangents = follower.take();
     return result;
 }
