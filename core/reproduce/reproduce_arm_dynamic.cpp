@@ -56,11 +56,12 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     result.tables = {signal_table("Recording " + trial.name + ", " + format_number(trial.time_s.tail(1)(0), 3) + " s: tip centre with the signals found, to the measured one", *fits)};
     result.figures = {{"", {signal_figure("Tip centre, " + trial.name, *fits), "Below: activation of muscle 1, dashed of muscle 2."}}};
     const auto said = [&](const SignalFit& fit) { return in_mm(fit.rms_m(0)) + ", " + in_mm(fit.rms_m(1)) + ", " + in_mm(fit.rms_m(2)) + " mm rms in x, y, z"; };
-    const auto smoothness = [](const SignalFit& fit) { return "muscle 1 takes at least " + format_number(1e3 * fit.range / fit.largest_rate_1_s, 2) + " ms for the whole of its range"; };
+    const auto whole_range = [](const SignalFit& fit) { return format_number(1e3 * fit.range / fit.largest_rate_1_s, 3) + " ms"; };
     const SignalFit &published = (*fits)[0], &single = (*fits)[1], &tied = (*fits)[2], &both = (*fits)[3];
     result.findings = {"AC2 in our model follows the tip centre with " + said(tied) + ", AC1 with " + said(single) + ", a signal for each muscle with " + said(both) + ".",
                        "As published AC2 leaves " + said(published) + ": only x and z were asked for.",
-                       "Linear from knot to knot, " + smoothness(tied) + " (AC2) and " + smoothness(single) + " (AC1); as published the signal is held for 50 ms and then jumps, by up to " +
+                       "The signals are linear from knot to knot; where they change fastest the muscle's whole range would take " + whole_range(single) + " (AC1), " + whole_range(tied) + " (AC2) and " +
+                           whole_range(both) + " (two signals). As published the signal is held for 50 ms and then jumps, by up to " +
                            format_number(100.0 * published.largest_jump / published.range, 2) + " % of its range."};
     result.values["fits"] = signal_json(*fits);
     result.values["recording"] = trial.name;
