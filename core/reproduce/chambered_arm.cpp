@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double half = 22.2e-3, inner = 19.2e-3, web = 2.2e-3, length = 0.1, cap = 3e-3;
+constexpr double half = 22.2e-3, inner = 16.2e-3, web = 3e-3, length = 0.1, cap = 5e-3;
 const Box outside{{-half, -half, 0.0}, {half, half, length}};
 
 VolumeMesh grid_mesh(double edge) { return hex_mesh(grid_lines(outside, edge, {{{-inner, -web, web, inner}, {-inner, -web, web, inner}, {cap, length - cap}}})); }

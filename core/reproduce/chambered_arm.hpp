@@ -9,7 +9,8 @@
 namespace myo {
 
 /// An arm with pressure chambers: the paper's fine mesh of its arm was not published, so this one is plain and our own. Outside 44.4 x 44.4 x
-/// 100 mm, walls of 3 mm, a cross of webs 4.4 mm thick between four chambers of square section; hangs from z = 0.1 m.
+/// 100 mm, walls of 6 mm, a cross of webs 6 mm thick between four chambers of square section; hangs from z = 0.1 m. Without ribs, flat walls of
+/// 3 mm balloon below 200 mbar.
 struct ChamberedArm {
     Model model;                        // chambers without pressure
     MarkerSet points;                   // middles of the lower face's sides

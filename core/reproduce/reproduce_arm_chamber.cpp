@@ -34,9 +34,15 @@ Matrix3Xd points_at(const MarkerSet& markers, const Matrix3Xd& x) {
     return points;
 }
 
-/// Follows the pressure from zero. Error: no equilibrium at some pressure.
-Result<std::vector<ChamberPose>> pressurise(const ChamberedArm& arm, const std::vector<double>& pressures_mbar, const Progress& progress) {
+/// The poses up to where there is an equilibrium.
+struct Inflation {
     std::vector<ChamberPose> poses;
+    double ballooned_mbar = 0.0;   // where there was none any more; 0: everywhere
+};
+
+/// Follows the pressure from zero. Error: no equilibrium at the first one; "stopped".
+Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>& pressures_mbar, const Progress& progress) {
+    Inflation result;
     Matrix3Xd x = arm.model.body->mesh.nodes, origin;
     double volume = 0.0, before = 0.0;
     constexpr double most_at_once_mbar = 25.0;
@@ -53,7 +59,10 @@ Result<std::vector<ChamberPose>> pressurise(const ChamberedArm& arm, const std::
             StageSolver solver(model);
             const StageReport report = solve_equilibrium(solver, 0.0, x);
             pose.iterations += report.newton_iterations;
-            if (!report.ok()) return Error{report.message, "chambers at " + format_number(now, 3) + " mbar"};
+            if (report.ok()) continue;
+            if (result.poses.empty()) return Error{report.message, "chambers at " + format_number(now, 3) + " mbar"};
+            result.ballooned_mbar = now;
+            return result;
         }
         const Matrix3Xd points = points_at(arm.points, x);
         if (origin.size() == 0) {
@@ -65,11 +74,11 @@ Result<std::vector<ChamberPose>> pressurise(const ChamberedArm& arm, const std::
         const Vector3d side = points.col(1) - points.col(0);
         pose.bent_rad = std::atan2(-side(2), side(0));
         pose.grown_m3 = cavity_volume(*arm.model.body, arm.walls, x) - volume;
-        if (pressure > 0.0 || pressures_mbar.empty()) poses.push_back(pose);
+        if (pressure > 0.0) result.poses.push_back(pose);
         before = pressure;
         progress.report({"arm-chamber", pressure, all.back(), "mbar", {}});
     }
-    return poses;
+    return result;
 }
 
 struct MuscleFit {
@@ -140,11 +149,15 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     for (const RobotTrial& trial : *trials) pressures.push_back(trial.pressure_mbar);
     if (pressures.empty()) pressures = {75.0, 125.0, 175.0, 225.0, 275.0, 325.0, 375.0};
 
-    const Result<std::vector<ChamberPose>> poses = pressurise(*arm, pressures, progress);
-    if (!poses) return poses.error();
-    const Result<MuscleFit> single = imitate(*poses, one_muscle(), edge, progress);
+    const Result<Inflation> inflation = pressurise(*arm, pressures, progress);
+    if (!inflation) return inflation.error();
+    const std::vector<ChamberPose>& poses = inflation->poses;
+    pressures.resize(poses.size());
+    if (inflation->ballooned_mbar > 0.0)
+        result.warnings.push_back("at " + format_number(inflation->ballooned_mbar, 3) + " mbar the walls of the chambers balloon: there is no equilibrium any more, and nothing is said beyond");
+    const Result<MuscleFit> single = imitate(poses, one_muscle(), edge, progress);
     if (!single) return single.error();
-    const Result<MuscleFit> tied = imitate(*poses, tied_muscles(), edge, progress);
+    const Result<MuscleFit> tied = imitate(poses, tied_muscles(), edge, progress);
     if (!tied) return tied.error();
 
     Table table;
@@ -152,8 +165,8 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     table.columns = {{"pressure", "mbar"}, {"tip x", "mm"}, {"tip z", "mm"}, {"bent by", "deg"}, {"chambers grown by", "ml"},
                      {"AC1 level"},        {"AC1 off by", "mm"}, {"AC2 level"}, {"AC2 off by", "mm"}, {"real arm x", "mm"}, {"real arm z", "mm"}};
     std::vector<Vector3d> chamber_tips, single_tips, tied_tips, real_tips;
-    for (std::size_t i = 0; i < poses->size(); ++i) {
-        const ChamberPose& pose = (*poses)[i];
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const ChamberPose& pose = poses[i];
         const Vector3d tip = pose.tip_m();
         const Vector3d real = i < trials->size() ? Vector3d(pose_at((*trials)[i], Instant::end).col(0)) : Vector3d::Constant(std::nan(""));
         table.rows.push_back({pose.pressure_mbar, 1e3 * tip(0), 1e3 * tip(2), pose.bent_rad * 180.0 / std::numbers::pi, 1e6 * pose.grown_m3, single->levels[i], 1e3 * single->rms_m[i],
@@ -174,9 +187,9 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     chart.panels = {panel};
     result.figures = {{"", {svg(chart), "Tip centre of the lower face, from where it hangs without pressure."}}};
 
-    const ChamberPose& last = poses->back();
+    const ChamberPose& last = poses.back();
     int iterations = 0;
-    for (const ChamberPose& pose : *poses) iterations += pose.iterations;
+    for (const ChamberPose& pose : poses) iterations += pose.iterations;
     result.findings = {
         "At " + format_number(last.pressure_mbar, 3) + " mbar the chambers move the tip by " + mm(last.tip_m().norm()) + " mm and bend it by " +
             format_number(last.bent_rad * 180.0 / std::numbers::pi, 3) + " degrees; they grow by " + format_number(1e6 * last.grown_m3, 3) + " ml.",
