@@ -22,7 +22,8 @@ inline HermiteWeights hermite_weights(const std::vector<double>& times, double t
     if (t >= times.back()) {
         w.step = times.size() - 2;
         w.x0 = 0.0;
-        w.x1 = w.dv1 = 1.0;
+        w.x1 = 1.0;
+        w.dv1 = t > times.back() ? 0.0 : 1.0;   // it stays there
         return w;
     }
     w.step = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin()) - 1;

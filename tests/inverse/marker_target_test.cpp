@@ -14,7 +14,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Two markers on a beam that is moved by hand: a smooth motion in time, known everywhere.
+/// Two markers on a beam that is moved by hand: a smooth motion in time. The last samples are after its end, where it stays.
 struct Moved {
     Model model = test::make_beam({});
     MarkerTarget target;
@@ -37,7 +37,7 @@ struct Moved {
             motion.positions.push_back(x);
             motion.velocities.push_back(v);
         }
-        target.times_s = VectorXd::LinSpaced(12, 0.013, 0.167);
+        target.times_s = VectorXd::LinSpaced(12, 0.013, 0.257);
         const MarkerTracks seen = observe(motion, target.markers, target.times_s);
         for (std::size_t m = 0; m < 2; ++m) {
             Matrix3Xd y = seen.positions[m] + 1e-3 * test::rough_field(12, static_cast<double>(m));
