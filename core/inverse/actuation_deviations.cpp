@@ -61,23 +61,16 @@ struct NormalEquations {
 };
 
 NormalEquations normal_equations(const ActuationProblem& problem, const SensitiveTrace& run) {
-    const MarkerTarget& target = problem.target;
-    const SensitiveTracks seen = observe(run, target.markers, target.times_s);
-    const SensitiveTracks start = observe(run, target.markers, VectorXd::Zero(1));
+    const SensitiveResiduals seen = target_residuals(problem.target, run);
     const std::size_t count = seen.tangents.size();
     NormalEquations equations{MatrixXd::Zero(static_cast<Index>(count), static_cast<Index>(count))};
-    for (std::size_t m = 0; m < target.positions_m.size(); ++m) {
-        Matrix3Xd residual = seen.tracks.positions[m] - target.positions_m[m];
-        if (target.from_start) residual.colwise() -= start.tracks.positions[m].col(0);
+    for (std::size_t m = 0; m < seen.residuals_m.size(); ++m) {
+        const Matrix3Xd& residual = seen.residuals_m[m];
         std::vector<Index> compared;
         for (Index k = 0; k < residual.size(); ++k)
             if (std::isfinite(residual(k))) compared.push_back(k);
         MatrixXd J(static_cast<Index>(compared.size()), static_cast<Index>(count));
-        for (std::size_t p = 0; p < count; ++p) {
-            Matrix3Xd derivative = seen.tangents[p][m];
-            if (target.from_start) derivative.colwise() -= start.tangents[p][m].col(0);
-            J.col(static_cast<Index>(p)) = derivative.reshaped()(compared);
-        }
+        for (std::size_t p = 0; p < count; ++p) J.col(static_cast<Index>(p)) = seen.tangents[p][m].reshaped()(compared);
         equations.information += J.transpose() * J;
         equations.squares += residual.reshaped()(compared).squaredNorm();
         equations.count += static_cast<double>(compared.size());

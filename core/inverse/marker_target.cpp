@@ -46,6 +46,24 @@ std::vector<Matrix3Xd> target_residuals(const MarkerTarget& target, const NodeMo
     return residuals;
 }
 
+SensitiveResiduals target_residuals(const MarkerTarget& target, const SensitiveTrace& run) {
+    const Eigen::Matrix3d R = small_rotation(target.placement.rotation_rad);
+    SensitiveTracks seen = observe(run, target.markers, model_times(target));
+    const SensitiveTracks origin = observe(run, target.markers, VectorXd::Zero(1));
+    const auto from_origin = [&](std::vector<Matrix3Xd>& tracks, const std::vector<Matrix3Xd>& starts) {
+        for (std::size_t m = 0; target.from_start && m < tracks.size(); ++m) tracks[m].colwise() -= Vector3d(starts[m].col(0));
+    };
+    from_origin(seen.tracks.positions, origin.tracks.positions);
+    SensitiveResiduals result;
+    for (std::size_t m = 0; m < seen.tracks.positions.size(); ++m) result.residuals_m.push_back(residual_of(target, R, seen.tracks.positions[m], m));
+    for (std::size_t p = 0; p < seen.tangents.size(); ++p) {
+        from_origin(seen.tangents[p], origin.tangents[p]);
+        for (Matrix3Xd& track : seen.tangents[p]) track = (R * track).eval();
+    }
+    result.tangents = std::move(seen.tangents);
+    return result;
+}
+
 MotionLoss mean_square(const MarkerTarget& target, const NodeMotion& motion) {
     const auto count = static_cast<double>(target.coordinates());
     assert(count > 0.0);

@@ -32,6 +32,13 @@ struct MarkerTarget {
 /// Marker as placed minus target, 3 x T per marker [m]; NaN where there is no target.
 std::vector<Eigen::Matrix3Xd> target_residuals(const MarkerTarget& target, const NodeMotion& motion);
 
+/// The same of a run with tangents, with the derivative of the residuals with respect to each parameter: [parameter][marker] 3 x T.
+struct SensitiveResiduals {
+    std::vector<Eigen::Matrix3Xd> residuals_m;
+    std::vector<std::vector<Eigen::Matrix3Xd>> tangents;
+};
+SensitiveResiduals target_residuals(const MarkerTarget& target, const SensitiveTrace& run);
+
 /// Mean square of the residuals' coordinates [m2] and its derivative with respect to the motion of the markers' nodes.
 MotionLoss mean_square(const MarkerTarget& target, const NodeMotion& motion);
 

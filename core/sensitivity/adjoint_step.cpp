@@ -153,11 +153,11 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
         rows[row] = scatter(body.pattern, p);
         mass_rows[row] = times_mass(rows[row], solver.mass());
         if (model_.damping_s > 0.0) strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(body, solution.x, rows[row]);
-        const Matrix3Xd v = stage_velocities(stage, solution.x);
+        const Matrix3Xd v = depends_on_velocity(model_) ? stage_velocities(stage, solution.x) : Matrix3Xd();   // nothing else looks at it
         if (depends_on_velocity(model_)) velocity_rows[static_cast<std::size_t>(k)] = -velocity_tangent(model_, force_state(stage, solution.x, v), rows[row]);
         const Matrix3Xd u = accelerations(plain, record, nodal_fields + k), by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
         const StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
-        gradient_.add({solution.x, &v, rate, stage.time_s, stage.before_jump, &u, &by_velocity_force}, rows[row], mass_rows[row]);
+        gradient_.add({solution.x, v.size() > 0 ? &v : nullptr, rate, stage.time_s, stage.before_jump, &u, &by_velocity_force}, rows[row], mass_rows[row]);
     }
     for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = column(field);
     for (int field = 0; field < strain_fields; ++field) state_.strain[static_cast<std::size_t>(field)] = strain_column(field);

@@ -46,10 +46,13 @@ std::vector<double> activation_tangent(const ModelTangent& tangent, double time_
 Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
                                   const Eigen::VectorXd& rate, double time_s, bool before_jump) {
     const Stiffness derivative = stiffness_tangent(model, tangent);
-    InternalInput input;
-    input.stiffness = &derivative;
-    if (rate.size() > 0) input.rate = {0.0, &rate};
-    Eigen::Matrix3Xd gradient = internal_energy(model, x, input, HessianKind::none).gradient;
+    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
+    if (!derivative.elastic.empty() || !derivative.viscous.empty()) {
+        InternalInput input;
+        input.stiffness = &derivative;
+        if (rate.size() > 0) input.rate = {0.0, &rate};
+        gradient = internal_energy(model, x, input, HessianKind::none).gradient;
+    }
     if (!tangent.activation.empty()) gradient += activation_gradient(model, x, activation_tangent(tangent, time_s, before_jump));
     return gradient;
 }

@@ -68,10 +68,7 @@ TEST_P(AdjointRun, EqualsTheTangents) {
     const MotionLoss derivative = loss.evaluate(run.motion);
     const double expected[] = {young_gradient(model, run.gradient).youngs_modulus_Pa, run.gradient.damping_s, run.gradient.activation[0][1]};
     for (std::size_t p = 0; p < 3; ++p) {
-        double along = 0.0;
-        for (std::size_t k = 0; k < derivative.d_positions.size(); ++k)
-            along += tangents.tangents[p].positions[k].cwiseProduct(derivative.d_positions[k]).sum() +
-                     tangents.tangents[p].velocities[k].cwiseProduct(derivative.d_velocities[k]).sum();
+        const double along = test::along(derivative, tangents.tangents[p]);
         EXPECT_NE(along, 0.0);
         EXPECT_NEAR(expected[p] / along, 1.0, 1e-8) << "parameter " << p;
     }

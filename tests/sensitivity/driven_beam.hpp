@@ -8,6 +8,7 @@
 #include "model/loaded_face.hpp"
 #include "model/surface_drag.hpp"
 #include "sensitivity/adjoint_run.hpp"
+#include "sensitivity/tangent_run.hpp"
 #include "support/beam.hpp"
 #include "support/hollow.hpp"
 
@@ -82,6 +83,14 @@ inline LossOfMotion rough_loss(const Model& model) {
         return result;
     };
     return loss;
+}
+
+/// A loss's derivative along a parameter, from that of the motion.
+inline double along(const MotionLoss& derivative, const NodeTangent& tangent) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < derivative.d_positions.size(); ++k)
+        sum += tangent.positions[k].cwiseProduct(derivative.d_positions[k]).sum() + tangent.velocities[k].cwiseProduct(derivative.d_velocities[k]).sum();
+    return sum;
 }
 
 }  // namespace myo::test

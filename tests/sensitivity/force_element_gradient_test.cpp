@@ -63,10 +63,7 @@ TEST_P(ForceElementGradient, EqualsTheTangents) {
     const SensitiveTrace tangents = simulate_with_tangents(model, options, parameters, loss.nodes);
     const MotionLoss derivative = loss.evaluate(run.motion);
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-        double along = 0.0;
-        for (std::size_t k = 0; k < derivative.d_positions.size(); ++k)
-            along += tangents.tangents[p].positions[k].cwiseProduct(derivative.d_positions[k]).sum() +
-                     tangents.tangents[p].velocities[k].cwiseProduct(derivative.d_velocities[k]).sum();
+        const double along = test::along(derivative, tangents.tangents[p]);
         EXPECT_NE(along, 0.0);
         EXPECT_NEAR(expected[p] / along, 1.0, 1e-7) << "parameter " << p;
     }

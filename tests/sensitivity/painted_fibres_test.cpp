@@ -75,10 +75,7 @@ TEST_P(PaintedFibres, TangentAlongASignalEqualsTheAdjoint) {
     const SensitiveTrace tangents = simulate_with_tangents(model, options, levels, loss.nodes);
     const MotionLoss derivative = loss.evaluate(run.motion);
     for (std::size_t g = 0; g < 2; ++g) {
-        double along = 0.0;
-        for (std::size_t k = 0; k < derivative.d_positions.size(); ++k)
-            along += tangents.tangents[g].positions[k].cwiseProduct(derivative.d_positions[k]).sum() +
-                     tangents.tangents[g].velocities[k].cwiseProduct(derivative.d_velocities[k]).sum();
+        const double along = test::along(derivative, tangents.tangents[g]);
         EXPECT_NE(along, 0.0);
         EXPECT_NEAR(run.gradient.activation[g][1] / along, 1.0, 1e-7) << g;
     }
