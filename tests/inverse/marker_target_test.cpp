@@ -98,6 +98,37 @@ TEST_P(MarkerTargets, AreMetByWhatThePlacementSays) {
     EXPECT_LT(mean_square(target, given.motion).value, 1e-30);
 }
 
+/// Of a run with tangents they are the same, and change with the motion as the tangents say.
+TEST_P(MarkerTargets, HaveTheTangentsOfTheirResiduals) {
+    const Moved given(GetParam());
+    const std::vector<int>& nodes = given.target.markers.nodes;
+    const auto run_moved = [&](double by) {
+        SensitiveTrace run;
+        run.tangents.resize(1);
+        run.trace.times_s = given.motion.times_s;
+        for (std::size_t k = 0; k < given.motion.times_s.size(); ++k) {
+            const Matrix3Xd dx = test::rough_field(given.motion.positions[k].cols(), 0.1 * static_cast<double>(k)), dv = 20.0 * dx;
+            Matrix3Xd x = given.model.body->mesh.nodes, v = Matrix3Xd::Zero(3, x.cols());
+            x(Eigen::all, nodes) = given.motion.positions[k] + by * dx;
+            v(Eigen::all, nodes) = given.motion.velocities[k] + by * dv;
+            run.trace.positions.push_back(x);
+            run.trace.velocities.push_back(v);
+            run.tangents[0].positions.push_back(dx);
+            run.tangents[0].velocities.push_back(dv);
+        }
+        return target_residuals(given.target, run);
+    };
+    const SensitiveResiduals here = run_moved(0.0), up = run_moved(1e-6), down = run_moved(-1e-6);
+    const std::vector<Matrix3Xd> plain = target_residuals(given.target, given.motion);
+    for (std::size_t m = 0; m < plain.size(); ++m)
+        for (Eigen::Index t = 0; t < plain[m].cols(); ++t) {
+            if (!plain[m].col(t).allFinite()) continue;
+            EXPECT_LT((here.residuals_m[m].col(t) - plain[m].col(t)).norm(), 1e-15);
+            const Vector3d difference = (up.residuals_m[m].col(t) - down.residuals_m[m].col(t)) / 2e-6;
+            EXPECT_LT((here.tangents[0][m].col(t) - difference).norm(), 1e-6 * (1.0 + difference.norm()));
+        }
+}
+
 INSTANTIATE_TEST_SUITE_P(PositionsAndDisplacements, MarkerTargets, testing::Bool());
 
 }  // namespace
