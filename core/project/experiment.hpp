@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "effect/effect.hpp"
 #include "fibre/polyline.hpp"
 #include "mesh/surface_mesh.hpp"
 
@@ -137,15 +138,6 @@ struct TrialDeclaration {
     std::optional<double> end_s;                      // file time
     std::map<std::string, double> condition;
     std::vector<LoadDeclaration> loads;
-};
-
-/// Number, vector, one name (marker, trial) or several (marker_swap's two markers).
-using EffectParameter = std::variant<double, Eigen::VectorXd, std::string, std::vector<std::string>>;
-
-struct EffectDeclaration {
-    std::string id;
-    std::map<std::string, EffectParameter> parameters;
-    bool calibrate = false;
 };
 
 struct Experiment {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "effect/catalogue.hpp"
 #include "measurement/rigid_motion.hpp"
 
 namespace myo {
@@ -43,6 +44,7 @@ StudyValues declared_values(const Study& study) {
         for (const std::size_t muscle : trial.free_levels) levels[muscle] = 1.0;
         values.levels.push_back(std::move(levels));
     }
+    values.effects = study.experiment.effects;
     return values;
 }
 
@@ -51,7 +53,7 @@ std::vector<StudyParameter> study_parameters(const Study& study, const std::vect
     const StudyValues start = declared_values(study);
     const auto add = [&](Kind kind, std::size_t trial, std::size_t index, const std::string& name, double lower, double upper, double scale,
                          const std::string& unit) {
-        StudyParameter entry{kind, trial, index, {name, 0.0, lower, upper, scale}, unit};
+        StudyParameter entry{kind, trial, index, {name, 0.0, lower, upper, scale}, unit, {}, -1};
         entry.parameter.value = value_of(entry, start);
         list.push_back(std::move(entry));
     };
@@ -85,6 +87,18 @@ std::vector<StudyParameter> study_parameters(const Study& study, const std::vect
         for (const std::size_t muscle : trial.free_levels)
             add(Kind::level, t, muscle, "actuation_level." + trial.name + "." + study.experiment.muscles[muscle].name, 0.05, 10.0, 0.1, "");
     }
+    for (std::size_t e = 0; e < start.effects.size(); ++e)
+        if (start.effects[e].calibrate)
+            for (StudyParameter& parameter : effect_study_parameters(start.effects[e], e)) list.push_back(std::move(parameter));
+    return list;
+}
+
+std::vector<StudyParameter> effect_study_parameters(const EffectDeclaration& effect, std::size_t index) {
+    std::vector<StudyParameter> list;
+    for (const EffectNumber& n : effect_numbers(effect)) {
+        Parameter parameter{n.name, effect_number(effect, n.parameter, n.component), n.lower, n.upper, n.scale, n.over_decades};
+        list.push_back({Kind::effect, 0, index, std::move(parameter), {}, n.parameter, n.component});
+    }
     return list;
 }
 
@@ -96,6 +110,7 @@ double value_of(const StudyParameter& p, const StudyValues& values) {
         case Kind::rotation: return values.rotation_rad(static_cast<Eigen::Index>(p.index));
         case Kind::start_shift: return values.start_shift_s[p.trial];
         case Kind::level: return values.levels[p.trial].at(p.index);
+        case Kind::effect: return effect_number(values.effects[p.index], p.of_effect, p.component);
     }
     return 0.0;
 }
@@ -108,6 +123,7 @@ void set_value(const StudyParameter& p, double value, StudyValues& values) {
         case Kind::rotation: values.rotation_rad(static_cast<Eigen::Index>(p.index)) = value; break;
         case Kind::start_shift: values.start_shift_s[p.trial] = value; break;
         case Kind::level: values.levels[p.trial][p.index] = value; break;
+        case Kind::effect: set_effect_number(values.effects[p.index], p.of_effect, p.component, value); break;
     }
 }
 
@@ -119,20 +135,88 @@ Model trial_model(const Study& study, std::size_t trial, const StudyValues& valu
     return model;
 }
 
+Affected affected_trial(const Study& study, std::size_t trial, const StudyValues& values) {
+    return with_effects(study, trial, trial_model(study, trial, values), values.effects);
+}
+
+namespace {
+
+/// Frames in which a trial is compared: what the cameras report of the motion, registration included.
+struct SeenMotion {
+    std::vector<Matrix3Xd> positions_m;    // per marker at every sample; mesh frame, as seen
+    std::vector<Vector3d> start_m;
+    std::vector<Matrix3Xd> residual_m;
+};
+
+/// Times of the motion at which the samples of a trial were taken: a later start means an earlier time of the motion.
+Eigen::VectorXd motion_times(const StudyTrial& trial, const ObservationError& seen, double start_shift_s) {
+    return true_times(seen, trial.measured.time_s).array() - start_shift_s;
+}
+
+bool by_displacement(const Study& study) { return study.experiment.markers.compare == Comparison::displacement; }
+
+/// Before anything that happens to markers during a trial.
+constexpr double long_before_s = -1e30;
+
+SeenMotion seen_motion(const Study& study, std::size_t index, const StudyValues& values, const ObservationError& seen, const MarkerTracks& tracks,
+                       const MarkerTracks& origin) {
+    const StudyTrial& trial = study.trials[index];
+    const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
+    const auto samples = trial.measured.sample_count();
+    SeenMotion result;
+    result.positions_m = seen_tracks(seen, tracks.positions, trial.measured.time_s);
+    for (const Matrix3Xd& start : seen_tracks(seen, origin.positions, Eigen::VectorXd::Constant(1, long_before_s))) result.start_m.emplace_back(start.col(0));
+    for (std::size_t m = 0; m < result.positions_m.size(); ++m) {
+        const Matrix3Xd& x = result.positions_m[m];
+        const Matrix3Xd& y = trial.measured.tracks[m];
+        Matrix3Xd residual = Matrix3Xd::Constant(3, samples, std::numeric_limits<double>::quiet_NaN());
+        for (Eigen::Index t = trial.first_sample; t < samples; ++t) {
+            if (by_displacement(study)) residual.col(t) = (x.col(t) - result.start_m[m]) - (y.col(t) - trial.reference_m[m]);
+            else residual.col(t) = R * x.col(t) + values.translation_m - y.col(t);
+        }
+        result.residual_m.push_back(std::move(residual));
+    }
+    return result;
+}
+
+/// A change of a number of an effect over which the motion is compared, towards the inside of its bounds.
+double difference_step(const StudyParameter& p, double value) {
+    const double size = p.parameter.over_decades ? std::max(std::abs(value), 0.05 * p.parameter.scale) : p.parameter.scale;
+    const double step = 0.01 * size;
+    return value + step > p.parameter.upper ? -step : step;
+}
+
+/// Memory of damage and responses of actuators stand between a modulus or a level and the motion: there, differences of runs tell.
+bool needs_differences(const StudyParameter& parameter, const StudyValues& values) {
+    return std::any_of(values.effects.begin(), values.effects.end(), [&](const EffectDeclaration& effect) {
+        const EffectStage stage = find_effect(effect.id)->stage;
+        return (parameter.kind == Kind::level && stage == EffectStage::actuation) || effect.id == "stress_softening";
+    });
+}
+
+}  // namespace
+
+TrialPrediction observe_trial(const Study& study, std::size_t index, const StudyValues& values, const Trace& trace) {
+    const ObservationError error = affected_trial(study, index, values).seen;
+    const MarkerTracks tracks = observe(trace, study.markers, motion_times(study.trials[index], error, values.start_shift_s[index]));
+    SeenMotion seen = seen_motion(study, index, values, error, tracks, observe(trace, study.markers, Eigen::VectorXd::Zero(1)));
+    return {trace.status, trace.message, {}, std::move(seen.positions_m), std::move(seen.start_m), std::move(seen.residual_m), {}};
+}
+
 TrialPrediction predict_trial(const Study& study, std::size_t index, const StudyValues& values,
                               const std::vector<StudyParameter>& parameters, const Progress& progress) {
     const StudyTrial& trial = study.trials[index];
-    const Model model = trial_model(study, index, values);
+    const Affected affected = affected_trial(study, index, values);
     std::vector<ModelTangent> model_tangents;
     std::vector<int> row_of(parameters.size(), -1);   // which of the run's tangents belongs to a parameter
     for (std::size_t p = 0; p < parameters.size(); ++p)
-        if (moves_the_body(parameters[p], index)) {
+        if (moves_the_body(parameters[p], index) && !needs_differences(parameters[p], values)) {
             row_of[p] = static_cast<int>(model_tangents.size());
-            model_tangents.push_back(tangent_of(study, index, model, parameters[p], values.youngs_modulus_Pa));
+            model_tangents.push_back(tangent_of(study, index, affected.model, parameters[p], values.youngs_modulus_Pa));
         }
 
     TrialPrediction result;
-    SensitiveTrace run = simulate_with_tangents(model, trial.options, model_tangents, study.markers.nodes, progress);
+    SensitiveTrace run = simulate_with_tangents(affected.model, affected.options, model_tangents, study.markers.nodes, progress);
     result.status = run.trace.status;
     result.message = run.trace.message;
     if (!run.trace.complete()) {
@@ -140,43 +224,56 @@ TrialPrediction predict_trial(const Study& study, std::size_t index, const Study
         return result;
     }
 
-    // A later start means that every sample was taken at an earlier time of the motion.
-    const Eigen::VectorXd times = trial.measured.time_s.array() - values.start_shift_s[index];
-    const SensitiveTracks seen = observe(run, study.markers, times);
+    const Eigen::VectorXd times = motion_times(trial, affected.seen, values.start_shift_s[index]);
+    const SensitiveTracks tracks = observe(run, study.markers, times);
     const SensitiveTracks origin = observe(run, study.markers, Eigen::VectorXd::Zero(1));
-    const bool displacement = study.experiment.markers.compare == Comparison::displacement;
+    const bool displacement = by_displacement(study);
     const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
     const auto samples = trial.measured.sample_count();
-    result.positions_m = seen.tracks.positions;
-    for (const Matrix3Xd& start : origin.tracks.positions) result.start_m.emplace_back(start.col(0));
+    SeenMotion seen = seen_motion(study, index, values, affected.seen, tracks.tracks, origin.tracks);
     result.tangents.assign(parameters.size(), std::vector<Matrix3Xd>(study.marker_names.size(), Matrix3Xd::Zero(3, samples)));
-    for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
-        const Matrix3Xd& y = trial.measured.tracks[m];
-        const Matrix3Xd& x = seen.tracks.positions[m];
-        Matrix3Xd residual = Matrix3Xd::Constant(3, samples, std::numeric_limits<double>::quiet_NaN());
-        for (Eigen::Index t = trial.first_sample; t < samples; ++t) {
-            if (displacement) residual.col(t) = (x.col(t) - origin.tracks.positions[m].col(0)) - (y.col(t) - trial.reference_m[m]);
-            else residual.col(t) = R * x.col(t) + values.translation_m - y.col(t);
-        }
-        result.residual_m.push_back(std::move(residual));
-        for (std::size_t p = 0; p < parameters.size(); ++p) {
-            const StudyParameter& parameter = parameters[p];
-            Matrix3Xd& d = result.tangents[p][m];
-            if (row_of[p] >= 0) {
-                const auto row = static_cast<std::size_t>(row_of[p]);
-                d = seen.tangents[row][m];
-                if (displacement) d.colwise() -= Vector3d(origin.tangents[row][m].col(0));
-                else d = R * d;
-            } else if (parameter.kind == Kind::translation) {
-                d.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
-            } else if (parameter.kind == Kind::rotation) {
-                for (Eigen::Index t = 0; t < samples; ++t)
-                    d.col(t) = d_rotated_d_omega(values.rotation_rad, x.col(t)).col(static_cast<Eigen::Index>(parameter.index));
-            } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
-                d = displacement ? Matrix3Xd(-seen.tracks.velocities[m]) : Matrix3Xd(-R * seen.tracks.velocities[m]);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+        const StudyParameter& parameter = parameters[p];
+        std::vector<Matrix3Xd>& d = result.tangents[p];
+        if (row_of[p] >= 0) {
+            const auto row = static_cast<std::size_t>(row_of[p]);
+            d = seen_tangents(affected.seen, tracks.tangents[row], trial.measured.time_s);
+            for (std::size_t m = 0; m < d.size(); ++m) {
+                if (displacement) d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[row][m].col(0));
+                else d[m] = R * d[m];
             }
+        } else if (parameter.kind == Kind::translation) {
+            for (Matrix3Xd& marker : d) marker.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
+        } else if (parameter.kind == Kind::rotation) {
+            for (std::size_t m = 0; m < d.size(); ++m)
+                for (Eigen::Index t = 0; t < samples; ++t)
+                    d[m].col(t) = d_rotated_d_omega(values.rotation_rad, seen.positions_m[m].col(t)).col(static_cast<Eigen::Index>(parameter.index));
+        } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
+            d = seen_tangents(affected.seen, tracks.tracks.velocities, trial.measured.time_s);
+            for (Matrix3Xd& marker : d) marker = displacement ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
+        } else if (parameter.kind == Kind::effect || moves_the_body(parameter, index)) {
+            if (parameter.kind == Kind::effect && !acts_on(effect_site(study, index), values.effects[parameter.index].parameters)) continue;
+            StudyValues changed = values;
+            const double step = difference_step(parameter, value_of(parameter, values));
+            set_value(parameter, value_of(parameter, values) + step, changed);
+            std::vector<Matrix3Xd> residual;
+            if (parameter.kind == Kind::effect && is_seen_only(values.effects[parameter.index])) {
+                residual = observe_trial(study, index, changed, run.trace).residual_m;
+            } else {
+                TrialPrediction other = predict_trial(study, index, changed, {}, progress);
+                if (!other.ok()) {
+                    result.status = other.status;
+                    result.message = other.message;
+                    return result;
+                }
+                residual = std::move(other.residual_m);
+            }
+            for (std::size_t m = 0; m < d.size(); ++m) d[m] = (residual[m] - seen.residual_m[m]) / step;
         }
     }
+    result.positions_m = std::move(seen.positions_m);
+    result.start_m = std::move(seen.start_m);
+    result.residual_m = std::move(seen.residual_m);
     result.trace = std::move(run.trace);
     return result;
 }

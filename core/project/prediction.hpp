@@ -8,6 +8,7 @@
 
 #include "inverse/least_squares.hpp"
 #include "project/study.hpp"
+#include "project/study_effects.hpp"
 
 namespace myo {
 
@@ -19,18 +20,24 @@ struct StudyValues {
     Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();
     std::vector<double> start_shift_s;                         // per trial: t = 0 is that much later than `start_s`
     std::vector<std::map<std::size_t, double>> levels;         // per trial: muscle -> level of its step
+    std::vector<EffectDeclaration> effects;
 };
 StudyValues declared_values(const Study& study);
 
 /// One number of StudyValues, with its name, start, bounds and scale, and how to reach it.
 struct StudyParameter {
-    enum class Kind { youngs_modulus, damping, translation, rotation, start_shift, level };
+    enum class Kind { youngs_modulus, damping, translation, rotation, start_shift, level, effect };
     Kind kind = Kind::youngs_modulus;
     std::size_t trial = 0;   // start_shift, level
-    std::size_t index = 0;   // axis, or muscle
+    std::size_t index = 0;   // axis, muscle, or effect
     Parameter parameter;
     std::string unit;
+    std::string of_effect{};     // effect: name of its parameter
+    int component = -1;          // effect: of a vector
 };
+
+/// The numbers of an effect, number `index` of the values', for a fit.
+std::vector<StudyParameter> effect_study_parameters(const EffectDeclaration& effect, std::size_t index);
 
 /// What the experiment leaves unknown: material.calibrate, a limited registration, starts found in fit trials, free levels.
 /// names: restricts youngs_modulus and damping when not empty.
@@ -39,8 +46,11 @@ std::vector<StudyParameter> study_parameters(const Study& study, const std::vect
 double value_of(const StudyParameter& parameter, const StudyValues& values);
 void set_value(const StudyParameter& parameter, double value, StudyValues& values);
 
-/// The trial's model with the values put in.
+/// The trial's model with the values put in, without the effects.
 Model trial_model(const Study& study, std::size_t trial, const StudyValues& values);
+
+/// The same with the effects, and how the trial runs and is seen with them.
+Affected affected_trial(const Study& study, std::size_t trial, const StudyValues& values);
 
 /// Prediction of a trial's samples, in the frame and form in which they are compared.
 struct TrialPrediction {
@@ -56,6 +66,9 @@ struct TrialPrediction {
 };
 TrialPrediction predict_trial(const Study& study, std::size_t trial, const StudyValues& values,
                               const std::vector<StudyParameter>& parameters = {}, const Progress& progress = {});
+
+/// The same of a motion that was run before with values that move the body alike: how it is seen, no trace kept.
+TrialPrediction observe_trial(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace);
 
 /// Root mean square over all compared coordinates [m]; NaN when there are none.
 double rms(const std::vector<Eigen::Matrix3Xd>& residual_m);

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/text.hpp"
-#include "project/effect_vocabulary.hpp"
+#include "effect/catalogue.hpp"
 #include "project/read_experiment.hpp"
 #include "project/read_experiment_tables.hpp"
 
@@ -172,7 +172,7 @@ void check_effects(const Experiment& experiment) {
                 fail(experiment, element("effect", i) + "." + parameter,
                      std::string("unknown ") + what + " \"" + word + "\"; " + suggest(word, known));
         };
-        for (const EffectParameterEntry& entry : find_effect_entry(effect.id)->parameters) {
+        for (const EffectParameterEntry& entry : find_effect(effect.id)->parameters) {
             const auto found = effect.parameters.find(entry.name);
             if (found == effect.parameters.end()) continue;
             if (entry.kind == EffectParameterKind::trial) check(entry.name, std::get<std::string>(found->second), trials, "trial");

@@ -1,5 +1,5 @@
 #include "base/text.hpp"
-#include "project/effect_vocabulary.hpp"
+#include "effect/catalogue.hpp"
 #include "project/read_experiment_tables.hpp"
 
 namespace myo {
@@ -46,7 +46,7 @@ std::vector<EffectDeclaration> read_effects(const TomlReader& document) {
         if (!table.has_entry("id")) table.fail("id", "required key is missing");
         EffectDeclaration effect;
         effect.id = table.text("id");
-        const EffectEntry* const entry = find_effect_entry(effect.id);
+        const Effect* const entry = find_effect(effect.id);
         if (effect.id == "none" || effect.id == "unknown")
             table.fail("id", "\"" + effect.id + "\" is a verdict, not an effect the model can have");
         if (entry == nullptr) table.fail("id", "unknown effect \"" + effect.id + "\"; " + suggest(effect.id, effect_ids()));

@@ -13,6 +13,7 @@ ReadableParameter readable_parameter(const StudyParameter& p, const Study& study
         case Kind::translation: return {"Camera shift " + axis, "mm", 1e3};
         case Kind::rotation: return {"Camera turn about " + axis, "°", 180.0 / std::numbers::pi};
         case Kind::start_shift: return {"Later start of " + study.trials[p.trial].name, "ms", 1e3};
+        case Kind::effect: return {p.parameter.name, p.unit, 1.0};
         case Kind::level: return {"Level of " + study.experiment.muscles[p.index].name + " in " + study.trials[p.trial].name, "", 1.0};
     }
     return {p.parameter.name, p.unit, 1.0};

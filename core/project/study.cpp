@@ -160,9 +160,6 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     study.surface = std::move(*surface);
     if (const Result<void> fits = check_on_body(experiment, study.surface); !fits) return fits.error();
 
-    if (!experiment.effects.empty())
-        return declaration_error(experiment, "effect[0].id", "'" + experiment.effects.front().id +
-                                                                 "' is a known effect, but this version cannot simulate declared effects");
     const std::string law = settings.material.value_or(experiment.material.model);
     const MaterialPointer material = find_material(law);
     if (!material) return declaration_error(experiment, "material.model", "no material law '" + law + "'");

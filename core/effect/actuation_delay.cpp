@@ -1,0 +1,34 @@
+#include <algorithm>
+
+#include "effect/effects.hpp"
+#include "effect/signal_response.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* delay_s = "delay_s";
+
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    const double delay = number(parameters, delay_s);
+    if (!(delay > 0.0)) return;
+    for (Signal& signal : affected.model.activation) {
+        if (signal.times_s.size() < 2) continue;
+        // What stood before the start has been so for ever: the motion of the file begins at t = 0.
+        for (double& time : signal.times_s) time += delay;
+    }
+}
+
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    std::vector<EffectProbe> list;
+    if (signals_move(search))
+        for (const double delay : {0.004, 0.04}) list.push_back(probe({{delay_s, delay}}, delay_s));
+    return list;
+}
+
+}  // namespace
+
+Effect actuation_delay() {
+    return {"actuation_delay", EffectStage::actuation, "the muscle follows its signal after a dead time", {fitted_number(delay_s, 0.0, 100.0, 0.02, true)}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cmath>
+
+#include "effect/effects.hpp"
+#include "effect/signal_response.hpp"
+
+namespace myo {
+namespace {
+
+/// Bouc-Wen without smoothing: (1 - h) u + h z, z' = u' (1 - [u' z > 0] |z| / width). Within a sample z' is linear in z: exact by its exponential.
+/// z rests at 0 where u = 0, and has followed u from there to its value before the start.
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    const double h = number(parameters, "fraction"), width = number(parameters, "width");
+    const auto moved = [width](double z, double du) {
+        if (du == 0.0) return z;
+        const double direction = du > 0.0 ? 1.0 : -1.0;
+        double left = std::abs(du);
+        if (direction * z < 0.0) {   // back to zero on the straight branch
+            const double straight = std::min(left, std::abs(z));
+            z += direction * straight;
+            left -= straight;
+        }
+        return z + (left > 0.0 ? (direction * width - z) * (1.0 - std::exp(-left / width)) : 0.0);
+    };
+    respond_to_signals(
+        [=](const std::vector<double>& u, double) {
+            double z = moved(0.0, u.front());
+            std::vector<double> x{(1.0 - h) * u.front() + h * z};
+            for (std::size_t k = 1; k < u.size(); ++k) {
+                z = moved(z, u[k] - u[k - 1]);
+                x.push_back((1.0 - h) * u[k] + h * z);
+            }
+            return x;
+        },
+        affected);
+}
+
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    double largest = 0.0;
+    for (const Model& model : search.models)
+        for (const Signal& signal : model.activation)
+            for (const double value : signal.values) largest = std::max(largest, std::abs(value - 1.0));
+    std::vector<EffectProbe> list;
+    if (signals_move(search))
+        for (const double part : {0.1, 0.5}) list.push_back(probe({{"fraction", 0.1}, {"width", part * largest}}, "fraction"));
+    return list;
+}
+
+}  // namespace
+
+Effect actuation_hysteresis() {
+    return {"actuation_hysteresis", EffectStage::actuation, "the muscle's way back differs from its way there (Bouc-Wen)",
+            {fitted_number("fraction", 0.0, 1.0, 0.2), fitted_number("width", 1e-4, 10.0, 0.05, true)}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,38 @@
+#include <cmath>
+
+#include "effect/effects.hpp"
+#include "effect/signal_response.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* tau_s = "time_constant_s";
+
+/// tau x' = u - x, exact for u linear between samples.
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    const double tau = number(parameters, tau_s);
+    if (!(tau > 0.0)) return;
+    respond_to_signals(
+        [tau](const std::vector<double>& u, double h) {
+            const double decay = std::exp(-h / tau), ramp = tau * (1.0 - decay) / h;
+            std::vector<double> x{u.front()};
+            for (std::size_t k = 1; k < u.size(); ++k) x.push_back(decay * x.back() + (1.0 - ramp) * u[k] + (ramp - decay) * u[k - 1]);
+            return x;
+        },
+        affected);
+}
+
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    std::vector<EffectProbe> list;
+    if (signals_move(search))
+        for (const double tau : {0.005, 0.05, 0.3}) list.push_back(probe({{tau_s, tau}}, tau_s));
+    return list;
+}
+
+}  // namespace
+
+Effect actuation_lag() {
+    return {"actuation_lag", EffectStage::actuation, "the muscle follows its signal with a first-order lag", {fitted_number(tau_s, 0.0, 100.0, 0.02, true)}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,37 @@
+#include <cmath>
+
+#include "effect/effects.hpp"
+#include "effect/signal_response.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* tau_s = "time_constant_s";
+
+/// x' = u' - x / tau, exact for u linear between samples. What was held before the start has not bled off: the trial begins as it is declared.
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    const double tau = number(parameters, tau_s);
+    respond_to_signals(
+        [tau](const std::vector<double>& u, double h) {
+            const double decay = std::exp(-h / tau);
+            std::vector<double> x{u.front()};
+            for (std::size_t k = 1; k < u.size(); ++k) x.push_back(decay * x.back() + (u[k] - u[k - 1]) * tau / h * (1.0 - decay));
+            return x;
+        },
+        affected);
+}
+
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    std::vector<EffectProbe> list;
+    if (signals_move(search))
+        for (const double tau : {20.0, 1.0}) list.push_back({{{{tau_s, tau}}}, tau_s, true, nullptr});
+    return list;
+}
+
+}  // namespace
+
+Effect actuation_leak() {
+    return {"actuation_leak", EffectStage::actuation, "a held actuation bleeds off", {fitted_number(tau_s, 1e-3, 1e5, 0.1, true)}, apply, probes};
+}
+
+}  // namespace myo

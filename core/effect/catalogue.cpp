@@ -1,0 +1,63 @@
+#include "effect/catalogue.hpp"
+
+#include <cassert>
+
+#include "effect/effects.hpp"
+
+namespace myo {
+
+const std::vector<Effect>& effect_catalogue() {
+    static const std::vector<Effect> effects = {
+        quadratic_drag(),
+        linear_drag(),
+        // added_mass(),
+        point_mass(),
+        cable_tug(),
+        // hung_mass(),
+        gravity_tilt(),
+        clamp_compliance(),
+        clamp_slip(),
+        held_pose(),
+        extra_damping(),
+        // viscoelastic_creep(),
+        strain_stiffening_effect(),
+        // stress_softening(),
+        stiffness_gradient(),
+        soft_patch(),
+        modulus_drift(),
+        intrinsic_curvature(),
+        actuation_lag(),
+        actuation_delay(),
+        actuation_gain(),
+        actuation_leak(),
+        actuation_hysteresis(),
+        clock_offset(),
+        frame_rate_error(),
+        scale_error(),
+        marker_swap(),
+        marker_slip(),
+    };
+    return effects;
+}
+
+const Effect* find_effect(const std::string& id) {
+    for (const Effect& effect : effect_catalogue())
+        if (effect.id == id) return &effect;
+    return nullptr;
+}
+
+std::vector<std::string> effect_ids() {
+    std::vector<std::string> ids;
+    for (const Effect& effect : effect_catalogue()) ids.push_back(effect.id);
+    return ids;
+}
+
+void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected) {
+    for (const EffectDeclaration& declaration : effects) {
+        const Effect* const effect = find_effect(declaration.id);
+        assert(effect != nullptr);
+        if (acts_on(site, declaration.parameters)) effect->apply(site, declaration.parameters, affected);
+    }
+}
+
+}  // namespace myo

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "effect/effect.hpp"
+
+namespace myo {
+
+/// All effects, in the order of the vocabulary. "none" and "unknown" are verdicts, not effects.
+const std::vector<Effect>& effect_catalogue();
+
+/// The entry with this id, or null.
+const Effect* find_effect(const std::string& id);
+
+std::vector<std::string> effect_ids();
+
+/// Applies effects in their order. Asserts that they are of the catalogue.
+void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected);
+
+}  // namespace myo

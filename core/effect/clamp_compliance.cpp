@@ -1,0 +1,30 @@
+#include "effect/effects.hpp"
+#include "effect/released_body.hpp"
+#include "model/elastic_bed.hpp"
+#include "model/loaded_face.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* bed_stiffness = "stiffness_Pa_per_m";
+
+void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+    std::vector<int> nodes;
+    for (int i = 0; i < site.body->node_count(); ++i)
+        if (site.body->clamped[static_cast<std::size_t>(i)]) nodes.push_back(i);
+    const std::vector<int> faces = faces_of_nodes(*site.body, nodes);
+    if (faces.empty()) return;   // held inside, where there is no face to sit on
+    affected.model.body = released_body(*affected.model.body, nodes);
+    affected.model.force_elements.push_back(elastic_bed(*site.body, faces, number(parameters, bed_stiffness)));
+}
+
+std::vector<EffectProbe> probes(const EffectSearch&) { return {{{{{bed_stiffness, 2e8}}}, bed_stiffness, true, nullptr}}; }
+
+}  // namespace
+
+Effect clamp_compliance() {
+    return {"clamp_compliance", EffectStage::support, "the clamped face sits on an elastic bed", {fitted_number(bed_stiffness, 1e4, 1e12, 1e6, true)}, apply,
+            probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,24 @@
+#include "effect/effects.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* offset = "offset_s";
+
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) { affected.seen.clock_offset_s += number(parameters, offset); }
+
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    std::vector<EffectProbe> list;
+    const double interval = search.sites.front().interval_s;
+    // Not smooth at zero: before the start the body stands still.
+    for (const double frames : {0.3, -0.3, 2.0, -2.0}) list.push_back(probe({{offset, frames * interval}}, offset));
+    return list;
+}
+
+}  // namespace
+
+Effect clock_offset() {
+    return {"clock_offset", EffectStage::measurement, "samples were taken later or earlier than they say", {fitted_number(offset, -10.0, 10.0, 0.01)}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,42 @@
+#include "effect/effect.hpp"
+
+namespace myo {
+
+std::string to_string(EffectStage stage) {
+    switch (stage) {
+        case EffectStage::force: return "force";
+        case EffectStage::support: return "support";
+        case EffectStage::material: return "material";
+        case EffectStage::actuation: return "actuation";
+        case EffectStage::measurement: return "measurement";
+    }
+    return {};
+}
+
+const EffectParameterEntry* Effect::parameter(const std::string& name) const {
+    for (const EffectParameterEntry& entry : parameters)
+        if (entry.name == name) return &entry;
+    return nullptr;
+}
+
+double number(const EffectParameters& parameters, const std::string& name) {
+    const EffectParameter& value = parameters.at(name);
+    if (const auto* const v = std::get_if<Eigen::VectorXd>(&value)) return v->norm();
+    return std::get<double>(value);
+}
+
+Eigen::Vector3d vector(const EffectParameters& parameters, const std::string& name) { return std::get<Eigen::VectorXd>(parameters.at(name)); }
+
+std::string text(const EffectParameters& parameters, const std::string& name) { return std::get<std::string>(parameters.at(name)); }
+
+bool has(const EffectParameters& parameters, const std::string& name) { return parameters.count(name) > 0; }
+
+bool acts_on(const EffectSite& site, const EffectParameters& parameters) { return !has(parameters, "trial") || text(parameters, "trial") == site.trial; }
+
+EffectProbe probe(EffectParameters at, const std::string& amount) { return {{std::move(at)}, amount, false, nullptr}; }
+
+EffectParameterEntry fitted_number(const std::string& name, double lowest, double highest, double scale, bool over_decades) {
+    return {name, EffectParameterKind::number, false, lowest, highest, scale, over_decades};
+}
+
+}  // namespace myo

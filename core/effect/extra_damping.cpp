@@ -1,0 +1,23 @@
+#include "effect/effects.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* excess = "excess_damping_s";
+
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) { affected.model.damping_s += number(parameters, excess); }
+
+/// A damping that is fitted anyway has no excess.
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    if (search.damping_is_fitted) return {};
+    return {probe({{excess, 2e-4}}, excess)};
+}
+
+}  // namespace
+
+Effect extra_damping() {
+    return {"extra_damping", EffectStage::material, "more Kelvin-Voigt damping than the declared value", {fitted_number(excess, 0.0, 10.0, 2e-3, true)}, apply,
+            probes};
+}
+
+}  // namespace myo

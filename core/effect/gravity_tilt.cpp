@@ -1,0 +1,49 @@
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+#include "effect/effects.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    const Vector3d axis = vector(parameters, "axis");
+    if (axis.norm() > 0.0)
+        affected.model.gravity_m_s2 = Eigen::AngleAxisd(degree * number(parameters, "tilt_deg"), axis.normalized()) * affected.model.gravity_m_s2;
+}
+
+/// Small turns add up like vectors.
+EffectParameters joined(const std::vector<EffectParameters>& columns, const Eigen::VectorXd& multiples) {
+    Vector3d turn = Vector3d::Zero();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        turn += multiples(static_cast<Eigen::Index>(i)) * number(columns[i], "tilt_deg") * vector(columns[i], "axis");
+    const Vector3d axis = turn.norm() > 0.0 ? turn.normalized() : vector(columns.front(), "axis");
+    return {{"tilt_deg", std::max(turn.norm(), 0.01)}, {"axis", Eigen::VectorXd(axis)}};
+}
+
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    const Vector3d g = search.models.front().gravity_m_s2;
+    if (!(g.norm() > 0.0)) return {};
+    int least = 0;
+    g.cwiseAbs().minCoeff(&least);
+    const Vector3d first = g.cross(Vector3d::Unit(least)).normalized(), second = g.cross(first).normalized();
+    EffectProbe probe;
+    for (const Vector3d& axis : {first, second}) probe.columns.push_back({{"tilt_deg", 1.0}, {"axis", Eigen::VectorXd(axis)}});
+    probe.joined = joined;
+    return {probe};
+}
+
+}  // namespace
+
+Effect gravity_tilt() {
+    return {"gravity_tilt", EffectStage::force, "the mount is tilted: gravity turned by an angle about an axis",
+            {fitted_number("tilt_deg", -180.0, 180.0, 2.0), {"axis", EffectParameterKind::vector3, false, -1.0, 1.0, 0.3}}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,59 @@
+#include "effect/effects.hpp"
+#include "effect/places.hpp"
+#include "fem/element_block.hpp"
+
+namespace myo {
+namespace {
+
+/// Each cell by itself, with nodes of its own.
+VolumeMesh exploded(const VolumeMesh& mesh) {
+    VolumeMesh result{mesh.type, Eigen::Matrix3Xd(3, mesh.cells.size()), Eigen::MatrixXi(mesh.cells.rows(), mesh.cells.cols())};
+    for (Eigen::Index i = 0; i < mesh.cells.size(); ++i) {
+        result.nodes.col(i) = mesh.nodes.col(mesh.cells.data()[i]);
+        result.cells.data()[i] = static_cast<int>(i);
+    }
+    return result;
+}
+
+/// The stress-free shape of each cell is a trapezium that does not fit its neighbours: the body keeps its rest shape only under stress.
+void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+    const double k = number(parameters, "curvature_1_m");
+    const auto across = static_cast<Eigen::Index>(number(parameters, "axis"));
+    const Eigen::Index along = clamp_axis(site).axis;
+    const Eigen::RowVectorXd s = site.body->mesh.nodes.row(across);
+    const double middle = 0.5 * (s.minCoeff() + s.maxCoeff());
+    VolumeMesh free_cells = exploded(site.body->mesh);
+    const Eigen::Index per_cell = free_cells.cells.rows();
+    for (Eigen::Index c = 0; c < free_cells.cells.cols(); ++c) {
+        auto nodes = free_cells.nodes.middleCols(c * per_cell, per_cell);
+        const double centre = nodes.row(along).mean();
+        nodes.row(along) = centre + (nodes.row(along).array() - centre) * (1.0 + k * (nodes.row(across).array() - middle));
+    }
+    auto bent = std::make_shared<Body>(*affected.model.body);
+    const PackedElements shapes = pack_elements(make_elements(free_cells, bent->kind));
+    std::visit(
+        [&](auto& cells) {
+            const auto& shape = std::get<std::decay_t<decltype(cells)>>(shapes);
+            cells.geometry = shape.geometry;
+            cells.hourglass = shape.hourglass;
+        },
+        bent->cells);
+    affected.model.body = bent;
+}
+
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    const int along = clamp_axis(search.sites.front()).axis;
+    std::vector<EffectProbe> list;
+    for (int axis = 0; axis < 3; ++axis)
+        if (axis != along) list.push_back(probe({{"curvature_1_m", 0.1}, {"axis", static_cast<double>(axis)}}, "curvature_1_m"));
+    return list;
+}
+
+}  // namespace
+
+Effect intrinsic_curvature() {
+    return {"intrinsic_curvature", EffectStage::material, "the stress-free shape is bent",
+            {fitted_number("curvature_1_m", -100.0, 100.0, 1.0), {"axis", EffectParameterKind::axis}}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,34 @@
+#include <algorithm>
+
+#include "effect/cell_stiffness.hpp"
+#include "effect/effects.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* rate = "rate_1_s";
+
+void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+    const double factor = 1.0 + number(parameters, rate) * site.session_time_s;
+    scale_stiffness(site, [&](const Eigen::Vector3d&) { return factor; }, affected);
+}
+
+double longest_time(const EffectSearch& search) {
+    double longest = 0.0;
+    for (const EffectSite& site : search.sites) longest = std::max(longest, std::abs(site.session_time_s - search.sites.front().session_time_s));
+    return longest;
+}
+
+/// Trials of one time cannot tell a drift from the modulus.
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    if (!(longest_time(search) > 0.0)) return {};
+    return {probe({{rate, 0.02 / longest_time(search)}}, rate)};
+}
+
+}  // namespace
+
+Effect modulus_drift() {
+    return {"modulus_drift", EffectStage::material, "the modulus drifts over the session", {fitted_number(rate, -1.0, 1.0, 1e-4)}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,23 @@
+#include "effect/effects.hpp"
+#include "model/loaded_face.hpp"
+#include "model/surface_drag.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* coefficient = "coefficient_kg_m3";
+
+void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+    affected.model.force_elements.push_back(surface_drag(*site.body, free_faces(*site.body), 0.0, number(parameters, coefficient)));
+}
+
+std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 50.0}}, coefficient)}; }
+
+}  // namespace
+
+Effect quadratic_drag() {
+    return {"quadratic_drag", EffectStage::force, "drag of a resting fluid that grows with the square of the speed",
+            {fitted_number(coefficient, 0.0, 1e6, 300.0, true)}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,28 @@
+#include "effect/cell_stiffness.hpp"
+#include "effect/effects.hpp"
+
+namespace myo {
+namespace {
+
+void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+    const auto axis = static_cast<Eigen::Index>(number(parameters, "axis"));
+    const Eigen::RowVectorXd coordinate = site.body->mesh.nodes.row(axis);
+    const double lowest = coordinate.minCoeff(), size = coordinate.maxCoeff() - lowest, r = number(parameters, "relative_change");
+    scale_stiffness(site, [&](const Eigen::Vector3d& centre) { return 1.0 + r * ((centre(axis) - lowest) / size - 0.5); }, affected);
+}
+
+std::vector<EffectProbe> probes(const EffectSearch&) {
+    std::vector<EffectProbe> list;
+    for (const double axis : {0.0, 1.0, 2.0}) list.push_back(probe({{"relative_change", 0.05}, {"axis", axis}}, "relative_change"));
+    return list;
+}
+
+}  // namespace
+
+Effect stiffness_gradient() {
+    // Beyond 2 the modulus would be negative at one end.
+    return {"stiffness_gradient", EffectStage::material, "the modulus is linear in one coordinate",
+            {fitted_number("relative_change", -1.98, 1.98, 0.3), {"axis", EffectParameterKind::axis}}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,22 @@
+#include "material/strain_stiffening.hpp"
+
+#include "effect/effects.hpp"
+
+namespace myo {
+namespace {
+
+constexpr const char* c2 = "yeoh_c2";
+
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    affected.model.material = strain_stiffening(affected.model.material, number(parameters, c2));
+}
+
+std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}}, c2)}; }
+
+}  // namespace
+
+Effect strain_stiffening_effect() {
+    return {"strain_stiffening", EffectStage::material, "the material stiffens with strain (Yeoh's second term)", {fitted_number(c2, -0.2, 1e3, 0.5)}, apply, probes};
+}
+
+}  // namespace myo

@@ -1,0 +1,334 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numeric>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "loop/confusion.hpp"
+#include "loop/diagnosis.hpp"
+#include "loop/effect_words.hpp"
+#include "loop/fit_store.hpp"
+#include "loop/judge.hpp"
+#include "loop/verdict.hpp"
+#include "project/predict_trials.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// The numerical error is taken off predictions with the mesh's edge times this.
+constexpr double mesh_ratio = 0.7;
+/// Evaluations of a candidate's fit before the best go on, and of those that do.
+constexpr int first_evaluations = 4, more_evaluations = 16;
+/// Of a first round of fits those go on that leave at most so many times the squares of the best.
+constexpr double hopeful = 4.0;
+/// A probe that takes away less of the residual is not worth a fit.
+constexpr double least_explained = 0.02;
+
+std::string study_words(const Study& study) {
+    return study.experiment.name + ", " + to_string(study.mesh.element) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
+           std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator);
+}
+
+/// A diagnosis on its way.
+class Work {
+public:
+    Work(const Study& study, const DiagnoseSettings& settings, const Progress& progress, const std::function<void(const Diagnosis&)>& live)
+        : study_(study), serial_(study), progress_(progress), live_(live) {
+        serial_.settings.threads = 1;
+        result_.settings = settings;
+        if (settings.fits) store_ = std::make_unique<FitStore>(*settings.fits, study_words(study));
+        else store_ = std::make_unique<FitStore>();
+    }
+
+    Diagnosis take() {
+        const Stopwatch watch;
+        if (declared_fit() && numbers() && tests()) {
+            if (needs_explanation(result_.declared, result_.data, result_.numerics)) {
+                if (single_effects()) second_effects();
+            }
+            if (!progress_.cancelled()) conclude();
+        }
+        result_.stopped = progress_.cancelled();
+        result_.seconds = watch.seconds();
+        return std::move(result_);
+    }
+
+private:
+    bool allowed(const std::string& id) const {
+        const std::vector<std::string>& without = result_.settings.without;
+        return std::find(without.begin(), without.end(), id) == without.end();
+    }
+
+    void show() const {
+        if (live_) live_(result_);
+    }
+
+    /// A stage whose time goes into the table.
+    template <class Task>
+    auto stage(const std::string& name, int runs, const Task& task) {
+        const Stopwatch watch;
+        progress_.report({name, 0.0, 1.0, "stage", {}});
+        auto value = task();
+        const auto same = std::find_if(result_.cost.begin(), result_.cost.end(), [&](const StageCost& cost) { return cost.stage == name; });
+        if (same == result_.cost.end()) result_.cost.push_back({name, watch.seconds(), runs});
+        else {
+            same->seconds += watch.seconds();
+            same->runs += runs;
+        }
+        show();
+        return value;
+    }
+
+    int fit_count() const { return static_cast<int>(result_.data.trials.size()); }
+
+    JointFit fit(const Study& study, const StudyValues& start, int evaluations, const Progress& progress) {
+        LeastSquaresOptions options;
+        options.max_evaluations = evaluations;
+        options.relative_decrease = 1e-5;
+        options.relative_step = 1e-5;
+        const std::vector<StudyParameter> parameters = joint_parameters(study, start);
+        std::string key = std::to_string(evaluations) + (result_.data.shift.empty() ? "" : " shifted");
+        for (const EffectDeclaration& effect : start.effects) key += " " + effect_words(effect);
+        for (const StudyParameter& p : parameters) key += " " + p.parameter.name + " " + std::to_string(p.parameter.value);
+        StudyValues from = start;
+        if (const std::optional<VectorXd> done = store_->find(key); done && done->size() == static_cast<Index>(parameters.size())) {
+            for (std::size_t i = 0; i < parameters.size(); ++i) set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
+            options.max_evaluations = 0;
+        }
+        JointFit fit = joint_fit(study, result_.data, from, options, progress);
+        if (!fit.usable() || progress.cancelled()) return fit;
+        VectorXd found(static_cast<Index>(parameters.size()));
+        for (std::size_t i = 0; i < parameters.size(); ++i) found(static_cast<Index>(i)) = value_of(parameters[i], fit.values);
+        static_cast<void>(store_->keep(key, found));   // what cannot be kept is done again
+        return fit;
+    }
+
+    bool declared_fit() {
+        result_.data = fit_data(study_, trials_with_role(study_, TrialRole::fit));
+        result_.noise_m = std::sqrt(result_.data.noise_m.squaredNorm() / static_cast<double>(std::max<Index>(1, result_.data.noise_m.size())));
+        if (result_.data.layout.size() == 0) {
+            result_.failure = "no sample of a fit trial can be compared";
+            return false;
+        }
+        JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), 30, progress_); });
+        if (progress_.cancelled()) return false;
+        if (!declared.usable()) {
+            result_.failure = "the declared model cannot be run: " + declared.report.message;
+            return false;
+        }
+        result_.cost.back().runs = declared.report.evaluations * fit_count();
+        result_.declared = judged(result_.data, std::move(declared), result_.settings);
+        return true;
+    }
+
+    /// Predictions of all trials with the values of a fit.
+    std::vector<TrialPrediction> predict_all(const StudyValues& fitted) const {
+        const StudyValues values = with_predicted_levels(study_, fitted);
+        std::vector<PredictionTask> tasks;
+        for (std::size_t t = 0; t < study_.trials.size(); ++t) tasks.push_back({t, &values});
+        return predict_trials(study_, tasks, {}, progress_);
+    }
+
+    NumericalError error_at(const StudyValues& fitted) {
+        const StudyValues values = with_predicted_levels(study_, fitted);
+        if (!refined_ && result_.settings.refine_mesh && !mesh_failed_) {
+            Result<Study> finer = refined_study(study_, mesh_ratio, progress_);
+            mesh_failed_ = !finer;
+            if (finer) refined_ = std::make_unique<Study>(std::move(*finer));
+        }
+        return numerical_error(study_, refined_.get(), values, predict_all(fitted), progress_);
+    }
+
+    bool numbers() {
+        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.declared.fit.values); });
+        if (progress_.cancelled()) return false;
+        result_.data.shift = result_.numerics.shift;
+        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, 6, progress_); });
+        if (progress_.cancelled()) return false;
+        if (again.usable()) result_.declared = judged(result_.data, std::move(again), result_.settings);
+        return true;
+    }
+
+    bool tests() {
+        progress_.report({"significance", 1.0, 1.0, "stage", {}});
+        show();
+        return !progress_.cancelled();
+    }
+
+    /// Fits of these starts beside a fit's effects, the hopeful ones to the end. In the order of the starts; unusable where they failed.
+    std::vector<JudgedFit> fits_from(const std::string& name, const StudyValues& base, const std::vector<EffectDeclaration>& starts) {
+        std::vector<JudgedFit> fits(starts.size());
+        std::atomic<int> done{0};
+        std::mutex mutex;
+        const auto round = [&](int evaluations, const std::function<bool(std::size_t)>& wanted, const std::function<StudyValues(std::size_t)>& from) {
+            parallel_tasks(static_cast<int>(starts.size()), study_.settings.threads, [&](int task) {
+                const auto i = static_cast<std::size_t>(task);
+                if (progress_.cancelled() || !wanted(i)) return;
+                JointFit found = fit(serial_, from(i), evaluations, progress_.with_sink({}));
+                if (!found.usable() || progress_.cancelled()) return;
+                for (TrialPrediction& prediction : found.predictions) prediction.trace = {};
+                JudgedFit fresh = judged(result_.data, std::move(found), result_.settings);
+                const std::lock_guard<std::mutex> lock(mutex);
+                runs_ += fresh.fit.report.evaluations * fit_count();
+                if (!fits[i].usable() || fresh.fit.squares() < fits[i].fit.squares()) fits[i] = std::move(fresh);
+                progress_.report({name, static_cast<double>(++done), 2.0 * static_cast<double>(starts.size()), "fits", starts[i].id});
+            });
+        };
+        round(first_evaluations, [](std::size_t) { return true; }, [&](std::size_t i) {
+            StudyValues values = base;
+            values.effects.push_back(starts[i]);
+            return values;
+        });
+        double best = std::numeric_limits<double>::infinity();
+        for (const JudgedFit& fit : fits)
+            if (fit.usable()) best = std::min(best, fit.fit.squares());
+        done = static_cast<int>(starts.size());
+        round(more_evaluations, [&](std::size_t i) { return fits[i].usable() && !fits[i].fit.report.converged() && fits[i].fit.squares() < hopeful * best; },
+              [&](std::size_t i) { return fits[i].fit.values; });
+        return fits;
+    }
+
+    /// The best probes of the best effects.
+    std::vector<std::size_t> worth_fitting(const std::vector<EffectScore>& scores, int count) const {
+        std::vector<std::size_t> order(scores.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return (scores[a].usable() ? scores[a].test.explained : -1.0) > (scores[b].usable() ? scores[b].test.explained : -1.0);
+        });
+        std::vector<std::size_t> chosen;
+        std::map<std::string, int> times;
+        for (const std::size_t i : order)
+            if (static_cast<int>(chosen.size()) < count && scores[i].usable() && scores[i].test.explained > least_explained && times[scores[i].id]++ == 0) chosen.push_back(i);
+        return chosen;
+    }
+
+    static void order_by_criterion(const FitData& data, JudgedFit& declared, std::vector<Candidate>& candidates) {
+        std::vector<JudgedFit*> fits{&declared};
+        for (Candidate& candidate : candidates)
+            if (candidate.judged) fits.push_back(&*candidate.judged);
+        weigh(data, fits);
+        std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+            if (a.judged.has_value() != b.judged.has_value()) return a.judged.has_value();
+            if (a.judged) return a.judged->criterion < b.judged->criterion;
+            return (a.score.usable() ? a.score.test.explained : -1.0) > (b.score.usable() ? b.score.test.explained : -1.0);
+        });
+    }
+
+    bool single_effects() {
+        std::vector<EffectScore> scores = stage("score", 0, [&] {
+            return score_effects(study_, result_.data, result_.declared.fit, [this](const std::string& id) { return allowed(id); }, progress_);
+        });
+        if (progress_.cancelled()) return false;
+        std::vector<double> p;
+        for (const EffectScore& score : scores) p.push_back(score.usable() ? score.test.p : 1.0);
+        const std::vector<double> adjusted = holm_adjusted(p);
+        const std::vector<std::size_t> chosen = worth_fitting(scores, result_.settings.refits);
+        std::map<std::string, std::size_t> best_probe;
+        for (std::size_t i = 0; i < scores.size(); ++i) {
+            const auto [place, first] = best_probe.emplace(scores[i].id, i);
+            const auto share = [&](std::size_t k) { return scores[k].usable() ? scores[k].test.explained : -1.0; };
+            if (!first && share(i) > share(place->second)) place->second = i;
+        }
+        for (const auto& [id, i] : best_probe) result_.candidates.push_back({scores[i], adjusted[i], {}, {}});
+        order_by_criterion(result_.data, result_.declared, result_.candidates);
+        show();
+        std::vector<EffectDeclaration> starts;
+        for (const std::size_t i : chosen) starts.push_back({scores[i].id, scores[i].start});
+        runs_ = 0;
+        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", result_.declared.fit.values, starts); });
+        result_.cost.back().runs += runs_;
+        if (progress_.cancelled()) return false;
+        for (std::size_t i = 0; i < fits.size(); ++i)
+            for (Candidate& candidate : result_.candidates)
+                if (candidate.score.id == starts[i].id && fits[i].usable()) candidate.judged = std::move(fits[i]);
+        order_by_criterion(result_.data, result_.declared, result_.candidates);
+        find_confusions(study_, result_);
+        show();
+        return true;
+    }
+
+    /// Where one effect leaves something, a second beside the best one, and the first is asked whether it is still needed.
+    void second_effects() {
+        if (result_.candidates.empty() || !result_.candidates.front().judged) return;
+        const JudgedFit& first = *result_.candidates.front().judged;
+        if (explains(first, result_.declared, result_.data, result_.numerics)) return;
+        JointFit base = first.fit;
+        std::vector<PredictionTask> tasks;
+        for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &base.values});
+        base.predictions = predict_trials(study_, tasks, {}, progress_);
+        if (progress_.cancelled()) return;
+        const std::string first_id = result_.candidates.front().score.id;
+        const std::vector<EffectScore> scores = stage("score of pairs", 0, [&] {
+            return score_effects(study_, result_.data, base, [&](const std::string& id) { return id != first_id && allowed(id); }, progress_);
+        });
+        if (progress_.cancelled()) return;
+        std::vector<EffectDeclaration> starts;
+        for (const std::size_t i : worth_fitting(scores, result_.settings.pairs)) starts.push_back({scores[i].id, scores[i].start});
+        runs_ = 0;
+        std::vector<JudgedFit> fits = stage("refit of pairs", 0, [&] { return fits_from("refit of pairs", base.values, starts); });
+        result_.cost.back().runs += runs_;
+        if (progress_.cancelled()) return;
+        for (JudgedFit& fit : fits)
+            if (fit.usable()) result_.pairs.push_back(std::move(fit));
+        std::vector<JudgedFit*> all{&result_.declared};
+        for (Candidate& candidate : result_.candidates)
+            if (candidate.judged) all.push_back(&*candidate.judged);
+        for (JudgedFit& pair : result_.pairs) all.push_back(&pair);
+        weigh(result_.data, all);
+        std::stable_sort(result_.pairs.begin(), result_.pairs.end(), [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
+        show();
+    }
+
+    /// The verdict, the fit it stands on with the numerical error taken anew, and all trials before and after.
+    void conclude() {
+        result_.augmented = decide(result_);
+        const std::vector<TrialPrediction> before = stage("prediction", 2 * static_cast<int>(study_.trials.size()), [&] { return predict_all(result_.declared.fit.values); });
+        const auto scored = [&](const StudyValues& fitted, std::vector<TrialPrediction> predictions) {
+            for (std::size_t t = 0; t < predictions.size(); ++t) predictions[t] = shifted(std::move(predictions[t]), result_.data.shift, t);
+            std::vector<std::size_t> all(study_.trials.size());
+            std::iota(all.begin(), all.end(), std::size_t{0});
+            return scored_run(study_, with_predicted_levels(study_, fitted), std::move(predictions), all);
+        };
+        result_.before = scored(result_.declared.fit.values, before);
+        if (result_.verdict.kind == VerdictKind::none) {
+            result_.after = result_.before;
+            return;
+        }
+        const NumericalError again = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.augmented.fit.values); });
+        if (progress_.cancelled()) return;
+        result_.data.shift = again.shift;
+        JointFit polished = stage("last fit", 4 * fit_count(), [&] { return fit(study_, result_.augmented.fit.values, 6, progress_); });
+        if (progress_.cancelled()) return;
+        if (polished.usable()) {
+            const double weight = result_.augmented.weight, criterion = result_.augmented.criterion;
+            result_.augmented = judged(result_.data, std::move(polished), result_.settings);
+            result_.augmented.weight = weight;
+            result_.augmented.criterion = criterion;
+            if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
+        }
+        result_.after = scored(result_.augmented.fit.values, predict_all(result_.augmented.fit.values));
+    }
+
+    const Study& study_;
+    Study serial_;                       // its fits run on one thread each, side by side
+    const Progress& progress_;
+    const std::function<void(const Diagnosis&)>& live_;
+    std::unique_ptr<FitStore> store_;
+    std::unique_ptr<Study> refined_;
+    bool mesh_failed_ = false;
+    int runs_ = 0;
+    Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis diagnose(const Study& study, const DiagnoseSettings& settings, const Progress& progress, const std::function<void(const Diagnosis&)>& live) {
+    return Work(study, settings, progress, live).take();
+}
+
+}  // namespace myo

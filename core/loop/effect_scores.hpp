@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "diagnosis/score_test.hpp"
+#include "loop/joint_fit.hpp"
+
+namespace myo {
+
+/// What one probe of an effect says of a residual, before anything is fitted.
+struct EffectScore {
+    std::string id;
+    EffectParameters start;              // parameters that explain the residual best to first order
+    ProjectedCandidate candidate;
+    ScoreTest test;
+    Eigen::VectorXd predicted;           // N: the part of the residual it would take away
+    std::string failure;                 // why it could not be tried; empty when it was
+
+    bool usable() const { return failure.empty() && candidate.rank() > 0 && test.explained > 0.0; }
+};
+
+/// Whether an effect is among those that may be named.
+using EffectFilter = std::function<bool(const std::string& id)>;
+
+/// Scores every probe of every effect on a fit's residual, its own parameters projected out.
+///
+/// One run per column and trial, on the study's threads side by side. A probe whose best amount has the wrong sign explains nothing.
+/// Progress counts runs.
+std::vector<EffectScore> score_effects(const Study& study, const FitData& data, const JointFit& fit, const EffectFilter& allowed, const Progress& progress);
+
+/// What effects may know of the experiment with a fit's values.
+EffectSearch effect_search(const Study& study, const FitData& data, const StudyValues& values);
+
+}  // namespace myo

@@ -1,0 +1,95 @@
+#include "loop/fit_data.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+/// Whether a sample of a marker is compared.
+bool is_compared(const Study& study, std::size_t trial, std::size_t marker, Index sample) {
+    const StudyTrial& t = study.trials[trial];
+    return sample >= t.first_sample && t.measured.tracks[marker].col(sample).allFinite();
+}
+
+/// value(marker, axis, sample) of every entry of one trial after the other.
+template <class Value>
+VectorXd gathered(const FitData& data, const Value& value) {
+    VectorXd flat(data.layout.size());
+    for (const ResidualSeries& series : data.layout.series)
+        for (Index k = series.begin; k < series.end; ++k) flat(k) = value(series, data.layout.sample[static_cast<std::size_t>(k)]);
+    return flat;
+}
+
+/// Where a trial of the study stands among the predictions.
+std::vector<std::size_t> places(const FitData& data) {
+    std::vector<std::size_t> place;
+    for (std::size_t i = 0; i < data.trials.size(); ++i) {
+        if (place.size() <= data.trials[i]) place.resize(data.trials[i] + 1);
+        place[data.trials[i]] = i;
+    }
+    return place;
+}
+
+}  // namespace
+
+FitData fit_data(const Study& study, const std::vector<std::size_t>& trials) {
+    FitData data;
+    data.trials = trials;
+    std::vector<double> noise;
+    for (const std::size_t trial : trials)
+        for (std::size_t marker = 0; marker < study.marker_names.size(); ++marker)
+            for (int axis = 0; axis < 3; ++axis) {
+                ResidualSeries series{static_cast<int>(trial), static_cast<int>(marker), axis, data.layout.size(), 0};
+                for (Index s = 0; s < study.trials[trial].measured.sample_count(); ++s) {
+                    if (!is_compared(study, trial, marker, s)) continue;
+                    data.layout.sample.push_back(static_cast<int>(s));
+                    data.layout.time_s.push_back(study.trials[trial].measured.time_s(s));
+                    noise.push_back(study.noise_m(static_cast<Index>(marker)));
+                }
+                series.end = data.layout.size();
+                if (series.size() > 0) data.layout.series.push_back(series);
+            }
+    data.noise_m = Eigen::Map<VectorXd>(noise.data(), static_cast<Index>(noise.size()));
+    return data;
+}
+
+VectorXd flat_residual(const FitData& data, const std::vector<TrialPrediction>& predictions) {
+    assert(predictions.size() == data.trials.size());
+    const std::vector<std::size_t> place = places(data);
+    const VectorXd metres = gathered(data, [&](const ResidualSeries& at, int sample) {
+        const auto trial = static_cast<std::size_t>(at.trial), marker = static_cast<std::size_t>(at.marker);
+        const double shift = data.shift.empty() || data.shift[trial].empty() ? 0.0 : data.shift[trial][marker](at.axis, sample);
+        return predictions[place[trial]].residual_m[marker](at.axis, sample) + shift;
+    });
+    return metres.cwiseQuotient(data.noise_m);
+}
+
+Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPrediction>& predictions, std::size_t parameters) {
+    const std::vector<std::size_t> place = places(data);
+    Eigen::MatrixXd J(data.layout.size(), static_cast<Index>(parameters));
+    for (std::size_t p = 0; p < parameters; ++p)
+        J.col(static_cast<Index>(p)) = gathered(data, [&](const ResidualSeries& at, int sample) {
+            return predictions[place[static_cast<std::size_t>(at.trial)]].tangents[p][static_cast<std::size_t>(at.marker)](at.axis, sample);
+        }).cwiseQuotient(data.noise_m);
+    return J;
+}
+
+double flat_rms_m(const FitData& data, const VectorXd& residual) {
+    return std::sqrt(residual.cwiseProduct(data.noise_m).squaredNorm() / static_cast<double>(std::max<Index>(1, residual.size())));
+}
+
+TrialPrediction shifted(TrialPrediction prediction, const PredictionShift& shift, std::size_t trial) {
+    if (!prediction.ok() || shift.empty() || shift[trial].empty()) return prediction;
+    for (std::size_t m = 0; m < prediction.residual_m.size(); ++m) {
+        prediction.residual_m[m] += shift[trial][m];
+        prediction.positions_m[m] += shift[trial][m];
+    }
+    return prediction;
+}
+
+}  // namespace myo

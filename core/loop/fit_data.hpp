@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "diagnosis/residual_layout.hpp"
+#include "project/prediction.hpp"
+#include "project/study.hpp"
+
+namespace myo {
+
+/// What is added to predictions of trials, so that they are those of a finer mesh and step: [trial of the study][marker] 3 x T [m].
+using PredictionShift = std::vector<std::vector<Eigen::Matrix3Xd>>;
+
+/// The samples on which trials are compared, flattened: trial by trial, marker by marker, x y z, in time order.
+struct FitData {
+    std::vector<std::size_t> trials;   // of the study
+    ResidualLayout layout;             // its trials are those numbers
+    Eigen::VectorXd noise_m;           // per entry
+    PredictionShift shift;             // empty: none
+};
+FitData fit_data(const Study& study, const std::vector<std::size_t>& trials);
+
+/// (prediction + shift - measurement) / noise of the trials' predictions, in the order of data.trials.
+Eigen::VectorXd flat_residual(const FitData& data, const std::vector<TrialPrediction>& predictions);
+
+/// Derivatives of the same, N x parameters.
+Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPrediction>& predictions, std::size_t parameters);
+
+/// Root mean square of a flat residual [m].
+double flat_rms_m(const FitData& data, const Eigen::VectorXd& residual);
+
+/// A prediction with the shift of its trial added to its residual and positions.
+TrialPrediction shifted(TrialPrediction prediction, const PredictionShift& shift, std::size_t trial);
+
+}  // namespace myo

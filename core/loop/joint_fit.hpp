@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "inverse/least_squares.hpp"
+#include "loop/fit_data.hpp"
+
+namespace myo {
+
+/// A fit of declared parameters and of effects together, with what is needed to judge it.
+struct JointFit {
+    std::vector<EffectDeclaration> effects;    // those tried, with the values found; declared ones are in values alone
+    std::vector<StudyParameter> parameters;
+    StudyValues values;                        // with the least cost
+    LeastSquaresReport report;
+    Eigen::VectorXd residual;                  // flat, there
+    Eigen::MatrixXd jacobian;
+    std::vector<TrialPrediction> predictions;  // of data.trials, without tangents and shift
+
+    bool usable() const { return residual.size() > 0; }
+    double squares() const { return residual.squaredNorm(); }
+};
+
+/// Levenberg-Marquardt on the data from `start`, whose effects beyond those of the experiment are fitted, too.
+///
+/// study.settings.threads trials side by side. Effects' vectors are held near their start by a weak prior of ten times their scale: the
+/// data see a place on a surface in two directions only.
+JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const Progress& progress);
+
+/// The declared parameters' and the tried effects' ones.
+std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start);
+
+}  // namespace myo

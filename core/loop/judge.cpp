@@ -1,0 +1,75 @@
+#include "loop/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/autocorrelation.hpp"
+#include "diagnosis/evidence.hpp"
+#include "diagnosis/linear_cross_validation.hpp"
+
+namespace myo {
+namespace {
+
+/// Systematic residuals below this share of the noise are nobody's concern: two simulators of one model differ by as much.
+constexpr double least_systematic = 0.2;
+/// What an effect leaves, over what was there: another program's form of the same effect differs by as much.
+constexpr double share_of_form = 0.05;
+/// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights().
+constexpr double temperature = 8.0;
+/// Longest memory of a residual that a guard between blocks of time has to bridge [s].
+constexpr double guard_s = 0.05;
+
+double mean_noise_m(const FitData& data) { return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, data.noise_m.size()))); }
+
+}  // namespace
+
+JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& settings) {
+    JudgedFit result;
+    if (fit.usable()) {
+        ResidualTestOptions options;
+        options.alpha = settings.alpha;
+        result.rms_m = flat_rms_m(data, fit.residual);
+        result.tests = test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()), options);
+        FoldOptions folds;
+        folds.guard_s = guard_s;
+        result.held_out_rms = std::sqrt(linear_cross_validation(fit.residual, fit.jacobian, make_folds(data.layout, folds)).mean_square());
+    }
+    result.fit = std::move(fit);
+    return result;
+}
+
+void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
+    const JudgedFit* best = nullptr;
+    for (const JudgedFit* fit : fits)
+        if (fit->usable() && (!best || fit->fit.squares() < best->fit.squares())) best = fit;
+    if (!best) return;
+    const auto samples = static_cast<double>(data.layout.size());
+    const double effective = effective_samples(best->fit.residual, data.layout);
+    std::vector<double> criteria;
+    for (JudgedFit* fit : fits) {
+        fit->criterion = std::numeric_limits<double>::infinity();
+        if (fit->usable())
+            fit->criterion = 0.5 * (information_criterion(fit->fit.squares(), samples, effective, static_cast<int>(fit->fit.parameters.size())) +
+                                    information_criterion(samples * fit->held_out_rms * fit->held_out_rms, samples, effective, 0));
+        criteria.push_back(fit->criterion);
+    }
+    const std::vector<double> weights = evidence_weights(criteria, temperature);
+    for (std::size_t i = 0; i < fits.size(); ++i) fits[i]->weight = weights[i];
+}
+
+double numerical_allowance(const FitData& data, const NumericalError& numerics) {
+    return std::max(least_systematic, numerics.left_rms_m / mean_noise_m(data));
+}
+
+bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
+    return fit.tests.significant() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
+}
+
+bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics) {
+    if (!fit.usable()) return false;
+    const double allowed = std::max(1.5 * numerical_allowance(data, numerics), share_of_form * before.tests.systematic.rms);
+    return !fit.tests.significant() || fit.tests.systematic.rms <= allowed;
+}
+
+}  // namespace myo

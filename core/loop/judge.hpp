@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "loop/diagnosis.hpp"
+
+namespace myo {
+
+/// Tests of what a fit leaves, and how it predicts data it was not fitted to.
+JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& settings);
+
+/// Gives fits of the same data their criteria and weights: the mean of a cross-validated and a Bayesian information criterion, both with the
+/// effective number of samples of the best residual among them.
+void weigh(const FitData& data, const std::vector<JudgedFit*>& fits);
+
+/// How large a systematic residual may be and still be put down to the program itself, in units of the noise.
+double numerical_allowance(const FitData& data, const NumericalError& numerics);
+
+/// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance.
+bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
+
+/// Whether a fit explains what another left: what remains is of the size of the program's own errors, or a small part of what was there.
+bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics);
+
+}  // namespace myo

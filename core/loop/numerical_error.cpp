@@ -1,0 +1,95 @@
+#include "loop/numerical_error.hpp"
+
+#include <cmath>
+
+#include "project/integration_check.hpp"
+#include "project/predict_trials.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+/// Share of the extrapolated error by which it may be wrong: orders between 1.5 and 2.5 change the factor by so much.
+constexpr double extrapolation_doubt = 0.35;
+
+/// finer - coarser of the residuals, per marker; what is not compared is 0.
+std::vector<Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser) {
+    std::vector<Matrix3Xd> result;
+    for (std::size_t m = 0; m < coarser.residual_m.size(); ++m) {
+        result.push_back(finer.residual_m[m] - coarser.residual_m[m]);
+        result.back() = result.back().unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
+    }
+    return result;
+}
+
+struct Sum {
+    double squares = 0.0, count = 0.0;
+    void add(const std::vector<Matrix3Xd>& tracks) {
+        for (const Matrix3Xd& track : tracks) {
+            squares += track.squaredNorm();
+            count += static_cast<double>(track.size());
+        }
+    }
+    double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
+};
+
+/// 1 / (1 - ratio^2): from the change by a refinement of second order to its limit.
+double extrapolation(double ratio) { return 1.0 / (1.0 - ratio * ratio); }
+
+void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector<Matrix3Xd>& sum) {
+    if (sum.empty())
+        for (const Matrix3Xd& track : tracks) sum.push_back(Matrix3Xd::Zero(3, track.cols()));
+    for (std::size_t m = 0; m < tracks.size(); ++m) sum[m] += factor * tracks[m];
+}
+
+}  // namespace
+
+Result<Study> refined_study(const Study& study, double ratio, const Progress& progress) {
+    StudySettings settings = study.settings;
+    settings.mesh.element = study.mesh.element;
+    settings.mesh.resolution_m = ratio * study.mesh.resolution_m;
+    return prepare_study(study.experiment, settings, progress);
+}
+
+NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
+                               const Progress& progress) {
+    NumericalError error;
+    error.step_ratio = 0.5;
+    Study halved = study;
+    for (StudyTrial& trial : halved.trials) trial.options.h_s *= error.step_ratio;
+    std::vector<PredictionTask> tasks;
+    for (std::size_t t = 0; t < study.trials.size(); ++t) tasks.push_back({t, &values});
+    const std::vector<TrialPrediction> finer_step = predict_trials(halved, tasks, {}, progress);
+    std::vector<TrialPrediction> finer_mesh(study.trials.size());
+    if (refined) {
+        error.mesh_ratio = refined->mesh.resolution_m / study.mesh.resolution_m;
+        if (!progress.cancelled()) finer_mesh = predict_trials(*refined, tasks, {}, progress);
+    } else {
+        error.message = "no finer mesh could be made";
+    }
+    error.shift.resize(study.trials.size());
+    Sum by_step, by_mesh, total;
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        if (!base[t].ok()) continue;
+        if (finer_step[t].ok()) {
+            const std::vector<Matrix3Xd> change = difference(finer_step[t], base[t]);
+            by_step.add(change);
+            add_scaled(change, extrapolation(error.step_ratio), error.shift[t]);
+        }
+        if (finer_mesh[t].ok()) {
+            const std::vector<Matrix3Xd> change = difference(finer_mesh[t], base[t]);
+            by_mesh.add(change);
+            add_scaled(change, extrapolation(error.mesh_ratio), error.shift[t]);
+        }
+        total.add(error.shift[t]);
+    }
+    error.step_rms_m = by_step.rms();
+    error.mesh_rms_m = by_mesh.rms();
+    error.left_rms_m = extrapolation_doubt * total.rms();
+    const StudyTrial& first = study.trials.front();
+    error.numerical_damping = check_integration(trial_model(study, 0, values), first.options.integrator, first.options.h_s).numerical_damping_ratio;
+    return error;
+}
+
+}  // namespace myo

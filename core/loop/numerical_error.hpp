@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/progress.hpp"
+#include "base/result.hpp"
+#include "loop/fit_data.hpp"
+
+namespace myo {
+
+/// How much of a residual is the program's own doing: what a finer step and a finer mesh change in the predictions.
+struct NumericalError {
+    double step_rms_m = 0.0;            // half the step against the step, over all trials
+    double mesh_rms_m = 0.0;            // the finer mesh against the mesh
+    double step_ratio = 0.0;            // finer over coarser
+    double mesh_ratio = 0.0;
+    double left_rms_m = 0.0;            // of what the extrapolation takes off, the share it may be wrong by
+    double numerical_damping = 0.0;     // damping ratio that the time scheme adds to the first vibration
+    std::string message;                // why a part of it is unknown
+    PredictionShift shift;              // extrapolated to zero step and edge, to be added to predictions; empty where unknown
+};
+
+/// The study with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
+Result<Study> refined_study(const Study& study, double ratio, const Progress& progress);
+
+/// Runs the trials with these values on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by
+/// Richardson's rule for second order.
+///
+/// @param base  the study's predictions with these values, one per trial, with their traces or without; failed ones are left alone
+/// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
+NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
+                               const Progress& progress);
+
+}  // namespace myo

@@ -1,0 +1,71 @@
+#include "loop/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "loop/effect_words.hpp"
+#include "loop/judge.hpp"
+
+namespace myo {
+namespace {
+
+/// Confidence in what the tests say, should all they assume hold.
+constexpr double trust = 0.97;
+
+std::string times_noise(double rms) { return format_number(rms, 3) + " times the noise"; }
+
+/// Ids of the candidates, most credible first, with the verdict's first.
+void rank(Diagnosis& d) {
+    std::vector<std::string>& ranking = d.verdict.ranking;
+    for (const EffectDeclaration& effect : d.verdict.effects) ranking.push_back(effect.id);
+    if (d.verdict.kind == VerdictKind::none) ranking.push_back("none");
+    if (d.verdict.kind == VerdictKind::unknown) ranking.push_back("unknown");
+    for (const Candidate& candidate : d.candidates)
+        if (std::find(ranking.begin(), ranking.end(), candidate.score.id) == ranking.end()) ranking.push_back(candidate.score.id);
+    for (const char* last : {"unknown", "none"})
+        if (std::find(ranking.begin(), ranking.end(), last) == ranking.end()) ranking.push_back(last);
+}
+
+JudgedFit none(Diagnosis& d) {
+    d.verdict.kind = VerdictKind::none;
+    const double share = d.declared.tests.systematic.rms / numerical_allowance(d.data, d.numerics);
+    d.verdict.confidence = trust * (d.declared.tests.significant() ? std::clamp(1.5 - share, 0.3, 1.0) : 1.0);
+    d.verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
+                        times_noise(d.declared.tests.systematic.rms) + " is systematic: no more than the program's own error may be.";
+    return d.declared;
+}
+
+JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
+    d.verdict.kind = VerdictKind::effects;
+    d.verdict.effects = fit.fit.effects;
+    d.verdict.confidence = trust * weight;
+    d.verdict.because = "with " + effect_words(fit.fit.effects.front()) + (fit.fit.effects.size() > 1 ? " and " + effect_words(fit.fit.effects.back()) : "") +
+                        " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
+    return fit;
+}
+
+JudgedFit unknown(Diagnosis& d, const JudgedFit& best) {
+    d.verdict.kind = VerdictKind::unknown;
+    const double left = best.tests.systematic.rms / std::max(1e-9, d.declared.tests.systematic.rms);
+    d.verdict.confidence = trust * std::clamp(0.5 + left, 0.0, 1.0);
+    d.verdict.because = "the residual is significant, and no effect of the catalogue takes it away: the best attempt leaves " + times_noise(best.tests.systematic.rms) +
+                        " of " + times_noise(d.declared.tests.systematic.rms) + ".";
+    return best;
+}
+
+}  // namespace
+
+JudgedFit decide(Diagnosis& d) {
+    JudgedFit fit;
+    const Candidate* const first = !d.candidates.empty() && d.candidates.front().judged ? &d.candidates.front() : nullptr;
+    const JudgedFit* const pair = d.pairs.empty() ? nullptr : &d.pairs.front();
+    if (!needs_explanation(d.declared, d.data, d.numerics)) fit = none(d);
+    else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, first->judged->weight);
+    else if (pair && explains(*pair, d.declared, d.data, d.numerics)) fit = effects(d, *pair, pair->weight);
+    else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
+    rank(d);
+    return fit;
+}
+
+}  // namespace myo

@@ -1,0 +1,55 @@
+#include "material/strain_stiffening.hpp"
+
+#include <sstream>
+
+namespace myo {
+namespace {
+
+class StrainStiffening : public Material {
+public:
+    StrainStiffening(MaterialPointer base, double c2) : base_(std::move(base)), c2_(c2) {}
+
+    std::string id() const override { return base_->id(); }
+    std::string formula() const override {
+        std::ostringstream words;
+        words << base_->formula() << " + mu/2 " << c2_ << " (I1 - 3)^2";
+        return words.str();
+    }
+    bool has_split() const override { return base_->has_split(); }
+
+    void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian, LawResponse<double>& out) const override {
+        respond_with(F, mu, kappa, with_hessian, out);
+    }
+    void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian, LawResponse<Pack>& out) const override {
+        respond_with(F, mu, kappa, with_hessian, out);
+    }
+    ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const override { return base_->bulk(theta, kappa); }
+    ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const override { return base_->bulk(theta, kappa); }
+
+private:
+    /// With w' the energy at mu = 1, which keeps the law linear in the moduli: mu (w' + 2 c2 w'^2).
+    template <class T>
+    void respond_with(const Matrix3<T>& F, const T& mu, const T& kappa, bool with_hessian, LawResponse<T>& out) const {
+        base_->respond(F, mu, kappa, with_hessian, out);
+        LawResponse<T> unit;
+        base_->respond(F, T(1.0), T(0.0), with_hessian, unit);
+        const T slope = mu * (4.0 * c2_) * unit.distortion.value;
+        out.distortion.value += 0.5 * slope * unit.distortion.value;
+        for (int i = 0; i < 9; ++i) out.distortion.gradient.data()[i] += slope * unit.distortion.gradient.data()[i];
+        if (!with_hessian) return;
+        const T curvature = mu * (4.0 * c2_);
+        for (int j = 0; j < 9; ++j)
+            for (int i = 0; i < 9; ++i)
+                out.distortion.hessian(i, j) += slope * unit.distortion.hessian(i, j) +
+                                                curvature * (unit.distortion.gradient.data()[i] * unit.distortion.gradient.data()[j]);
+    }
+
+    MaterialPointer base_;
+    double c2_;
+};
+
+}  // namespace
+
+MaterialPointer strain_stiffening(MaterialPointer base, double yeoh_c2) { return std::make_shared<StrainStiffening>(std::move(base), yeoh_c2); }
+
+}  // namespace myo

@@ -1,0 +1,38 @@
+#include "measurement/observation_error.hpp"
+
+#include <cassert>
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+
+void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& tracks, const Eigen::VectorXd& stamped_s) {
+    for (const MarkerSwap& swap : error.swaps)
+        for (Index t = 0; t < stamped_s.size(); ++t)
+            if (stamped_s(t) >= swap.from_s) tracks[swap.first].col(t).swap(tracks[swap.second].col(t));
+    if (error.scale_error != 0.0)
+        for (Matrix3Xd& track : tracks) track *= 1.0 + error.scale_error;
+}
+
+}  // namespace
+
+Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd& stamped_s) {
+    return stamped_s.array() / (1.0 + error.rate_error) + error.clock_offset_s;
+}
+
+std::vector<Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks, const Eigen::VectorXd& stamped_s) {
+    for (const MarkerShift& shift : error.shifts)
+        for (Index t = 0; t < stamped_s.size(); ++t)
+            if (stamped_s(t) >= shift.from_s) tracks[shift.marker].col(t) += shift.shift_m;
+    exchange_and_scale(error, tracks, stamped_s);
+    return tracks;
+}
+
+std::vector<Matrix3Xd> seen_tangents(const ObservationError& error, std::vector<Matrix3Xd> tangents, const Eigen::VectorXd& stamped_s) {
+    exchange_and_scale(error, tangents, stamped_s);
+    return tangents;
+}
+
+}  // namespace myo

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "effect/effect.hpp"
+#include "project/study.hpp"
+
+namespace myo {
+
+/// What effects may know of a trial.
+EffectSite effect_site(const Study& study, std::size_t trial);
+
+/// A trial's model, run and observation with the effects in.
+Affected with_effects(const Study& study, std::size_t trial, Model model, const std::vector<EffectDeclaration>& effects);
+
+/// Whether an effect changes what is seen alone, and not the motion.
+bool is_seen_only(const EffectDeclaration& effect);
+
+/// Numbers of an effect that a fit may move: a parameter, or a component of one.
+struct EffectNumber {
+    std::string parameter;
+    int component = -1;            // of a vector; -1: the number itself
+    std::string name;              // "effect.quadratic_drag.coefficient_kg_m3", "effect.point_mass.position_m.x"
+    double lower = 0.0, upper = 0.0, scale = 1.0;
+    bool over_decades = false;
+};
+std::vector<EffectNumber> effect_numbers(const EffectDeclaration& effect);
+double effect_number(const EffectDeclaration& effect, const std::string& parameter, int component);
+void set_effect_number(EffectDeclaration& effect, const std::string& parameter, int component, double value);
+
+}  // namespace myo
