@@ -11,7 +11,7 @@ int window_lags(Eigen::Index length) { return static_cast<int>(length / 3); }
 
 double window_weight(Eigen::Index lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1.0); }
 
-// Variance of sum r s over that of white r: both sums over pairs are divided as they come, so that gaps weigh alike.
+// Variance of sum r s for independent r and s, and what it would be for white r.
 struct Inflated {
     double variance = 0.0;
     double white = 0.0;
@@ -28,10 +28,8 @@ Inflated inflated(const GriddedSeries& r, const GriddedSeries& s) {
     result.variance = result.white;
     for (Eigen::Index lag = 1; lag < of_r.sums.size(); ++lag) {
         if (!(of_r.pairs(lag) > 0.0)) continue;
-        // Divided by all samples rather than by the pairs of this lag: less variance where pairs are few.
-        const double share_of_pairs = of_r.pairs(lag) * static_cast<double>(r.values.size())
-                                      / (of_r.pairs(0) * static_cast<double>(r.values.size() - lag));
-        const double covariance = of_r.sums(lag) / of_r.pairs(0) / std::max(share_of_pairs, 1e-3);
+        // The estimate that divides by all samples: it varies less where pairs are few.
+        const double covariance = of_r.sums(lag) / of_r.pairs(lag) * (1.0 - static_cast<double>(lag) / static_cast<double>(r.values.size()));
         result.variance += 2.0 * window_weight(lag, lags) * covariance * of_s.sums(lag);
     }
     return result;
