@@ -21,6 +21,14 @@ if(NOT TARGET Eigen3::Eigen)
   myoloop_missing("Eigen 3.4" "libeigen3-dev")
 endif()
 
+# Boost.Math is headers only.
+find_path(BOOST_MATH_INCLUDE_DIR boost/math/distributions/chi_squared.hpp)
+if(NOT BOOST_MATH_INCLUDE_DIR)
+  myoloop_missing("Boost.Math" "libboost-dev")
+endif()
+add_library(myoloop_boost_math INTERFACE)
+target_include_directories(myoloop_boost_math SYSTEM INTERFACE ${BOOST_MATH_INCLUDE_DIR})
+
 # CHOLMOD ships neither a CMake configuration nor a pkg-config file.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)

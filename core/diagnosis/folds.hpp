@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/residual_layout.hpp"
+
+namespace myo {
+
+/// Parts of the data that are left out in turn.
+struct Folds {
+    int count = 0;
+    std::vector<int> of_entry;    // N: 0 ... count - 1; -1: in none, used neither for fitting nor for judging
+    bool by_trial = false;
+};
+
+struct FoldOptions {
+    int blocks = 5;               // of time, when there is one trial
+    double guard_s = 0.0;         // left out between blocks, so that coloured noise does not tell of its neighbour
+};
+
+/// One fold per trial when there are two or more; else blocks of equal time, the same for all series, less the guard.
+/// There are no more blocks than samples; a block in which no marker was seen does not count.
+Folds make_folds(const ResidualLayout& layout, const FoldOptions& options = {});
+
+}  // namespace myo
