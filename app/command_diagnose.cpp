@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "effect/catalogue.hpp"
+#include "exit_status.hpp"
+#include "loop/augmented_experiment.hpp"
+#include "loop/diagnosis_json.hpp"
+#include "loop/effect_words.hpp"
+#include "project/output_files.hpp"
+#include "study_command.hpp"
+
+namespace myo {
+namespace {
+
+struct DiagnoseCall : StudyCall {
+    std::vector<std::string> without;
+    bool resume = false;
+};
+
+const char* const fits_file = "diagnose_fits.json";
+
+std::string candidate_lines(const Diagnosis& d) {
+    char line[256];
+    std::snprintf(line, sizeof line, "%-22s %10s %12s %12s %12s %8s", "candidate", "explains", "rms [mm]", "held out", "systematic", "weight");
+    std::string text = line;
+    std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f", "(declared)", "", 1e3 * d.declared.rms_m, d.declared.held_out_rms,
+                  d.declared.tests.systematic.rms, d.declared.weight);
+    text += line;
+    int shown = 0;
+    for (const Candidate& c : d.candidates) {
+        if (++shown > 12) break;
+        if (!c.judged) std::snprintf(line, sizeof line, "\n%-22s %8.1f %%", c.score.id.c_str(), 100.0 * (c.score.usable() ? c.score.test.explained : 0.0));
+        else
+            std::snprintf(line, sizeof line, "\n%-22s %8.1f %% %12.4f %10.3f x %10.3f x %8.3f", c.score.id.c_str(), 100.0 * c.score.test.explained, 1e3 * c.judged->rms_m,
+                          c.judged->held_out_rms, c.judged->tests.systematic.rms, c.judged->weight);
+        text += line;
+        if (c.judged) text += "  " + parameter_words(c.judged->fit.effects.front().parameters);
+    }
+    for (const JudgedFit& pair : d.pairs) {
+        std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f  ", "pair", "", 1e3 * pair.rms_m, pair.held_out_rms, pair.tests.systematic.rms, pair.weight);
+        text += line;
+        for (const EffectDeclaration& effect : pair.fit.effects) text += effect_words(effect) + " ";
+    }
+    return text;
+}
+
+std::string verdict_lines(const Diagnosis& d) {
+    std::string text = "verdict: ";
+    if (d.verdict.kind == VerdictKind::none) text += "none";
+    if (d.verdict.kind == VerdictKind::unknown) text += "unknown";
+    for (const EffectDeclaration& effect : d.verdict.effects) text += effect_words(effect) + "  ";
+    text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.because;
+    for (const Confusion& c : d.confusions)
+        text += "\nnot to be told apart here: " + c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment + " would";
+    return text;
+}
+
+std::string trial_lines(const Study& study, const Diagnosis& d) {
+    std::string text;
+    char line[256];
+    for (const StudyTrial& trial : study.trials) {
+        const TrialScore* const before = find_score(d.before, trial.name);
+        const TrialScore* const after = find_score(d.after, trial.name);
+        std::snprintf(line, sizeof line, "%s%-24.80s %-10s %s %s", text.empty() ? "" : "\n", trial.name.c_str(), trial.role == TrialRole::fit ? "fit" : "predicted",
+                      in_millimetres(before ? before->rms_m : std::nan("")).c_str(), in_millimetres(after ? after->rms_m : std::nan("")).c_str());
+        text += line;
+    }
+    return text;
+}
+
+std::string cost_lines(const Diagnosis& d) {
+    std::string text = "time:";
+    for (const StageCost& cost : d.cost) text += " " + cost.stage + " " + format_number(cost.seconds, 3) + " s,";
+    return text + " all " + format_number(d.seconds, 3) + " s";
+}
+
+Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d) {
+    const std::filesystem::path written = call.experiment.extension() == ".toml" ? call.experiment : call.experiment / "experiment.toml";
+    const std::string name = std::filesystem::weakly_canonical(experiment.folder).filename().string();
+    if (const Result<void> traces = write_traces(call.out, study, d.after); !traces) return traces.error();
+    const Result<std::string> augmented = augmented_experiment(written, d.verdict.effects, call.out);
+    if (!augmented) return augmented.error();
+    if (const Result<void> file = write_file(call.out / "experiment_augmented.toml", *augmented); !file) return file.error();
+    const Json report = diagnosis_json(study, d, name);
+    if (const Result<void> file = write_json(call.out / (name + ".json"), report); !file) return file.error();
+    return write_json(call.out / "report.json", report);
+}
+
+int diagnose_command(const DiagnoseCall& call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    const Progress progress = console.progress();
+    const StudyOpening opening = open_command(call, TrialChoice::all, "the declared fit", console, progress);
+    if (!opening.study) return opening.status;
+    const Study& study = *opening.study;
+    for (const std::string& warning : study.warnings) console.warn(warning);
+    console.print(study.experiment.name);
+    DiagnoseSettings settings;
+    settings.without = call.without;
+    settings.fits = call.out / fits_file;
+    if (!call.resume) std::filesystem::remove(*settings.fits);
+    const Diagnosis d = diagnose(study, settings, progress);
+    if (d.stopped) {
+        console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume goes on from it");
+        return status_stopped;
+    }
+    if (!d.failure.empty()) {
+        console.complain(d.failure);
+        return status_failed;
+    }
+    if (const Result<void> written = write_results(call, opening.experiment, study, d); !written) return console.refuse(written.error());
+    console.print("\n" + candidate_lines(d) + "\n\n" + trial_lines(study, d) + "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d) + "; report: " +
+                  (call.out / "report.html").string());
+    return status_done;
+}
+
+}  // namespace
+
+std::function<int()> declare_diagnose(CLI::App& app) {
+    const auto call = std::make_shared<DiagnoseCall>();
+    declare_study_call(app, *call);
+    app.add_option_function<std::string>(
+           "--without",
+           [call](const std::string& text) {
+               call->without = split_words(text);
+               for (const std::string& id : call->without)
+                   if (!find_effect(id)) throw CLI::ValidationError("--without", unknown_word(id, effect_ids()));
+           },
+           "effects that shall not be considered")
+        ->type_name("A,B");
+    app.add_flag("--resume", call->resume, "go on from the fits kept in DIR by a run that was stopped");
+    return [call] { return diagnose_command(*call); };
+}
+
+}  // namespace myo
