@@ -97,12 +97,16 @@ double effective_samples(const Eigen::VectorXd& r, const ResidualLayout& layout)
         const int lags = window_lags(grid.values.size());
         const Autocovariance covariance = autocovariance(grid, lags);
         const Eigen::VectorXd rho = covariance.correlation();
-        double squares = 0.0;
+        double squares = 0.0, by_chance = 0.0;
         for (Eigen::Index lag = 1; lag < rho.size(); ++lag)
-            if (covariance.pairs(lag) > 0.0)
-                squares += window_weight(lag, lags) * (rho(lag) * rho(lag) - 1.0 / covariance.pairs(lag));
+            if (covariance.pairs(lag) > 0.0) {
+                squares += window_weight(lag, lags) * rho(lag) * rho(lag);
+                by_chance += window_weight(lag, lags) / covariance.pairs(lag);
+            }
         const double n = static_cast<double>(series.size());
-        total += std::max(1.0, n / (1.0 + 2.0 * std::max(0.0, squares)));
+        // An estimated rho has the variance V / pairs, V = 1 + 2 sum rho^2 itself: V = 1 + 2 squares - 2 V by_chance.
+        const double inflation = (1.0 + 2.0 * squares) / (1.0 + 2.0 * by_chance);
+        total += std::max(1.0, n / std::max(1.0, inflation));
     }
     return total;
 }

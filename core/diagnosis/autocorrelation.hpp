@@ -29,8 +29,8 @@ Autocovariance pooled_autocovariance(const Eigen::VectorXd& r, const ResidualLay
 double variance_inflation(const Eigen::VectorXd& r, const Eigen::VectorXd& s, const ResidualLayout& layout);
 double variance_inflation(const GriddedSeries& r, const GriddedSeries& s);
 
-/// Effective number of samples of a residual: sum over series of n / (1 + 2 sum_k w(k) rho(k)^2), with what white noise adds
-/// to the squares taken off. So many independent samples know as much of a signal that is coloured like the residual itself.
+/// Effective number of samples of a residual: sum over series of n / (1 + 2 sum_k w(k) rho(k)^2), with what chance adds to
+/// the squares taken off. So many independent samples know as much of a signal that is coloured like the residual itself.
 /// Between 1 per series and N.
 double effective_samples(const Eigen::VectorXd& r, const ResidualLayout& layout);
 

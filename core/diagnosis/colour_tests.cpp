@@ -5,6 +5,7 @@
 #include "diagnosis/autocorrelation.hpp"
 #include "diagnosis/distributions.hpp"
 #include "diagnosis/periodogram.hpp"
+#include "diagnosis/random_signs.hpp"
 #include "diagnosis/residual_tests.hpp"
 
 namespace myo {
@@ -19,24 +20,59 @@ double frequency_step_Hz(const ResidualLayout& layout, const ResidualSeries& ser
     return steps / ((layout.time_s[last] - layout.time_s[first]) * (steps + 1.0));
 }
 
-}  // namespace
+// Ljung and Box's sum for one series, again and again with other signs.
+struct Portmanteau {
+    Eigen::VectorXd weights;   // of the squared sum of products per lag, from lag 1
+    double lags = 0.0;
 
-LjungBoxTest ljung_box_test(const Eigen::VectorXd& r, const ResidualLayout& layout, int lags) {
-    assert(r.size() == layout.size() && lags > 0);
-    LjungBoxTest test;
-    for (const ResidualSeries& series : layout.series) {
-        if (series.size() < least_samples) continue;
-        const double n = static_cast<double>(series.size());
-        const Autocovariance covariance = autocovariance(gridded(r, layout, series), std::min(lags, static_cast<int>(series.size() / 4)));
-        if (!(covariance.sums(0) > 0.0)) continue;
+    Portmanteau(const GriddedSeries& grid, int most) {
+        const Autocovariance covariance = autocovariance(grid, most);
+        weights.setZero(covariance.sums.size() - 1);
+        if (!(covariance.sums(0) > 0.0)) return;
+        // White Gaussian series about zero: the square of sums(lag) / sums(0) has expectation pairs / (n (n + 2)).
+        const double n = covariance.pairs(0);
         for (Eigen::Index lag = 1; lag < covariance.sums.size(); ++lag) {
-            if (covariance.pairs(lag) < 4.0) continue;   // too few products to be near normal
-            // White Gaussian series about zero: the square of sums(lag) / sums(0) has expectation pairs / (n (n + 2)).
-            test.statistic += std::pow(covariance.sums(lag) / covariance.sums(0), 2) * n * (n + 2.0) / covariance.pairs(lag);
-            test.freedom += 1.0;
+            if (covariance.pairs(lag) < 4.0) continue;   // too few products to tell of a lag
+            weights(lag - 1) = n * (n + 2.0) / (covariance.pairs(lag) * covariance.sums(0) * covariance.sums(0));
+            lags += 1.0;
         }
     }
-    if (test.freedom > 0.0) test.p = chi_squared_tail(test.statistic, test.freedom);
+
+    double of(const Eigen::VectorXd& values) const {
+        double sum = 0.0;
+        for (Eigen::Index k = 0; k < weights.size(); ++k) {
+            const Eigen::Index both = values.size() - k - 1;
+            const double product = values.head(both).dot(values.tail(both));
+            sum += weights(k) * product * product;
+        }
+        return sum;
+    }
+};
+
+}  // namespace
+
+LjungBoxTest ljung_box_test(const Eigen::VectorXd& r, const ResidualLayout& layout, int lags, int draws, unsigned seed) {
+    assert(r.size() == layout.size() && lags > 0 && draws > 1);
+    LjungBoxTest test;
+    Eigen::ArrayXd null = Eigen::ArrayXd::Zero(draws);
+    RandomSigns random(seed);
+    for (const ResidualSeries& series : layout.series) {
+        if (series.size() < least_samples) continue;
+        GriddedSeries grid = gridded(r, layout, series);
+        const Portmanteau portmanteau(grid, std::min(lags, static_cast<int>(series.size() / 4)));
+        if (portmanteau.lags == 0.0) continue;
+        test.statistic += portmanteau.of(grid.values);
+        test.lags += portmanteau.lags;
+        for (double& statistic : null) {
+            random.flip(grid.values);
+            statistic += portmanteau.of(grid.values);
+        }
+    }
+    if (test.lags == 0.0) return test;
+    const double mean = null.mean();
+    const double variance = (null - mean).square().sum() / (draws - 1);
+    // mean and variance of c chi^2 with f degrees of freedom: c f and 2 c^2 f.
+    if (variance > 0.0) test.p = chi_squared_tail(test.statistic * 2.0 * mean / variance, 2.0 * mean * mean / variance);
     return test;
 }
 

@@ -34,7 +34,7 @@ ResidualTests test_residuals(const Eigen::VectorXd& r, const ResidualLayout& lay
     tests.alpha = options.alpha;
     tests.threshold = options.alpha / 4.0;
     tests.variance = variance_test(r, parameters, options.noise_tolerance);
-    tests.ljung_box = ljung_box_test(r, layout, options.lags);
+    tests.ljung_box = ljung_box_test(r, layout, options.lags, options.draws, options.seed);
     tests.periodicity = periodicity_test(r, layout);
     tests.space = space_test(r, layout, options.draws, options.seed);
     tests.systematic = systematic_rms(r, layout);

@@ -23,12 +23,14 @@ VarianceTest variance_test(const Eigen::VectorXd& r, int parameters, double tole
 /// Colour: Ljung-Box over the first lags, summed over series. Independent of the noise's variance.
 struct LjungBoxTest {
     double statistic = 0.0;
-    double freedom = 0.0;             // lags tested, all series together
+    double lags = 0.0;                // tested, all series together: expectation for Gaussian white noise
     double p = 1.0;
 };
+/// chi^2 is too narrow for it on short series; random signs of the entries give mean and variance, and a gamma distribution
+/// through them the tail. Holds for noise of any size and shape that is symmetric, and may vary in time.
 /// @param lags  per series, at most a quarter of its samples
 /// Source: Ljung & Box 1978, Biometrika 65, 297, about zero and with the pairs that gaps leave.
-LjungBoxTest ljung_box_test(const Eigen::VectorXd& r, const ResidualLayout& layout, int lags);
+LjungBoxTest ljung_box_test(const Eigen::VectorXd& r, const ResidualLayout& layout, int lags, int draws = 199, unsigned seed = 1);
 
 /// Colour: the largest share of one frequency, Bonferroni over frequencies and series. Independent of the noise's variance.
 struct PeriodicityTest {
@@ -53,8 +55,8 @@ struct SpaceTest {
     std::vector<Trial> trials;
     double p = 1.0;                   // Bonferroni over trials
 };
-/// The null distribution is a shifted gamma with mean and deviation of the draws and the skewness of the Tracy-Widom law,
-/// so that p goes below one over the number of draws.
+/// The null distribution is a shifted gamma with mean and deviation of the draws and their skewness, at least that of the
+/// Tracy-Widom law, so that p goes below one over the number of draws.
 /// Source: Chiani 2014, J. Multivariate Analysis 129, 69 (the gamma).
 SpaceTest space_test(const Eigen::VectorXd& r, const ResidualLayout& layout, int draws = 199, unsigned seed = 1);
 
