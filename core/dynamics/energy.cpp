@@ -6,7 +6,7 @@
 
 namespace myo {
 
-Energy energy(const Model& model, const Eigen::SparseMatrix<double>& mass, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s, bool before) {
+Energy energy(const Model& model, const MassMatrix& mass, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s, bool before) {
     assert(x.cols() == model.body->node_count() && v.cols() == x.cols());
     const Stiffness moduli = stiffness(model);
     const std::vector<double> levels = activations(model, time_s, before);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include "model/model.hpp"
 
@@ -21,7 +20,7 @@ struct Energy {
 /// @param x     node positions, 3 x n [m]
 /// @param v     node velocities, 3 x n [m/s]
 /// before: loads and activations are taken from the left of `time_s`.
-Energy energy(const Model& model, const Eigen::SparseMatrix<double>& mass, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s,
+Energy energy(const Model& model, const MassMatrix& mass, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s,
               bool before = false);
 
 }  // namespace myo

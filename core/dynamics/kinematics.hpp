@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include "dynamics/stage_solver.hpp"
 
@@ -34,7 +33,7 @@ struct StageSolution {
 /// It returns false to give up; then the step returns false too.
 template <class Solve>
 struct StepProblem {
-    const Eigen::SparseMatrix<double>& mass;
+    const MassMatrix& mass;
     double time_s = 0.0;               // start of the step
     double h = 0.0;
     double velocity_force_1_s = 0.0;   // Lambda

@@ -41,8 +41,8 @@ double spectral_radius(const Matrix4d& A) { return A.eigenvalues().cwiseAbs().ma
 
 Matrix4d amplification(const TimeScheme& scheme, const Oscillator& oscillator, double h_s) {
     const Oscillator o{oscillator.omega_rad_s * h_s, oscillator.damping_ratio, oscillator.velocity_force_1_s * h_s};
-    Eigen::SparseMatrix<double> mass(1, 1);
-    mass.insert(0, 0) = 1.0;
+    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}};
+    mass.isotropic.insert(0, 0) = 1.0;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {
         const double stiffness = o.omega_rad_s * o.omega_rad_s, viscosity = 2.0 * o.damping_ratio * o.omega_rad_s;
         const double x = (first(stage.constant) - viscosity * stage.rate_history(0)) /

@@ -45,12 +45,17 @@ bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report)
     const std::vector<int>& free = model.body->pattern.free_index;
     std::vector<Eigen::Triplet<double>> entries;
     std::visit([&](const auto& cells) { add_laplacian(cells, model, entries); }, model.body->cells);
-    const Eigen::SparseMatrix<double>& mass = problem.constants().mass;
-    for (int column = 0; column < mass.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, column); entry; ++entry) {
-            const int i = free[static_cast<std::size_t>(entry.row())], j = free[static_cast<std::size_t>(column)];
-            if (j >= 0 && i >= j) entries.emplace_back(i, j, inertia * entry.value());
-        }
+    const auto add_mass = [&](Eigen::Index row, Eigen::Index column, double mass) {
+        const int i = free[static_cast<std::size_t>(row)], j = free[static_cast<std::size_t>(column)];
+        if (j >= 0 && i >= j) entries.emplace_back(i, j, inertia * mass);
+    };
+    const MassMatrix& mass = problem.constants().mass;
+    for (int column = 0; column < mass.isotropic.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry) add_mass(entry.row(), column, entry.value());
+    // One coordinate serves all: the traces of the blocks, no less than N N n n' along any direction.
+    for (int column = 0; column < mass.directional.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.directional, column); entry; ++entry)
+            if (entry.row() % 3 == column % 3) add_mass(entry.row() / 3, column / 3, entry.value());
     SymmetricSparse matrix(model.body->pattern.free_count, model.body->pattern.free_count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     inertia_1_s2_ = inertia;

@@ -24,7 +24,7 @@ std::string where_it_failed(double t, double h, const std::string& reason) {
 constexpr double most_parts = 4.0;
 
 /// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what moves.
-bool gains_energy(const Model& model, const Eigen::SparseMatrix<double>& mass, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
+bool gains_energy(const Model& model, const MassMatrix& mass, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
     if (model.velocity_force_1_s > 0.0 || activations(model, 0.5 * (from_s + to_s)) != activations(model, to_s, true)) return false;
     for (const ForceElementPointer& element : model.force_elements)
         if (!element->steady(from_s, to_s)) return false;

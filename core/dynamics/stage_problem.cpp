@@ -1,6 +1,7 @@
 #include "dynamics/stage_problem.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -13,16 +14,25 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// M (x) I over the free unknowns, stored in the body's pattern.
-SymmetricSparse inertia_in_pattern(const Body& body, const Eigen::SparseMatrix<double>& mass) {
+/// The mass over the free unknowns, stored in the body's pattern.
+SymmetricSparse inertia_in_pattern(const Body& body, const MassMatrix& mass) {
     SymmetricSparse inertia = body.pattern.zero;
-    for (int column = 0; column < mass.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, column); entry; ++entry) {
+    for (int column = 0; column < mass.isotropic.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry) {
             const int i = body.pattern.free_index[static_cast<std::size_t>(entry.row())];
             const int j = body.pattern.free_index[static_cast<std::size_t>(column)];
             if (j < 0 || i < j) continue;
             for (int r = 0; r < 3; ++r) inertia.coeffRef(3 * i + r, 3 * j + r) += entry.value();
         }
+    for (int column = 0; column < mass.directional.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.directional, column); entry; ++entry) {
+            const auto row = static_cast<int>(entry.row());
+            const int i = body.pattern.free_index[static_cast<std::size_t>(row / 3)];
+            const int j = body.pattern.free_index[static_cast<std::size_t>(column / 3)];
+            if (i < 0 || j < 0 || 3 * i + row % 3 < 3 * j + column % 3) continue;
+            inertia.coeffRef(3 * i + row % 3, 3 * j + column % 3) += entry.value();
+        }
+    assert(inertia.nonZeros() == body.pattern.zero.nonZeros());   // nothing couples nodes of different cells
     return inertia;
 }
 
@@ -104,7 +114,9 @@ double StageProblem::rounding_of_forces(const Matrix3Xd& x) const {
     const double edge = std::cbrt(body.unit_mass.sum() / body.cell_count());
     double stiffest = 0.0;
     for (const Moduli& m : model().moduli) stiffest = std::max({stiffest, m.kappa, m.mu});
-    const double inertia = std::abs(stage_.inertia_1_s2) * constants_.mass.sum() / body.node_count();
+    const MassMatrix& mass = constants_.mass;
+    const double largest_mass = mass.isotropic.sum() + (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
+    const double inertia = std::abs(stage_.inertia_1_s2) * largest_mass / body.node_count();
     return std::numeric_limits<double>::epsilon() * extent * (stiffest * edge + inertia) * std::sqrt(static_cast<double>(body.node_count()));
 }
 

@@ -15,8 +15,8 @@ namespace myo {
 /// What the stages of one model share.
 struct StageConstants {
     const Model* model = nullptr;
-    Eigen::SparseMatrix<double> mass;    // n x n [kg]
-    SymmetricSparse inertia;             // mass over the free unknowns, in the body's pattern
+    MassMatrix mass;
+    SymmetricSparse inertia;   // mass over the free unknowns, in the body's pattern
     Stiffness stiffness;
 };
 StageConstants stage_constants(const Model& model);

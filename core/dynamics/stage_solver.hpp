@@ -19,7 +19,7 @@ public:
     explicit StageSolver(const Model& model, SolverOptions options = {});
 
     const Model& model() const { return *constants_.model; }
-    const Eigen::SparseMatrix<double>& mass() const { return constants_.mass; }
+    const MassMatrix& mass() const { return constants_.mass; }
 
     /// Solves for x, starting from its value, by the strategy of the options. On failure x is the best iterate.
     StageReport solve(const Stage& stage, Eigen::Matrix3Xd& x);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <limits>
 #include <memory>
@@ -12,6 +11,8 @@
 #include "material/material.hpp"
 #include "material/moduli.hpp"
 #include "model/body.hpp"
+#include "model/directional_mass.hpp"
+#include "model/mass_matrix.hpp"
 #include "model/mass_model.hpp"
 
 namespace myo {
@@ -50,20 +51,15 @@ struct Model {
     std::vector<Signal> activation;               // per fibre group
     std::vector<DeadForce> forces;
     std::vector<AttachedMass> masses;
+    std::vector<DirectionalMass> directional_masses;
     std::vector<ForceElementPointer> force_elements;   // springs, pressures, drag ...
 };
 
 /// The same moduli in every cell.
 std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);
 
-/// n x n mass matrix [kg] of one coordinate by the mass model, attached masses on the diagonal. Weight follows it.
-Eigen::SparseMatrix<double> mass_matrix(const Model& model);
-
-/// X M for nodal vectors X (3 x n).
-Eigen::Matrix3Xd times_mass(const Eigen::Matrix3Xd& X, const Eigen::SparseMatrix<double>& mass);
-
 /// Gravity on body and attached masses plus the forces active at t, 3 x n [N]. `before`: the limit from the left.
-Eigen::Matrix3Xd external_forces(const Model& model, const Eigen::SparseMatrix<double>& mass, double t, bool before = false);
+Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, double t, bool before = false);
 
 /// Activations of all groups at t.
 std::vector<double> activations(const Model& model, double t, bool before = false);

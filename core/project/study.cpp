@@ -110,7 +110,7 @@ void set_noise(const std::vector<Recording>& recordings, Study& study) {
 
 void warn_of_mass(const Model& model, std::vector<std::string>& warnings) {
     if (model.mass_model == MassModel::consistent) return;
-    const double part = mass_matrix(model).sum() / (model.density_kg_m3 * model.body->unit_mass.sum());
+    const double part = mass_matrix(model).isotropic.sum() / (model.density_kg_m3 * model.body->unit_mass.sum());
     warnings.push_back("equal vertex masses: the body weighs " + format_number(100.0 * part, 3) + " % of its mesh's true mass");
 }
 

@@ -83,7 +83,7 @@ Result<LambdaRow> lambda_row(const RingingBeam& beam, double h, const Progress& 
 
 /// Share of the first vibration's kinetic energy along z, on which alone the published force acted.
 double vertical_share(const RingingBeam& beam) {
-    const Eigen::Matrix3Xd momentum = beam.mode.shape * mass_matrix(beam.model);
+    const Eigen::Matrix3Xd momentum = times_mass(beam.mode.shape, mass_matrix(beam.model));
     return momentum.row(2).dot(beam.mode.shape.row(2)) / momentum.cwiseProduct(beam.mode.shape).sum();
 }
 

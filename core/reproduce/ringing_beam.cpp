@@ -30,7 +30,7 @@ Result<RungBeam> ring(const RingingBeam& beam, const RingingRun& run, const Prog
     options.end_s = run.end_s;
     const Trace trace = simulate(model, options, progress.with_sink({}));
     if (!trace.complete()) return Error{trace.message, "release at h = " + format_number(1e3 * run.h_s, 3) + " ms"};
-    const Eigen::Matrix3Xd weight = beam.mode.shape * mass_matrix(model);
+    const Eigen::Matrix3Xd weight = times_mass(beam.mode.shape, mass_matrix(model));
     const auto count = static_cast<Eigen::Index>(trace.times_s.size());
     RungBeam result{{}, Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(), count), Eigen::VectorXd(count)};
     const std::array<BoundaryPoint, 3> points = bind_beam_points(model);

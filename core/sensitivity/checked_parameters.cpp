@@ -62,6 +62,9 @@ void add_loads(const Model& model, std::vector<CheckedParameter>& list) {
     for (std::size_t k = 0; k < model.masses.size(); ++k)
         list.push_back({"attached mass " + std::to_string(k), 1e-3 * mass, [k](Model& m, SimulationOptions&, double by) { m.masses[k].mass_kg += by; },
                         [k](const ModelGradient& g) { return g.attached_masses_kg[k]; }});
+    for (std::size_t k = 0; k < model.directional_masses.size(); ++k)
+        list.push_back({"directional mass " + std::to_string(k), 1e-3, [k](Model& m, SimulationOptions&, double by) { m.directional_masses[k].inertia_kg *= 1.0 + by; },
+                        [k](const ModelGradient& g) { return g.directional_masses[k]; }});
 }
 
 void add_fibres(const Model& model, const SimulationOptions& options, std::vector<CheckedParameter>& list) {

@@ -16,7 +16,7 @@ struct CheckedParameter {
     std::function<double(const ModelGradient&)> derivative;
 };
 
-/// All that this model depends on: moduli, damping, density, Lambda, gravity, forces, attached masses, fibres (stiffness, directions,
+/// All that this model depends on: moduli, damping, density, Lambda, gravity, forces, attached and directional masses, fibres (stiffness, directions,
 /// every knot of the signals within the run) and the start. Vectors are taken along one fixed direction each.
 std::vector<CheckedParameter> checked_parameters(const Model& model, const SimulationOptions& options);
 

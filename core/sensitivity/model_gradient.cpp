@@ -13,6 +13,12 @@ using Eigen::Vector3d;
 
 double dot(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
 
+/// What M p has of the isotropic mass.
+Matrix3Xd isotropic_part(const MassMatrix& mass, const Matrix3Xd& p, Matrix3Xd Mp) {
+    if (mass.has_directional()) add_directional(mass.directional, -p, Mp);
+    return Mp;
+}
+
 }  // namespace
 
 YoungPoisson young_gradient(const Model& model, const ModelGradient& gradient, const std::vector<int>& cells) {
@@ -40,10 +46,11 @@ Matrix3Xd fibre_direction_gradient(const Model& model, const ModelGradient& grad
 }
 
 GradientSum::GradientSum(const Model& model, bool fibre_shapes)
-    : model_(model), moduli_(no_moduli_work(model)), fibres_(no_fibre_work(model, fibre_shapes)) {
+    : model_(model), mass_(mass_matrix(model)), moduli_(no_moduli_work(model)), fibres_(no_fibre_work(model, fibre_shapes)) {
     for (const Signal& signal : model.activation) gradient_.activation.emplace_back(signal.values.size(), 0.0);
     gradient_.forces_N.assign(model.forces.size(), Vector3d::Zero());
     gradient_.attached_masses_kg.assign(model.masses.size(), 0.0);
+    gradient_.directional_masses.assign(model.directional_masses.size(), 0.0);
     for (const ForceElementPointer& element : model.force_elements) gradient_.force_elements.push_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(element->parameters().size())));
 }
 
@@ -67,17 +74,26 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
         const DeadForce& load = model_.forces[f];
         if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s)) gradient_.forces_N[f] += p * load.share;
     }
-    gradient_.gravity_m_s2 += Mp.rowwise().sum();
-    Matrix3Xd u = model_.gravity_m_s2.replicate(1, p.cols());
-    if (at.accelerations) u += *at.accelerations;
-    add_momentum(p, Mp, u, at.by_velocity_force);
+    const Matrix3Xd isotropic_p = isotropic_part(mass_, p, Mp);   // what weighs
+    gradient_.gravity_m_s2 += isotropic_p.rowwise().sum();
+    add_isotropic(p, isotropic_p, model_.gravity_m_s2.replicate(1, p.cols()));
+    if (at.accelerations) add_momentum(p, Mp, *at.accelerations, at.by_velocity_force);
 }
 
 void GradientSum::add_momentum(const Matrix3Xd& p, const Matrix3Xd& Mp, const Matrix3Xd& u, const Matrix3Xd* by_velocity_force) {
-    of_mass_ += dot(Mp, u);
+    add_isotropic(p, isotropic_part(mass_, p, Mp), u);
+    for (std::size_t k = 0; k < model_.directional_masses.size(); ++k) {
+        Matrix3Xd Du = Matrix3Xd::Zero(3, u.cols());
+        add_directional(model_.directional_masses[k].inertia_kg, u, Du);
+        gradient_.directional_masses[k] += dot(p, Du);
+    }
+    if (by_velocity_force) gradient_.velocity_force_1_s += dot(Mp, *by_velocity_force);
+}
+
+void GradientSum::add_isotropic(const Matrix3Xd& p, const Matrix3Xd& isotropic_p, const Matrix3Xd& u) {
+    of_mass_ += dot(isotropic_p, u);
     for (std::size_t k = 0; k < model_.masses.size(); ++k)
         gradient_.attached_masses_kg[k] += p.cwiseProduct(u).colwise().sum() * model_.masses[k].share;
-    if (by_velocity_force) gradient_.velocity_force_1_s += dot(Mp, *by_velocity_force);
 }
 
 ModelGradient GradientSum::take() {

@@ -21,6 +21,7 @@ struct ModelGradient {
     std::vector<std::vector<Eigen::VectorXd>> fibre_shape;   // per group and point, see FibrePoint::shape; only when asked for
     std::vector<Eigen::Vector3d> forces_N;            // per dead force
     std::vector<double> attached_masses_kg;
+    std::vector<double> directional_masses;           // per directional mass: of a factor on it
     std::vector<Eigen::VectorXd> force_elements;      // per element and parameter
     Eigen::Matrix3Xd initial_positions;               // 3 x n; zero on clamped nodes and where a run starts at equilibrium
     Eigen::Matrix3Xd initial_velocities;              // 3 x n; zero on clamped nodes
@@ -58,11 +59,14 @@ public:
     ModelGradient take();
 
 private:
+    void add_isotropic(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& isotropic_p, const Eigen::Matrix3Xd& u);
+
     const Model& model_;
+    MassMatrix mass_;
     ModelGradient gradient_;
     ModuliWork moduli_;
     FibreWork fibres_;
-    double of_mass_ = 0.0;   // p . M u, all of it: the density's share is what the attached masses leave
+    double of_mass_ = 0.0;   // p . M u of the isotropic mass: the density's share is what the attached masses leave
 };
 
 }  // namespace myo

@@ -28,8 +28,8 @@ UnitStep unit_step(const TimeScheme& scheme, double h, double step_before, doubl
     start.rate = measure(unit(rate_field));
     start.rate_lag = measure(unit(rate_lag_field));
     start.step_before_s = step_before;
-    Eigen::SparseMatrix<double> mass(1, 1);
-    mass.insert(0, 0) = 1.0;
+    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}};
+    mass.isotropic.insert(0, 0) = 1.0;
     UnitStep result;
     std::vector<double> constants, histories;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {

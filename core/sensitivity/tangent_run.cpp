@@ -34,15 +34,16 @@ NodalColumns scatter_columns(const BlockPattern& pattern, const MatrixXd& unknow
 }
 
 /// times_mass() of all fields.
-NodalColumns mass_times(const NodalColumns& fields, const Eigen::SparseMatrix<double>& mass) {
+NodalColumns mass_times(const NodalColumns& fields, const MassMatrix& mass) {
     if (fields.size() == 0) return {};
     NodalColumns result(fields.rows(), fields.cols());
-    parallel_ranges(static_cast<int>(mass.outerSize()), 50, [&](int first, int end) {
+    parallel_ranges(static_cast<int>(mass.isotropic.outerSize()), 50, [&](int first, int end) {
         for (int j = first; j < end; ++j) {
             result.col(j).setZero();
-            for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, j); entry; ++entry) result.col(j) += entry.value() * fields.col(entry.row());
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, j); entry; ++entry) result.col(j) += entry.value() * fields.col(entry.row());
         }
     });
+    if (mass.has_directional()) add_directional(mass.directional, fields, result);
     return result;
 }
 

@@ -43,7 +43,7 @@ inline Model held(const BeamSpec& spec) {
 
 /// Modal coordinate shape' M u of every recorded state.
 inline Eigen::VectorXd modal_coordinate(const Model& model, const NaturalMode& mode, const Trace& trace) {
-    const Eigen::Matrix3Xd weight = mode.shape * mass_matrix(model);
+    const Eigen::Matrix3Xd weight = times_mass(mode.shape, mass_matrix(model));
     Eigen::VectorXd q(static_cast<Eigen::Index>(trace.positions.size()));
     for (std::size_t k = 0; k < trace.positions.size(); ++k)
         q(static_cast<Eigen::Index>(k)) = weight.cwiseProduct(trace.positions[k] - model.body->mesh.nodes).sum();

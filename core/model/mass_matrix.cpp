@@ -1,0 +1,71 @@
+#include "model/mass_matrix.hpp"
+
+#include <cassert>
+
+#include "base/parallel.hpp"
+#include "model/model.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+/// Mean cell volume on the diagonal: what every vertex gets of a density of 1.
+Eigen::SparseMatrix<double> equal_vertex_mass(const Body& body) {
+    Eigen::SparseMatrix<double> mass(body.node_count(), body.node_count());
+    mass.setIdentity();
+    mass *= body.unit_mass.sum() / body.cell_count();
+    return mass;
+}
+
+Eigen::SparseMatrix<double> isotropic_mass(const Model& model) {
+    Eigen::SparseMatrix<double> mass =
+        model.mass_model == MassModel::consistent ? model.body->unit_mass : equal_vertex_mass(*model.body);
+    mass *= model.density_kg_m3;
+    for (const AttachedMass& attached : model.masses)
+        for (int i = 0; i < model.body->node_count(); ++i)
+            if (attached.share(i) != 0.0) mass.coeffRef(i, i) += attached.mass_kg * attached.share(i);
+    mass.makeCompressed();
+    return mass;
+}
+
+Eigen::SparseMatrix<double> directional_mass(const Model& model) {
+    Eigen::SparseMatrix<double> sum(model.body->dofs(), model.body->dofs());
+    for (const DirectionalMass& mass : model.directional_masses) {
+        assert(mass.inertia_kg.rows() == sum.rows() && mass.inertia_kg.cols() == sum.cols());
+        sum += mass.inertia_kg;
+    }
+    sum.prune(0.0);   // masses of 0 cost nothing
+    return sum.nonZeros() > 0 ? sum : Eigen::SparseMatrix<double>();
+}
+
+}  // namespace
+
+MassMatrix mass_matrix(const Model& model) { return {isotropic_mass(model), directional_mass(model)}; }
+
+// Eigen multiplies dense rows one by one through the sparse matrix; node by node is several times faster.
+Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {
+    Matrix3Xd result(3, mass.isotropic.cols());
+    parallel_ranges(static_cast<int>(mass.isotropic.outerSize()), 1000, [&](int first, int end) {
+        for (int j = first; j < end; ++j) {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, j); entry; ++entry) sum += entry.value() * X.col(entry.row());
+            result.col(j) = sum;
+        }
+    });
+    if (mass.has_directional()) add_directional(mass.directional, X, result);
+    return result;
+}
+
+void add_directional(const Eigen::SparseMatrix<double>& directional, const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> result) {
+    assert(directional.cols() == 3 * X.cols() && X.rows() == result.rows() && X.cols() == result.cols());
+    // By symmetry the columns of a node are its rows, so that every node gathers its own sum.
+    parallel_ranges(static_cast<int>(X.cols()), 1000, [&](int first, int end) {
+        for (int j = first; j < end; ++j)
+            for (int s = 0; s < 3; ++s)
+                for (Eigen::SparseMatrix<double>::InnerIterator entry(directional, 3 * j + s); entry; ++entry)
+                    for (Eigen::Index p = 0; p < X.rows(); p += 3) result(p + s, j) += entry.value() * X(p + entry.row() % 3, entry.row() / 3);
+    });
+}
+
+}  // namespace myo

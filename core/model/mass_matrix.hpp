@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace myo {
+
+struct Model;
+
+/// Inertia of all nodes: of one coordinate where it is the same along every direction, and what acts along some only.
+struct MassMatrix {
+    Eigen::SparseMatrix<double> isotropic;     // n x n [kg]; it also weighs
+    Eigen::SparseMatrix<double> directional;   // 3n x 3n [kg], row 3 i + r, symmetric, without weight; 0 x 0: none
+
+    bool has_directional() const { return directional.size() > 0; }
+};
+
+/// The body's mass by its mass model, attached masses on the diagonal, and the directional masses.
+MassMatrix mass_matrix(const Model& model);
+
+/// M X for nodal vectors X (3 x n).
+Eigen::Matrix3Xd times_mass(const Eigen::Matrix3Xd& X, const MassMatrix& mass);
+
+/// result += D X for nodal fields X, rows 3 p ... 3 p + 2 of which are field p (3 P x n), and a matrix D like MassMatrix::directional.
+void add_directional(const Eigen::SparseMatrix<double>& directional, const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> result);
+
+}  // namespace myo

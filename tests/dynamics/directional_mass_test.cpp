@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include "dynamics/energy.hpp"
+#include "dynamics/statics.hpp"
+#include "model/directional_mass.hpp"
+#include "model/loaded_face.hpp"
+#include "support/beam.hpp"
+#include "support/differences.hpp"
+#include "support/figures.hpp"
+#include "support/oscillation.hpp"
+#include "support/run.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using test::run;
+
+test::BeamSpec beam() {
+    test::BeamSpec spec;
+    spec.cells = {5, 2, 2};
+    return spec;
+}
+
+double body_mass(const test::BeamSpec& spec) { return spec.density_kg_m3 * spec.size.prod(); }
+
+/// Largest distance between two motions, relative to the largest displacement.
+double difference(const Trace& a, const Trace& b) {
+    double largest = 0.0, motion = 0.0;
+    for (std::size_t k = 0; k < a.positions.size(); ++k) {
+        largest = std::max(largest, (a.positions[k] - b.positions[k]).cwiseAbs().maxCoeff());
+        motion = std::max(motion, (a.positions[k] - a.positions[0]).cwiseAbs().maxCoeff());
+    }
+    return largest / motion;
+}
+
+/// A mass along each of three lines is one that resists alike along every direction, whatever lines at right angles they are.
+TEST(DirectionalMass, AlongThreeLinesMovesAsAnAttachedOneWithoutWeight) {
+    const test::BeamSpec spec = beam();
+    Model attached = test::make_beam(spec);
+    attached.velocity_force_1_s = 1.0;
+    test::push_tip(attached, spec, {0.1, 0.2, -0.15});
+    Model directional = attached;
+    const Eigen::VectorXd share = test::tip_share(attached, spec);
+    const double kg = 2.0 * body_mass(spec);
+    attached.masses.push_back({share, kg});
+    const Eigen::Matrix3d Q = Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+    for (int r = 0; r < 3; ++r) directional.directional_masses.push_back(line_mass(share, Q.col(r), kg));
+    for (const auto& [name, scheme] : test::all_schemes()) {
+        const double found = difference(run(attached, scheme, 0.01, 0.2), run(directional, scheme, 0.01, 0.2));
+        test::record(name, found);
+        EXPECT_LT(found, 1e-6) << name;
+    }
+}
+
+TEST(DirectionalMass, GivesTheSameMotionByEveryStrategy) {
+    test::BeamSpec spec = beam();
+    spec.gravity_m_s2 = 9.81;
+    Model model = test::make_beam(spec);
+    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 30.0)};
+    SimulationOptions options;
+    options.h_s = 0.01;
+    options.end_s = 0.2;
+    options.solver.tolerance = 1e-9;
+    const auto by = [&](Strategy strategy) {
+        options.solver.strategy = strategy;
+        const Trace trace = simulate(model, options);
+        EXPECT_TRUE(trace.complete()) << to_string(strategy) << ": " << trace.message;
+        return trace;
+    };
+    const Trace newton = by(Strategy::newton);
+    for (const Strategy strategy : {Strategy::automatic, Strategy::lagged_newton, Strategy::projective})
+        EXPECT_LT(difference(newton, by(strategy)), 1e-6) << to_string(strategy);
+}
+
+TEST(DirectionalMass, SlowsTheModeThatMovesAlongItAsAnAttachedOneAndLeavesTheOther) {
+    const test::BeamSpec spec = test::ringing_beam();
+    const Model bare = test::make_beam(spec);
+    const auto modes = [](const Model& model) {
+        StageSolver solver(model);
+        const NaturalModes found = natural_modes(solver, model.body->mesh.nodes, 2);
+        EXPECT_TRUE(found.ok());
+        return found.modes;
+    };
+    const Eigen::VectorXd share = test::tip_share(bare, spec);
+    Model attached = bare, line = bare;
+    attached.masses.push_back({share, 0.5 * body_mass(spec)});
+    line.directional_masses.push_back(line_mass(share, Vector3d::UnitZ(), 0.5 * body_mass(spec)));
+    const auto without = modes(bare), with_attached = modes(attached), with_line = modes(line);
+    EXPECT_LT(with_attached[0].omega_rad_s, 0.7 * without[0].omega_rad_s);
+    EXPECT_NEAR(with_line[0].omega_rad_s / with_attached[0].omega_rad_s, 1.0, 2e-3) << "bends along z; the tip also turns";
+    EXPECT_NEAR(with_line[1].omega_rad_s / without[1].omega_rad_s, 1.0, 2e-3) << "bends along y";
+}
+
+/// A fluid layer on the two broad sides of a slender beam moves as more density does.
+TEST(DirectionalMass, OfAFluidSlowsASlenderBeamAsBeamTheorySays) {
+    test::BeamSpec spec = beam();
+    spec.cells = {30, 1, 2};
+    spec.size = {0.4, 0.04, 0.01};
+    spec.poissons_ratio = 0.0;
+    Model model = test::make_beam(spec);
+    const double before = test::first_mode(model).omega_rad_s, per_area = 0.8 * spec.density_kg_m3 * spec.size(2);
+    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), per_area)};
+    // Along z: mass per length rho b h + 2 m b.
+    const double expected = std::sqrt(1.0 / (1.0 + 2.0 * per_area / (spec.density_kg_m3 * spec.size(2))));
+    const double found = test::first_mode(model).omega_rad_s / before;
+    test::record("ratio_error", found / expected - 1.0);
+    EXPECT_NEAR(found / expected, 1.0, 2e-3);
+}
+
+TEST(DirectionalMass, LeavesTheEquilibriumWhereItIs) {
+    test::BeamSpec spec = beam();
+    spec.gravity_m_s2 = 9.81;
+    Model model = test::make_beam(spec);
+    const auto equilibrium = [&] {
+        SolverOptions options;
+        options.tolerance = 1e-10;
+        StageSolver solver(model, options);
+        Matrix3Xd x = model.body->mesh.nodes;
+        EXPECT_TRUE(solve_equilibrium(solver, 0.0, x).ok());
+        return x;
+    };
+    const Matrix3Xd before = equilibrium();
+    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 50.0)};
+    EXPECT_GT((before - model.body->mesh.nodes).norm(), 1e-3);
+    EXPECT_LT((equilibrium() - before).norm(), 1e-9 * before.norm());
+}
+
+/// Undamped, the trapezoidal rule keeps the energy of a vibration to the second order; kinetic energy lacks most of it where the
+/// directional part is left out.
+TEST(DirectionalMass, KeepsTheEnergyOfAnUndampedVibration) {
+    const test::BeamSpec spec = test::ringing_beam();
+    Model model = test::make_beam(spec);
+    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 20.0)};
+    const MassMatrix mass = mass_matrix(model);
+    const NaturalMode mode = test::first_mode(model);
+    SimulationOptions options;
+    options.integrator = Integrator::trapezoidal;
+    options.solver.tolerance = 1e-10;
+    options.initial.velocities = 1e-3 * mode.omega_rad_s / mode.shape.cwiseAbs().maxCoeff() * mode.shape;
+    options.end_s = 12.0 / mode.omega_rad_s;
+    std::vector<double> steps, drift;
+    for (const double parts : {20.0, 40.0, 80.0}) {
+        options.h_s = 6.0 / (parts * mode.omega_rad_s);
+        const Trace trace = simulate(model, options);
+        ASSERT_TRUE(trace.complete()) << trace.message;
+        double worst = 0.0, least_kinetic = 1e300;
+        const double first = energy(model, mass, trace.positions[0], trace.velocities[0], 0.0).total_J();
+        for (std::size_t n = 0; n < trace.times_s.size(); ++n) {
+            const Energy now = energy(model, mass, trace.positions[n], trace.velocities[n], trace.times_s[n]);
+            worst = std::max(worst, std::abs(now.total_J() / first - 1.0));
+            least_kinetic = std::min(least_kinetic, now.kinetic_J / first);
+        }
+        EXPECT_LT(least_kinetic, 0.1) << "kinetic energy turns into elastic energy";
+        steps.push_back(options.h_s);
+        drift.push_back(worst);
+    }
+    test::record("drift", drift);
+    EXPECT_LT(drift.front(), 1e-3);
+    EXPECT_LT(drift.back(), 1e-4);
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,78 @@
+#include "model/directional_mass.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sensitivity/driven_beam.hpp"
+#include "sensitivity/gradient_check.hpp"
+#include "support/figures.hpp"
+
+namespace myo {
+namespace {
+
+struct Case {
+    ElementKind kind;
+    TimeScheme scheme;
+    StartKind start;
+};
+
+class DirectionalMassGradient : public testing::TestWithParam<Case> {
+protected:
+    /// Fluid all around and a weight on an oblique thread, many times as heavy as the body.
+    DirectionalMassGradient() : model(test::driven_beam(GetParam().kind)), options(test::short_run(GetParam().scheme, GetParam().start)) {
+        Eigen::VectorXd share = model.masses.front().share;
+        model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 8.0), line_mass(share, {0.3, 1.0, -0.4}, 0.2)};
+    }
+    Model model;
+    SimulationOptions options;
+};
+
+TEST_P(DirectionalMassGradient, OfAllParametersEqualsCentralDifferences) {
+    const GradientCheck check = check_gradient(model, options, test::rough_loss(model), checked_parameters(model, options));
+    ASSERT_TRUE(check.complete()) << check.message;
+    int of_masses = 0;
+    for (const GradientCheckRow& row : check.rows) {
+        EXPECT_NE(row.adjoint, 0.0) << row.name;
+        EXPECT_LT(row.relative_error, 1e-5) << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
+        of_masses += row.name.starts_with("directional mass") ? 1 : 0;
+    }
+    EXPECT_EQ(of_masses, 2);
+    test::record("median_error", check.median_error());
+    test::record("worst_error", check.worst_error());
+}
+
+TEST_P(DirectionalMassGradient, TangentsOfTheModulusEqualDifferencesAndTheAdjoint) {
+    options.solver.tangent_tolerance = 1e-12;
+    const LossOfMotion loss = test::rough_loss(model);
+    const auto [E, nu] = young_from_moduli(model.moduli.front());
+    AdjointOptions adjoint;
+    adjoint.tolerance = 1e-12;
+    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
+    ASSERT_TRUE(run.complete()) << run.message;
+    const SensitiveTrace tangents = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, E)}, loss.nodes);
+    ASSERT_TRUE(tangents.trace.complete());
+    EXPECT_NEAR(test::along(loss.evaluate(run.motion), tangents.tangents[0]) / young_gradient(model, run.gradient).youngs_modulus_Pa, 1.0, 1e-7);
+
+    const double step = 1e-4 * E;
+    const auto moved = [&](double by) {
+        Model other = model;
+        other.moduli = uniform_moduli(model.body->cell_count(), E + by, nu);
+        return simulate(other, options);
+    };
+    const Trace up = moved(step), down = moved(-step);
+    const Eigen::Matrix3Xd x = (up.positions.back() - down.positions.back()) / (2.0 * step), v = (up.velocities.back() - down.velocities.back()) / (2.0 * step);
+    EXPECT_GT(x.norm(), 0.0);
+    EXPECT_LT((tangents.tangents[0].positions.back() - x).norm(), 1e-5 * x.norm());
+    EXPECT_LT((tangents.tangents[0].velocities.back() - v).norm(), 1e-5 * v.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DirectionalMassGradient,
+                         testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight}, Case{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
+                                         Case{ElementKind::hex8, Integrator::trapezoidal, StartKind::equilibrium},
+                                         Case{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
+                                         Case{ElementKind::tet10, Integrator::implicit_euler, StartKind::equilibrium}),
+                         [](const auto& c) {
+                             return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) + (c.param.start == StartKind::equilibrium ? "_equilibrium" : "");
+                         });
+
+}  // namespace
+}  // namespace myo
