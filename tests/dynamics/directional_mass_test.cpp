@@ -84,12 +84,16 @@ TEST(DirectionalMass, SlowsTheModeThatMovesAlongItAsAnAttachedOneAndLeavesTheOth
         return found.modes;
     };
     const Eigen::VectorXd share = test::tip_share(bare, spec);
-    Model attached = bare, line = bare;
+    Model attached = bare, line = bare, plane = bare;
     attached.masses.push_back({share, 0.5 * body_mass(spec)});
     line.directional_masses.push_back(line_mass(share, Vector3d::UnitZ(), 0.5 * body_mass(spec)));
-    const auto without = modes(bare), with_attached = modes(attached), with_line = modes(line);
+    plane.directional_masses = line.directional_masses;
+    plane.directional_masses.push_back(line_mass(share, Vector3d::UnitX(), 0.5 * body_mass(spec)));
+    const auto without = modes(bare), with_attached = modes(attached), with_line = modes(line), with_plane = modes(plane);
     EXPECT_LT(with_attached[0].omega_rad_s, 0.7 * without[0].omega_rad_s);
-    EXPECT_NEAR(with_line[0].omega_rad_s / with_attached[0].omega_rad_s, 1.0, 2e-3) << "bends along z; the tip also turns";
+    EXPECT_NEAR(with_plane[0].omega_rad_s / with_attached[0].omega_rad_s, 1.0, 1e-4) << "bends along z, the thick tip turns";
+    EXPECT_GT(with_line[0].omega_rad_s, with_plane[0].omega_rad_s) << "the turn meets no inertia";
+    EXPECT_NEAR(with_line[0].omega_rad_s / with_attached[0].omega_rad_s, 1.0, 0.02);
     EXPECT_NEAR(with_line[1].omega_rad_s / without[1].omega_rad_s, 1.0, 2e-3) << "bends along y";
 }
 

@@ -65,7 +65,7 @@ TEST(AddedMass, IsSymmetricAndPositiveWithTheTraceOfTheArea) {
         EXPECT_LT((D - D.transpose()).norm(), 1e-14 * D.norm());
         EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatrixXd>(D).eigenvalues()(0), -1e-13 * D.norm());
         const double area = surface_weights(mesh, body->boundary, Box{Vector3d::Constant(-10.0), Vector3d::Constant(10.0)}).weight.sum();
-        EXPECT_NEAR(rigid_mass(mass).trace() / (per_area * area), 1.0, 1e-3);   // warped faces have no closed form
+        EXPECT_NEAR(rigid_mass(mass).trace() / (per_area * area), 1.0, type == CellType::hex8 ? 1e-2 : 1e-12);   // warped faces have no closed form
     }
 }
 
