@@ -7,8 +7,12 @@
 namespace myo {
 
 Energy energy(const Model& model, const MassMatrix& mass, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s, bool before) {
+    return energy(model, stiffness(model), mass, x, v, time_s, before);
+}
+
+Energy energy(const Model& model, const Stiffness& moduli, const MassMatrix& mass, const Eigen::Matrix3Xd& x,
+              const Eigen::Matrix3Xd& v, double time_s, bool before) {
     assert(x.cols() == model.body->node_count() && v.cols() == x.cols());
-    const Stiffness moduli = stiffness(model);
     const std::vector<double> levels = activations(model, time_s, before);
     InternalInput input;   // without a strain rate: nothing viscous
     input.stiffness = &moduli;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "model/internal_forces.hpp"
 #include "model/model.hpp"
 
 namespace myo {
@@ -22,5 +23,9 @@ struct Energy {
 /// before: loads and activations are taken from the left of `time_s`.
 Energy energy(const Model& model, const MassMatrix& mass, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s,
               bool before = false);
+
+/// The same of cells with another stiffness than the virgin one.
+Energy energy(const Model& model, const Stiffness& stiffness, const Eigen::SparseMatrix<double>& mass, const Eigen::Matrix3Xd& x,
+              const Eigen::Matrix3Xd& v, double time_s, bool before = false);
 
 }  // namespace myo

@@ -12,7 +12,7 @@ struct Kinematics {
     Eigen::Matrix3Xd x;          // positions, 3 x n [m]
     Eigen::Matrix3Xd v;          // velocities [m/s]
     Eigen::Matrix3Xd force;      // M times acceleration [N], zero on clamped nodes
-    Eigen::VectorXd strain;      // strain measures at x
+    Eigen::VectorXd strain;      // strain measures at x; where the body creeps, those of its dashpots follow (see creep.hpp)
     Eigen::VectorXd rate;        // their rates [1/s]
 
     // Memory of schemes that look back: the slopes they keep of positions, momenta and strains, less the derivatives v, force

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/creep.hpp"
 #include "dynamics/natural_modes.hpp"
 #include "dynamics/statics.hpp"
 
@@ -32,6 +33,7 @@ const LinearisedStep::LinearStage& LinearisedStep::linear_stage(const Stage& sta
     at_rest.inertia_1_s2 = stage.inertia_1_s2;
     at_rest.rate_factor_1_s = stage.rate_factor_1_s;
     at_rest.rate_history = -stage.rate_factor_1_s * strains(*solver_->model().body, x_);
+    if (solver_->model().creep) at_rest.rate_history = at_rest.rate_history.replicate(2, 1).eval();
     at_rest.velocity_history = -stage.rate_factor_1_s * x_;
     stages_.push_back({at_rest, solver_->hessian(at_rest, x_)});
     return stages_.back();
@@ -45,6 +47,7 @@ Kinematics LinearisedStep::displaced(const Matrix3Xd& u) {
     const SymmetricSparse K = solver_->hessian(static_stage(body, time_s_), x_);
     s.force = scatter(body.pattern, -(K.selfadjointView<Eigen::Lower>() * gather(body.pattern, u)));
     s.strain = strain_tangent(body, x_, u);
+    if (solver_->model().creep) s.strain = s.strain.replicate(2, 1).eval();
     s.rate = VectorXd::Zero(s.strain.size());
     return s;
 }
@@ -54,7 +57,8 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
     const BlockPattern& pattern = model.body->pattern;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {
         Matrix3Xd load = stage.constant;
-        if (model.damping_s > 0.0) load -= viscous_gradient(model, x_, stage.rate_history);
+        if (model.creep) load -= viscous_gradient(model, x_, viscous_history(model, stage.rate_factor_1_s, stage.rate_history));
+        else if (model.damping_s > 0.0) load -= viscous_gradient(model, x_, stage.rate_history);
         const LinearStage& linear = linear_stage(stage);
         if (depends_on_velocity(model)) {
             const Matrix3Xd v = stage_velocities(linear.stage, x_);
@@ -62,6 +66,7 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
         }
         solution.x = scatter(pattern, solver_->solve_linear(linear.hessian, linear.stage, x_, gather(pattern, load)));
         solution.strain = strain_tangent(*model.body, x_, solution.x);
+        if (model.creep) solution.strain = with_dashpots(*model.creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         return true;
     };
     const StepProblem<decltype(solve)> problem{solver_->mass(), time_s_, h_s_, velocity_force_1_s_, solve};

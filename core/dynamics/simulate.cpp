@@ -5,8 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "dynamics/creep.hpp"
 #include "dynamics/energy.hpp"
 #include "dynamics/extrapolation.hpp"
+#include "dynamics/softening.hpp"
 #include "dynamics/start_state.hpp"
 #include "dynamics/step_grid.hpp"
 #include "dynamics/undeformed.hpp"
@@ -23,12 +25,19 @@ std::string where_it_failed(double t, double h, const std::string& reason) {
 /// Steps are halved until they are this part of what they were.
 constexpr double most_parts = 4.0;
 
-/// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what moves.
-bool gains_energy(const Model& model, const MassMatrix& mass, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
+/// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what moves. Softening
+/// takes energy between steps, so that the stiffness of the step counts.
+bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
+    const Model& model = solver.model();
     if (model.velocity_force_1_s > 0.0 || activations(model, 0.5 * (from_s + to_s)) != activations(model, to_s, true)) return false;
     for (const ForceElementPointer& element : model.force_elements)
         if (!element->steady(from_s, to_s)) return false;
-    const Energy before = energy(model, mass, from.x, from.v, to_s, true), after = energy(model, mass, to.x, to.v, to_s, true);
+    const auto energy_at = [&](const Kinematics& s) {
+        Energy result = energy(model, solver.stiffness(), solver.mass(), s.x, s.v, to_s, true);
+        if (model.creep) result.internal_J += branch_energy(model, s.x, s.strain);
+        return result;
+    };
+    const Energy before = energy_at(from), after = energy_at(to);
     const double moved = before.kinetic_J + after.kinetic_J + std::abs(after.internal_J - before.internal_J);
     return after.total_J() - before.total_J() > 0.02 * moved;   // false where there was none before
 }
@@ -49,7 +58,7 @@ public:
                 if (progress.cancelled()) return ended(RunStatus::cancelled, "stopped at t = " + std::to_string(point_.time_s) + " s");
                 Step step = take_step_to(goals.back(), goals.back() == end && is_jump(jumps_, end, options_.h_s));
                 const double h = goals.back() - point_.time_s;
-                if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(model(), solver_.mass(), point_.state, step.next, point_.time_s, goals.back())))) {
+                if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(solver_, point_.state, step.next, point_.time_s, goals.back())))) {
                     goals.push_back(point_.time_s + 0.5 * h);
                     past_.restart(point_.time_s, point_.state.x);
                     continue;
@@ -102,6 +111,10 @@ private:
             point_ = *part_.from;
         } else {
             if (!set_start(options_, solver_, point_.state, trace_)) return false;
+            if (model().softening) raise_peaks(model(), point_.state.x, point_.peak_energy_J_m3);
+        }
+        if (model().softening) solver_.soften(softening_factors(*model().softening, point_.peak_energy_J_m3));
+        if (!part_.from) {
             if (observer_.started) observer_.started(solver_, point_.state);
         }
         record();
@@ -159,6 +172,7 @@ private:
         if (!found) return false;
         step.resolved = step.resolved && continued && (solution.x - *continued).norm() < 0.1 * (solution.x - point_.state.x).norm();
         solution.strain = strains(body, solution.x);
+        if (model().creep) solution.strain = with_dashpots(*model().creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         past_.add(stage.time_s, solution.x);
         step.solved.push_back({stage, solution});
         return true;
@@ -170,6 +184,10 @@ private:
         const bool was_euler = std::exchange(euler_first_, false);
         point_.state = std::move(step.next);
         point_.time_s = step.end_s;
+        if (model().softening) {
+            raise_peaks(model(), point_.state.x, point_.peak_energy_J_m3);
+            solver_.soften(softening_factors(*model().softening, point_.peak_energy_J_m3));
+        }
         record();
         if (step.jump_at_end) set_force(point_.time_s);
         if (step.jump_at_end || was_euler) past_.restart(point_.time_s, point_.state.x);

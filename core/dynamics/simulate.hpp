@@ -22,7 +22,7 @@ struct InitialState {
 };
 
 struct SimulationOptions {
-    StartKind start = StartKind::straight;
+    StartKind start = StartKind::straight;   // of a creeping body: unstrained dashpots, or relaxed ones, also at positions of one's own
     InitialState initial;
     TimeScheme integrator;
     double h_s = 0.005;
@@ -56,6 +56,7 @@ struct RunPoint {
     std::size_t step = 0;     // of step_ends(), those reached
     double time_s = 0.0;
     Kinematics state;
+    Eigen::VectorXd peak_energy_J_m3;   // per cell, of a body that softens: see raise_peaks()
 };
 
 /// Part of a run: from a point of it (null: from the start) until so many of step_ends() are reached.
@@ -79,6 +80,7 @@ struct RunObserver {
 
 /// Runs a model from its start state. Steps are h, shortened where a load or a signal jumps between them, and halved, once or twice,
 /// where a step finds no solution or, too long for the motion, gains energy that nothing gave. The trace holds all of them.
+/// Every run starts with virgin cells, softened by no more than its start state.
 /// A start without an energy, with cells turned inside out, is left by one step of implicit Euler, which needs no force there; so is
 /// that of a viscous body whose initial velocities would tear its cells within the step.
 Trace simulate(const Model& model, const SimulationOptions& options, const Progress& progress = {},

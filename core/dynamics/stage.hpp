@@ -14,7 +14,7 @@ struct Stage {
     double inertia_1_s2 = 0.0;
     Eigen::Matrix3Xd constant;          // 3 x n [N]
     double rate_factor_1_s = 0.0;
-    Eigen::VectorXd rate_history;       // strain_count entries [1/s]; empty in statics
+    Eigen::VectorXd rate_history;       // strain_count entries [1/s], twice as many where the body creeps (see creep.hpp); empty in statics
     Eigen::Matrix3Xd velocity_history;  // 3 x n [m/s]: v = rate_factor x + velocity_history; empty: at rest
     bool before_jump = false;           // loads and activations are taken from the left of time_s
 };

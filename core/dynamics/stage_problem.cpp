@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/stopwatch.hpp"
+#include "dynamics/creep.hpp"
 #include "model/fibre_forces.hpp"
 
 namespace myo {
@@ -58,7 +59,9 @@ StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, 
       stage_(stage),
       times_(times),
       activation_(activations(*constants.model, stage.time_s, stage.before_jump)),
-      dead_(stage.constant + external_forces(*constants.model, constants.mass, stage.time_s, stage.before_jump)) {}
+      dead_(stage.constant + external_forces(*constants.model, constants.mass, stage.time_s, stage.before_jump)) {
+    if (model().creep && stage.rate_history.size() > 0) viscous_history_ = viscous_history(model(), stage.rate_factor_1_s, stage.rate_history);
+}
 
 StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind kind, const VectorXd* pressure) const {
     double untimed = 0.0;
@@ -66,7 +69,8 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind 
     InternalInput input;
     input.stiffness = &constants_.stiffness;
     input.activation = &activation_;
-    if (stage_.rate_history.size() > 0) input.rate = {stage_.rate_factor_1_s, &stage_.rate_history};
+    if (viscous_history_.size() > 0) input.rate = {viscous_factor(model(), stage_.rate_factor_1_s), &viscous_history_};
+    else if (stage_.rate_history.size() > 0) input.rate = {stage_.rate_factor_1_s, &stage_.rate_history};
     input.pressure = pressure;
     InternalEnergy internal = internal_energy(model(), x, input, kind);
     if (!model().force_elements.empty()) {

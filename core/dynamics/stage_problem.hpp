@@ -16,8 +16,8 @@ namespace myo {
 struct StageConstants {
     const Model* model = nullptr;
     MassMatrix mass;
-    SymmetricSparse inertia;   // mass over the free unknowns, in the body's pattern
-    Stiffness stiffness;
+    SymmetricSparse inertia;             // mass over the free unknowns, in the body's pattern
+    Stiffness stiffness;                 // of the cells as they are: softened ones have less
 };
 StageConstants stage_constants(const Model& model);
 
@@ -57,6 +57,7 @@ private:
     const Stage& stage_;
     SolverTimes* times_;
     std::vector<double> activation_;
+    Eigen::VectorXd viscous_history_;    // of a creeping body
     Eigen::Matrix3Xd dead_;              // constant + f_ext
 };
 

@@ -16,6 +16,12 @@ using Eigen::VectorXd;
 
 StageSolver::StageSolver(const Model& model, SolverOptions options) : options_(options), constants_(stage_constants(model)), factor_(options.most_factor_entries) {}
 
+// The factor of earlier moduli stays: it is a metric and is renewed where it serves badly.
+void StageSolver::soften(const VectorXd& factors) {
+    softening_ = factors;
+    constants_.stiffness.elastic = softened(model().moduli, factors);
+}
+
 bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matrix3Xd& x, StageReport& report) {
     const Body& body = *model().body;
     QuasiNewtonOptions options;

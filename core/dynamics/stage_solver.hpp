@@ -20,6 +20,11 @@ public:
 
     const Model& model() const { return *constants_.model; }
     const MassMatrix& mass() const { return constants_.mass; }
+    const Stiffness& stiffness() const { return constants_.stiffness; }
+
+    /// Cells whose elastic moduli are these parts of the model's from now on; empty: virgin ones, as at first.
+    void soften(const Eigen::VectorXd& factors);
+    const Eigen::VectorXd& softening() const { return softening_; }
 
     /// Solves for x, starting from its value, by the strategy of the options. On failure x is the best iterate.
     StageReport solve(const Stage& stage, Eigen::Matrix3Xd& x);
@@ -43,6 +48,7 @@ private:
 
     SolverOptions options_;
     StageConstants constants_;
+    Eigen::VectorXd softening_;
     LaggedFactor factor_;
     ProjectiveMetric projective_;
 };

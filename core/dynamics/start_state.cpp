@@ -20,6 +20,16 @@ bool tears(const Body& body, const Matrix3Xd& v, double h) {
     return false;
 }
 
+/// Dashpots that follow the strains of a state at rest, or have not moved yet.
+void add_dashpots(const MaxwellBranch& branch, bool relaxed, Kinematics& state) {
+    const Eigen::Index count = state.strain.size();
+    state.strain.conservativeResize(2 * count);
+    state.rate.conservativeResize(2 * count);
+    if (relaxed) state.strain.tail(count) = state.strain.head(count);
+    else state.strain.tail(count).setZero();
+    state.rate.tail(count) = (state.strain.head(count) - state.strain.tail(count)) / branch.relaxation_time_s;
+}
+
 }  // namespace
 
 void count(const StageReport& report, Trace& trace) {
@@ -50,6 +60,7 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
         trace.message = "the initial positions or velocities are not finite";
         return false;
     }
+    if (solver.model().softening) solver.soften({});
     if (options.starts_at_equilibrium()) {
         const StageReport report = solve_equilibrium(solver, 0.0, state.x);
         count(report, trace);
@@ -58,6 +69,7 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
     }
     state.strain = strains(body, state.x);
     state.rate = strain_tangent(body, state.x, state.v);
+    if (solver.model().creep) add_dashpots(*solver.model().creep, options.start == StartKind::equilibrium, state);
     return true;
 }
 
@@ -65,6 +77,7 @@ bool needs_euler(const Model& model, double h_s, Kinematics& state) {
     if (state.force.allFinite() && state.strain.allFinite()) return model.damping_s > 0.0 && tears(*model.body, state.v, h_s);
     state.force.setZero();
     state.strain = strains(*model.body, model.body->mesh.nodes);
+    if (model.creep) state.strain = state.strain.replicate(2, 1).eval();
     state.rate.setZero();
     return true;
 }

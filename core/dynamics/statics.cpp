@@ -1,5 +1,9 @@
 #include "dynamics/statics.hpp"
 
+#include <optional>
+
+#include "base/text.hpp"
+#include "dynamics/softening.hpp"
 #include "dynamics/undeformed.hpp"
 
 namespace myo {
@@ -12,7 +16,10 @@ Stage static_stage(const Body& body, double time_s) {
     return stage;
 }
 
-StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
+namespace {
+
+/// With the stiffness that the solver has.
+StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     Stage stage = static_stage(*solver.model().body, time_s);
     Eigen::Matrix3Xd start = x;
     StageReport report = solver.solve(stage, x);
@@ -34,6 +41,39 @@ StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3
         report = solver.solve(static_stage(*solver.model().body, time_s), x);
     }
     if (!report.ok()) report.message = "no equilibrium was found: " + report.message;
+    return report;
+}
+
+void add_work(const StageReport& before, StageReport& report) {
+    report.newton_iterations += before.newton_iterations;
+    report.linear_iterations += before.linear_iterations;
+    report.factorisations += before.factorisations;
+    report.times += before.times;
+}
+
+}  // namespace
+
+StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
+    const std::optional<StressSoftening>& softening = solver.model().softening;
+    if (!softening) return find_equilibrium(solver, time_s, x);
+    // Under dead loads the strain rises from iteration to iteration, so that the cells end as soft as their own largest energy asks for.
+    solver.soften(Eigen::VectorXd::Ones(solver.model().body->cell_count()));
+    StageReport report;
+    double change = 0.0;
+    for (int iteration = 0; iteration < 200; ++iteration) {
+        const StageReport before = report;
+        report = find_equilibrium(solver, time_s, x);
+        add_work(before, report);
+        if (!report.ok()) return report;
+        Eigen::VectorXd peak;
+        raise_peaks(solver.model(), x, peak);
+        const Eigen::VectorXd factors = softening_factors(*softening, peak);
+        change = (factors - solver.softening()).cwiseAbs().maxCoeff();
+        solver.soften(factors);
+        if (change < 1e-6) return report;
+    }
+    report.status = SolveStatus::not_converged;
+    report.message = "no equilibrium was found: the softening of the cells still changes by " + format_number(change, 2);
     return report;
 }
 

@@ -117,7 +117,7 @@ NodalColumns gradients_of(const PackedCells<N, Q>& cells, const Model& model, co
                 Pack viscous_mu = 0.0;
                 if (rates.size() > 0) {
                     at.emplace(cells, pack, x);
-                    viscous_mu = lanes_of(cells, pack, [&](std::size_t c) { return model.damping_s * model.moduli[c].mu; });
+                    viscous_mu = lanes_of(cells, pack, [&](std::size_t c) { return viscous_scale(model) * model.moduli[c].mu; });
                 }
                 for (Index k = 0; k < count; ++k) {
                     const Stiffness& own = stiffness[static_cast<std::size_t>(start + k)];

@@ -138,7 +138,7 @@ void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3
 
 /// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
 template <int N, int Q>
-VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const Matrix3Xd* dx) {
+VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, const std::vector<Moduli>& moduli, const Matrix3Xd& x, const Matrix3Xd* dx) {
     const int per_cell = cells.volumes_per_cell();
     VectorXd pressure = VectorXd::Zero(cells.pack_count() * per_cell * pack_width);
     if (!model.material->has_split()) return pressure;
@@ -146,8 +146,8 @@ VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, cons
         LawResponse<Pack> law;
         const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
         const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
-        const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
-        const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
+        const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].mu; });
+        const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].kappa; });
         const auto xe = gather_lanes<N>(nodes, x), de = dx ? gather_lanes<N>(nodes, *dx) : xe;
         Pack theta = 0.0, d_theta = 0.0;
         for (int q = 0; q < Q; ++q) {
@@ -200,11 +200,22 @@ VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const 
 Stiffness stiffness(const Model& model) {
     Stiffness s;
     s.elastic = model.moduli;
-    if (model.damping_s > 0.0) {
+    const double scale = viscous_scale(model);
+    if (scale > 0.0) {
         s.viscous = model.moduli;
-        for (Moduli& m : s.viscous) m = {m.mu * model.damping_s, m.kappa * model.damping_s};
+        for (Moduli& m : s.viscous) m = {m.mu * scale, m.kappa * scale};
     }
     return s;
+}
+
+double viscous_scale(const Model& model) { return model.creep ? 1.0 : model.damping_s; }
+
+std::vector<Moduli> softened(std::vector<Moduli> moduli, const VectorXd& factors) {
+    for (Eigen::Index c = 0; c < factors.size(); ++c) {
+        Moduli& m = moduli[static_cast<std::size_t>(c)];
+        m = {m.mu * factors(c), m.kappa * factors(c)};
+    }
+    return moduli;
 }
 
 InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const InternalInput& input, HessianKind kind) {
@@ -220,12 +231,12 @@ InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const Int
     return out;
 }
 
-VectorXd pressures(const Model& model, const Matrix3Xd& x) {
-    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, x, nullptr); }, model.body->cells);
+VectorXd pressures(const Model& model, const std::vector<Moduli>& moduli, const Matrix3Xd& x) {
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, moduli, x, nullptr); }, model.body->cells);
 }
 
-VectorXd predicted_pressures(const Model& model, const Matrix3Xd& x, const Matrix3Xd& dx) {
-    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, x, &dx); }, model.body->cells);
+VectorXd predicted_pressures(const Model& model, const std::vector<Moduli>& moduli, const Matrix3Xd& x, const Matrix3Xd& dx) {
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, moduli, x, &dx); }, model.body->cells);
 }
 
 VectorXd strains(const Body& body, const Matrix3Xd& x) {

@@ -18,10 +18,17 @@ struct StrainRate {
 /// a derivative of it with respect to a parameter.
 struct Stiffness {
     std::vector<Moduli> elastic;   // per cell; empty: left out
-    std::vector<Moduli> viscous;   // damping times moduli, per cell [Pa s]; empty: left out
+    std::vector<Moduli> viscous;   // viscous_scale() times moduli, per cell [Pa s], or [Pa] of a creeping body; empty: left out
     bool fibres = true;
 };
 Stiffness stiffness(const Model& model);
+
+/// What viscous stresses are besides 2 mu dev(rate): the damping [s]. Of a creeping body 1, as its rates are sums of strain rates and
+/// strains that have their factors with them.
+double viscous_scale(const Model& model);
+
+/// Moduli times a factor per cell; no factors: as they are.
+std::vector<Moduli> softened(std::vector<Moduli> moduli, const Eigen::VectorXd& factors);
 
 enum class HessianKind {
     none,
@@ -47,9 +54,9 @@ struct InternalInput {
 /// Errors: none. An inverted cell gives non-finite values; the solver rejects the step.
 InternalEnergy internal_energy(const Model& model, const Eigen::Matrix3Xd& x, const InternalInput& input, HessianKind hessian);
 
-/// U'(theta) of every volume point at x, and its linear prediction at x + dx.
-Eigen::VectorXd pressures(const Model& model, const Eigen::Matrix3Xd& x);
-Eigen::VectorXd predicted_pressures(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
+/// U'(theta) of every volume point at x for moduli per cell, and its linear prediction at x + dx.
+Eigen::VectorXd pressures(const Model& model, const std::vector<Moduli>& moduli, const Eigen::Matrix3Xd& x);
+Eigen::VectorXd predicted_pressures(const Model& model, const std::vector<Moduli>& moduli, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
 
 /// All strain measures (Green strains, hourglass strains) at x, and their derivative along dx.
 Eigen::VectorXd strains(const Body& body, const Eigen::Matrix3Xd& x);

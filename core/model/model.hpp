@@ -4,12 +4,15 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fibre/fibre_group.hpp"
 #include "fibre/signal.hpp"
 #include "material/material.hpp"
+#include "material/maxwell_branch.hpp"
 #include "material/moduli.hpp"
+#include "material/stress_softening.hpp"
 #include "model/body.hpp"
 #include "model/directional_mass.hpp"
 #include "model/mass_matrix.hpp"
@@ -53,6 +56,8 @@ struct Model {
     std::vector<AttachedMass> masses;
     std::vector<DirectionalMass> directional_masses;
     std::vector<ForceElementPointer> force_elements;   // springs, pressures, drag ...
+    std::optional<MaxwellBranch> creep;           // memory of the past strain: runs have it, statics and modes know the relaxed body
+    std::optional<StressSoftening> softening;     // memory of the largest strain; every run and every equilibrium starts virgin
 };
 
 /// The same moduli in every cell.

@@ -146,6 +146,12 @@ private:
 
 GradientRun simulate_with_gradient(const Model& model, const SimulationOptions& options, const LossOfMotion& loss, const AdjointOptions& adjoint,
                                    const Progress& progress) {
+    if (model.creep || model.softening) {
+        GradientRun refused;
+        refused.status = RunStatus::failed;
+        refused.message = std::string("the adjoint does not know bodies that ") + (model.creep ? "creep" : "soften") + ": take tangents or differences of runs";
+        return refused;
+    }
     return GradientOfRun(model, options, loss, adjoint, progress).run(adjoint.memory_bytes);
 }
 

@@ -61,7 +61,7 @@ struct GradientRun {
 /// Costs one exact Hessian and one linear solve per stage, however many parameters there are. Every integrator's step is transposed by
 /// its own coefficients (StepCoefficients). The gradient does not depend on the parts a run is cut into, but for the tolerance
 /// of the solver, which starts anew in each; whether a part is kept or run again makes no difference at all.
-/// Errors: those of simulate(); a start with cells turned inside out has no gradient; a budget that does not hold the least.
+/// Errors: those of simulate(); a body that creeps or softens; a start with cells turned inside out has no gradient; a budget that does not hold the least.
 GradientRun simulate_with_gradient(const Model& model, const SimulationOptions& options, const LossOfMotion& loss,
                                    const AdjointOptions& adjoint = {}, const Progress& progress = {});
 

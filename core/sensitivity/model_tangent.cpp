@@ -28,6 +28,10 @@ Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent) {
     Stiffness derivative;
     derivative.fibres = false;
     derivative.elastic = tangent.moduli;
+    if (model.creep) {
+        derivative.viscous = tangent.moduli;
+        return derivative;
+    }
     if (tangent.damping_s == 0.0 && (model.damping_s == 0.0 || tangent.moduli.empty())) return derivative;
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
         const Moduli d = tangent.moduli.empty() ? Moduli{} : tangent.moduli[c];

@@ -27,7 +27,8 @@ ModelTangent damping_tangent();
 /// Derivative of the gradient of the force elements along the parameter, positions and velocities held, 3 x n.
 Eigen::Matrix3Xd force_element_tangent(const Model& model, const ModelTangent& tangent, const ForceState& at);
 
-/// Derivative of the stiffness along the parameter: the energy is linear in the moduli and in damping times moduli.
+/// Derivative of the stiffness along the parameter: the energy is linear in the moduli and in damping times moduli. The damping of a
+/// creeping body is not among them: it changes the rate.
 Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent);
 
 /// Derivative of the activations along the parameter, per fibre group; empty: zero.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "dynamics/creep.hpp"
 #include "dynamics/statics.hpp"
 #include "model/force_columns.hpp"
 #include "sensitivity/step_coefficients.hpp"
@@ -81,9 +82,10 @@ public:
         nodal_[v_field] = nodal_[x_field];
         if (options_.starts_at_equilibrium()) {
             const Stage stage = static_stage(body, 0.0);
-            const MatrixXd B = -gather_columns(body.pattern, gradient(stage, state.x, state.rate, {}, {}));
+            const MatrixXd B = -gather_columns(body.pattern, gradient(solver, stage, state.x, state.rate, {}, {}));
             nodal_[x_field] = scatter_columns(body.pattern, solver.solve_linear(solver.hessian(stage, state.x), stage, state.x, B));
             if (with_strains()) strain_[strain_field] = strain_tangents(body, state.x, nodal_[x_field]);
+            if (model_.creep) strain_[strain_field] = strain_[strain_field].replicate(2, 1).eval();
         }
         keep();
     }
@@ -93,7 +95,7 @@ public:
         const BlockPattern& pattern = model_.body->pattern;
         const Stage stage = jump_stage(state, t);
         const SymmetricSparse K = solver.hessian(stage, state.x);
-        NodalColumns pushed = gradient(stage, state.x, state.rate, strain_[rate_field], nodal_[v_field]);
+        NodalColumns pushed = gradient(solver, stage, state.x, state.rate, strain_[rate_field], nodal_[v_field]);
         if (model_.velocity_force_1_s != 0.0) pushed -= model_.velocity_force_1_s * mass_times(nodal_[v_field], solver.mass());
         nodal_[force_field] = scatter_columns(pattern, -symmetric_product(K, gather_columns(pattern, nodal_[x_field])) - gather_columns(pattern, pushed));
     }
@@ -136,11 +138,14 @@ public:
             const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
             const auto stage_number = static_cast<int>(k);
             MatrixXd B = gather_columns(body.pattern, nodal_row(nodal_fields + stage_number));
-            B -= gather_columns(body.pattern, gradient(stage, solution.x, rate, strain_row(strain_fields + stage_number), velocity_row(strain_fields + stage_number)));
+            MatrixXd histories = strain_row(strain_fields + stage_number);
+            if (model_.creep && histories.size() == 0) histories = MatrixXd::Zero(rate.size(), static_cast<Index>(parameters_.size()));
+            B -= gather_columns(body.pattern, gradient(solver, stage, solution.x, rate, histories, velocity_row(strain_fields + stage_number)));
             const MatrixXd X = solver.solve_linear(solver.hessian(stage, solution.x), stage, solution.x, B, guesses_[k].next());
             guesses_[k].add(X);
             solutions[k] = scatter_columns(body.pattern, X);
             if (with_strains()) strains[k] = strain_tangents(body, solution.x, solutions[k]);
+            if (model_.creep) strains[k] = with_dashpots(*model_.creep, stage.rate_factor_1_s, strains[k], histories);
         }
         std::array<NodalColumns, nodal_fields> nodal;
         std::array<MatrixXd, strain_fields> strain;
@@ -169,18 +174,36 @@ private:
     };
 
     /// Strains act through viscous forces alone.
-    bool with_strains() const { return model_.damping_s > 0.0; }
+    bool with_strains() const { return model_.damping_s > 0.0 || model_.creep; }
+
+    /// Of a creeping body: the change of what viscous stresses are made of, positions held, along the parameters and the changes of its
+    /// strain rates (of both, see creep.hpp).
+    MatrixXd viscous_changes(const Stage& stage, const VectorXd& rates, const MatrixXd& d_rates) const {
+        const Index count = rates.size() / 2;
+        MatrixXd result = d_rates.size() > 0 ? viscous_history(model_, stage.rate_factor_1_s, d_rates) : MatrixXd::Zero(count, static_cast<Index>(parameters_.size()));
+        for (std::size_t p = 0; p < parameters_.size(); ++p)
+            if (parameters_[p].damping_s != 0.0) result.col(static_cast<Index>(p)) += parameters_[p].damping_s * rates.head(count);
+        return result;
+    }
 
     /// Derivatives of dW/dx at x with the positions held: along the parameters, and along those of the strain rates and of the velocities.
-    NodalColumns gradient(const Stage& stage, const Matrix3Xd& x, const VectorXd& rate, const MatrixXd& d_rates, const NodalColumns& d_velocities) const {
+    NodalColumns gradient(const StageSolver& solver, const Stage& stage, const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates,
+                          const NodalColumns& d_velocities) const {
         bool elastic = false, viscous = false;
         for (const Stiffness& s : stiffness_) {
             elastic = elastic || !s.elastic.empty();
             viscous = viscous || !s.viscous.empty();
         }
         UnitForces forces;
-        if (elastic || viscous) forces = unit_forces(model_, x, viscous ? rate : VectorXd());
-        NodalColumns result = gradient_columns(model_, x, forces, stiffness_, with_strains() ? d_rates : MatrixXd());
+        if (elastic || viscous) forces = unit_forces(model_, x, !viscous ? VectorXd() : model_.creep ? VectorXd(viscous_history(model_, 0.0, rates)) : rates);
+        std::vector<Stiffness> of_softened;   // the factors held
+        if (solver.softening().size() > 0) {
+            of_softened = stiffness_;
+            for (Stiffness& s : of_softened)
+                if (!s.elastic.empty()) s.elastic = softened(std::move(s.elastic), solver.softening());
+        }
+        const MatrixXd changes = model_.creep ? viscous_changes(stage, rates, d_rates) : with_strains() ? d_rates : MatrixXd();
+        NodalColumns result = gradient_columns(model_, x, forces, of_softened.empty() ? stiffness_ : of_softened, changes);
         for (std::size_t g = 0; g < model_.fibres->size(); ++g) {
             Matrix3Xd of_group;   // per unit of its activation
             for (std::size_t p = 0; p < parameters_.size(); ++p) {

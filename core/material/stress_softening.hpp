@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cmath>
+
+namespace myo {
+
+/// Softening by the largest strain so far, as of filled rubbers: the elastic stress of a cell is that of the virgin material times
+///   1 - d (1 - exp(-W / W0)),
+/// where W is the largest isochoric energy density that the cell, taken as virgin, has had.
+/// Source: Ogden & Roxburgh 1999; Simo 1987 (damage by the largest energy).
+struct StressSoftening {
+    double damage_max = 0.0;           // d, 0 ... below 1
+    double energy_scale_J_m3 = 1.0;    // W0, above 0
+
+    double factor(double peak_energy_J_m3) const { return 1.0 + damage_max * std::expm1(-peak_energy_J_m3 / energy_scale_J_m3); }
+};
+
+}  // namespace myo
