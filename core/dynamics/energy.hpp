@@ -25,7 +25,7 @@ Energy energy(const Model& model, const MassMatrix& mass, const Eigen::Matrix3Xd
               bool before = false);
 
 /// The same of cells with another stiffness than the virgin one.
-Energy energy(const Model& model, const Stiffness& stiffness, const Eigen::SparseMatrix<double>& mass, const Eigen::Matrix3Xd& x,
+Energy energy(const Model& model, const Stiffness& stiffness, const MassMatrix& mass, const Eigen::Matrix3Xd& x,
               const Eigen::Matrix3Xd& v, double time_s, bool before = false);
 
 }  // namespace myo

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/closest_point.hpp"
 #include "model/loaded_face.hpp"
 
 namespace myo {

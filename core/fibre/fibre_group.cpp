@@ -1,10 +1,13 @@
 #include "fibre/fibre_group.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 
 #include "fem/quadrature.hpp"
 #include "fem/shape_functions.hpp"
 #include "fibre/cell_parts.hpp"
+#include "mesh/clipping.hpp"
 #include "mesh/region.hpp"
 
 namespace myo {
@@ -36,6 +39,20 @@ void add_box_cell(const VolumeMesh& mesh, int cell, const Box& cell_box, const B
     }
 }
 
+/// The part of a straight-sided tetrahedron inside a box, held at its centre of volume: so a group that ends inside cells keeps its lever arm.
+void add_cut_tetrahedron(const VolumeMesh& mesh, int cell, const Box& box, const Eigen::Vector3d& direction, FibreGroup& group) {
+    const Eigen::Matrix<double, 3, 4> corners = mesh.nodes(Eigen::all, mesh.cells.col(cell).head<4>());
+    const ClippedVolume part = tetrahedron_in_box(corners, box, region_tolerance(mesh));
+    if (!(part.volume_m3 > 0.0)) return;
+    Eigen::Matrix3d edges;
+    for (int i = 0; i < 3; ++i) edges.col(i) = corners.col(i + 1) - corners.col(0);
+    const Eigen::Vector3d xi = edges.inverse() * (part.moment_m4 / part.volume_m3 - corners.col(0));
+    add_fibre_point(mesh, cell, xi, part.volume_m3, direction, group);
+}
+
+/// Of less a cell counts as whole: at its own points the fibres bend with it.
+constexpr double whole = 1.0 - 1e-6;
+
 }  // namespace
 
 double FibreGroup::volume() const {
@@ -52,6 +69,7 @@ FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Ve
         if (fraction(c) <= 0.0) continue;
         Box cell_box;
         if (mesh.type == CellType::hex8 && axis_aligned(mesh, c, cell_box)) add_box_cell(mesh, c, cell_box, box, direction, group);
+        else if (mesh.type != CellType::hex8 && fraction(c) < whole) add_cut_tetrahedron(mesh, c, box, direction, group);
         else add_whole_cell(mesh, c, fraction(c), [&](const Eigen::Vector3d&) { return direction; }, group);
     }
     return group;

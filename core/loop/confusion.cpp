@@ -10,6 +10,8 @@ namespace {
 
 /// From this cosine on two effects count as one to this experiment.
 constexpr double alike = 0.97;
+/// What explains a smaller share of the residual than this part of what the best does is out of the question anyway.
+constexpr double worth_naming = 0.3;
 
 std::string advice(const Effect& first, const Effect& second) {
     const auto either = [&](EffectStage stage) { return first.stage == stage || second.stage == stage; };
@@ -25,11 +27,14 @@ std::string advice(const Effect& first, const Effect& second) {
 
 void find_confusions(const Study&, Diagnosis& d) {
     d.confusions.clear();
+    double most = 0.0;
+    for (const Candidate& candidate : d.candidates)
+        if (candidate.score.usable()) most = std::max(most, candidate.score.test.explained);
     for (std::size_t i = 0; i < d.candidates.size(); ++i)
         for (std::size_t j = i + 1; j < d.candidates.size(); ++j) {
             Candidate& a = d.candidates[i];
             Candidate& b = d.candidates[j];
-            if (!a.score.usable() || !b.score.usable() || !a.judged) continue;
+            if (!a.score.usable() || !b.score.usable() || std::min(a.score.test.explained, b.score.test.explained) < worth_naming * most) continue;
             const double cosine = std::abs(principal_cosine(a.score.candidate, b.score.candidate));
             if (cosine < alike) continue;
             a.like.push_back(b.score.id);

@@ -26,8 +26,11 @@ constexpr double mesh_ratio = 0.7;
 constexpr int first_evaluations = 4, more_evaluations = 16;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best.
 constexpr double hopeful = 4.0;
-/// A probe that takes away less of the residual is not worth a fit.
-constexpr double least_explained = 0.02;
+/// A probe that takes away less of the residual is not worth a fit; nor is one that takes away less than this share of what the best does,
+/// once the best has been found to explain all.
+constexpr double least_explained = 0.02, worth_beside_best = 0.4;
+/// So many candidates are fitted before anything is concluded.
+constexpr std::size_t first_fits = 3;
 
 std::string study_words(const Study& study) {
     return study.experiment.name + ", " + to_string(study.mesh.element) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
@@ -39,6 +42,7 @@ class Work {
 public:
     Work(const Study& study, const DiagnoseSettings& settings, const Progress& progress, const std::function<void(const Diagnosis&)>& live)
         : study_(study), serial_(study), progress_(progress), live_(live) {
+        study_.settings.derivatives = serial_.settings.derivatives = Derivatives::differences;
         serial_.settings.threads = 1;
         result_.settings = settings;
         if (settings.fits) store_ = std::make_unique<FitStore>(*settings.fits, study_words(study));
@@ -239,16 +243,31 @@ private:
         show();
         std::vector<EffectDeclaration> starts;
         for (const std::size_t i : chosen) starts.push_back({scores[i].id, scores[i].start});
+        if (!refit(starts, 0, std::min(first_fits, starts.size()))) return false;
+        std::size_t last = starts.size();
+        if (!result_.candidates.empty() && result_.candidates.front().judged &&
+            explains(*result_.candidates.front().judged, result_.declared, result_.data, result_.numerics)) {
+            last = std::min(first_fits, last);
+            while (last < starts.size() && scores[chosen[last]].test.explained > worth_beside_best * scores[chosen[0]].test.explained) ++last;
+        }
+        if (!refit(starts, std::min(first_fits, starts.size()), last)) return false;
+        find_confusions(study_, result_);
+        show();
+        return true;
+    }
+
+    /// Fits the candidates first ... last of the starts.
+    bool refit(const std::vector<EffectDeclaration>& starts, std::size_t first, std::size_t last) {
+        if (first >= last) return true;
+        const std::vector<EffectDeclaration> part(starts.begin() + static_cast<std::ptrdiff_t>(first), starts.begin() + static_cast<std::ptrdiff_t>(last));
         runs_ = 0;
-        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", result_.declared.fit.values, starts); });
+        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", result_.declared.fit.values, part); });
         result_.cost.back().runs += runs_;
         if (progress_.cancelled()) return false;
         for (std::size_t i = 0; i < fits.size(); ++i)
             for (Candidate& candidate : result_.candidates)
-                if (candidate.score.id == starts[i].id && fits[i].usable()) candidate.judged = std::move(fits[i]);
+                if (candidate.score.id == part[i].id && fits[i].usable()) candidate.judged = std::move(fits[i]);
         order_by_criterion(result_.data, result_.declared, result_.candidates);
-        find_confusions(study_, result_);
-        show();
         return true;
     }
 
@@ -314,7 +333,7 @@ private:
         result_.after = scored(result_.augmented.fit.values, predict_all(result_.augmented.fit.values));
     }
 
-    const Study& study_;
+    Study study_;
     Study serial_;                       // its fits run on one thread each, side by side
     const Progress& progress_;
     const std::function<void(const Diagnosis&)>& live_;

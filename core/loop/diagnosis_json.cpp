@@ -25,9 +25,13 @@ Json parameters_json(const JointFit& fit) {
     Json json = Json::object();
     for (const StudyParameter& p : fit.parameters)
         if (p.kind != StudyParameter::Kind::effect) json[p.parameter.name] = json_number(value_of(p, fit.values));
-    for (const EffectDeclaration& effect : fit.values.effects)
-        for (const auto& [name, value] : effect_parameters_json(effect.parameters).items())
-            json[json.contains(name) ? effect.id + "." + name : name] = value;
+    for (const EffectDeclaration& effect : fit.values.effects) {
+        const Json parameters = effect_parameters_json(effect.parameters);
+        for (const auto& [name, value] : parameters.items()) {
+            const std::string key = json.contains(name) ? effect.id + "." + name : name;
+            json[key] = value;
+        }
+    }
     return json;
 }
 
@@ -61,6 +65,7 @@ Json judged_json(const JudgedFit& fit) {
     json["weight"] = json_number(fit.weight);
     json["tests"] = tests_json(fit.tests);
     json["evaluations"] = fit.fit.report.evaluations;
+    json["seconds"] = json_number(fit.fit.seconds);
     return json;
 }
 
@@ -70,6 +75,7 @@ Json candidate_json(const Candidate& candidate) {
     json["explained"] = json_number(candidate.score.test.explained);
     json["statistic"] = json_number(candidate.score.test.statistic);
     json["p"] = json_number(candidate.adjusted_p);
+    json["score_seconds"] = json_number(candidate.score.seconds);
     json["start"] = effect_parameters_json(candidate.score.start);
     if (!candidate.like.empty()) json["indistinguishable_from"] = candidate.like;
     if (candidate.judged) json["fit"] = judged_json(*candidate.judged);

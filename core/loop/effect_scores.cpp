@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "base/throttle.hpp"
 #include "effect/catalogue.hpp"
 #include "loop/marker_scan.hpp"
@@ -101,11 +102,13 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
         Column& column = columns[static_cast<std::size_t>(task) / trials];
         const std::size_t i = static_cast<std::size_t>(task) % trials, trial = data.trials[i];
         const EffectDeclaration& effect = column.values.effects.back();
+        const Stopwatch watch;
         if (!acts_on(search.sites[i], effect.parameters)) column.predictions[i] = fit.predictions[i];
         else if (is_seen_only(effect)) column.predictions[i] = observe_trial(study, trial, column.values, fit.predictions[i].trace);
         else column.predictions[i] = predict_trial(study, trial, column.values, {}, progress.with_sink({}));
         column.predictions[i].trace = {};
         const std::lock_guard<std::mutex> lock(mutex);
+        scores[column.score].seconds += watch.seconds();
         if (++done == runs || throttle.ready()) progress.report({"score", static_cast<double>(done), static_cast<double>(runs), "runs", effect.id});
     });
     if (progress.cancelled()) return {};

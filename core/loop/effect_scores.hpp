@@ -17,6 +17,7 @@ struct EffectScore {
     ProjectedCandidate candidate;
     ScoreTest test;
     Eigen::VectorXd predicted;           // N: the part of the residual it would take away
+    double seconds = 0.0;                // its runs took, added up
     std::string failure;                 // why it could not be tried; empty when it was
 
     bool usable() const { return failure.empty() && candidate.rank() > 0 && test.explained > 0.0; }

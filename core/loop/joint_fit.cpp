@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stopwatch.hpp"
 #include "project/predict_trials.hpp"
 
 namespace myo {
@@ -59,12 +60,19 @@ std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValu
 }
 
 JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const Progress& progress) {
+    const Stopwatch watch;
     JointFit fit;
     fit.parameters = joint_parameters(study, start);
     fit.values = start;
     double least = std::numeric_limits<double>::infinity();
+    int evaluations = 0;
     const auto evaluate = [&](const VectorXd& p, const Progress& inner) {
         ResidualEvaluation evaluation;
+        // The solver counts steps, of which it may take back many.
+        if (evaluations++ > options.max_evaluations) {
+            evaluation.message = "no more evaluations are wanted";
+            return evaluation;
+        }
         StudyValues values = values_at(fit.parameters, p, start);
         std::vector<PredictionTask> tasks;
         for (const std::size_t trial : data.trials) tasks.push_back({trial, &values});
@@ -94,6 +102,7 @@ JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& s
     for (const StudyParameter& p : fit.parameters) parameters.push_back(p.parameter);
     fit.report = fit_least_squares(parameters, evaluate, options, progress);
     fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(study.experiment.effects.size()), fit.values.effects.end());
+    fit.seconds = watch.seconds();
     return fit;
 }
 

@@ -18,6 +18,8 @@ struct JointFit {
     Eigen::MatrixXd jacobian;
     std::vector<TrialPrediction> predictions;  // of data.trials, without tangents and shift
 
+    double seconds = 0.0;
+
     bool usable() const { return residual.size() > 0; }
     double squares() const { return residual.squaredNorm(); }
 };

@@ -18,17 +18,20 @@ struct Onset {
     double gain = 0.0;
 };
 
+/// Not aligned: library sorts move it through memory of their own.
+using Amount = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+
 /// Gains over time, one entry per moment, ascending in time; the best moment to begin when `value(suffix sums)` is gained.
 struct Moment {
     double time_s = 0.0;
-    Eigen::Vector4d amount = Eigen::Vector4d::Zero();   // what adds up from here on
+    Amount amount = Amount::Zero();   // what adds up from here on
 };
 
 template <class Value>
 Onset best_onset(std::vector<Moment> moments, const Value& value) {
     std::stable_sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
     Onset best;
-    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    Amount sum = Amount::Zero();
     for (std::size_t k = moments.size(); k-- > 0;) {
         sum += moments[k].amount;
         if (k > 0 && moments[k - 1].time_s == moments[k].time_s) continue;
@@ -95,9 +98,9 @@ void scan_swaps(const Study& study, const FitData& data, const JointFit& fit, co
                     if (in_choice(choice, series) && (series.marker == first || series.marker == second))
                         for (Index k = series.begin; k < series.end; ++k) {
                             const double r = fit.residual(k), swapped = r + change.at(series, k);
-                            moments.push_back({data.layout.time_s[static_cast<std::size_t>(k)], Eigen::Vector4d(r * r - swapped * swapped, 0.0, 0.0, 0.0)});
+                            moments.push_back({data.layout.time_s[static_cast<std::size_t>(k)], Amount(r * r - swapped * swapped, 0.0, 0.0, 0.0)});
                         }
-                const Onset onset = best_onset(std::move(moments), [](const Eigen::Vector4d& sum) { return sum(0); });
+                const Onset onset = best_onset(std::move(moments), [](const Amount& sum) { return sum(0); });
                 // Markers are centimetres apart: an exchange that happened pays most of what the residual is.
                 if (!(onset.gain > 0.2 * fit.residual.squaredNorm())) continue;
                 MatrixXd S = MatrixXd::Zero(data.layout.size(), 1);
@@ -121,13 +124,13 @@ void scan_slips(const Study& study, const FitData& data, const JointFit& fit, co
             for (const ResidualSeries& series : data.layout.series)
                 if (in_choice(choice, series) && series.marker == marker)
                     for (Index k = series.begin; k < series.end; ++k) {
-                        Eigen::Vector4d amount = Eigen::Vector4d::Zero();
+                        Amount amount = Amount::Zero();
                         amount(series.axis) = outside(k);
                         amount(3) = 1.0 / 3.0;
                         moments.push_back({data.layout.time_s[static_cast<std::size_t>(k)], amount});
                     }
             if (moments.empty()) continue;
-            const Onset onset = best_onset(std::move(moments), [](const Eigen::Vector4d& sum) { return sum.head<3>().squaredNorm() / sum(3); });
+            const Onset onset = best_onset(std::move(moments), [](const Amount& sum) { return sum.head<3>().squaredNorm() / sum(3); });
             if (!(onset.gain > 0.05 * outside.squaredNorm())) continue;
             MatrixXd S = MatrixXd::Zero(data.layout.size(), 3);
             for (const ResidualSeries& series : data.layout.series)

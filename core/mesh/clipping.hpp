@@ -16,8 +16,13 @@ using Polygon = std::vector<Eigen::Vector3d>;
 /// one that crosses is cut at the face itself.
 Polygon clip_to_box(Polygon polygon, const Box& box, double tolerance);
 
-/// Volume of the part of a tetrahedron inside a box [m3], exact: each of the six half-spaces cuts it into tetrahedra again.
-/// Corners 3 x 4, either orientation; the result is never negative.
-double tetrahedron_volume_in_box(const Eigen::Matrix<double, 3, 4>& corners, const Box& box, double tolerance);
+struct ClippedVolume {
+    double volume_m3 = 0.0;                                  // never negative
+    Eigen::Vector3d moment_m4 = Eigen::Vector3d::Zero();     // integral of the position
+};
+
+/// The part of a tetrahedron inside a box, exact: each of the six half-spaces cuts it into tetrahedra again. Corners 3 x 4, either
+/// orientation.
+ClippedVolume tetrahedron_in_box(const Eigen::Matrix<double, 3, 4>& corners, const Box& box, double tolerance);
 
 }  // namespace myo

@@ -164,7 +164,7 @@ Eigen::VectorXd volume_fractions(const VolumeMesh& mesh, const Box& box) {
                 Eigen::Matrix3d J;
                 for (int i = 0; i < 3; ++i) J.col(i) = tet.col(i + 1) - tet.col(0);
                 whole += std::abs(J.determinant()) / 6.0;
-                inside += tetrahedron_volume_in_box(tet, box, tolerance);
+                inside += tetrahedron_in_box(tet, box, tolerance).volume_m3;
             }
             fraction = whole > 0.0 ? inside / whole : 0.0;
         }

@@ -179,16 +179,16 @@ SeenMotion seen_motion(const Study& study, std::size_t index, const StudyValues&
     return result;
 }
 
-/// A change of a number of an effect over which the motion is compared, towards the inside of its bounds.
+/// A change of a number over which the motion is compared, towards the inside of its bounds.
 double difference_step(const StudyParameter& p, double value) {
     const double size = p.parameter.over_decades ? std::max(std::abs(value), 0.05 * p.parameter.scale) : p.parameter.scale;
-    const double step = 0.01 * size;
+    const double step = (p.kind == Kind::effect ? 0.01 : 0.003) * size;
     return value + step > p.parameter.upper ? -step : step;
 }
 
 /// Memory of damage and responses of actuators stand between a modulus or a level and the motion: there, differences of runs tell.
-bool needs_differences(const StudyParameter& parameter, const StudyValues& values) {
-    return std::any_of(values.effects.begin(), values.effects.end(), [&](const EffectDeclaration& effect) {
+bool needs_differences(const Study& study, const StudyParameter& parameter, const StudyValues& values) {
+    return study.settings.derivatives == Derivatives::differences || std::any_of(values.effects.begin(), values.effects.end(), [&](const EffectDeclaration& effect) {
         const EffectStage stage = find_effect(effect.id)->stage;
         return (parameter.kind == Kind::level && stage == EffectStage::actuation) || effect.id == "stress_softening";
     });
@@ -210,7 +210,7 @@ TrialPrediction predict_trial(const Study& study, std::size_t index, const Study
     std::vector<ModelTangent> model_tangents;
     std::vector<int> row_of(parameters.size(), -1);   // which of the run's tangents belongs to a parameter
     for (std::size_t p = 0; p < parameters.size(); ++p)
-        if (moves_the_body(parameters[p], index) && !needs_differences(parameters[p], values)) {
+        if (moves_the_body(parameters[p], index) && !needs_differences(study, parameters[p], values)) {
             row_of[p] = static_cast<int>(model_tangents.size());
             model_tangents.push_back(tangent_of(study, index, affected.model, parameters[p], values.youngs_modulus_Pa));
         }
