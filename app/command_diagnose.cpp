@@ -9,6 +9,7 @@
 #include "exit_status.hpp"
 #include "loop/augmented_experiment.hpp"
 #include "loop/diagnosis_json.hpp"
+#include "loop/diagnosis_report.hpp"
 #include "loop/effect_words.hpp"
 #include "project/output_files.hpp"
 #include "study_command.hpp"
@@ -56,6 +57,9 @@ std::string verdict_lines(const Diagnosis& d) {
     text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.because;
     for (const Confusion& c : d.confusions)
         text += "\nnot to be told apart here: " + c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment + " would";
+    if (d.missing_force && !d.missing_force->modes.empty())
+        text += "\na force would explain " + format_number(100.0 * d.missing_force->removed(), 3) + " % of what is left in " + d.missing_force->trial + ": up to " +
+                format_number(d.missing_force->modes.front().peak_N(), 3) + " N " + d.missing_force->modes.front().where;
     return text;
 }
 
@@ -78,13 +82,24 @@ std::string cost_lines(const Diagnosis& d) {
     return text + " all " + format_number(d.seconds, 3) + " s";
 }
 
-Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d) {
+/// Where no effect explains the residual, the force that is missing.
+void seek_missing_force(const Study& study, Diagnosis& d, const Progress& progress) {
+    if (!d.complete() || d.verdict.kind != VerdictKind::unknown) return;
+    const Stopwatch watch;
+    d.missing_force = infer_missing_force(study, d, progress);
+    d.cost.push_back({"missing force", watch.seconds(), d.missing_force->runs});
+    d.seconds += watch.seconds();
+    d.stopped = progress.cancelled();
+}
+
+Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d, const RunFacts& facts) {
     const std::filesystem::path written = call.experiment.extension() == ".toml" ? call.experiment : call.experiment / "experiment.toml";
     const std::string name = std::filesystem::weakly_canonical(experiment.folder).filename().string();
     if (const Result<void> traces = write_traces(call.out, study, d.after); !traces) return traces.error();
     const Result<std::string> augmented = augmented_experiment(written, d.verdict.effects, call.out);
     if (!augmented) return augmented.error();
     if (const Result<void> file = write_file(call.out / "experiment_augmented.toml", *augmented); !file) return file.error();
+    if (const Result<void> page = write_html(call.out / "report.html", diagnosis_report(study, d, facts)); !page) return page.error();
     const Json report = diagnosis_json(study, d, name);
     if (const Result<void> file = write_json(call.out / (name + ".json"), report); !file) return file.error();
     return write_json(call.out / "report.json", report);
@@ -102,7 +117,9 @@ int diagnose_command(const DiagnoseCall& call) {
     settings.without = call.without;
     settings.fits = call.out / fits_file;
     if (!call.resume) std::filesystem::remove(*settings.fits);
-    const Diagnosis d = diagnose(study, settings, progress);
+    const double setup_s = opening.setup.seconds();
+    Diagnosis d = diagnose(study, settings, progress);
+    seek_missing_force(study, d, progress);
     if (d.stopped) {
         console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume goes on from it");
         return status_stopped;
@@ -111,7 +128,7 @@ int diagnose_command(const DiagnoseCall& call) {
         console.complain(d.failure);
         return status_failed;
     }
-    if (const Result<void> written = write_results(call, opening.experiment, study, d); !written) return console.refuse(written.error());
+    if (const Result<void> written = write_results(call, opening.experiment, study, d, run_facts(call, setup_s)); !written) return console.refuse(written.error());
     console.print("\n" + candidate_lines(d) + "\n\n" + trial_lines(study, d) + "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d) + "; report: " +
                   (call.out / "report.html").string());
     return status_done;

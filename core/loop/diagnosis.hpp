@@ -10,6 +10,7 @@
 #include "diagnosis/residual_tests.hpp"
 #include "loop/effect_scores.hpp"
 #include "loop/joint_fit.hpp"
+#include "loop/missing_force.hpp"
 #include "loop/numerical_error.hpp"
 #include "project/run_study.hpp"
 
@@ -85,6 +86,7 @@ struct Diagnosis {
     double seconds = 0.0;
     bool stopped = false;                         // by the user; what is complete is here
     std::string failure;                          // the declared model could not be fitted
+    std::optional<MissingForce> missing_force;    // sought where the verdict is unknown, see infer_missing_force()
 
     bool complete() const { return !stopped && failure.empty(); }
 };

@@ -91,7 +91,46 @@ Json numerics_json(const Diagnosis& d) {
             {"message", n.message}};
 }
 
-Json details_json(const Diagnosis& d) {
+/// rms of each marker in each trial, before and after.
+Json markers_json(const Study& study, const Diagnosis& d) {
+    Json json = Json::object();
+    for (const StudyTrial& trial : study.trials) {
+        const TrialScore* const before = find_score(d.before, trial.name);
+        const TrialScore* const after = find_score(d.after, trial.name);
+        for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
+            const auto rms = [&](const TrialScore* score) { return json_number(score ? score->markers[m].rms_m : std::nan("")); };
+            json[trial.name][study.marker_names[m]] = {{"before_rms_m", rms(before)}, {"after_rms_m", rms(after)}, {"noise_m", json_number(study.noise_m(static_cast<Index>(m)))}};
+        }
+    }
+    return json;
+}
+
+Json missing_force_json(const MissingForce& force) {
+    Json json{{"trial", force.trial}};
+    if (!force.failure.empty()) json["failure"] = force.failure;
+    json["before_over_noise"] = json_number(force.before_over_noise);
+    json["after_over_noise"] = json_number(force.after_over_noise);
+    json["removed"] = json_number(force.removed());
+    json["time_s"] = json_array(force.time_s);
+    json["modes"] = Json::array();
+    for (const ForceMode& mode : force.modes) {
+        Json entry{{"where", mode.where}, {"share", json_number(mode.share)}, {"place", json_number(mode.place)}};
+        entry["centroid_m"] = json_array(mode.centroid_m);
+        entry["direction"] = json_array(mode.direction);
+        entry["aligned"] = json_number(mode.aligned);
+        entry["steady"] = json_number(mode.steady);
+        entry["rms_N"] = json_number(mode.rms_N());
+        entry["peak_N"] = json_number(mode.peak_N());
+        entry["amplitude_N"] = json_array(mode.amplitude_N);
+        entry["correlates"] = Json::array();
+        for (const Correlate& c : mode.correlates)
+            entry["correlates"].push_back({{"with", c.name}, {"correlation", json_number(c.correlation)}, {"effective_samples", json_number(c.effective_samples)}, {"p", json_number(c.p)}});
+        json["modes"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+Json details_json(const Study& study, const Diagnosis& d) {
     Json json{{"verdict", kind_word(d.verdict.kind)}, {"because", d.verdict.because}, {"false_alarm_rate", json_number(d.settings.alpha)}, {"suspects_ruled_out", numerics_json(d)}};
     json["declared"] = judged_json(d.declared);
     json["augmented"] = judged_json(d.augmented);
@@ -107,8 +146,10 @@ Json details_json(const Diagnosis& d) {
     json["not_to_be_told_apart"] = Json::array();
     for (const Confusion& c : d.confusions)
         json["not_to_be_told_apart"].push_back({{"ids", {c.first, c.second}}, {"cosine", json_number(c.cosine)}, {"next_experiment", c.next_experiment}});
+    json["markers"] = markers_json(study, d);
     json["cost"] = Json::array();
     for (const StageCost& cost : d.cost) json["cost"].push_back({{"stage", cost.stage}, {"seconds", json_number(cost.seconds)}, {"runs", cost.runs}});
+    if (d.missing_force) json["missing_force"] = missing_force_json(*d.missing_force);
     json["seconds"] = json_number(d.seconds);
     json["notes"] = d.notes;
     return json;
@@ -145,7 +186,7 @@ Json diagnosis_json(const Study& study, const Diagnosis& d, const std::string& f
         const auto rms = [](const TrialScore* score) { return json_number(score ? score->rms_m : std::nan("")); };
         json["trials"].push_back({{"name", trial.name}, {"role", trial.role == TrialRole::fit ? "fit" : "validate"}, {"before_rms_m", rms(before)}, {"after_rms_m", rms(after)}});
     }
-    json["details"] = details_json(d);
+    json["details"] = details_json(study, d);
     return json;
 }
 

@@ -83,6 +83,25 @@ double flat_rms_m(const FitData& data, const VectorXd& residual) {
     return std::sqrt(residual.cwiseProduct(data.noise_m).squaredNorm() / static_cast<double>(std::max<Index>(1, residual.size())));
 }
 
+std::size_t worst_trial(const FitData& data, const VectorXd& residual) {
+    std::size_t worst = data.trials.front();
+    double most = -1.0;
+    for (const std::size_t trial : data.trials) {
+        double sum = 0.0;
+        Index count = 0;
+        for (const ResidualSeries& series : data.layout.series)
+            if (series.trial == static_cast<int>(trial)) {
+                sum += residual.segment(series.begin, series.size()).squaredNorm();
+                count += series.size();
+            }
+        if (count > 0 && sum / static_cast<double>(count) > most) {
+            most = sum / static_cast<double>(count);
+            worst = trial;
+        }
+    }
+    return worst;
+}
+
 TrialPrediction shifted(TrialPrediction prediction, const PredictionShift& shift, std::size_t trial) {
     if (!prediction.ok() || shift.empty() || shift[trial].empty()) return prediction;
     for (std::size_t m = 0; m < prediction.residual_m.size(); ++m) {

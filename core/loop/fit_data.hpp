@@ -31,6 +31,9 @@ Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPredic
 /// Root mean square of a flat residual [m].
 double flat_rms_m(const FitData& data, const Eigen::VectorXd& residual);
 
+/// The trial with the largest mean square of a flat residual.
+std::size_t worst_trial(const FitData& data, const Eigen::VectorXd& residual);
+
 /// A prediction with the shift of its trial added to its residual and positions.
 TrialPrediction shifted(TrialPrediction prediction, const PredictionShift& shift, std::size_t trial);
 

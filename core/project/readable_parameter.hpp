@@ -14,4 +14,10 @@ struct ReadableParameter {
 };
 ReadableParameter readable_parameter(const StudyParameter& parameter, const Study& study);
 
+/// A name that ends in its SI unit: "coefficient_kg_m3" is "coefficient" in kg/m³.
+ReadableParameter readable_quantity(const std::string& name);
+
+/// "quadratic_drag" -> "Quadratic drag".
+std::string effect_name(const std::string& id);
+
 }  // namespace myo

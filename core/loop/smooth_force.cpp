@@ -1,0 +1,44 @@
+#include "loop/smooth_force.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace myo {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SmoothForce::SmoothForce(const MatrixXd& A, const MatrixXd& R) : A_(A) {
+    assert(A.cols() == R.cols());
+    const Eigen::LLT<MatrixXd> factor(R);
+    const MatrixXd squares = A.transpose() * A;
+    const MatrixXd half = factor.matrixL().solve(squares);
+    const MatrixXd whitened = factor.matrixL().solve(half.transpose());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(whitened);
+    diagonal_ = modes.eigenvalues().cwiseMax(0.0);
+    to_x_ = factor.matrixU().solve(modes.eigenvectors());
+}
+
+VectorXd SmoothForce::solve(const VectorXd& d, double squares) const {
+    const VectorXd g = to_x_.transpose() * (A_.transpose() * d);
+    const double largest = diagonal_.maxCoeff();
+    if (!(largest > 0.0)) return VectorXd::Zero(A_.cols());
+    const auto left = [&](double lambda) {
+        const Eigen::ArrayXd sum = diagonal_.array() + lambda;
+        return d.squaredNorm() - (g.array().square() * (sum + lambda) / sum.square()).sum();
+    };
+    double low = std::log(1e-9 * largest), high = std::log(1e3 * largest);
+    // The last few percent cost the most force and tell the least.
+    const double least = left(std::exp(low)), wanted = std::max(squares, least + 0.01 * (d.squaredNorm() - least));
+    for (int i = 0; i < 80; ++i) {
+        const double middle = 0.5 * (low + high);
+        (left(std::exp(middle)) <= wanted ? low : high) = middle;
+    }
+    return -(to_x_ * (g.array() / (diagonal_.array() + std::exp(low))).matrix());
+}
+
+}  // namespace myo
