@@ -86,6 +86,11 @@ StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::
         opening.status = console.refuse(trial.error());
         return opening;
     }
+    // Commands on one trial work on its model alone.
+    if (choice == TrialChoice::one && !experiment->effects.empty()) {
+        opening.status = console.refuse(declaration_error(*experiment, "effect[0].id", "simulate, calibrate and diagnose know declared effects; this command does not"));
+        return opening;
+    }
     Result<Study> study = open_study(call, *experiment, progress);
     opening.experiment = std::move(*experiment);
     if (progress.cancelled()) opening.status = stopped_before(first_result, console);

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
 #include "loop/confusion.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/effect_words.hpp"
@@ -20,8 +21,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// The numerical error is taken off predictions with the mesh's edge times this.
-constexpr double mesh_ratio = 0.7;
+/// The numerical error is taken off predictions by a mesh of so many unknowns, within these ratios of the edge.
+constexpr double fine_unknowns = 12000.0, finest_ratio = 0.5, coarsest_ratio = 0.75;
+/// The step is doubled for all that follows when that changes the predictions by less, in units of the noise.
+constexpr double step_doubt = 0.5;
 /// Evaluations of a candidate's fit before the best go on, and of those that do.
 constexpr int first_evaluations = 4, more_evaluations = 16;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best.
@@ -119,6 +122,8 @@ private:
             result_.failure = "no sample of a fit trial can be compared";
             return false;
         }
+        stage("step", 2 * fit_count(), [&] { return lengthen_step(); });
+        if (progress_.cancelled()) return false;
         JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), 30, progress_); });
         if (progress_.cancelled()) return false;
         if (!declared.usable()) {
@@ -127,6 +132,25 @@ private:
         }
         result_.cost.back().runs = declared.report.evaluations * fit_count();
         result_.declared = judged(result_.data, std::move(declared), result_.settings);
+        return true;
+    }
+
+    /// Doubles the step where that is no matter: its error is taken off anyway.
+    bool lengthen_step() {
+        if (study_.settings.h_s) return false;
+        const StudyValues values = declared_values(study_);
+        Study longer = study_;
+        for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
+        std::vector<PredictionTask> tasks;
+        for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &values});
+        const std::vector<TrialPrediction> fine = predict_trials(study_, tasks, {}, progress_), coarse = predict_trials(longer, tasks, {}, progress_);
+        for (std::size_t i = 0; i < tasks.size(); ++i)
+            if (!fine[i].ok() || !coarse[i].ok()) return false;
+        const VectorXd change = flat_residual(result_.data, coarse) - flat_residual(result_.data, fine);
+        if (change.norm() > step_doubt * std::sqrt(static_cast<double>(change.size()))) return false;
+        study_ = std::move(longer);
+        for (std::size_t t = 0; t < study_.trials.size(); ++t) serial_.trials[t].options.h_s = study_.trials[t].options.h_s;
+        result_.notes.push_back("steps of " + format_number(1e3 * study_.trials.front().options.h_s, 4) + " ms, whose error is taken off");
         return true;
     }
 
@@ -141,7 +165,8 @@ private:
     NumericalError error_at(const StudyValues& fitted) {
         const StudyValues values = with_predicted_levels(study_, fitted);
         if (!refined_ && result_.settings.refine_mesh && !mesh_failed_) {
-            Result<Study> finer = refined_study(study_, mesh_ratio, progress_);
+            const double ratio = std::clamp(std::cbrt(study_.body->dofs() / fine_unknowns), finest_ratio, coarsest_ratio);
+            Result<Study> finer = refined_study(study_, ratio, progress_);
             mesh_failed_ = !finer;
             if (finer) refined_ = std::make_unique<Study>(std::move(*finer));
         }

@@ -13,6 +13,8 @@ namespace {
 
 /// Systematic residuals below this share of the noise are nobody's concern: two simulators of one model differ by as much.
 constexpr double least_systematic = 0.2;
+/// A mesh whose error is larger excuses nothing: it has to be refined.
+constexpr double most_allowed = 1.0;
 /// What an effect leaves, over what was there: another program's form of the same effect differs by as much.
 constexpr double share_of_form = 0.05;
 /// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights().
@@ -59,7 +61,7 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
 }
 
 double numerical_allowance(const FitData& data, const NumericalError& numerics) {
-    return std::max(least_systematic, numerics.left_rms_m / mean_noise_m(data));
+    return std::clamp(numerics.left_rms_m / mean_noise_m(data), least_systematic, most_allowed);
 }
 
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {

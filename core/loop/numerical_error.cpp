@@ -13,6 +13,9 @@ using Eigen::Matrix3Xd;
 /// Share of the extrapolated error by which it may be wrong: orders between 1.5 and 2.5 change the factor by so much.
 constexpr double extrapolation_doubt = 0.35;
 
+/// Changes below so many times the noise are taken to be in the range where errors follow their order.
+constexpr double asymptotic_over_noise = 3.0;
+
 /// finer - coarser of the residuals, per marker; what is not compared is 0.
 std::vector<Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser) {
     std::vector<Matrix3Xd> result;
@@ -33,6 +36,12 @@ struct Sum {
     }
     double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
 };
+
+double change_rms(const std::vector<Matrix3Xd>& tracks) {
+    Sum sum;
+    sum.add(tracks);
+    return sum.rms();
+}
 
 /// 1 / (1 - ratio^2): from the change by a refinement of second order to its limit.
 double extrapolation(double ratio) { return 1.0 / (1.0 - ratio * ratio); }
@@ -80,7 +89,9 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
         if (finer_mesh[t].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_mesh[t], base[t]);
             by_mesh.add(change);
-            add_scaled(change, extrapolation(error.mesh_ratio), error.shift[t]);
+            // A mesh so coarse that its error is far from small does not follow its order: then the finer one is taken as it is.
+            const bool small = change_rms(change) < asymptotic_over_noise * study.noise_m.maxCoeff();
+            add_scaled(change, small ? extrapolation(error.mesh_ratio) : 1.0, error.shift[t]);
         }
         total.add(error.shift[t]);
     }

@@ -64,6 +64,8 @@ JudgedFit decide(Diagnosis& d) {
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, first->judged->weight);
     else if (pair && explains(*pair, d.declared, d.data, d.numerics)) fit = effects(d, *pair, pair->weight);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
+    if (d.numerics.left_rms_m > d.noise_m)
+        d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");
     rank(d);
     return fit;
 }

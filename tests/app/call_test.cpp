@@ -23,15 +23,15 @@ TEST(Call, VersionAndHelpSucceed) {
     EXPECT_THAT(run_program({"--version"}).out, HasSubstr("myoloop "));
     const ProgramRun help = run_program({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* command : {"simulate", "calibrate", "mesh", "screenshot", "effects", "info"}) EXPECT_THAT(help.out, HasSubstr(command));
+    for (const char* command : {"simulate", "calibrate", "diagnose", "mesh", "screenshot", "effects", "info"}) EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_THAT(run_program({"simulate", "--help"}).out, HasSubstr("--resolution"));
 }
 
-TEST(Call, EffectsSayThatTheyAreNotSimulated) {
+TEST(Call, EffectsAreListedWithTheirParameters) {
     const ProgramRun run = run_program({"effects"});
     EXPECT_EQ(run.status, 0);
     EXPECT_THAT(run.out, HasSubstr("quadratic_drag"));
-    EXPECT_THAT(run.out, HasSubstr("does not simulate"));
+    EXPECT_THAT(run.out, HasSubstr("coefficient_kg_m3"));
 }
 
 struct BadCall {

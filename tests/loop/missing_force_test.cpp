@@ -72,7 +72,9 @@ TEST(MissingForce, IsNearlyNothingWhereTheModelIsRight) {
     const MissingForce force = infer_missing_force(study, unexplained(study));
     EXPECT_NEAR(force.before_over_noise, 1.0, 0.1);
     // The weight of the beam is 0.94 N; markers with this noise see a ten-thousandth of it.
-    if (!force.modes.empty()) EXPECT_LT(force.modes.front().peak_N(), 0.03);
+    if (!force.modes.empty()) {
+        EXPECT_LT(force.modes.front().peak_N(), 0.03);
+    }
 }
 
 TEST(MissingForce, OfADragGoesAgainstTheVelocity) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "project/effect_vocabulary.hpp"
 #include "project/experiment_folder.hpp"
 #include "project/good_experiment.hpp"
 #include "support/shared_data.hpp"
@@ -233,15 +232,6 @@ TEST(ReadExperiment, RealBeamHasItsDeclaredValues) {
     ASSERT_EQ(read->trials.size(), 4u);
     EXPECT_EQ(read->trials[3].loads.at(0).force_N[2], -0.991);
     EXPECT_EQ(read->trials[0].trace.filename(), "beam_gravity_V2_a.c3d");
-}
-
-TEST(EffectVocabulary, NamesAreUniqueAndComplete) {
-    EXPECT_EQ(effect_vocabulary().size(), 28u);
-    for (const EffectEntry& entry : effect_vocabulary()) {
-        EXPECT_EQ(find_effect_entry(entry.id), &entry);
-        EXPECT_FALSE(entry.parameters.empty()) << entry.id;
-    }
-    EXPECT_EQ(find_effect_entry("none"), nullptr);
 }
 
 }  // namespace

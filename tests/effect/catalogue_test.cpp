@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "dynamics/simulate.hpp"
+#include "effect_site.hpp"
+
+namespace myo {
+namespace {
+
+/// Parameters of every effect at which it can be seen on the held beam.
+std::map<std::string, EffectParameters> visible_effects() {
+    const auto at = [](double x, double y, double z) { return Eigen::VectorXd(Eigen::Vector3d(x, y, z)); };
+    return {
+        {"quadratic_drag", {{"coefficient_kg_m3", 800.0}}},
+        {"linear_drag", {{"coefficient_Pa_s_m", 50.0}}},
+        {"added_mass", {{"surface_density_kg_m2", 2.0}}},
+        {"point_mass", {{"mass_kg", 0.005}, {"position_m", at(0.12, 0.015, 0.03)}}},
+        {"cable_tug", {{"stiffness_N_m", 5.0}, {"position_m", at(0.12, 0.015, 0.03)}, {"anchor_m", at(0.12, 0.015, 0.2)}}},
+        {"hung_mass", {{"inertia_ratio", 1.0}}},
+        {"gravity_tilt", {{"tilt_deg", 5.0}, {"axis", at(1.0, 0.0, 0.0)}}},
+        {"clamp_compliance", {{"stiffness_Pa_per_m", 1e7}}},
+        {"clamp_slip", {{"free_length_m", 0.012}}},
+        {"held_pose", {{"offset_m", at(0.0, 0.004, 0.0)}}},
+        {"extra_damping", {{"excess_damping_s", 0.01}}},
+        {"viscoelastic_creep", {{"modulus_ratio", 0.5}, {"relaxation_time_s", 0.1}}},
+        {"strain_stiffening", {{"yeoh_c2", 2.0}}},
+        {"stress_softening", {{"damage_max", 0.3}, {"energy_scale_J_m3", 20.0}}},
+        {"stiffness_gradient", {{"relative_change", 0.5}, {"axis", 0.0}}},
+        {"soft_patch", {{"relative_change", -0.5}, {"centre_m", at(0.04, 0.015, 0.015)}, {"radius_m", 0.01}}},
+        {"modulus_drift", {{"rate_1_s", 1e-3}}},
+        {"intrinsic_curvature", {{"curvature_1_m", 2.0}, {"axis", 2.0}}},
+        {"actuation_lag", {{"time_constant_s", 0.03}}},
+        {"actuation_delay", {{"delay_s", 0.03}}},
+        {"actuation_gain", {{"relative_change", 0.3}}},
+        {"actuation_leak", {{"time_constant_s", 0.05}}},
+        {"actuation_hysteresis", {{"fraction", 0.5}, {"width", 0.1}}},
+    };
+}
+
+/// What changes only what is seen.
+const std::set<std::string> seen_alone{"clock_offset", "frame_rate_error", "scale_error", "marker_swap", "marker_slip"};
+
+TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
+    EXPECT_EQ(effect_catalogue().size(), 28u);
+    for (const Effect& effect : effect_catalogue()) {
+        EXPECT_EQ(find_effect(effect.id), &effect);
+        EXPECT_FALSE(effect.parameters.empty()) << effect.id;
+        EXPECT_FALSE(effect.summary.empty()) << effect.id;
+        EXPECT_NE(effect.apply, nullptr) << effect.id;
+        EXPECT_EQ(effect.stage == EffectStage::measurement, seen_alone.count(effect.id) == 1) << effect.id;
+        EXPECT_TRUE(seen_alone.count(effect.id) == 1 || visible_effects().count(effect.id) == 1) << effect.id << " is not tested below";
+    }
+    EXPECT_EQ(find_effect("none"), nullptr);
+}
+
+class MovingEffect : public ::testing::TestWithParam<std::pair<const std::string, EffectParameters>> {};
+
+TEST_P(MovingEffect, ChangesTheMotionAndLeavesWhatItIsGiven) {
+    const test::HeldBeam beam = test::held_beam({6, 2, 2});
+    const Trace without = simulate(beam.affected.model, beam.affected.options);
+    ASSERT_TRUE(without.complete()) << without.message;
+    const Affected affected = test::with_effect(beam, GetParam().first, GetParam().second);
+    const Trace with = simulate(affected.model, affected.options);
+    ASSERT_TRUE(with.complete()) << with.message;
+    EXPECT_GT((with.positions.back() - without.positions.back()).cwiseAbs().maxCoeff(), 2e-5);
+    const Trace again = simulate(beam.affected.model, beam.affected.options);
+    EXPECT_EQ(again.positions.back(), without.positions.back());
+    // A trial that is not its own is left alone.
+    EffectParameters elsewhere = GetParam().second;
+    elsewhere["trial"] = std::string("another");
+    Affected alone = beam.affected;
+    apply_effects(beam.site, {{GetParam().first, elsewhere}}, alone);
+    EXPECT_EQ(simulate(alone.model, alone.options).positions.back(), without.positions.back());
+}
+
+/// What a search starts from can be simulated, and a small amount changes little: absence is a limit.
+TEST_P(MovingEffect, IsContinuousAtItsAbsence) {
+    const test::HeldBeam beam = test::held_beam({6, 2, 2});
+    const Effect& effect = *find_effect(GetParam().first);
+    EffectSearch search;
+    search.sites = {beam.site};
+    search.sites.push_back(beam.site);
+    search.sites.back().session_time_s = 400.0;
+    search.models = {beam.affected.model, beam.affected.model};
+    search.largest_energy_density_J_m3 = 100.0;
+    const std::vector<EffectProbe> probes = effect.probes(search);
+    ASSERT_FALSE(probes.empty());
+    const Eigen::Matrix3Xd without = simulate(beam.affected.model, beam.affected.options).positions.back();
+    const auto change = [&](const EffectParameters& parameters) {
+        const Affected affected = test::with_effect(beam, effect.id, parameters);
+        const Trace run = simulate(affected.model, affected.options);
+        EXPECT_TRUE(run.complete()) << run.message;
+        return run.complete() ? (run.positions.back() - without).norm() : 0.0;
+    };
+    const EffectParameters& large = probes.front().columns.front();
+    const double of_large = change(large);
+    EXPECT_GT(of_large, 0.0);
+    if (probes.front().amount.empty()) return;
+    EffectParameters small = large;
+    const double amount = number(large, probes.front().amount);
+    small[probes.front().amount] = probes.front().reciprocal ? 10.0 * amount : 0.1 * amount;
+    EXPECT_LT(change(small), 0.5 * of_large);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheCatalogue, MovingEffect, ::testing::ValuesIn(visible_effects()),
+                         [](const auto& given) { return given.param.first; });
+
+}  // namespace
+}  // namespace myo
