@@ -30,7 +30,7 @@ struct JointFit {
 /// data see a place on a surface in two directions only.
 JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const Progress& progress);
 
-/// The declared parameters' and the tried effects' ones.
+/// The declared parameters' and the tried effects' ones. Without a tried effect the modulus may leave its tolerance.
 std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start);
 
 }  // namespace myo

@@ -167,7 +167,7 @@ TEST(Creep, DashpotsTakeTheEnergyThatTheBodyLoses) {
         spec.kind = test::element(element);
         spec.damping_s = 0.0;
         const Model model = creeping(spec);
-        const Eigen::SparseMatrix<double> mass = mass_matrix(model);
+        const MassMatrix mass = mass_matrix(model);
         std::vector<double> times, total, stored;
         RunObserver observer;
         observer.stood = [&](const RunPoint& point) {
