@@ -149,6 +149,7 @@ private:
         const VectorXd change = flat_residual(result_.data, coarse) - flat_residual(result_.data, fine);
         if (change.norm() > step_doubt * std::sqrt(static_cast<double>(change.size()))) return false;
         study_ = std::move(longer);
+        result_.step_factor = 2.0;
         for (std::size_t t = 0; t < study_.trials.size(); ++t) serial_.trials[t].options.h_s = study_.trials[t].options.h_s;
         result_.notes.push_back("steps of " + format_number(1e3 * study_.trials.front().options.h_s, 4) + " ms, whose error is taken off");
         return true;
@@ -370,6 +371,11 @@ private:
 };
 
 }  // namespace
+
+Study with_steps_of(const Diagnosis& diagnosis, Study study) {
+    for (StudyTrial& trial : study.trials) trial.options.h_s *= diagnosis.step_factor;
+    return study;
+}
 
 Diagnosis diagnose(const Study& study, const DiagnoseSettings& settings, const Progress& progress, const std::function<void(const Diagnosis&)>& live) {
     return Work(study, settings, progress, live).take();

@@ -74,6 +74,7 @@ struct Diagnosis {
     FitData data;                                 // of the fit trials
     double noise_m = 0.0;                         // rms a right model would leave
     NumericalError numerics;
+    double step_factor = 1.0;                     // steps of all fits over the study's; the shift belongs to these
     JudgedFit declared;
     std::vector<Candidate> candidates;            // most credible first
     std::vector<JudgedFit> pairs;                 // best first
@@ -90,6 +91,9 @@ struct Diagnosis {
 
     bool complete() const { return !stopped && failure.empty(); }
 };
+
+/// The study with the steps that a diagnosis used.
+Study with_steps_of(const Diagnosis& diagnosis, Study study);
 
 /// Declared fit, numerical error, significance, scores, refits, pairs, verdict, prediction of all trials.
 ///

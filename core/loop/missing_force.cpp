@@ -191,12 +191,13 @@ double MissingForce::removed() const {
     return before_over_noise > 0.0 ? 1.0 - std::pow(after_over_noise / before_over_noise, 2) : 0.0;
 }
 
-MissingForce infer_missing_force(const Study& study, const Diagnosis& d, const Progress& progress) {
+MissingForce infer_missing_force(const Study& declared, const Diagnosis& d, const Progress& progress) {
     MissingForce result;
     if (!d.augmented.usable() || d.data.trials.empty()) {
         result.failure = "there is no fit to begin from";
         return result;
     }
+    const Study study = with_steps_of(d, declared);
     const ForcedTrial trial(study, d, worst_trial(d.data, d.augmented.fit.residual));
     result.trial = study.trials[trial.trial()].name;
     result.time_s = trial.knots().times_s();
