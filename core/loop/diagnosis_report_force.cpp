@@ -12,6 +12,8 @@ constexpr std::size_t named_correlates = 4;
 /// Correlations below this say nothing.
 constexpr double telling = 0.5, significant = 0.01;
 
+std::string correlation_words(double r) { return std::isfinite(r) ? fixed_decimals(r, 2) : "–"; }
+
 std::string course_words(const Correlate& c) {
     if (c.name == "position") return c.correlation < 0.0 ? "it pulls back, like a spring" : "it pushes on, like a spring that is softer than thought";
     if (c.name == "velocity" || c.name == "|v| v") return c.correlation < 0.0 ? "it brakes, like a drag" : "it drives the motion: there is less damping than thought";
@@ -27,7 +29,7 @@ std::string mode_words(const ForceMode& mode) {
     if (mode.correlates.empty()) return words;
     const Correlate& first = mode.correlates.front();
     if (std::abs(first.correlation) < telling || first.p > significant) return words + " Its course follows nothing that was looked at.";
-    return words + " Its course follows the " + first.name + " most (correlation " + readable_number(first.correlation, 2) + "): " + course_words(first) + ".";
+    return words + " Its course follows the " + first.name + " most (correlation " + correlation_words(first.correlation) + "): " + course_words(first) + ".";
 }
 
 std::string chart_of(const MissingForce& force) {
@@ -55,7 +57,7 @@ Table correlate_table(const MissingForce& force) {
     for (std::size_t k = 0; k < force.modes.size(); ++k) {
         const std::vector<Correlate>& list = force.modes[k].correlates;
         for (std::size_t i = 0; i < std::min(named_correlates, list.size()); ++i)
-            table.rows.push_back({k + 1, list[i].name, fixed_decimals(std::round(100.0 * list[i].correlation) / 100.0, 2), std::round(list[i].effective_samples), p_words(list[i].p)});
+            table.rows.push_back({k + 1, list[i].name, correlation_words(list[i].correlation), std::round(list[i].effective_samples), p_words(list[i].p)});
     }
     return table;
 }

@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int stations = 3;      // clamp, middle, far end
-constexpr double usual_spacing_s = 0.04;
-constexpr int least_knots = 12, most_knots = 50;
+constexpr double usual_spacing_s = 0.025;
+constexpr int least_knots = 12, most_knots = 60;
 
 /// From the middle of the clamp towards the middle of the body; a body that is clamped nowhere, or all around, along x.
 VectorXd places(const Body& body) {

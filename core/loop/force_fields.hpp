@@ -19,13 +19,13 @@ ForceFields force_fields(const Body& body);
 
 /// Courses over time are linear between these times [s].
 struct KnotTimes {
-    double spacing_s = 0.04;
+    double spacing_s = 0.025;
     int count = 2;
 
     double end_s() const { return spacing_s * static_cast<double>(count - 1); }
     Eigen::VectorXd times_s() const { return Eigen::VectorXd::LinSpaced(count, 0.0, end_s()); }
 };
-/// About 40 ms apart, closer in trials under half a second and wider in those over two.
+/// About 25 ms apart, closer in trials under a quarter of a second and wider in those over one and a half.
 KnotTimes knot_times(double end_s);
 
 /// The signal with these values at the knots.

@@ -22,8 +22,12 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// Courses are smoothed over this time.
-constexpr double smooth_s = 0.04;
-constexpr int most_runs = 5;
+constexpr double smooth_s = 0.025;
+/// Squares of a residual that may be noise: twice their deviation above the expectation, and noise is not known better than to a few percent.
+double noise_squares(Index samples) { return 1.05 * static_cast<double>(samples) + 2.0 * std::sqrt(2.0 * static_cast<double>(samples)); }
+/// One step asks for this share of what is left, and where the run does not follow, for more.
+constexpr double first_share = 0.1, share_factor = 2.0;
+constexpr int most_runs = 8;
 constexpr int most_modes = 3;
 /// Modes are shown until they have this share of the force.
 constexpr double shown_share = 0.97;
@@ -94,21 +98,21 @@ struct FoundForce {
 FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTrial::Run start, int& runs, const Progress& progress) {
     const SmoothForce solver(A, size_of_force(trial.fields(), trial.knots()));
     FoundForce best{VectorXd::Zero(A.cols()), std::move(start)};
-    const auto wanted = static_cast<double>(A.rows());   // squares of noise alone
-    double length = 1.0;
-    for (int step = 0; step < most_runs && !progress.cancelled(); ++step) {
+    const double wanted = noise_squares(A.rows());
+    double share = first_share;
+    for (int step = 0; step < most_runs && share < 1.0 && best.run.residual.squaredNorm() > 1.02 * wanted && !progress.cancelled(); ++step) {
         progress.report({"missing force", 2.0 + step, 2.0 + most_runs, "runs", {}});
         const double before = best.run.residual.squaredNorm();
-        const VectorXd whole = solver.solve(best.run.residual - A * best.sizes, wanted);
-        const VectorXd sizes = best.sizes + length * (whole - best.sizes);
+        // Less is asked for than the linear response promises: what it can only reach with large forces is its own error.
+        const VectorXd sizes = solver.solve(best.run.residual - A * best.sizes, std::max(wanted, share * before));
         ForcedTrial::Run run = trial.run(sizes, progress);
         ++runs;
         if (run.residual.size() == 0 || !(run.residual.squaredNorm() < before)) {
-            length *= 0.5;
+            share *= share_factor;
             continue;
         }
         best = {sizes, std::move(run)};
-        if (best.run.residual.squaredNorm() < 1.05 * wanted || best.run.residual.squaredNorm() > 0.97 * before) break;
+        if (best.run.residual.squaredNorm() > 0.97 * before) break;
     }
     return best;
 }
@@ -218,7 +222,8 @@ MissingForce infer_missing_force(const Study& declared, const Diagnosis& d, cons
     const FoundForce found = repeated_steps(trial, A, std::move(start), result.runs, progress);
     result.after_over_noise = rms_of(found.run.residual);
     result.modes = force_modes(trial, found.sizes);
-    if (result.modes.empty()) result.failure = "no force makes the residual smaller";
+    const double squares_before = std::pow(result.before_over_noise, 2) * static_cast<double>(A.rows());
+    if (result.modes.empty()) result.failure = squares_before <= 1.02 * noise_squares(A.rows()) ? "the residual is noise" : "no force makes the residual smaller";
     for (ForceMode& mode : result.modes) mode.correlates = course_correlates(study, trial.affected(), found.run.trace, trial.knots(), mode);
     return result;
 }

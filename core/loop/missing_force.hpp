@@ -45,9 +45,9 @@ struct MissingForce {
 
 /// The smallest smooth force in the fit trial that the best fit leaves the largest residual in.
 ///
-/// Body forces over the way from clamp to far end (force_fields) by Tikhonov's rule: least integral of f^2 + (40 ms df/dt)^2 with which the
+/// Body forces over the way from clamp to far end (force_fields) by Tikhonov's rule: least integral of f^2 + (25 ms df/dt)^2 with which the
 /// residual is that of noise (Morozov's principle), or nearly as small as it gets. Linear in the force about the mean state; the trial is
-/// then run with it, and the step repeated with what is left. Costs one run with 18 tangents and up to five plain ones.
+/// then run with it, and the step repeated with what is left. Costs one run with 18 tangents and up to nine plain ones.
 /// Source: Morozov 1984 (discrepancy principle); Hansen 1998, ch. 5 (Tikhonov regularisation).
 MissingForce infer_missing_force(const Study& study, const Diagnosis& diagnosis, const Progress& progress = {});
 

@@ -32,8 +32,8 @@ VectorXd SmoothForce::solve(const VectorXd& d, double squares) const {
         return d.squaredNorm() - (g.array().square() * (sum + lambda) / sum.square()).sum();
     };
     double low = std::log(1e-9 * largest), high = std::log(1e3 * largest);
-    // The last few percent cost the most force and tell the least.
-    const double least = left(std::exp(low)), wanted = std::max(squares, least + 0.01 * (d.squaredNorm() - least));
+    // The last few percent of what cannot be reached cost the most force and tell the least.
+    const double wanted = std::max(squares, 1.1 * left(std::exp(low)));
     for (int i = 0; i < 80; ++i) {
         const double middle = 0.5 * (low + high);
         (left(std::exp(middle)) <= wanted ? low : high) = middle;
