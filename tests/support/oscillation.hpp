@@ -14,41 +14,17 @@
 namespace myo::test {
 
 /// First mode about the rest shape.
-inline NaturalMode first_mode(const Model& model) {
-    StageSolver solver(model);
-    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);
-    EXPECT_TRUE(modes.ok());
-    return modes.modes.at(0);
-}
+NaturalMode first_mode(const Model& model);
 
 /// Bends the beam along z by a hundredth of its length until t = 0.
-inline void hold_until_zero(Model& model, const BeamSpec& spec) {
-    const double force = 0.03 * spec.youngs_modulus_Pa * second_moment(spec) / (spec.size(0) * spec.size(0));
-    push_tip(model, spec, {0.0, 0.0, -force});
-    model.forces.back().until_s = 0.0;
-}
+void hold_until_zero(Model& model, const BeamSpec& spec);
 
 /// The soft beam of the experiments but for its width, which sets the mode along z apart; held, without gravity.
-inline BeamSpec ringing_beam() {
-    BeamSpec spec;
-    spec.cells = {7, 2, 2};
-    spec.size = {0.1, 0.036, 0.03};
-    return spec;
-}
-inline Model held(const BeamSpec& spec) {
-    Model model = make_beam(spec);
-    hold_until_zero(model, spec);
-    return model;
-}
+BeamSpec ringing_beam();
+Model held(const BeamSpec& spec);
 
 /// Modal coordinate shape' M u of every recorded state.
-inline Eigen::VectorXd modal_coordinate(const Model& model, const NaturalMode& mode, const Trace& trace) {
-    const Eigen::Matrix3Xd weight = times_mass(mode.shape, mass_matrix(model));
-    Eigen::VectorXd q(static_cast<Eigen::Index>(trace.positions.size()));
-    for (std::size_t k = 0; k < trace.positions.size(); ++k)
-        q(static_cast<Eigen::Index>(k)) = weight.cwiseProduct(trace.positions[k] - model.body->mesh.nodes).sum();
-    return q;
-}
+Eigen::VectorXd modal_coordinate(const Model& model, const NaturalMode& mode, const Trace& trace);
 
 struct Oscillation {
     double omega_damped = 0.0;   // [rad/s]
@@ -56,26 +32,9 @@ struct Oscillation {
 };
 
 /// Frequency and damping of a series sampled every h: least squares for q(n+1) = a q(n) + b q(n-1) (Prony's method).
-inline Oscillation fit_oscillation(const Eigen::VectorXd& q, double h) {
-    const Eigen::Index n = q.size() - 2;
-    Eigen::MatrixXd A(n, 2);
-    A << q.segment(1, n), q.head(n);
-    const Eigen::Vector2d c = A.colPivHouseholderQr().solve(q.tail(n));
-    const std::complex<double> z = 0.5 * (c(0) + std::sqrt(std::complex<double>(c(0) * c(0) + 4.0 * c(1))));
-    const std::complex<double> s = std::log(z) / h;
-    return {std::abs(s.imag()), -s.real() / std::abs(s)};
-}
+Oscillation fit_oscillation(const Eigen::VectorXd& q, double h);
 
 /// Lets go of a beam held by its present forces, which must end at t = 0, and returns its first modal coordinate.
-inline Eigen::VectorXd ring(const Model& model, const NaturalMode& mode, const TimeScheme& scheme, double h, int steps) {
-    SimulationOptions options;
-    options.start = StartKind::equilibrium;
-    options.integrator = scheme;
-    options.h_s = h;
-    options.end_s = steps * h;
-    options.solver.tolerance = 1e-8;
-    const Trace trace = simulate(model, options);
-    return trace.complete() ? modal_coordinate(model, mode, trace) : Eigen::VectorXd();
-}
+Eigen::VectorXd ring(const Model& model, const NaturalMode& mode, const TimeScheme& scheme, double h, int steps);
 
 }  // namespace myo::test

@@ -5,34 +5,14 @@
 namespace myo::test {
 
 /// A free cube so light that it follows its loads at once: what its material remembers is seen without inertia.
-inline BeamSpec light_cube() {
-    BeamSpec spec;
-    spec.cells = {1, 1, 1};
-    spec.size = {0.01, 0.01, 0.01};
-    spec.youngs_modulus_Pa = 1e5;
-    spec.poissons_ratio = 0.3;
-    spec.density_kg_m3 = 1.0;
-    spec.clamped = false;
-    return spec;
-}
+BeamSpec light_cube();
 
-inline Eigen::VectorXd root_share(const Model& model, const BeamSpec& spec) {
-    const Eigen::Vector3d outside = Eigen::Vector3d::Constant(1e-6 * spec.size(0));
-    const Box root{-outside, Eigen::Vector3d(0.0, spec.size(1), spec.size(2)) + outside};
-    const SurfaceIntegral integral = surface_weights(model.body->mesh, model.body->boundary, root);
-    return integral.weight / integral.weight.sum();
-}
+Eigen::VectorXd root_share(const Model& model, const BeamSpec& spec);
 
 /// A stress [Pa] along x on both ends in [from_s, until_s).
-inline void pull(Model& model, const BeamSpec& spec, double stress_Pa, double from_s = -1.0, double until_s = 1e9) {
-    const Eigen::Vector3d force(stress_Pa * section_area(spec), 0.0, 0.0);
-    model.forces.push_back({tip_share(model, spec), force, from_s, until_s});
-    model.forces.push_back({root_share(model, spec), -force, from_s, until_s});
-}
+void pull(Model& model, const BeamSpec& spec, double stress_Pa, double from_s = -1.0, double until_s = 1e9);
 
 /// Mean strain along x.
-inline double stretch_of(const Model& model, const BeamSpec& spec, const Eigen::Matrix3Xd& x) {
-    return x.row(0).dot(tip_share(model, spec) - root_share(model, spec)) / spec.size(0) - 1.0;
-}
+double stretch_of(const Model& model, const BeamSpec& spec, const Eigen::Matrix3Xd& x);
 
 }  // namespace myo::test

@@ -9,16 +9,7 @@
 namespace myo::test {
 
 /// A complete run from the straight body, its stages solved well below the errors in time.
-inline Trace run(const Model& model, const TimeScheme& scheme, double h, double end) {
-    SimulationOptions options;
-    options.integrator = scheme;
-    options.h_s = h;
-    options.end_s = end;
-    options.solver.tolerance = 1e-9;
-    Trace trace = simulate(model, options);
-    EXPECT_TRUE(trace.complete()) << to_string(scheme.integrator) << ": " << trace.message;
-    return trace;
-}
+Trace run(const Model& model, const TimeScheme& scheme, double h, double end);
 
 struct NamedScheme {
     const char* name;
@@ -26,13 +17,6 @@ struct NamedScheme {
 };
 
 /// Every integrator; generalised-alpha also away from its default.
-inline std::vector<NamedScheme> all_schemes() {
-    return {{"tr_bdf2", Integrator::tr_bdf2},
-            {"implicit_euler", Integrator::implicit_euler},
-            {"bdf2", Integrator::bdf2},
-            {"trapezoidal", Integrator::trapezoidal},
-            {"generalized_alpha", Integrator::generalized_alpha},
-            {"generalized_alpha_09", {Integrator::generalized_alpha, 0.9}}};
-}
+std::vector<NamedScheme> all_schemes();
 
 }  // namespace myo::test

@@ -1,0 +1,50 @@
+#include "support/hollow.hpp"
+
+namespace myo::test {
+
+VolumeMesh without(const VolumeMesh& mesh, const Box& box) {
+    VolumeMesh result;
+    result.type = mesh.type;
+    std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1), kept, cells;
+    for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
+        const auto cell = mesh.cells.col(c);
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        for (const int i : cell) middle += mesh.nodes.col(i) / static_cast<double>(cell.size());
+        if (box.contains(middle)) continue;
+        cells.push_back(c);
+        for (const int i : cell) {
+            int& n = number[static_cast<std::size_t>(i)];
+            if (n >= 0) continue;
+            n = static_cast<int>(kept.size());
+            kept.push_back(i);
+        }
+    }
+    result.nodes = mesh.nodes(Eigen::all, kept);
+    result.cells = mesh.cells(Eigen::all, cells).unaryExpr([&](int i) { return number[static_cast<std::size_t>(i)]; });
+    return result;
+}
+
+Model hollow_block(ElementKind kind) {
+    const VolumeMesh mesh = without(box_mesh(kind, {{0.0, 0.0, 0.0}, {0.06, 0.03, 0.03}}, {6, 3, 3}), {{0.02, 0.01, 0.01}, {0.05, 0.02, 0.02}});
+    Model model;
+    model.body = make_body(mesh, kind, nodes_in_box(mesh, {{-1e-6, -1.0, -1.0}, {1e-6, 1.0, 1.0}}));
+    model.material = find_material("neo_hookean");
+    model.moduli = uniform_moduli(model.body->cell_count(), 2.6e5, 0.45);
+    model.density_kg_m3 = 1070.0;
+    return model;
+}
+
+Model hollow_sphere(double a, double b, int cells) {
+    VolumeMesh mesh = without(box_hex_mesh({{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, {cells, cells, cells}), {Eigen::Vector3d::Constant(-1.0 / 3.0), Eigen::Vector3d::Constant(1.0 / 3.0)});
+    for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
+        const double shell = mesh.nodes.col(i).cwiseAbs().maxCoeff();
+        mesh.nodes.col(i) *= (a + (b - a) * (shell - 1.0 / 3.0) * 1.5) / mesh.nodes.col(i).norm();
+    }
+    Model model;
+    model.body = make_body(mesh, ElementKind::hex8, {});
+    model.material = find_material("neo_hookean");
+    model.density_kg_m3 = 1070.0;
+    return model;
+}
+
+}  // namespace myo::test

@@ -1,0 +1,25 @@
+#include "support/run.hpp"
+
+namespace myo::test {
+
+Trace run(const Model& model, const TimeScheme& scheme, double h, double end) {
+    SimulationOptions options;
+    options.integrator = scheme;
+    options.h_s = h;
+    options.end_s = end;
+    options.solver.tolerance = 1e-9;
+    Trace trace = simulate(model, options);
+    EXPECT_TRUE(trace.complete()) << to_string(scheme.integrator) << ": " << trace.message;
+    return trace;
+}
+
+std::vector<NamedScheme> all_schemes() {
+    return {{"tr_bdf2", Integrator::tr_bdf2},
+            {"implicit_euler", Integrator::implicit_euler},
+            {"bdf2", Integrator::bdf2},
+            {"trapezoidal", Integrator::trapezoidal},
+            {"generalized_alpha", Integrator::generalized_alpha},
+            {"generalized_alpha_09", {Integrator::generalized_alpha, 0.9}}};
+}
+
+}  // namespace myo::test
