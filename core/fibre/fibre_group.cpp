@@ -1,5 +1,6 @@
 #include "fibre/fibre_group.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -39,15 +40,30 @@ void add_box_cell(const VolumeMesh& mesh, int cell, const Box& cell_box, const B
     }
 }
 
-/// The part of a straight-sided tetrahedron inside a box, held at its centre of volume: so a group that ends inside cells keeps its lever arm.
+/// Four points of equal weight with a volume's centre and second moments: what is quadratic in the position is integrated exactly. In a whole
+/// tetrahedron they are the usual four.
+Eigen::Matrix<double, 3, 4> points_of(const ClippedVolume& part) {
+    const Eigen::Vector3d centre = part.centre_m();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(part.second_moment_m5 / part.volume_m3 - centre * centre.transpose());
+    Eigen::Matrix<double, 3, 4> corners;
+    corners << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
+    return (axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * corners).colwise() + centre;
+}
+
+/// The part of a straight-sided tetrahedron inside a box: so a group that ends inside cells keeps its lever arm and its stiffness in bending.
 void add_cut_tetrahedron(const VolumeMesh& mesh, int cell, const Box& box, const Eigen::Vector3d& direction, FibreGroup& group) {
     const Eigen::Matrix<double, 3, 4> corners = mesh.nodes(Eigen::all, mesh.cells.col(cell).head<4>());
     const ClippedVolume part = tetrahedron_in_box(corners, box, region_tolerance(mesh));
     if (!(part.volume_m3 > 0.0)) return;
     Eigen::Matrix3d edges;
     for (int i = 0; i < 3; ++i) edges.col(i) = corners.col(i + 1) - corners.col(0);
-    const Eigen::Vector3d xi = edges.inverse() * (part.moment_m4 / part.volume_m3 - corners.col(0));
-    add_fibre_point(mesh, cell, xi, part.volume_m3, direction, group);
+    const Eigen::Matrix3d inverse = edges.inverse();
+    const auto add = [&](const Eigen::Vector3d& x, double volume_m3) {
+        add_fibre_point(mesh, cell, inverse * (x - corners.col(0)), volume_m3, direction, group);
+    };
+    if (mesh.type == CellType::tet4) return add(part.centre_m(), part.volume_m3);   // its strain is the same everywhere
+    const Eigen::Matrix<double, 3, 4> points = points_of(part);
+    for (int k = 0; k < 4; ++k) add(points.col(k), 0.25 * part.volume_m3);
 }
 
 /// Of less a cell counts as whole: at its own points the fibres bend with it.

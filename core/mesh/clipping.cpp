@@ -21,13 +21,16 @@ Eigen::Vector3d crossing(const Eigen::Vector3d& a, double depth_a, const Eigen::
     return a + (b - a) * (depth_a / (depth_a - depth_b));
 }
 
-// Cuts one tetrahedron by one half-space and hands the pieces inside to the next side. Volume, then first moment.
-Eigen::Vector4d moments_inside(const Corners& tet, const Box& box, int side, double tolerance) {
+// Cuts one tetrahedron by one half-space and hands the pieces inside to the next side. Integral of p p' with p = (1, x).
+Eigen::Matrix4d moments_inside(const Corners& tet, const Box& box, int side, double tolerance) {
     if (side == 6) {
         Eigen::Matrix3d J;
         for (int i = 0; i < 3; ++i) J.col(i) = tet.col(i + 1) - tet.col(0);
         const double volume = std::abs(J.determinant()) / 6.0;
-        return volume * (Eigen::Vector4d() << 1.0, tet.rowwise().mean()).finished();
+        Eigen::Matrix4d p;
+        p << Eigen::RowVector4d::Ones(), tet;
+        const Eigen::Vector4d sum = p.rowwise().sum();
+        return volume / 20.0 * (p * p.transpose() + sum * sum.transpose());
     }
     std::array<int, 4> inside{}, outside{};
     int n_inside = 0, n_outside = 0;
@@ -39,19 +42,19 @@ Eigen::Vector4d moments_inside(const Corners& tet, const Box& box, int side, dou
         else outside[static_cast<std::size_t>(n_outside++)] = i;
     }
     if (n_outside == 0) return moments_inside(tet, box, side + 1, tolerance);
-    if (n_inside == 0) return Eigen::Vector4d::Zero();
+    if (n_inside == 0) return Eigen::Matrix4d::Zero();
 
     const auto cut = [&](int a, int b) {
         return crossing(tet.col(a), d[static_cast<std::size_t>(a)], tet.col(b), d[static_cast<std::size_t>(b)]);
     };
     const auto piece = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                           const Eigen::Vector3d& e) -> Eigen::Vector4d {
+                           const Eigen::Vector3d& e) -> Eigen::Matrix4d {
         Corners part;
         part << a, b, c, e;
         return moments_inside(part, box, side + 1, tolerance);
     };
     // A prism with triangles (a0 a1 a2) and (b0 b1 b2) is three tetrahedra.
-    const auto prism = [&](const std::array<Eigen::Vector3d, 3>& a, const std::array<Eigen::Vector3d, 3>& b) -> Eigen::Vector4d {
+    const auto prism = [&](const std::array<Eigen::Vector3d, 3>& a, const std::array<Eigen::Vector3d, 3>& b) -> Eigen::Matrix4d {
         return piece(a[0], a[1], a[2], b[2]) + piece(a[0], a[1], b[1], b[2]) + piece(a[0], b[0], b[1], b[2]);
     };
     if (n_inside == 1) {
@@ -92,8 +95,8 @@ ClippedVolume tetrahedron_in_box(const Eigen::Matrix<double, 3, 4>& corners, con
         (corners.rowwise().minCoeff().array() >= box.highest.array()).any()) {
         return {};
     }
-    const Eigen::Vector4d moments = moments_inside(corners, box, 0, tolerance);
-    return {moments(0), moments.tail<3>()};
+    const Eigen::Matrix4d moments = moments_inside(corners, box, 0, tolerance);
+    return {moments(0, 0), moments.col(0).tail<3>(), moments.bottomRightCorner<3, 3>()};
 }
 
 }  // namespace myo

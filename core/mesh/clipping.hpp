@@ -17,8 +17,11 @@ using Polygon = std::vector<Eigen::Vector3d>;
 Polygon clip_to_box(Polygon polygon, const Box& box, double tolerance);
 
 struct ClippedVolume {
-    double volume_m3 = 0.0;                                  // never negative
-    Eigen::Vector3d moment_m4 = Eigen::Vector3d::Zero();     // integral of the position
+    double volume_m3 = 0.0;                                             // never negative
+    Eigen::Vector3d moment_m4 = Eigen::Vector3d::Zero();                // integral of the position x
+    Eigen::Matrix3d second_moment_m5 = Eigen::Matrix3d::Zero();         // integral of x x'
+
+    Eigen::Vector3d centre_m() const { return moment_m4 / volume_m3; }
 };
 
 /// The part of a tetrahedron inside a box, exact: each of the six half-spaces cuts it into tetrahedra again. Corners 3 x 4, either
