@@ -16,6 +16,7 @@
 namespace myo {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Progress of the whole fit from what the running evaluation says of itself.
@@ -49,40 +50,45 @@ double internal_value(const Parameter& p, double value) { return p.over_decades 
 double physical_value(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::expm1(internal) : internal * p.scale; }
 double physical_slope(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::exp(internal) : p.scale; }
 
+/// A secant is trusted for the next step where the last Jacobian foretold the change of the residuals to this share of it.
+constexpr double trusted_secant = 0.3;
+
 /// Evaluates once per point: Ceres asks first for residuals, then, when it accepts the step, for the Jacobian.
 class Evaluator {
 public:
-    Evaluator(const std::vector<Parameter>& parameters, const ResidualFunction& function, const Progress& progress,
+    Evaluator(const std::vector<Parameter>& parameters, const ResidualFunction& function, const JacobianFunction& jacobian, const Progress& progress,
               const LeastSquaresOptions& options, LeastSquaresReport& report)
-        : parameters_(parameters), function_(function), progress_(progress), shown_(progress, options.max_evaluations), report_(report) {}
+        : parameters_(parameters), function_(function), jacobian_(jacobian), progress_(progress), shown_(progress, options.max_evaluations), report_(report) {}
 
-    const ResidualEvaluation& at(const VectorXd& values) {
-        for (const auto& [point, evaluation] : cache_)
-            if (point == values) return evaluation;
-        if (progress_.cancelled()) return stopped_;
-        if (report_.evaluations == 0) shown_.report(0.0, {});   // something is seen while the first one is under way
-        FitIterate iterate{values, std::numeric_limits<double>::infinity()};
-        const Stopwatch watch;
-        ResidualEvaluation fresh = function_(values, shown_.inside(report_.evaluations, last_words_));
-        iterate.seconds = watch.seconds();
-        if (!fresh.ok && progress_.cancelled()) return stopped_;   // ended half-way
-        if (cache_.size() == 3) cache_.erase(cache_.begin());
-        if (fresh.ok && !std::isfinite(fresh.residuals.squaredNorm())) {
-            fresh.ok = false;
-            fresh.message = "the sum of squared differences to the data is not a finite number";
+    /// The evaluation there with its Jacobian: the residuals' own, a secant, or one that is asked for. Not ok where none is to be had.
+    const ResidualEvaluation& with_jacobian(const VectorXd& values, bool exact = false) {
+        ResidualEvaluation& evaluation = entry(values);
+        const bool has = evaluation.jacobian.size() > 0;
+        if (!evaluation.ok || !jacobian_ || (has && (!exact || exact_at_ == values))) return evaluation;
+        MatrixXd J = exact ? MatrixXd() : secant(values, evaluation.residuals);
+        if (J.size() == 0) {
+            J = jacobian_(values, evaluation, progress_.with_sink({}));
+            ++report_.jacobians;
+            exact_at_ = values;
         }
-        cache_.emplace_back(values, std::move(fresh));
-        const ResidualEvaluation& evaluation = cache_.back().second;
-        ++report_.evaluations;
-        if (evaluation.ok) keep(iterate, evaluation);
-        report_.history.push_back(std::move(iterate));
-        last_words_ = quality_words(evaluation);
-        shown_.report(report_.evaluations, last_words_);
+        if (J.size() == 0 || !J.allFinite()) return progress_.cancelled() ? stopped_ : no_derivatives_;
+        evaluation.jacobian = std::move(J);
+        last_ = {values, evaluation};
+        if (values == report_.values) best_ = evaluation;
         return evaluation;
     }
 
-    /// The evaluation with the least cost so far.
-    const ResidualEvaluation& best() const { return best_; }
+    const ResidualEvaluation& at(const VectorXd& values) { return entry(values); }
+
+    bool is_exact_at(const VectorXd& values) const { return exact_at_ == values; }
+
+    /// The evaluation with the least cost so far; where its Jacobian was not asked for, with the nearest to it.
+    ResidualEvaluation best() const {
+        ResidualEvaluation best = best_;
+        if (best.ok && best.jacobian.size() == 0) best.jacobian = secant(report_.values, best.residuals);
+        if (best.ok && best.jacobian.size() == 0) best.jacobian = last_.evaluation.jacobian;
+        return best;
+    }
 
     VectorXd physical(const double* internal) const {
         VectorXd values(static_cast<Eigen::Index>(parameters_.size()));
@@ -98,6 +104,54 @@ public:
     const std::vector<Parameter>& parameters() const { return parameters_; }
 
 private:
+    struct Point {
+        VectorXd values;
+        ResidualEvaluation evaluation;
+    };
+
+    VectorXd internal(const VectorXd& values) const {
+        VectorXd u(values.size());
+        for (Eigen::Index i = 0; i < u.size(); ++i) u(i) = internal_value(parameters_[static_cast<std::size_t>(i)], values(i));
+        return u;
+    }
+
+    /// The last Jacobian turned so that it explains the step from there; empty where it foretold that step badly.
+    MatrixXd secant(const VectorXd& values, const VectorXd& residuals) const {
+        if (last_.values.size() == 0) return {};
+        const VectorXd u = internal(last_.values), step = internal(values) - u;
+        const VectorXd change = residuals - last_.evaluation.residuals;
+        const MatrixXd J = last_.evaluation.jacobian * slopes(u.data()).asDiagonal();
+        const VectorXd surprise = change - J * step;
+        if (!(surprise.norm() < trusted_secant * change.norm())) return {};
+        const VectorXd slope = slopes(internal(values).data());
+        return (J + surprise * step.transpose() / step.squaredNorm()) * slope.cwiseInverse().asDiagonal();
+    }
+
+    ResidualEvaluation& entry(const VectorXd& values) {
+        for (Point& point : cache_)
+            if (point.values == values) return point.evaluation;
+        if (progress_.cancelled()) return stopped_;
+        if (report_.evaluations == 0) shown_.report(0.0, {});   // something is seen while the first one is under way
+        FitIterate iterate{values, std::numeric_limits<double>::infinity()};
+        const Stopwatch watch;
+        ResidualEvaluation fresh = function_(values, shown_.inside(report_.evaluations, last_words_));
+        iterate.seconds = watch.seconds();
+        if (!fresh.ok && progress_.cancelled()) return stopped_;   // ended half-way
+        if (cache_.size() == 3) cache_.erase(cache_.begin());
+        if (fresh.ok && !std::isfinite(fresh.residuals.squaredNorm())) {
+            fresh.ok = false;
+            fresh.message = "the sum of squared differences to the data is not a finite number";
+        }
+        cache_.push_back({values, std::move(fresh)});
+        ResidualEvaluation& evaluation = cache_.back().evaluation;
+        ++report_.evaluations;
+        if (evaluation.ok) keep(iterate, evaluation);
+        report_.history.push_back(std::move(iterate));
+        last_words_ = quality_words(evaluation);
+        shown_.report(report_.evaluations, last_words_);
+        return evaluation;
+    }
+
     void keep(FitIterate& iterate, const ResidualEvaluation& evaluation) {
         iterate.cost = 0.5 * evaluation.residuals.squaredNorm();
         const bool first = !report_.usable();
@@ -110,13 +164,17 @@ private:
 
     const std::vector<Parameter>& parameters_;
     const ResidualFunction& function_;
+    const JacobianFunction& jacobian_;   // empty: the residuals bring theirs
     const Progress& progress_;
     EvaluationProgress shown_;
     LeastSquaresReport& report_;
     std::string last_words_;
     ResidualEvaluation best_;
-    std::vector<std::pair<VectorXd, ResidualEvaluation>> cache_;
-    const ResidualEvaluation stopped_{false, "stopped by the user", {}, {}};
+    std::vector<Point> cache_;
+    Point last_;            // where the last Jacobian was given
+    VectorXd exact_at_;     // where the last one was asked for
+    ResidualEvaluation stopped_{false, "stopped by the user", {}, {}};
+    ResidualEvaluation no_derivatives_{false, "the model could not be run beside these values", {}, {}};
 };
 
 class ResidualBlock final : public ceres::CostFunction {
@@ -127,10 +185,12 @@ public:
     }
 
     bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-        const ResidualEvaluation& evaluation = evaluator_.at(evaluator_.physical(blocks[0]));
+        const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
+        const VectorXd values = evaluator_.physical(blocks[0]);
+        const ResidualEvaluation& evaluation = derivatives ? evaluator_.with_jacobian(values) : evaluator_.at(values);
         if (!evaluation.ok || evaluation.residuals.size() != num_residuals()) return false;
         std::copy(evaluation.residuals.begin(), evaluation.residuals.end(), residuals);
-        if (jacobians != nullptr && jacobians[0] != nullptr) {
+        if (derivatives) {
             using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
             Eigen::Map<RowMajor>(jacobians[0], evaluation.jacobian.rows(), evaluation.jacobian.cols()) =
                 evaluation.jacobian * evaluator_.slopes(blocks[0]).asDiagonal();
@@ -173,37 +233,14 @@ void set_covariance(const std::vector<Parameter>& parameters, const ResidualEval
     report.correlation = deviation.cwiseInverse().asDiagonal() * covariance * deviation.cwiseInverse().asDiagonal();
 }
 
-}  // namespace
-
-LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
-                                     const LeastSquaresOptions& options, const Progress& progress) {
-    LeastSquaresReport report;
-    const auto n = static_cast<Eigen::Index>(parameters.size());
-    report.start.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i) report.start(i) = parameters[static_cast<std::size_t>(i)].value;
-    report.values = report.start;
-    Evaluator evaluator(parameters, residuals, progress, options, report);
-    std::vector<double> internal;
-    for (const Parameter& parameter : parameters) internal.push_back(internal_value(parameter, parameter.value));
-
-    const ResidualEvaluation first = evaluator.at(evaluator.physical(internal.data()));
-    set_covariance(parameters, first, report);
-    if (!first.ok) {
-        report.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
-        report.message = first.message;
-        return report;
-    }
-    if (n == 0) {
-        report.status = FitStatus::converged;
-        return report;
-    }
-
+/// One descent from the internal values, which it moves.
+ceres::TerminationType descend(Evaluator& evaluator, int residuals, const LeastSquaresOptions& options, const Progress& progress, std::vector<double>& internal, std::string& message) {
     ceres::Problem problem;
-    problem.AddResidualBlock(new ResidualBlock(evaluator, static_cast<int>(first.residuals.size())), nullptr, internal.data());
-    for (int i = 0; i < static_cast<int>(n); ++i) {
-        const Parameter& parameter = parameters[static_cast<std::size_t>(i)];
-        if (std::isfinite(parameter.lower)) problem.SetParameterLowerBound(internal.data(), i, internal_value(parameter, parameter.lower));
-        if (std::isfinite(parameter.upper)) problem.SetParameterUpperBound(internal.data(), i, internal_value(parameter, parameter.upper));
+    problem.AddResidualBlock(new ResidualBlock(evaluator, residuals), nullptr, internal.data());
+    for (std::size_t i = 0; i < internal.size(); ++i) {
+        const Parameter& parameter = evaluator.parameters()[i];
+        if (std::isfinite(parameter.lower)) problem.SetParameterLowerBound(internal.data(), static_cast<int>(i), internal_value(parameter, parameter.lower));
+        if (std::isfinite(parameter.upper)) problem.SetParameterUpperBound(internal.data(), static_cast<int>(i), internal_value(parameter, parameter.upper));
     }
     ceres::Solver::Options settings;
     settings.linear_solver_type = ceres::DENSE_QR;
@@ -219,17 +256,62 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     ceres::Solver::Summary summary;
     FLAGS_minloglevel = google::GLOG_FATAL;   // Ceres prints whole residual vectors where a model could not be run; the report says it
     ceres::Solve(settings, &problem, &summary);
+    message = summary.message;
+    return summary.termination_type;
+}
 
-    if (progress.cancelled()) {
-        report.status = FitStatus::cancelled;
-        report.message = "stopped by the user";
-    } else if (summary.termination_type == ceres::CONVERGENCE) {
-        report.status = FitStatus::converged;
-    } else {
-        report.status = FitStatus::not_converged;
-        report.message = summary.message;
+/// A descent along secants may end where they lead nowhere though the cost falls: it starts again from there with the exact Jacobian
+/// until that finds no more than the tolerance, or so many times.
+constexpr int most_descents = 4;
+
+}  // namespace
+
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const LeastSquaresOptions& options,
+                                     const Progress& progress) {
+    return fit_least_squares(parameters, residuals, {}, options, progress);
+}
+
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian,
+                                     const LeastSquaresOptions& options, const Progress& progress) {
+    LeastSquaresReport report;
+    const auto n = static_cast<Eigen::Index>(parameters.size());
+    report.start.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) report.start(i) = parameters[static_cast<std::size_t>(i)].value;
+    report.values = report.start;
+    Evaluator evaluator(parameters, residuals, jacobian, progress, options, report);
+    std::vector<double> internal;
+    for (const Parameter& parameter : parameters) internal.push_back(internal_value(parameter, parameter.value));
+
+    const ResidualEvaluation first = evaluator.with_jacobian(evaluator.physical(internal.data()), true);
+    set_covariance(parameters, first, report);
+    if (!first.ok) {
+        report.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
+        report.message = first.message;
+        return report;
     }
-    set_covariance(parameters, evaluator.best(), report);
+    report.jacobian = first.jacobian;
+    if (n == 0) {
+        report.status = FitStatus::converged;
+        return report;
+    }
+
+    for (int descents = 0; descents < most_descents; ++descents) {
+        const double before = report.cost_after;
+        const ceres::TerminationType end = descend(evaluator, static_cast<int>(first.residuals.size()), options, progress, internal, report.message);
+        if (progress.cancelled()) {
+            report.status = FitStatus::cancelled;
+            report.message = "stopped by the user";
+            break;
+        }
+        report.status = end == ceres::CONVERGENCE ? FitStatus::converged : FitStatus::not_converged;
+        if (report.converged()) report.message.clear();
+        if (!jacobian || !report.converged() || evaluator.is_exact_at(report.values)) break;
+        if (!evaluator.with_jacobian(report.values, true).ok || before - report.cost_after <= options.relative_decrease * before) break;
+        for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = internal_value(parameters[i], report.values(static_cast<Eigen::Index>(i)));
+    }
+    const ResidualEvaluation best = evaluator.best();
+    report.jacobian = best.jacobian;
+    set_covariance(parameters, best, report);
     return report;
 }
 

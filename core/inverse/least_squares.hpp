@@ -35,6 +35,10 @@ struct ResidualEvaluation {
 /// several threads, and stops when the progress is cancelled (ok = false then).
 using ResidualFunction = std::function<ResidualEvaluation(const Eigen::VectorXd& values, const Progress& progress)>;
 
+/// J = dr/dp (m x n) at values that were evaluated, where it costs much more than the residuals: one run of the model per column. Empty: the
+/// model could not be run, or the fit was cancelled.
+using JacobianFunction = std::function<Eigen::MatrixXd(const Eigen::VectorXd& values, const ResidualEvaluation& there, const Progress& progress)>;
+
 enum class FitStatus { not_run, converged, not_converged, cancelled, failed };
 
 struct FitIterate {
@@ -54,7 +58,9 @@ struct LeastSquaresReport {
     Eigen::MatrixXd correlation;      // n x n
     double cost_before = 0.0;
     double cost_after = 0.0;
+    Eigen::MatrixXd jacobian;         // m x n at the values; exact unless the fit ended early
     int evaluations = 0;              // complete ones
+    int jacobians = 0;                // asked for apart
     std::vector<FitIterate> history;  // every complete evaluation, in order
 
     bool converged() const { return status == FitStatus::converged; }
@@ -78,5 +84,12 @@ struct LeastSquaresOptions {
 /// Source: Nocedal & Wright 2006, ch. 10; Ceres Solver.
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const LeastSquaresOptions& options = {}, const Progress& progress = {});
+
+/// The same for Jacobians that are dear: `residuals` leaves them out, and the fit asks for one at the start, one at the end, and one wherever
+/// the last, turned by the secants of the steps since, foretells a step badly.
+///
+/// Source: Broyden 1965, Math. Comp. 19; Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares problems, 3.4.
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian,
+                                     const LeastSquaresOptions& options, const Progress& progress);
 
 }  // namespace myo

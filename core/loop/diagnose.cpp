@@ -26,7 +26,7 @@ constexpr double fine_unknowns = 12000.0, finest_ratio = 0.5, coarsest_ratio = 0
 /// The step is doubled for all that follows when that changes the predictions by less, in units of the noise.
 constexpr double step_doubt = 0.5;
 /// Evaluations of a candidate's fit before the best go on, and of those that do.
-constexpr int first_evaluations = 4, more_evaluations = 16;
+constexpr int first_evaluations = 6, more_evaluations = 24;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best.
 constexpr double hopeful = 4.0;
 /// A probe that takes away less of the residual is not worth a fit; nor is one that takes away less than this share of what the best does,
@@ -130,7 +130,7 @@ private:
             result_.failure = "the declared model cannot be run: " + declared.report.message;
             return false;
         }
-        result_.cost.back().runs = declared.report.evaluations * fit_count();
+        result_.cost.back().runs = declared.runs(fit_count());
         result_.declared = judged(result_.data, std::move(declared), result_.settings);
         return true;
     }
@@ -204,7 +204,7 @@ private:
                 for (TrialPrediction& prediction : found.predictions) prediction.trace = {};
                 JudgedFit fresh = judged(result_.data, std::move(found), result_.settings);
                 const std::lock_guard<std::mutex> lock(mutex);
-                runs_ += fresh.fit.report.evaluations * fit_count();
+                runs_ += fresh.fit.runs(fit_count());
                 if (!fits[i].usable() || fresh.fit.squares() < fits[i].fit.squares()) fits[i] = std::move(fresh);
                 progress_.report({name, static_cast<double>(++done), 2.0 * static_cast<double>(starts.size()), "fits", starts[i].id});
             });

@@ -79,6 +79,13 @@ Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPredic
     return J;
 }
 
+VectorXd flat_tangent(const FitData& data, const std::vector<const ResidualTangent*>& tangents) {
+    const std::vector<std::size_t> place = places(data);
+    return gathered(data, [&](const ResidualSeries& at, int sample) {
+        return tangents[place[static_cast<std::size_t>(at.trial)]]->tangent[static_cast<std::size_t>(at.marker)](at.axis, sample);
+    }).cwiseQuotient(data.noise_m);
+}
+
 double flat_rms_m(const FitData& data, const VectorXd& residual) {
     return std::sqrt(residual.cwiseProduct(data.noise_m).squaredNorm() / static_cast<double>(std::max<Index>(1, residual.size())));
 }

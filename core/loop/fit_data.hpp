@@ -28,6 +28,9 @@ Eigen::VectorXd flat_residual(const FitData& data, const std::vector<TrialPredic
 /// Derivatives of the same, N x parameters.
 Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPrediction>& predictions, std::size_t parameters);
 
+/// One derivative of the same from those of data.trials.
+Eigen::VectorXd flat_tangent(const FitData& data, const std::vector<const ResidualTangent*>& tangents);
+
 /// Root mean square of a flat residual [m].
 double flat_rms_m(const FitData& data, const Eigen::VectorXd& residual);
 

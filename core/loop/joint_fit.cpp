@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "project/predict_trials.hpp"
 
@@ -11,6 +12,7 @@ namespace myo {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double prior_widths = 10.0;
@@ -20,23 +22,30 @@ StudyValues values_at(const std::vector<StudyParameter>& parameters, const Vecto
     return values;
 }
 
-/// Rows (value - start) / deviation for the components of vectors.
-void append_priors(const std::vector<StudyParameter>& parameters, const VectorXd& p, ResidualEvaluation& evaluation) {
-    const Index rows = evaluation.residuals.size(), count = static_cast<Index>(parameters.size());
-    std::vector<Index> held;
-    for (Index i = 0; i < count; ++i)
-        if (parameters[static_cast<std::size_t>(i)].component >= 0) held.push_back(i);
-    evaluation.residuals.conservativeResize(rows + static_cast<Index>(held.size()));
-    evaluation.jacobian.conservativeResize(evaluation.residuals.size(), count);
-    for (std::size_t k = 0; k < held.size(); ++k) {
-        const Parameter& parameter = parameters[static_cast<std::size_t>(held[k])].parameter;
-        const double weight = 1.0 / (prior_widths * parameter.scale);
-        const Index row = rows + static_cast<Index>(k);
-        evaluation.residuals(row) = weight * (p(held[k]) - parameter.value);
-        evaluation.jacobian.row(row).setZero();
-        evaluation.jacobian(row, held[k]) = weight;
+/// Rows (value - start) / deviation for the components of vectors: what they add to residuals and Jacobian.
+struct Priors {
+    std::vector<Index> of;    // parameters
+    VectorXd weight, start;
+
+    explicit Priors(const std::vector<StudyParameter>& parameters) {
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            if (parameters[i].component >= 0) of.push_back(static_cast<Index>(i));
+        weight.resize(size());
+        start.resize(size());
+        for (Index k = 0; k < size(); ++k) {
+            const Parameter& p = parameters[static_cast<std::size_t>(of[static_cast<std::size_t>(k)])].parameter;
+            weight(k) = 1.0 / (prior_widths * p.scale);
+            start(k) = p.value;
+        }
     }
-}
+    Index size() const { return static_cast<Index>(of.size()); }
+    VectorXd residual(const VectorXd& p) const { return weight.cwiseProduct(VectorXd(p(of)) - start); }
+    MatrixXd jacobian(Index parameters) const {
+        MatrixXd J = MatrixXd::Zero(size(), parameters);
+        for (Index k = 0; k < size(); ++k) J(k, of[static_cast<std::size_t>(k)]) = weight(k);
+        return J;
+    }
+};
 
 /// Places stay on the body.
 void bound_places(const Study& study, std::vector<StudyParameter>& parameters) {
@@ -75,8 +84,12 @@ JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& s
     JointFit fit;
     fit.parameters = joint_parameters(study, start);
     fit.values = start;
+    const Priors priors(fit.parameters);
+    const auto count = static_cast<Index>(fit.parameters.size());
     double least = std::numeric_limits<double>::infinity();
     int evaluations = 0;
+    std::vector<TrialPrediction> last;   // of the last evaluation
+    VectorXd last_at;
     const auto evaluate = [&](const VectorXd& p, const Progress& inner) {
         ResidualEvaluation evaluation;
         // The solver counts steps, of which it may take back many.
@@ -84,34 +97,58 @@ JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& s
             evaluation.message = "no more evaluations are wanted";
             return evaluation;
         }
-        StudyValues values = values_at(fit.parameters, p, start);
+        const StudyValues values = values_at(fit.parameters, p, start);
         std::vector<PredictionTask> tasks;
         for (const std::size_t trial : data.trials) tasks.push_back({trial, &values});
-        std::vector<TrialPrediction> predictions = predict_trials(study, tasks, fit.parameters, inner);
-        for (std::size_t i = 0; i < predictions.size(); ++i)
-            if (!predictions[i].ok()) {
-                evaluation.message = "trial " + study.trials[data.trials[i]].name + ": " + predictions[i].message;
+        last = predict_trials(study, tasks, {}, inner);
+        last_at = p;
+        for (std::size_t i = 0; i < last.size(); ++i)
+            if (!last[i].ok()) {
+                evaluation.message = "trial " + study.trials[data.trials[i]].name + ": " + last[i].message;
                 return evaluation;
             }
         evaluation.ok = true;
-        evaluation.residuals = flat_residual(data, predictions);
-        evaluation.jacobian = flat_jacobian(data, predictions, fit.parameters.size());
-        const VectorXd residual = evaluation.residuals;
-        const Eigen::MatrixXd jacobian = evaluation.jacobian;
-        append_priors(fit.parameters, p, evaluation);
-        if (evaluation.residuals.squaredNorm() < least && evaluation.jacobian.allFinite()) {
+        const VectorXd residual = flat_residual(data, last);
+        evaluation.residuals.resize(residual.size() + priors.size());
+        evaluation.residuals << residual, priors.residual(p);
+        if (evaluation.residuals.squaredNorm() < least) {
             least = evaluation.residuals.squaredNorm();
             fit.residual = residual;
-            fit.jacobian = jacobian;
-            fit.values = std::move(values);
-            for (TrialPrediction& prediction : predictions) prediction.tangents.clear();
-            fit.predictions = std::move(predictions);
+            fit.values = values;
+            fit.predictions = last;
         }
         return evaluation;
     };
+    const auto derive = [&](const VectorXd& p, const ResidualEvaluation&, const Progress& inner) -> MatrixXd {
+        const StudyValues values = values_at(fit.parameters, p, start);
+        if (p != last_at) {
+            std::vector<PredictionTask> again;
+            for (const std::size_t trial : data.trials) again.push_back({trial, &values});
+            last = predict_trials(study, again, {}, inner);
+            last_at = p;
+        }
+        const auto trials = data.trials.size();
+        std::vector<ResidualTangent> tangents(trials * fit.parameters.size());
+        parallel_tasks(static_cast<int>(tangents.size()), study.settings.threads, [&](int task) {
+            const auto k = static_cast<std::size_t>(task);
+            tangents[k] = residual_tangent(study, data.trials[k % trials], values, fit.parameters[k / trials], last[k % trials], inner);
+        });
+        MatrixXd J(fit.residual.size() + priors.size(), count);
+        for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+            std::vector<const ResidualTangent*> of_trials;
+            for (std::size_t t = 0; t < trials; ++t) {
+                of_trials.push_back(&tangents[i * trials + t]);
+                if (!of_trials.back()->ok()) return {};
+            }
+            J.col(static_cast<Index>(i)).head(fit.residual.size()) = flat_tangent(data, of_trials);
+        }
+        J.bottomRows(priors.size()) = priors.jacobian(count);
+        return J;
+    };
     std::vector<Parameter> parameters;
     for (const StudyParameter& p : fit.parameters) parameters.push_back(p.parameter);
-    fit.report = fit_least_squares(parameters, evaluate, options, progress);
+    fit.report = fit_least_squares(parameters, evaluate, derive, options, progress);
+    if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
     fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(study.experiment.effects.size()), fit.values.effects.end());
     fit.seconds = watch.seconds();
     return fit;

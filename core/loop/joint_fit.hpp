@@ -21,6 +21,8 @@ struct JointFit {
     double seconds = 0.0;
 
     bool usable() const { return residual.size() > 0; }
+    /// Of the model, with so many trials, about: a number that moves nothing in a trial takes none there.
+    int runs(int trials) const { return trials * (report.evaluations + report.jacobians * static_cast<int>(parameters.size())); }
     double squares() const { return residual.squaredNorm(); }
 };
 

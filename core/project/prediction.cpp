@@ -227,54 +227,64 @@ TrialPrediction predict_trial(const Study& study, std::size_t index, const Study
     const Eigen::VectorXd times = motion_times(trial, affected.seen, values.start_shift_s[index]);
     const SensitiveTracks tracks = observe(run, study.markers, times);
     const SensitiveTracks origin = observe(run, study.markers, Eigen::VectorXd::Zero(1));
-    const bool displacement = by_displacement(study);
     const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
-    const auto samples = trial.measured.sample_count();
     SeenMotion seen = seen_motion(study, index, values, affected.seen, tracks.tracks, origin.tracks);
-    result.tangents.assign(parameters.size(), std::vector<Matrix3Xd>(study.marker_names.size(), Matrix3Xd::Zero(3, samples)));
-    for (std::size_t p = 0; p < parameters.size(); ++p) {
-        const StudyParameter& parameter = parameters[p];
-        std::vector<Matrix3Xd>& d = result.tangents[p];
-        if (row_of[p] >= 0) {
-            const auto row = static_cast<std::size_t>(row_of[p]);
-            d = seen_tangents(affected.seen, tracks.tangents[row], trial.measured.time_s);
-            for (std::size_t m = 0; m < d.size(); ++m) {
-                if (displacement) d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[row][m].col(0));
-                else d[m] = R * d[m];
-            }
-        } else if (parameter.kind == Kind::translation) {
-            for (Matrix3Xd& marker : d) marker.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
-        } else if (parameter.kind == Kind::rotation) {
-            for (std::size_t m = 0; m < d.size(); ++m)
-                for (Eigen::Index t = 0; t < samples; ++t)
-                    d[m].col(t) = d_rotated_d_omega(values.rotation_rad, seen.positions_m[m].col(t)).col(static_cast<Eigen::Index>(parameter.index));
-        } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
-            d = seen_tangents(affected.seen, tracks.tracks.velocities, trial.measured.time_s);
-            for (Matrix3Xd& marker : d) marker = displacement ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
-        } else if (parameter.kind == Kind::effect || moves_the_body(parameter, index)) {
-            if (parameter.kind == Kind::effect && !acts_on(effect_site(study, index), values.effects[parameter.index].parameters)) continue;
-            StudyValues changed = values;
-            const double step = difference_step(parameter, value_of(parameter, values));
-            set_value(parameter, value_of(parameter, values) + step, changed);
-            std::vector<Matrix3Xd> residual;
-            if (parameter.kind == Kind::effect && is_seen_only(values.effects[parameter.index])) {
-                residual = observe_trial(study, index, changed, run.trace).residual_m;
-            } else {
-                TrialPrediction other = predict_trial(study, index, changed, {}, progress);
-                if (!other.ok()) {
-                    result.status = other.status;
-                    result.message = other.message;
-                    return result;
-                }
-                residual = std::move(other.residual_m);
-            }
-            for (std::size_t m = 0; m < d.size(); ++m) d[m] = (residual[m] - seen.residual_m[m]) / step;
-        }
-    }
     result.positions_m = std::move(seen.positions_m);
     result.start_m = std::move(seen.start_m);
     result.residual_m = std::move(seen.residual_m);
     result.trace = std::move(run.trace);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+        std::vector<Matrix3Xd> d;
+        if (row_of[p] >= 0) {
+            const auto row = static_cast<std::size_t>(row_of[p]);
+            d = seen_tangents(affected.seen, tracks.tangents[row], trial.measured.time_s);
+            for (std::size_t m = 0; m < d.size(); ++m) {
+                if (by_displacement(study)) d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[row][m].col(0));
+                else d[m] = R * d[m];
+            }
+        } else {
+            ResidualTangent beside = residual_tangent(study, index, values, parameters[p], result, progress);
+            if (!beside.ok()) {
+                result.status = beside.status;
+                result.message = beside.message;
+                return result;
+            }
+            d = std::move(beside.tangent);
+        }
+        result.tangents.push_back(std::move(d));
+    }
+    return result;
+}
+
+ResidualTangent residual_tangent(const Study& study, std::size_t index, const StudyValues& values, const StudyParameter& parameter,
+                                 const TrialPrediction& there, const Progress& progress) {
+    const StudyTrial& trial = study.trials[index];
+    const auto samples = trial.measured.sample_count();
+    ResidualTangent result{RunStatus::complete, {}, std::vector<Matrix3Xd>(study.marker_names.size(), Matrix3Xd::Zero(3, samples))};
+    if (parameter.kind == Kind::translation) {
+        for (Matrix3Xd& marker : result.tangent) marker.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
+    } else if (parameter.kind == Kind::rotation) {
+        for (std::size_t m = 0; m < result.tangent.size(); ++m)
+            for (Eigen::Index t = 0; t < samples; ++t)
+                result.tangent[m].col(t) = d_rotated_d_omega(values.rotation_rad, there.positions_m[m].col(t)).col(static_cast<Eigen::Index>(parameter.index));
+    } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
+        const ObservationError error = affected_trial(study, index, values).seen;
+        const MarkerTracks tracks = observe(there.trace, study.markers, motion_times(trial, error, values.start_shift_s[index]));
+        const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
+        result.tangent = seen_tangents(error, tracks.velocities, trial.measured.time_s);
+        for (Matrix3Xd& marker : result.tangent) marker = by_displacement(study) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
+    } else if (parameter.kind == Kind::effect || moves_the_body(parameter, index)) {
+        if (parameter.kind == Kind::effect && !acts_on(effect_site(study, index), values.effects[parameter.index].parameters)) return result;
+        StudyValues changed = values;
+        const double step = difference_step(parameter, value_of(parameter, values));
+        set_value(parameter, value_of(parameter, values) + step, changed);
+        const bool seen_only = parameter.kind == Kind::effect && is_seen_only(values.effects[parameter.index]);
+        const TrialPrediction other = seen_only ? observe_trial(study, index, changed, there.trace) : predict_trial(study, index, changed, {}, progress);
+        result.status = other.status;
+        result.message = other.message;
+        if (!other.ok()) return result;
+        for (std::size_t m = 0; m < result.tangent.size(); ++m) result.tangent[m] = (other.residual_m[m] - there.residual_m[m]) / step;
+    }
     return result;
 }
 

@@ -70,6 +70,18 @@ TrialPrediction predict_trial(const Study& study, std::size_t trial, const Study
 /// The same of a motion that was run before with values that move the body alike: how it is seen, no trace kept.
 TrialPrediction observe_trial(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace);
 
+/// Derivative of a trial's residual by one number, per marker, beside a prediction with the same values and its trace: exact for numbers that
+/// only move what is seen, otherwise from the difference to one more run.
+struct ResidualTangent {
+    RunStatus status = RunStatus::not_run;
+    std::string message;
+    std::vector<Eigen::Matrix3Xd> tangent;
+
+    bool ok() const { return status == RunStatus::complete; }
+};
+ResidualTangent residual_tangent(const Study& study, std::size_t trial, const StudyValues& values, const StudyParameter& parameter,
+                                 const TrialPrediction& there, const Progress& progress = {});
+
 /// Root mean square over all compared coordinates [m]; NaN when there are none.
 double rms(const std::vector<Eigen::Matrix3Xd>& residual_m);
 

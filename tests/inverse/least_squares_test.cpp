@@ -65,6 +65,34 @@ TEST(LeastSquares, RunsTheModelOncePerPoint) {
     EXPECT_LT(report.cost_after, report.cost_before);
 }
 
+/// Asked for apart, few Jacobians are made, and the end is that of the fit with one at every point: values, deviations and the last Jacobian.
+TEST(LeastSquares, AsksForFewDearJacobians) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const Decay decay = decay_data(seed);
+        const LeastSquaresReport all = fit_least_squares(start, decay);
+        int jacobians = 0;
+        const LeastSquaresReport report = fit_least_squares(
+            start,
+            [&](const Eigen::VectorXd& p, const Progress&) {
+                ResidualEvaluation e = decay(p);
+                e.jacobian.resize(0, 0);
+                return e;
+            },
+            [&](const Eigen::VectorXd& p, const ResidualEvaluation& there, const Progress&) {
+                ++jacobians;
+                EXPECT_EQ(there.residuals, decay(p).residuals);
+                return decay(p).jacobian;
+            },
+            {}, {});
+        ASSERT_TRUE(report.converged()) << report.message;
+        EXPECT_EQ(report.jacobians, jacobians);
+        EXPECT_LE(jacobians, all.evaluations / 2 + 1);
+        EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.01);
+        EXPECT_LT((report.deviations - all.deviations).cwiseQuotient(all.deviations).norm(), 1e-3);
+        EXPECT_LT((report.jacobian - decay(report.values).jacobian).norm(), 1e-12 * report.jacobian.norm());
+    }
+}
+
 TEST(LeastSquares, StaysWithinBounds) {
     const Decay decay = decay_data(4);
     std::vector<Parameter> bounded = start;
