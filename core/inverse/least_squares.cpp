@@ -50,8 +50,9 @@ double internal_value(const Parameter& p, double value) { return p.over_decades 
 double physical_value(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::expm1(internal) : internal * p.scale; }
 double physical_slope(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::exp(internal) : p.scale; }
 
-/// A secant is trusted for the next step where the last Jacobian foretold the change of the residuals to this share of it.
-constexpr double trusted_secant = 0.3;
+/// A secant is trusted for the next step where the last Jacobian foretold the change of the residuals to this share of it; a fit's end, where
+/// the last that was asked for did to this one.
+constexpr double trusted_secant = 0.3, trusted_end = 0.1;
 
 /// Evaluates once per point: Ceres asks first for residuals, then, when it accepts the step, for the Jacobian.
 class Evaluator {
@@ -64,23 +65,39 @@ public:
     const ResidualEvaluation& with_jacobian(const VectorXd& values, bool exact = false) {
         ResidualEvaluation& evaluation = entry(values);
         const bool has = evaluation.jacobian.size() > 0;
-        if (!evaluation.ok || !jacobian_ || (has && (!exact || exact_at_ == values))) return evaluation;
+        if (!evaluation.ok || !jacobian_ || (has && (!exact || was_asked(values)))) return evaluation;
         MatrixXd J = exact ? MatrixXd() : secant(values, evaluation.residuals);
+        const bool asks = J.size() == 0;
         if (J.size() == 0) {
             J = jacobian_(values, evaluation, progress_.with_sink({}));
             ++report_.jacobians;
-            exact_at_ = values;
         }
         if (J.size() == 0 || !J.allFinite()) return progress_.cancelled() ? stopped_ : no_derivatives_;
         evaluation.jacobian = std::move(J);
         last_ = {values, evaluation};
+        if (asks) asked_ = last_;
         if (values == report_.values) best_ = evaluation;
         return evaluation;
     }
 
     const ResidualEvaluation& at(const VectorXd& values) { return entry(values); }
 
-    bool is_exact_at(const VectorXd& values) const { return exact_at_ == values; }
+    /// Takes a Jacobian as if it were a secant.
+    void adopt(const VectorXd& values, const MatrixXd& J) {
+        ResidualEvaluation& evaluation = entry(values);
+        if (!evaluation.ok) return;
+        evaluation.jacobian = J;
+        last_ = {values, evaluation};
+        best_ = evaluation;
+    }
+
+    /// The Jacobian that was asked for last holds where the best values are.
+    bool knows_the_end() const {
+        if (was_asked(report_.values)) return true;
+        if (asked_.values.size() == 0) return false;
+        const VectorXd change = best_.residuals - asked_.evaluation.residuals;
+        return surprise(asked_, report_.values, best_.residuals).norm() < trusted_end * change.norm();
+    }
 
     /// The evaluation with the least cost so far; where its Jacobian was not asked for, with the nearest to it.
     ResidualEvaluation best() const {
@@ -115,16 +132,23 @@ private:
         return u;
     }
 
+    bool was_asked(const VectorXd& values) const { return asked_.values.size() > 0 && asked_.values == values; }
+
+    /// How far the residuals are from what the Jacobian at a point foretells.
+    VectorXd surprise(const Point& from, const VectorXd& values, const VectorXd& residuals) const {
+        const VectorXd u = internal(from.values);
+        return residuals - from.evaluation.residuals - from.evaluation.jacobian * slopes(u.data()).cwiseProduct(internal(values) - u);
+    }
+
     /// The last Jacobian turned so that it explains the step from there; empty where it foretold that step badly.
     MatrixXd secant(const VectorXd& values, const VectorXd& residuals) const {
         if (last_.values.size() == 0) return {};
         const VectorXd u = internal(last_.values), step = internal(values) - u;
-        const VectorXd change = residuals - last_.evaluation.residuals;
+        const VectorXd missed = surprise(last_, values, residuals);
+        if (!(missed.norm() < trusted_secant * (residuals - last_.evaluation.residuals).norm())) return {};
         const MatrixXd J = last_.evaluation.jacobian * slopes(u.data()).asDiagonal();
-        const VectorXd surprise = change - J * step;
-        if (!(surprise.norm() < trusted_secant * change.norm())) return {};
         const VectorXd slope = slopes(internal(values).data());
-        return (J + surprise * step.transpose() / step.squaredNorm()) * slope.cwiseInverse().asDiagonal();
+        return (J + missed * step.transpose() / step.squaredNorm()) * slope.cwiseInverse().asDiagonal();
     }
 
     ResidualEvaluation& entry(const VectorXd& values) {
@@ -172,7 +196,7 @@ private:
     ResidualEvaluation best_;
     std::vector<Point> cache_;
     Point last_;            // where the last Jacobian was given
-    VectorXd exact_at_;     // where the last one was asked for
+    Point asked_;           // where one was last asked for
     ResidualEvaluation stopped_{false, "stopped by the user", {}, {}};
     ResidualEvaluation no_derivatives_{false, "the model could not be run beside these values", {}, {}};
 };
@@ -282,7 +306,9 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     std::vector<double> internal;
     for (const Parameter& parameter : parameters) internal.push_back(internal_value(parameter, parameter.value));
 
-    const ResidualEvaluation first = evaluator.with_jacobian(evaluator.physical(internal.data()), true);
+    const VectorXd origin = evaluator.physical(internal.data());
+    if (jacobian && options.jacobian_guess.size() > 0) evaluator.adopt(origin, options.jacobian_guess);
+    const ResidualEvaluation first = evaluator.with_jacobian(origin);
     set_covariance(parameters, first, report);
     if (!first.ok) {
         report.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
@@ -305,7 +331,7 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
         }
         report.status = end == ceres::CONVERGENCE ? FitStatus::converged : FitStatus::not_converged;
         if (report.converged()) report.message.clear();
-        if (!jacobian || !report.converged() || evaluator.is_exact_at(report.values)) break;
+        if (!jacobian || !report.converged() || evaluator.knows_the_end()) break;
         if (!evaluator.with_jacobian(report.values, true).ok || before - report.cost_after <= options.relative_decrease * before) break;
         for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = internal_value(parameters[i], report.values(static_cast<Eigen::Index>(i)));
     }

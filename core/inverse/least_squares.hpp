@@ -58,7 +58,7 @@ struct LeastSquaresReport {
     Eigen::MatrixXd correlation;      // n x n
     double cost_before = 0.0;
     double cost_after = 0.0;
-    Eigen::MatrixXd jacobian;         // m x n at the values; exact unless the fit ended early
+    Eigen::MatrixXd jacobian;         // m x n at the values, or near them where it was asked for apart
     int evaluations = 0;              // complete ones
     int jacobians = 0;                // asked for apart
     std::vector<FitIterate> history;  // every complete evaluation, in order
@@ -72,6 +72,7 @@ struct LeastSquaresOptions {
     int max_evaluations = 60;
     double relative_decrease = 1e-6;  // of the cost, below which it has converged
     double relative_step = 1e-6;      // of the parameters
+    Eigen::MatrixXd jacobian_guess;   // m x n at the start, about; saves asking for one there. Empty: none
 };
 
 /// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per evaluation.
@@ -85,8 +86,9 @@ struct LeastSquaresOptions {
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const LeastSquaresOptions& options = {}, const Progress& progress = {});
 
-/// The same for Jacobians that are dear: `residuals` leaves them out, and the fit asks for one at the start, one at the end, and one wherever
-/// the last, turned by the secants of the steps since, foretells a step badly.
+/// The same for Jacobians that are dear: `residuals` leaves them out, and the fit asks for one at the start, and for one wherever the last,
+/// turned by the secants of the steps since, foretells a step badly; at the end, where the last one that was asked for did not foretell the
+/// way from there to a tenth.
 ///
 /// Source: Broyden 1965, Math. Comp. 19; Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares problems, 3.4.
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian,

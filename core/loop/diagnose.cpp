@@ -22,9 +22,11 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// The numerical error is taken off predictions by a mesh of so many unknowns, within these ratios of the edge.
-constexpr double fine_unknowns = 12000.0, finest_ratio = 0.5, coarsest_ratio = 0.75;
+constexpr double fine_unknowns = 8000.0, finest_ratio = 0.5, coarsest_ratio = 0.75;
 /// The step is doubled for all that follows when that changes the predictions by less, in units of the noise.
-constexpr double step_doubt = 0.5;
+constexpr double step_doubt = 1.0;
+/// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
+constexpr double solver_tolerance = 1e-6;
 /// Evaluations of a candidate's fit before the best go on, and of those that do.
 constexpr int first_evaluations = 6, more_evaluations = 24;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best.
@@ -44,7 +46,9 @@ std::string study_words(const Study& study) {
 class Work {
 public:
     Work(const Study& study, const DiagnoseSettings& settings, const Progress& progress, const std::function<void(const Diagnosis&)>& live)
-        : study_(study), serial_(study), progress_(progress), live_(live) {
+        : study_(study), serial_(study_), progress_(progress), live_(live) {
+        for (StudyTrial& trial : study_.trials) trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
+        serial_ = study_;
         study_.settings.derivatives = serial_.settings.derivatives = Derivatives::differences;
         serial_.settings.threads = 1;
         result_.settings = settings;
@@ -93,10 +97,10 @@ private:
 
     int fit_count() const { return static_cast<int>(result_.data.trials.size()); }
 
-    JointFit fit(const Study& study, const StudyValues& start, int evaluations, const Progress& progress) {
+    JointFit fit(const Study& study, const StudyValues& start, int evaluations, const KnownDerivatives& known, const Progress& progress) {
         LeastSquaresOptions options;
         options.max_evaluations = evaluations;
-        options.relative_decrease = 1e-5;
+        options.relative_decrease = 1e-4;   // of a sum of thousands of squares: a quarter of a standard deviation, and the step before was larger
         options.relative_step = 1e-5;
         const std::vector<StudyParameter> parameters = joint_parameters(study, start);
         std::string key = std::to_string(evaluations) + (result_.data.shift.empty() ? "" : " shifted");
@@ -107,7 +111,7 @@ private:
             for (std::size_t i = 0; i < parameters.size(); ++i) set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
             options.max_evaluations = 0;
         }
-        JointFit fit = joint_fit(study, result_.data, from, options, progress);
+        JointFit fit = joint_fit(study, result_.data, from, options, known, progress);
         if (!fit.usable() || progress.cancelled()) return fit;
         VectorXd found(static_cast<Index>(parameters.size()));
         for (std::size_t i = 0; i < parameters.size(); ++i) found(static_cast<Index>(i)) = value_of(parameters[i], fit.values);
@@ -124,7 +128,7 @@ private:
         }
         stage("step", 2 * fit_count(), [&] { return lengthen_step(); });
         if (progress_.cancelled()) return false;
-        JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), 30, progress_); });
+        JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), 30, {}, progress_); });
         if (progress_.cancelled()) return false;
         if (!declared.usable()) {
             result_.failure = "the declared model cannot be run: " + declared.report.message;
@@ -169,7 +173,10 @@ private:
             const double ratio = std::clamp(std::cbrt(study_.body->dofs() / fine_unknowns), finest_ratio, coarsest_ratio);
             Result<Study> finer = refined_study(study_, ratio, progress_);
             mesh_failed_ = !finer;
-            if (finer) refined_ = std::make_unique<Study>(std::move(*finer));
+            if (finer) {
+                refined_ = std::make_unique<Study>(std::move(*finer));
+                for (std::size_t t = 0; t < study_.trials.size(); ++t) refined_->trials[t].options.h_s = study_.trials[t].options.h_s;
+            }
         }
         return numerical_error(study_, refined_.get(), values, predict_all(fitted), progress_);
     }
@@ -178,7 +185,7 @@ private:
         result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.declared.fit.values); });
         if (progress_.cancelled()) return false;
         result_.data.shift = result_.numerics.shift;
-        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, 6, progress_); });
+        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, 6, derivatives_of(result_.declared.fit), progress_); });
         if (progress_.cancelled()) return false;
         if (again.usable()) result_.declared = judged(result_.data, std::move(again), result_.settings);
         return true;
@@ -191,15 +198,17 @@ private:
     }
 
     /// Fits of these starts beside a fit's effects, the hopeful ones to the end. In the order of the starts; unusable where they failed.
-    std::vector<JudgedFit> fits_from(const std::string& name, const StudyValues& base, const std::vector<EffectDeclaration>& starts) {
+    std::vector<JudgedFit> fits_from(const std::string& name, const JointFit& base, const std::vector<EffectDeclaration>& starts) {
         std::vector<JudgedFit> fits(starts.size());
         std::atomic<int> done{0};
         std::mutex mutex;
+        const KnownDerivatives of_base = derivatives_of(base);
         const auto round = [&](int evaluations, const std::function<bool(std::size_t)>& wanted, const std::function<StudyValues(std::size_t)>& from) {
             parallel_tasks(static_cast<int>(starts.size()), study_.settings.threads, [&](int task) {
                 const auto i = static_cast<std::size_t>(task);
                 if (progress_.cancelled() || !wanted(i)) return;
-                JointFit found = fit(serial_, from(i), evaluations, progress_.with_sink({}));
+                const KnownDerivatives known = fits[i].usable() ? derivatives_of(fits[i].fit) : of_base;
+                JointFit found = fit(serial_, from(i), evaluations, known, progress_.with_sink({}));
                 if (!found.usable() || progress_.cancelled()) return;
                 for (TrialPrediction& prediction : found.predictions) prediction.trace = {};
                 JudgedFit fresh = judged(result_.data, std::move(found), result_.settings);
@@ -210,7 +219,7 @@ private:
             });
         };
         round(first_evaluations, [](std::size_t) { return true; }, [&](std::size_t i) {
-            StudyValues values = base;
+            StudyValues values = base.values;
             values.effects.push_back(starts[i]);
             return values;
         });
@@ -287,7 +296,7 @@ private:
         if (first >= last) return true;
         const std::vector<EffectDeclaration> part(starts.begin() + static_cast<std::ptrdiff_t>(first), starts.begin() + static_cast<std::ptrdiff_t>(last));
         runs_ = 0;
-        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", result_.declared.fit.values, part); });
+        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", result_.declared.fit, part); });
         result_.cost.back().runs += runs_;
         if (progress_.cancelled()) return false;
         for (std::size_t i = 0; i < fits.size(); ++i)
@@ -315,7 +324,7 @@ private:
         std::vector<EffectDeclaration> starts;
         for (const std::size_t i : worth_fitting(scores, result_.settings.pairs)) starts.push_back({scores[i].id, scores[i].start});
         runs_ = 0;
-        std::vector<JudgedFit> fits = stage("refit of pairs", 0, [&] { return fits_from("refit of pairs", base.values, starts); });
+        std::vector<JudgedFit> fits = stage("refit of pairs", 0, [&] { return fits_from("refit of pairs", base, starts); });
         result_.cost.back().runs += runs_;
         if (progress_.cancelled()) return;
         for (JudgedFit& fit : fits)
@@ -347,7 +356,7 @@ private:
         const NumericalError again = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.augmented.fit.values); });
         if (progress_.cancelled()) return;
         result_.data.shift = again.shift;
-        JointFit polished = stage("last fit", 4 * fit_count(), [&] { return fit(study_, result_.augmented.fit.values, 6, progress_); });
+        JointFit polished = stage("last fit", 4 * fit_count(), [&] { return fit(study_, result_.augmented.fit.values, 6, derivatives_of(result_.augmented.fit), progress_); });
         if (progress_.cancelled()) return;
         if (polished.usable()) {
             const double weight = result_.augmented.weight, criterion = result_.augmented.criterion;

@@ -67,6 +67,88 @@ void free_modulus(std::vector<StudyParameter>& parameters) {
         }
 }
 
+/// Residuals of all trials and their derivatives, with the last predictions kept for these.
+class Residuals {
+public:
+    Residuals(const Study& study, const FitData& data, const StudyValues& start, int most_evaluations, JointFit& fit)
+        : study_(study), data_(data), start_(start), most_evaluations_(most_evaluations), fit_(fit), priors_(fit.parameters) {}
+
+    ResidualEvaluation evaluate(const VectorXd& p, const Progress& progress) {
+        if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
+        ResidualEvaluation evaluation;
+        // The solver counts steps, of which it may take back many.
+        if (evaluations_++ > most_evaluations_) {
+            evaluation.message = "no more evaluations are wanted";
+            return evaluation;
+        }
+        const StudyValues values = values_at(fit_.parameters, p, start_);
+        std::vector<PredictionTask> tasks;
+        for (const std::size_t trial : data_.trials) tasks.push_back({trial, &values});
+        predictions_ = predict_trials(study_, tasks, {}, progress);
+        last_at_ = p;
+        for (std::size_t i = 0; i < predictions_.size(); ++i)
+            if (!predictions_[i].ok()) {
+                evaluation.message = "trial " + study_.trials[data_.trials[i]].name + ": " + predictions_[i].message;
+                last_ = evaluation;
+                return evaluation;
+            }
+        evaluation.ok = true;
+        const VectorXd residual = flat_residual(data_, predictions_);
+        evaluation.residuals.resize(residual.size() + priors_.size());
+        evaluation.residuals << residual, priors_.residual(p);
+        if (evaluation.residuals.squaredNorm() < least_) {
+            least_ = evaluation.residuals.squaredNorm();
+            fit_.residual = residual;
+            fit_.values = values;
+            fit_.predictions = predictions_;
+        }
+        last_ = evaluation;
+        return evaluation;
+    }
+
+    /// Columns that are known are taken over; the others take runs, of all trials side by side. Empty: the model could not be run.
+    MatrixXd jacobian(const VectorXd& p, const KnownDerivatives& known, const Progress& progress) {
+        if (last_at_.size() == 0 || p != last_at_) evaluate(p, progress);
+        if (!last_.ok) return {};
+        const StudyValues values = values_at(fit_.parameters, p, start_);
+        const auto trials = data_.trials.size();
+        const auto count = static_cast<Index>(fit_.parameters.size());
+        MatrixXd J(last_.residuals.size(), count);
+        J.bottomRows(priors_.size()) = priors_.jacobian(count);
+        std::vector<Index> wanted;
+        for (Index i = 0; i < count; ++i) {
+            const auto found = std::find(known.names.begin(), known.names.end(), fit_.parameters[static_cast<std::size_t>(i)].parameter.name);
+            if (found == known.names.end()) wanted.push_back(i);
+            else J.col(i).head(known.columns.rows()) = known.columns.col(found - known.names.begin());
+        }
+        std::vector<ResidualTangent> tangents(trials * wanted.size());
+        parallel_tasks(static_cast<int>(tangents.size()), study_.settings.threads, [&](int task) {
+            const auto k = static_cast<std::size_t>(task), t = k % trials;
+            tangents[k] = residual_tangent(study_, data_.trials[t], values, fit_.parameters[static_cast<std::size_t>(wanted[k / trials])], predictions_[t], progress);
+        });
+        for (std::size_t k = 0; k < wanted.size(); ++k) {
+            std::vector<const ResidualTangent*> of_trials;
+            for (std::size_t t = 0; t < trials; ++t) of_trials.push_back(&tangents[k * trials + t]);
+            if (!std::all_of(of_trials.begin(), of_trials.end(), [](const ResidualTangent* tangent) { return tangent->ok(); })) return {};
+            J.col(wanted[k]).head(data_.layout.size()) = flat_tangent(data_, of_trials);
+        }
+        return J;
+    }
+
+private:
+    const Study& study_;
+    const FitData& data_;
+    const StudyValues& start_;
+    int most_evaluations_;
+    JointFit& fit_;
+    Priors priors_;
+    double least_ = std::numeric_limits<double>::infinity();
+    int evaluations_ = 0;
+    VectorXd last_at_;
+    ResidualEvaluation last_;                    // there
+    std::vector<TrialPrediction> predictions_;   // and these
+};
+
 }  // namespace
 
 std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start) {
@@ -79,75 +161,35 @@ std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValu
     return parameters;
 }
 
-JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const Progress& progress) {
+void KnownDerivatives::add(const std::string& name, const VectorXd& column) {
+    names.push_back(name);
+    columns.conservativeResize(column.size(), static_cast<Index>(names.size()));
+    columns.rightCols(1) = column;
+}
+
+KnownDerivatives derivatives_of(const JointFit& fit) {
+    KnownDerivatives known;
+    for (const StudyParameter& p : fit.parameters) known.names.push_back(p.parameter.name);
+    known.columns = fit.jacobian;
+    return known;
+}
+
+JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const KnownDerivatives& known,
+                   const Progress& progress) {
     const Stopwatch watch;
     JointFit fit;
     fit.parameters = joint_parameters(study, start);
     fit.values = start;
-    const Priors priors(fit.parameters);
-    const auto count = static_cast<Index>(fit.parameters.size());
-    double least = std::numeric_limits<double>::infinity();
-    int evaluations = 0;
-    std::vector<TrialPrediction> last;   // of the last evaluation
-    VectorXd last_at;
-    const auto evaluate = [&](const VectorXd& p, const Progress& inner) {
-        ResidualEvaluation evaluation;
-        // The solver counts steps, of which it may take back many.
-        if (evaluations++ > options.max_evaluations) {
-            evaluation.message = "no more evaluations are wanted";
-            return evaluation;
-        }
-        const StudyValues values = values_at(fit.parameters, p, start);
-        std::vector<PredictionTask> tasks;
-        for (const std::size_t trial : data.trials) tasks.push_back({trial, &values});
-        last = predict_trials(study, tasks, {}, inner);
-        last_at = p;
-        for (std::size_t i = 0; i < last.size(); ++i)
-            if (!last[i].ok()) {
-                evaluation.message = "trial " + study.trials[data.trials[i]].name + ": " + last[i].message;
-                return evaluation;
-            }
-        evaluation.ok = true;
-        const VectorXd residual = flat_residual(data, last);
-        evaluation.residuals.resize(residual.size() + priors.size());
-        evaluation.residuals << residual, priors.residual(p);
-        if (evaluation.residuals.squaredNorm() < least) {
-            least = evaluation.residuals.squaredNorm();
-            fit.residual = residual;
-            fit.values = values;
-            fit.predictions = last;
-        }
-        return evaluation;
-    };
-    const auto derive = [&](const VectorXd& p, const ResidualEvaluation&, const Progress& inner) -> MatrixXd {
-        const StudyValues values = values_at(fit.parameters, p, start);
-        if (p != last_at) {
-            std::vector<PredictionTask> again;
-            for (const std::size_t trial : data.trials) again.push_back({trial, &values});
-            last = predict_trials(study, again, {}, inner);
-            last_at = p;
-        }
-        const auto trials = data.trials.size();
-        std::vector<ResidualTangent> tangents(trials * fit.parameters.size());
-        parallel_tasks(static_cast<int>(tangents.size()), study.settings.threads, [&](int task) {
-            const auto k = static_cast<std::size_t>(task);
-            tangents[k] = residual_tangent(study, data.trials[k % trials], values, fit.parameters[k / trials], last[k % trials], inner);
-        });
-        MatrixXd J(fit.residual.size() + priors.size(), count);
-        for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-            std::vector<const ResidualTangent*> of_trials;
-            for (std::size_t t = 0; t < trials; ++t) {
-                of_trials.push_back(&tangents[i * trials + t]);
-                if (!of_trials.back()->ok()) return {};
-            }
-            J.col(static_cast<Index>(i)).head(fit.residual.size()) = flat_tangent(data, of_trials);
-        }
-        J.bottomRows(priors.size()) = priors.jacobian(count);
-        return J;
-    };
+    Residuals residuals(study, data, start, options.max_evaluations, fit);
     std::vector<Parameter> parameters;
     for (const StudyParameter& p : fit.parameters) parameters.push_back(p.parameter);
-    fit.report = fit_least_squares(parameters, evaluate, derive, options, progress);
+    VectorXd origin(static_cast<Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i) origin(static_cast<Index>(i)) = parameters[i].value;
+    LeastSquaresOptions informed = options;
+    if (!known.names.empty()) informed.jacobian_guess = residuals.jacobian(origin, known, progress);
+    fit.report = fit_least_squares(
+        parameters, [&](const VectorXd& p, const Progress& inner) { return residuals.evaluate(p, inner); },
+        [&](const VectorXd& p, const ResidualEvaluation&, const Progress& inner) { return residuals.jacobian(p, {}, inner); }, informed, progress);
     if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
     fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(study.experiment.effects.size()), fit.values.effects.end());
     fit.seconds = watch.seconds();

@@ -26,11 +26,22 @@ struct JointFit {
     double squares() const { return residual.squaredNorm(); }
 };
 
+/// Derivatives of a flat residual by numbers, near where a fit starts.
+struct KnownDerivatives {
+    std::vector<std::string> names;   // of the numbers
+    Eigen::MatrixXd columns;          // N x names
+
+    void add(const std::string& name, const Eigen::VectorXd& column);
+};
+KnownDerivatives derivatives_of(const JointFit& fit);
+
 /// Levenberg-Marquardt on the data from `start`, whose effects beyond those of the experiment are fitted, too.
 ///
 /// study.settings.threads trials side by side. Effects' vectors are held near their start by a weak prior of ten times their scale: the
 /// data see a place on a surface in two directions only.
-JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const Progress& progress);
+/// What is known of the derivatives there saves runs.
+JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const KnownDerivatives& known,
+                   const Progress& progress);
 
 /// The declared parameters' and the tried effects' ones. Without a tried effect the modulus may leave its tolerance.
 std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start);
