@@ -8,8 +8,8 @@ sanitize=$root/build-sanitize
 both=$root/build-both
 jobs=2
 
-# The modules that read files and hold the arithmetic, without long simulations.
-sanitized=(base solver mesh fem material fibre model measurement report project)
+# The modules that hold the arithmetic and read meshes and traces, without long simulations and what is built on them.
+sanitized=(base solver diagnosis mesh fem material fibre model measurement report)
 
 export OPENBLAS_NUM_THREADS=1
 # Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks. Mesa does, hence no window here.

@@ -91,6 +91,9 @@ public:
         best_ = evaluation;
     }
 
+    /// The best values have a Jacobian that was asked for, or that the residuals brought.
+    bool asked_at_the_end() const { return !jacobian_ || was_asked(report_.values); }
+
     /// The Jacobian that was asked for last holds where the best values are.
     bool knows_the_end() const {
         if (was_asked(report_.values)) return true;
@@ -226,15 +229,18 @@ private:
     Evaluator& evaluator_;
 };
 
-class StopWhenCancelled final : public ceres::IterationCallback {
+/// Ends a descent that is cancelled, and one whose step along a secant did not help: an exact Jacobian is to be asked for.
+class DescentWatch final : public ceres::IterationCallback {
 public:
-    explicit StopWhenCancelled(const Progress& progress) : progress_(progress) {}
-    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-        return progress_.cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    DescentWatch(const Progress& progress, const Evaluator& evaluator) : progress_(progress), evaluator_(evaluator) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+        if (progress_.cancelled()) return ceres::SOLVER_ABORT;
+        return step.step_is_successful || evaluator_.asked_at_the_end() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
     }
 
 private:
     const Progress& progress_;
+    const Evaluator& evaluator_;
 };
 
 /// Deviations and correlations from J'J, in units of the parameters' scales to be well conditioned.
@@ -275,8 +281,8 @@ ceres::TerminationType descend(Evaluator& evaluator, int residuals, const LeastS
     settings.gradient_tolerance = 1e-12;
     settings.initial_trust_region_radius = 1e4;
     settings.num_threads = 1;
-    StopWhenCancelled stop(progress);
-    settings.callbacks.push_back(&stop);
+    DescentWatch watch(progress, evaluator);
+    settings.callbacks.push_back(&watch);
     ceres::Solver::Summary summary;
     FLAGS_minloglevel = google::GLOG_FATAL;   // Ceres prints whole residual vectors where a model could not be run; the report says it
     ceres::Solve(settings, &problem, &summary);
@@ -286,7 +292,7 @@ ceres::TerminationType descend(Evaluator& evaluator, int residuals, const LeastS
 
 /// A descent along secants may end where they lead nowhere though the cost falls: it starts again from there with the exact Jacobian
 /// until that finds no more than the tolerance, or so many times.
-constexpr int most_descents = 4;
+constexpr int most_descents = 8;
 
 }  // namespace
 
@@ -331,8 +337,10 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
         }
         report.status = end == ceres::CONVERGENCE ? FitStatus::converged : FitStatus::not_converged;
         if (report.converged()) report.message.clear();
-        if (!jacobian || !report.converged() || evaluator.knows_the_end()) break;
-        if (!evaluator.with_jacobian(report.values, true).ok || before - report.cost_after <= options.relative_decrease * before) break;
+        const bool interrupted = end == ceres::USER_SUCCESS;
+        if (!jacobian || !(report.converged() || interrupted) || (report.converged() && evaluator.knows_the_end())) break;
+        if (!evaluator.with_jacobian(report.values, true).ok) break;
+        if (!interrupted && before - report.cost_after <= options.relative_decrease * before) break;
         for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = internal_value(parameters[i], report.values(static_cast<Eigen::Index>(i)));
     }
     const ResidualEvaluation best = evaluator.best();

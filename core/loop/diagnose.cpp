@@ -34,6 +34,8 @@ constexpr double hopeful = 4.0;
 /// A probe that takes away less of the residual is not worth a fit; nor is one that takes away less than this share of what the best does,
 /// once the best has been found to explain all.
 constexpr double least_explained = 0.02, worth_beside_best = 0.4;
+/// A fit that leaves less than this share of the declared one's squares is nearer to the truth than that.
+constexpr double far_better = 0.3;
 /// So many candidates are fitted before anything is concluded.
 constexpr std::size_t first_fits = 3;
 
@@ -41,6 +43,13 @@ std::string study_words(const Study& study) {
     return study.experiment.name + ", " + to_string(study.mesh.element) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
            std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator);
 }
+
+/// Where a candidate's fit starts.
+struct CandidateStart {
+    EffectDeclaration effect;
+    VectorXd step;                       // of the base's own parameters
+};
+CandidateStart start_of(const EffectScore& score) { return {{score.id, score.start}, score.step}; }
 
 /// A diagnosis on its way.
 class Work {
@@ -198,7 +207,7 @@ private:
     }
 
     /// Fits of these starts beside a fit's effects, the hopeful ones to the end. In the order of the starts; unusable where they failed.
-    std::vector<JudgedFit> fits_from(const std::string& name, const JointFit& base, const std::vector<EffectDeclaration>& starts) {
+    std::vector<JudgedFit> fits_from(const std::string& name, const JointFit& base, const std::vector<CandidateStart>& starts) {
         std::vector<JudgedFit> fits(starts.size());
         std::atomic<int> done{0};
         std::mutex mutex;
@@ -215,12 +224,17 @@ private:
                 const std::lock_guard<std::mutex> lock(mutex);
                 runs_ += fresh.fit.runs(fit_count());
                 if (!fits[i].usable() || fresh.fit.squares() < fits[i].fit.squares()) fits[i] = std::move(fresh);
-                progress_.report({name, static_cast<double>(++done), 2.0 * static_cast<double>(starts.size()), "fits", starts[i].id});
+                progress_.report({name, static_cast<double>(++done), 2.0 * static_cast<double>(starts.size()), "fits", starts[i].effect.id});
             });
         };
         round(first_evaluations, [](std::size_t) { return true; }, [&](std::size_t i) {
             StudyValues values = base.values;
-            values.effects.push_back(starts[i]);
+            for (std::size_t p = 0; p < base.parameters.size() && starts[i].step.size() > 0; ++p) {
+                const StudyParameter& own = base.parameters[p];
+                const double moved = value_of(own, base.values) + starts[i].step(static_cast<Index>(p));
+                set_value(own, std::clamp(moved, own.parameter.lower, own.parameter.upper), values);
+            }
+            values.effects.push_back(starts[i].effect);
             return values;
         });
         double best = std::numeric_limits<double>::infinity();
@@ -276,9 +290,9 @@ private:
         for (const auto& [id, i] : best_probe) result_.candidates.push_back({scores[i], adjusted[i], {}, {}});
         order_by_criterion(result_.data, result_.declared, result_.candidates);
         show();
-        std::vector<EffectDeclaration> starts;
-        for (const std::size_t i : chosen) starts.push_back({scores[i].id, scores[i].start});
-        if (!refit(starts, 0, std::min(first_fits, starts.size()))) return false;
+        std::vector<CandidateStart> starts;
+        for (const std::size_t i : chosen) starts.push_back(start_of(scores[i]));
+        if (!refit(starts, 0, std::min(first_fits, starts.size())) || !correct_the_best()) return false;
         std::size_t last = starts.size();
         if (!result_.candidates.empty() && result_.candidates.front().judged &&
             explains(*result_.candidates.front().judged, result_.declared, result_.data, result_.numerics)) {
@@ -291,17 +305,49 @@ private:
         return true;
     }
 
+    /// The numerical error was found with the declared fit, whose motion may be far off: where the best candidate explains most but not all, it is
+    /// found anew with that.
+    bool correct_the_best() {
+        if (result_.candidates.empty() || !result_.candidates.front().judged) return true;
+        JudgedFit& best = *result_.candidates.front().judged;
+        if (explains(best, result_.declared, result_.data, result_.numerics) || best.fit.squares() > far_better * result_.declared.fit.squares()) return true;
+        return corrected(best);
+    }
+
+    bool is_corrected(const JudgedFit& judged_fit) const {
+        const std::vector<EffectDeclaration>& effects = judged_fit.fit.values.effects;
+        return !effects.empty() && std::equal(effects.begin(), effects.end(), corrected_at_.begin(), corrected_at_.end(), [](const EffectDeclaration& a, const EffectDeclaration& b) {
+            return effect_words(a) == effect_words(b);
+        });
+    }
+
+    /// The numerical error at a fit, and the fit with it.
+    bool corrected(JudgedFit& judged_fit) {
+        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(judged_fit.fit.values); });
+        if (progress_.cancelled()) return false;
+        result_.data.shift = result_.numerics.shift;
+        JointFit again = stage("last fit", 4 * fit_count(), [&] { return fit(study_, judged_fit.fit.values, 12, derivatives_of(judged_fit.fit), progress_); });
+        if (progress_.cancelled()) return false;
+        if (!again.usable()) return true;
+        const double weight = judged_fit.weight, criterion = judged_fit.criterion;
+        judged_fit = judged(result_.data, std::move(again), result_.settings);
+        judged_fit.weight = weight;
+        judged_fit.criterion = criterion;
+        corrected_at_ = judged_fit.fit.values.effects;
+        return true;
+    }
+
     /// Fits the candidates first ... last of the starts.
-    bool refit(const std::vector<EffectDeclaration>& starts, std::size_t first, std::size_t last) {
+    bool refit(const std::vector<CandidateStart>& starts, std::size_t first, std::size_t last) {
         if (first >= last) return true;
-        const std::vector<EffectDeclaration> part(starts.begin() + static_cast<std::ptrdiff_t>(first), starts.begin() + static_cast<std::ptrdiff_t>(last));
+        const std::vector<CandidateStart> part(starts.begin() + static_cast<std::ptrdiff_t>(first), starts.begin() + static_cast<std::ptrdiff_t>(last));
         runs_ = 0;
         std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", result_.declared.fit, part); });
         result_.cost.back().runs += runs_;
         if (progress_.cancelled()) return false;
         for (std::size_t i = 0; i < fits.size(); ++i)
             for (Candidate& candidate : result_.candidates)
-                if (candidate.score.id == part[i].id && fits[i].usable()) candidate.judged = std::move(fits[i]);
+                if (candidate.score.id == part[i].effect.id && fits[i].usable()) candidate.judged = std::move(fits[i]);
         order_by_criterion(result_.data, result_.declared, result_.candidates);
         return true;
     }
@@ -321,8 +367,8 @@ private:
             return score_effects(study_, result_.data, base, [&](const std::string& id) { return id != first_id && allowed(id); }, progress_);
         });
         if (progress_.cancelled()) return;
-        std::vector<EffectDeclaration> starts;
-        for (const std::size_t i : worth_fitting(scores, result_.settings.pairs)) starts.push_back({scores[i].id, scores[i].start});
+        std::vector<CandidateStart> starts;
+        for (const std::size_t i : worth_fitting(scores, result_.settings.pairs)) starts.push_back(start_of(scores[i]));
         runs_ = 0;
         std::vector<JudgedFit> fits = stage("refit of pairs", 0, [&] { return fits_from("refit of pairs", base, starts); });
         result_.cost.back().runs += runs_;
@@ -353,18 +399,8 @@ private:
             result_.after = result_.before;
             return;
         }
-        const NumericalError again = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.augmented.fit.values); });
-        if (progress_.cancelled()) return;
-        result_.data.shift = again.shift;
-        JointFit polished = stage("last fit", 4 * fit_count(), [&] { return fit(study_, result_.augmented.fit.values, 6, derivatives_of(result_.augmented.fit), progress_); });
-        if (progress_.cancelled()) return;
-        if (polished.usable()) {
-            const double weight = result_.augmented.weight, criterion = result_.augmented.criterion;
-            result_.augmented = judged(result_.data, std::move(polished), result_.settings);
-            result_.augmented.weight = weight;
-            result_.augmented.criterion = criterion;
-            if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
-        }
+        if (!is_corrected(result_.augmented) && !corrected(result_.augmented)) return;
+        if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
         result_.after = scored(result_.augmented.fit.values, predict_all(result_.augmented.fit.values));
     }
 
@@ -375,6 +411,7 @@ private:
     std::unique_ptr<FitStore> store_;
     std::unique_ptr<Study> refined_;
     bool mesh_failed_ = false;
+    std::vector<EffectDeclaration> corrected_at_;   // effects of the fit at which the numerical error was last found
     int runs_ = 0;
     Diagnosis result_;
 };

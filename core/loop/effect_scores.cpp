@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/throttle.hpp"
+#include "diagnosis/bounded_step.hpp"
 #include "effect/catalogue.hpp"
 #include "loop/marker_scan.hpp"
 #include "loop/peak_energy.hpp"
@@ -47,15 +49,50 @@ bool scaled(const Effect& effect, const EffectProbe& probe, double multiple, Eff
     return true;
 }
 
-void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& outside, const FitData& data, const MatrixXd& S, EffectScore& score) {
+/// An effect that would be larger than so many times the residual, and taken back by other numbers, is not told from a linear step.
+constexpr double most_over_residual = 2.0;
+
+/// How far a probe may be multiplied: amounts keep their sign and bounds.
+struct Range {
+    double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
+};
+Range multiples_of(const Probe& probe) {
+    if (probe.probe.joined) return {};
+    const EffectParameterEntry& entry = *probe.effect->parameter(probe.probe.amount);
+    const double amount = amount_of(probe.probe);
+    if (entry.lowest < 0.0) return {entry.lowest / std::abs(amount), entry.highest / std::abs(amount)};
+    return {0.0, probe.probe.reciprocal ? amount / entry.lowest : entry.highest / amount};
+}
+
+/// The fit's parameters and the candidate together take the best step within their bounds: a modulus at the edge of its tolerance does not
+/// stand in for what is missing.
+void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& outside, const FitData& data, const JointFit& fit, const MatrixXd& S, EffectScore& score) {
     score.candidate = project_candidate(nuisance, S);
     score.test = score_test(score.candidate, outside, data.layout);
     if (score.candidate.rank() == 0) return;
-    // The residual is prediction less measurement, so what has to be added to the prediction is minus the step of the test.
-    const VectorXd multiples = -score.test.step;
+    const Index own = fit.jacobian.cols();
+    MatrixXd A(S.rows(), own + S.cols());
+    A << fit.jacobian, S;
+    const Range range = multiples_of(probe);
+    VectorXd lower(A.cols()), upper(A.cols());
+    for (Index c = 0; c < S.cols(); ++c) {
+        const double most = most_over_residual * fit.residual.norm() / std::max(S.col(c).norm(), std::numeric_limits<double>::min());
+        lower(own + c) = std::max(range.lowest, -most);
+        upper(own + c) = std::min(range.highest, most);
+    }
+    for (Index i = 0; i < own; ++i) {
+        const StudyParameter& p = fit.parameters[static_cast<std::size_t>(i)];
+        const double value = value_of(p, fit.values);
+        lower(i) = std::min(0.0, p.parameter.lower - value);
+        upper(i) = std::max(0.0, p.parameter.upper - value);
+    }
+    const VectorXd step = bounded_step(A, fit.residual, lower, upper), multiples = step.tail(S.cols());
+    score.step = step.head(own);
+    const VectorXd alone = bounded_step(fit.jacobian, fit.residual, lower.head(own), upper.head(own));
+    const double without = (fit.residual + fit.jacobian * alone).squaredNorm(), with = (fit.residual + A * step).squaredNorm();
     const bool possible = probe.probe.joined ? multiples.allFinite() : scaled(*probe.effect, probe.probe, multiples(0), score.start);
     if (possible && probe.probe.joined) score.start = probe.probe.joined(probe.probe.columns, multiples);
-    if (!possible) score.test.explained = 0.0;
+    score.test.explained = possible && without > 0.0 ? std::max(0.0, 1.0 - with / without) : 0.0;
     score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
 }
 
@@ -124,7 +161,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
     }
     parallel_tasks(static_cast<int>(probes.size()), study.settings.threads, [&](int task) {
         const auto p = static_cast<std::size_t>(task);
-        if (scores[p].failure.empty()) finish(probes[p], nuisance, outside, data, S[p], scores[p]);
+        if (scores[p].failure.empty()) finish(probes[p], nuisance, outside, data, fit, S[p], scores[p]);
     });
     for (EffectScore& score : scan_markers(study, data, fit, nuisance, allowed)) scores.push_back(std::move(score));
     return scores;

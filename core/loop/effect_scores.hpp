@@ -15,7 +15,8 @@ struct EffectScore {
     std::string id;
     EffectParameters start;              // parameters that explain the residual best to first order
     ProjectedCandidate candidate;
-    ScoreTest test;
+    ScoreTest test;                      // explained: of the residual, with all numbers within their bounds
+    Eigen::VectorXd step;                // of the fit's own parameters, that goes with it
     Eigen::VectorXd predicted;           // N: the part of the residual it would take away
     double seconds = 0.0;                // its runs took, added up
     std::string failure;                 // why it could not be tried; empty when it was

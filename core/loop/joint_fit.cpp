@@ -57,16 +57,6 @@ void bound_places(const Study& study, std::vector<StudyParameter>& parameters) {
         }
 }
 
-/// A model that lacks an effect may need a modulus that the material cannot have; held at the edge of its tolerance, it would leave a residual
-/// that the modulus takes away, and hide the effect's own. With an effect in, the modulus has to be what was declared.
-void free_modulus(std::vector<StudyParameter>& parameters) {
-    for (StudyParameter& p : parameters)
-        if (p.kind == StudyParameter::Kind::youngs_modulus) {
-            p.parameter.lower = 0.2 * p.parameter.value;
-            p.parameter.upper = 5.0 * p.parameter.value;
-        }
-}
-
 /// Residuals of all trials and their derivatives, with the last predictions kept for these.
 class Residuals {
 public:
@@ -156,7 +146,6 @@ std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValu
     for (std::size_t e = study.experiment.effects.size(); e < start.effects.size(); ++e)
         for (StudyParameter& parameter : effect_study_parameters(start.effects[e], e)) parameters.push_back(std::move(parameter));
     bound_places(study, parameters);
-    if (start.effects.size() == study.experiment.effects.size()) free_modulus(parameters);
     for (StudyParameter& p : parameters) p.parameter.value = std::clamp(value_of(p, start), p.parameter.lower, p.parameter.upper);
     return parameters;
 }

@@ -43,7 +43,7 @@ KnownDerivatives derivatives_of(const JointFit& fit);
 JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const KnownDerivatives& known,
                    const Progress& progress);
 
-/// The declared parameters' and the tried effects' ones. Without a tried effect the modulus may leave its tolerance.
+/// The declared parameters' and the tried effects' ones.
 std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start);
 
 }  // namespace myo
