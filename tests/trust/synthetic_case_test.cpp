@@ -56,18 +56,30 @@ TEST(SyntheticCase, HasWhatItsEffectNeedsToShow) {
         const SyntheticCase c = drawn_case({.seed = 2, .families = {}, .effects = {}}, k);
         if (!c.effect) continue;
         const EffectNeeds& needs = find_effect_draw(c.effect->id)->needs;
-        if (needs.muscles) EXPECT_FALSE(c.muscles.empty()) << k;
-        if (needs.deep_clamp) EXPECT_GT(c.body.held_m, 0.0) << k;
-        if (needs.face_clamp) EXPECT_EQ(c.body.held_m, 0.0) << k;
-        if (needs.known_damping) EXPECT_TRUE(c.material.damping_is_known) << k;
+        if (needs.muscles) {
+            EXPECT_FALSE(c.muscles.empty()) << k;
+        }
+        if (needs.deep_clamp) {
+            EXPECT_GT(c.body.held_m, 0.0) << k;
+        }
+        if (needs.face_clamp) {
+            EXPECT_EQ(c.body.held_m, 0.0) << k;
+        }
+        if (needs.known_damping) {
+            EXPECT_TRUE(c.material.damping_is_known) << k;
+        }
         bool straight = false, hangs = false;
         for (const SyntheticTrial& trial : c.trials) {
             if (trial.role != TrialRole::fit) continue;
             straight = straight || trial.start == StartState::straight;
             for (const LoadDeclaration& load : trial.loads) hangs = hangs || (load.kind == LoadKind::force && load.until_s > trial.end_s);
         }
-        if (needs.straight_start) EXPECT_TRUE(straight) << k;
-        if (needs.hung_weight) EXPECT_TRUE(hangs) << k;
+        if (needs.straight_start) {
+            EXPECT_TRUE(straight) << k;
+        }
+        if (needs.hung_weight) {
+            EXPECT_TRUE(hangs) << k;
+        }
     }
 }
 
