@@ -14,6 +14,7 @@ const std::vector<Command>& commands() {
         {"simulate", "Runs the trials of an experiment folder with its declared model", declare_simulate},
         {"calibrate", "Fits the declared unknowns of an experiment folder and reports", declare_calibrate},
         {"diagnose", "Finds the physical effect that the declared model lacks, and what it is worth", declare_diagnose},
+        {"study", "Diagnoses synthetic experiments with known answers: how far diagnose is to be trusted", declare_study},
         {"optimize", "Finds the actuation that makes the markers follow a trial's trace", declare_optimize},
         {"gradcheck", "Compares the gradient of a trial's run with differences, for every parameter", declare_gradcheck},
         {"mesh", "Meshes a surface, or checks a volume mesh; prints counts and quality", declare_mesh},

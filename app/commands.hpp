@@ -20,6 +20,7 @@ std::vector<std::string> command_names();
 
 std::function<int()> declare_simulate(CLI::App& app);
 std::function<int()> declare_diagnose(CLI::App& app);
+std::function<int()> declare_study(CLI::App& app);
 std::function<int()> declare_calibrate(CLI::App& app);
 std::function<int()> declare_optimize(CLI::App& app);
 std::function<int()> declare_gradcheck(CLI::App& app);

@@ -23,7 +23,7 @@ TEST(Call, VersionAndHelpSucceed) {
     EXPECT_THAT(run_program({"--version"}).out, HasSubstr("myoloop "));
     const ProgramRun help = run_program({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* command : {"simulate", "calibrate", "diagnose", "mesh", "screenshot", "effects", "info"}) EXPECT_THAT(help.out, HasSubstr(command));
+    for (const char* command : {"simulate", "calibrate", "diagnose", "study", "mesh", "screenshot", "effects", "info"}) EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_THAT(run_program({"simulate", "--help"}).out, HasSubstr("--resolution"));
 }
 
@@ -75,6 +75,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"simulate", "EXP", "--out", "OUT", "--strategy", "newtom"}, {"--strategy", "did you mean 'newton'", "projective"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--mass", "lumped"}, {"--mass", "consistent", "equal_vertices"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--voxels", "trunctated"}, {"--voxels", "did you mean 'truncated'"}},
+        BadCall{{"study"}, {"--out"}}, BadCall{{"study", "--out", "EXP/drop.csv"}, {"drop.csv"}},
+        BadCall{{"study", "--out", "OUT", "--effects", "quadratic_drg"}, {"--effects", "did you mean 'quadratic_drag'"}},
+        BadCall{{"study", "--out", "OUT", "--geometry", "beem"}, {"--geometry", "did you mean 'beam'"}},
+        BadCall{{"study", "--out", "OUT", "--geometry", "plate", "--effects", "actuation_lag"}, {"--geometry", "muscles"}},
+        BadCall{{"study", "--out", "OUT", "--share", "5/4"}, {"--share", "5/4"}}, BadCall{{"study", "--out", "OUT", "--cases", "0"}, {"--cases"}},
         BadCall{{"bench", "realease"}, {"bench", "did you mean 'release'"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--material", "neohookean"}, {"--material", "did you mean 'neo_hookean'"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--threads", "0"}, {"--threads"}}, BadCall{{"simulate", "EXP", "--out", "OUT", "--seed", "x"}, {"--seed"}},

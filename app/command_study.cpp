@@ -1,0 +1,115 @@
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "base/files.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "effect/catalogue.hpp"
+#include "exit_status.hpp"
+#include "options.hpp"
+#include "trust/trust_report.hpp"
+#include "trust/trust_study.hpp"
+
+namespace myo {
+namespace {
+
+struct TrustCall {
+    TrustStudyOptions study;
+    std::filesystem::path out;
+    WorkOptions work;
+};
+
+/// "  7  tail+  viscoelastic_creep      5.2 x  viscoelastic_creep  0.97  21 s"
+std::string record_line(const CaseRecord& r) {
+    char line[256];
+    const std::string truth = r.kind == CaseKind::deleted ? "(" + r.truth + ")" : r.truth;
+    const std::string answer = r.answered() ? join(r.answer, " + ") : "failed: " + r.failure;
+    std::snprintf(line, sizeof line, "%5d  %-6s %-24s %6.1f x  %s %-40.110s %5.2f  %5.0f s", r.number, (r.family + (r.muscles ? "+" : "")).c_str(), truth.c_str(), r.level,
+                  r.right() ? "right" : r.right_or_grouped() ? "group" : "WRONG", answer.c_str(), r.confidence, r.diagnose_s);
+    return line;
+}
+
+int study_command(const TrustCall& call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
+    TrustStudyOptions options = call.study;
+    options.choice.seed = call.work.seed.value_or(1);
+    options.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
+    const Progress progress = console.progress();
+    const Result<void> run = run_trust_study(options, call.out, progress, [&](const CaseRecord& record) { console.print(record_line(record)); });
+    if (!run) return console.refuse(run.error());
+    const Result<std::vector<CaseRecord>> records = trust_records(call.out);
+    if (!records) return console.refuse(records.error());
+    if (!records->empty()) {
+        const TrustSummary summary = trust_summary(*records);
+        if (const Result<void> file = write_json(call.out / "study.json", summary_json(summary)); !file) return console.refuse(file.error());
+        if (const Result<void> page = write_html(call.out / "study.html", trust_report(*records, join(command_line(), " "))); !page) return console.refuse(page.error());
+        if (const Result<void> file = write_file(call.out / "reliability.svg", reliability_figure(summary)); !file) return console.refuse(file.error());
+        console.print("\n" + summary_text(summary) + "\n\nreport: " + (call.out / "study.html").string());
+    }
+    if (!progress.cancelled()) return status_done;
+    console.complain("stopped; finished cases are kept in " + call.out.string() + ", the same call goes on from them");
+    return status_stopped;
+}
+
+/// "1/4": the first of four shares, as numbers 0 and 4.
+void read_share(const std::string& text, TrustStudyOptions& options) {
+    const std::size_t slash = text.find('/');
+    double part = 0.0, parts = 0.0;
+    const bool numbers = slash != std::string::npos && parse_number(text.substr(0, slash), part) && parse_number(text.substr(slash + 1), parts);
+    if (!numbers || part != std::floor(part) || parts != std::floor(parts) || part < 1.0 || parts < part || parts > 1e6)
+        throw CLI::ValidationError("--share", "'" + text + "' is not a share like 1/4, the first of four");
+    options.share = static_cast<int>(part) - 1;
+    options.shares = static_cast<int>(parts);
+}
+
+}  // namespace
+
+std::function<int()> declare_study(CLI::App& app) {
+    const auto call = std::make_shared<TrustCall>();
+    app.add_option("--out", call->out, "folder for cases and results, made when missing; finished cases in it are not repeated")->type_name("DIR");
+    add_count(app, "--cases", call->study.cases, "number of cases (default: 24)");
+    app.add_option_function<std::string>(
+           "--first",
+           [call](const std::string& text) {
+               int value = 0;
+               const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+               if (code != std::errc{} || end != text.data() + text.size() || value < 0) throw CLI::ValidationError("--first", "'" + text + "' is not a whole number from 0 on");
+               call->study.first = value;
+           },
+           "number of the first case (default: 0); case k is the same for any count")
+        ->type_name("K");
+    app.add_option_function<std::string>("--share", [call](const std::string& text) { read_share(text, call->study); }, "1/4: every fourth case, for four processes on one folder")
+        ->type_name("I/N");
+    app.add_option_function<std::string>(
+           "--geometry",
+           [call](const std::string& text) {
+               call->study.choice.families.clear();
+               for (const std::string& id : split_words(text)) {
+                   BodyFamily family{};
+                   if (!parse_body_family(id, family)) throw CLI::ValidationError("--geometry", unknown_word(id, body_family_ids()));
+                   call->study.choice.families.push_back(family);
+               }
+           },
+           "bodies: " + join(body_family_ids()) + " (default: all)")
+        ->type_name("A,B");
+    app.add_option_function<std::string>(
+           "--effects",
+           [call](const std::string& text) {
+               call->study.choice.effects = split_words(text);
+               for (const std::string& id : call->study.choice.effects)
+                   if (!find_effect(id)) throw CLI::ValidationError("--effects", unknown_word(id, effect_ids()));
+           },
+           "effects to draw from (default: all of the catalogue)")
+        ->type_name("A,B");
+    add_work_options(app, call->work);
+    return [call] { return study_command(*call); };
+}
+
+}  // namespace myo

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include "project/read_experiment.hpp"
+#include "support/folder.hpp"
+#include "trust/synthetic_effects.hpp"
+#include "trust/truth_model.hpp"
+#include "trust/trust_study.hpp"
+#include "trust/trust_summary.hpp"
+
+namespace myo::test {
+namespace {
+
+/// A case without an effect and one with drag.
+TrustStudyOptions small_study() {
+    TrustStudyOptions options;
+    options.choice = {.seed = 1, .families = {BodyFamily::beam}, .effects = {"quadratic_drag"}};
+    options.cases = 2;
+    options.threads = 2;
+    options.diagnose.refits = 3;
+    options.diagnose.pairs = 0;
+    return options;
+}
+
+void expect_another_model(const CaseChoice& choice, int number, const std::filesystem::path& folder) {
+    const Result<Experiment> experiment = read_experiment(folder);
+    ASSERT_TRUE(experiment) << experiment.error().text();
+    const Result<Study> diagnosed = prepare_study(*experiment, {}), truth = truth_study(drawn_case(choice, number), *experiment);
+    ASSERT_TRUE(diagnosed && truth);
+    EXPECT_NE(diagnosed->mesh.element, truth->mesh.element);
+    EXPECT_GT(truth->body->dofs(), 2 * diagnosed->body->dofs());
+    EXPECT_LT(truth->trials.front().options.h_s, 0.51 * diagnosed->trials.front().options.h_s);
+    EXPECT_NE(truth->settings.integrator, diagnosed->settings.integrator);
+    EXPECT_EQ(truth->trials.size(), diagnosed->trials.size());
+}
+
+TEST(TrustStudy, ASmallOneIsAnsweredRightAndNotRepeated) {
+    const Folder folder("trust_study");
+    const TrustStudyOptions options = small_study();
+    int done = 0;
+    const Result<void> run = run_trust_study(options, folder.path(), {}, [&](const CaseRecord&) { ++done; });
+    ASSERT_TRUE(run) << run.error().text();
+    EXPECT_EQ(done, 2);
+    const Result<std::vector<CaseRecord>> records = trust_records(folder.path());
+    ASSERT_TRUE(records) << records.error().text();
+    ASSERT_EQ(records->size(), 2u);
+    for (const CaseRecord& record : *records) {
+        const std::string what = record.truth + ": " + json_line(record_json(record));
+        ASSERT_TRUE(record.answered()) << what;
+        EXPECT_TRUE(record.right()) << what;
+        EXPECT_GT(record.confidence, 0.5) << what;
+        EXPECT_LT(record.after_over_noise, 1.3) << what;
+        if (record.kind != CaseKind::named) continue;
+        EXPECT_GT(record.level, least_level) << what;
+        EXPECT_LT(record.level, most_level) << what;
+        EXPECT_GT(record.before_over_noise, record.after_over_noise) << what;
+        for (const ParameterError& error : record.errors) EXPECT_LT(error.relative, 0.2) << error.name << " " << what;
+        RecordProperty(record.truth + "_diagnose_s", std::to_string(record.diagnose_s));
+    }
+    expect_another_model(options.choice, 0, folder.path() / "cases" / "case_0000");
+    // All is there: nothing is done again.
+    ASSERT_TRUE(run_trust_study(options, folder.path(), {}, [&](const CaseRecord&) { ++done; }));
+    EXPECT_EQ(done, 2);
+    // Another seed does not belong in this folder.
+    TrustStudyOptions other = options;
+    other.choice.seed = 2;
+    const Result<void> refused = run_trust_study(other, folder.path());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().what.find("seed 1"), std::string::npos) << refused.error().what;
+}
+
+TEST(TrustStudy, OneThatIsCancelledKeepsNothingUnfinished) {
+    const Folder folder("trust_cancelled");
+    std::atomic<bool> cancel{true};
+    ASSERT_TRUE(run_trust_study(small_study(), folder.path(), Progress({}, &cancel)));
+    const Result<std::vector<CaseRecord>> records = trust_records(folder.path());
+    ASSERT_TRUE(records);
+    EXPECT_TRUE(records->empty());
+}
+
+}  // namespace
+}  // namespace myo::test
