@@ -65,7 +65,7 @@ TEST(LeastSquares, RunsTheModelOncePerPoint) {
     EXPECT_LT(report.cost_after, report.cost_before);
 }
 
-/// Asked for apart, few Jacobians are made, and the end is that of the fit with one at every point: values, deviations and the last Jacobian.
+/// Asked for apart, few Jacobians are made, and the end is that of the fit with one at every point; the Jacobian there is a good secant.
 TEST(LeastSquares, AsksForFewDearJacobians) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const Decay decay = decay_data(seed);
@@ -87,10 +87,23 @@ TEST(LeastSquares, AsksForFewDearJacobians) {
         ASSERT_TRUE(report.converged()) << report.message;
         EXPECT_EQ(report.jacobians, jacobians);
         EXPECT_LE(jacobians, all.evaluations / 2 + 1);
-        EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.01);
-        EXPECT_LT((report.deviations - all.deviations).cwiseQuotient(all.deviations).norm(), 1e-3);
-        EXPECT_LT((report.jacobian - decay(report.values).jacobian).norm(), 1e-12 * report.jacobian.norm());
+        EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.02);
+        EXPECT_LT((report.deviations - all.deviations).cwiseQuotient(all.deviations).norm(), 0.05);
+        EXPECT_LT((report.jacobian - decay(report.values).jacobian).norm(), 0.05 * report.jacobian.norm());
     }
+}
+
+/// A guess that points the wrong way costs a step, not the fit.
+TEST(LeastSquares, RecoversFromABadGuessOfTheJacobian) {
+    const Decay decay = decay_data(2);
+    const LeastSquaresReport all = fit_least_squares(start, decay);
+    LeastSquaresOptions options;
+    options.jacobian_guess = -decay(all.start).jacobian;
+    const LeastSquaresReport report = fit_least_squares(
+        start, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
+        [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; }, options, {});
+    ASSERT_TRUE(report.converged()) << report.message;
+    EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.02);
 }
 
 TEST(LeastSquares, StaysWithinBounds) {
