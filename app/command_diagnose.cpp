@@ -11,6 +11,7 @@
 #include "loop/diagnosis_json.hpp"
 #include "loop/diagnosis_report.hpp"
 #include "loop/effect_words.hpp"
+#include "loop/whole_diagnosis.hpp"
 #include "project/output_files.hpp"
 #include "study_command.hpp"
 
@@ -82,16 +83,6 @@ std::string cost_lines(const Diagnosis& d) {
     return text + " all " + format_number(d.seconds, 3) + " s";
 }
 
-/// Where no effect explains the residual, the force that is missing.
-void seek_missing_force(const Study& study, Diagnosis& d, const Progress& progress) {
-    if (!d.complete() || d.verdict.kind != VerdictKind::unknown) return;
-    const Stopwatch watch;
-    d.missing_force = infer_missing_force(study, d, progress);
-    d.cost.push_back({"missing force", watch.seconds(), d.missing_force->runs});
-    d.seconds += watch.seconds();
-    d.stopped = progress.cancelled();
-}
-
 Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d, const RunFacts& facts) {
     const std::filesystem::path written = call.experiment.extension() == ".toml" ? call.experiment : call.experiment / "experiment.toml";
     const std::string name = std::filesystem::weakly_canonical(experiment.folder).filename().string();
@@ -118,8 +109,7 @@ int diagnose_command(const DiagnoseCall& call) {
     settings.fits = call.out / fits_file;
     if (!call.resume) std::filesystem::remove(*settings.fits);
     const double setup_s = opening.setup.seconds();
-    Diagnosis d = diagnose(study, settings, progress);
-    seek_missing_force(study, d, progress);
+    const Diagnosis d = whole_diagnosis(study, settings, progress);
     if (d.stopped) {
         console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume goes on from it");
         return status_stopped;

@@ -66,6 +66,7 @@ std::function<int()> declare_screenshot(CLI::App& app) {
     add_optional_number(app, "--time", call->picture.time_s, "time to show [s] (default: the end of the trial)")->type_name("SECONDS");
     add_unit(app, call->picture.metres_per_unit);
     app.add_flag("--calibrate", call->picture.calibrate, "calibrate before drawing, instead of a plain run");
+    app.add_flag("--diagnose", call->picture.diagnose, "diagnose, too: for the panel diagnose");
     app.add_flag("--as-opened", call->as_opened, "draw without running anything");
     app.add_flag("--quiet", call->quiet, "print errors only");
     app.add_flag("--json-progress", call->json_progress, "progress as one JSON line per event on standard error");

@@ -15,6 +15,8 @@
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/surface_topology.hpp"
+#include "diagnosis_view.hpp"
+#include "loop/whole_diagnosis.hpp"
 #include "mesh_scene.hpp"
 #include "project/calibrate_study.hpp"
 #include "project/read_experiment.hpp"
@@ -64,6 +66,7 @@ Experiment with_settings(Experiment experiment, const Settings& settings) {
     experiment.material.poissons_ratio = settings.poissons_ratio;
     experiment.material.density_kg_m3 = settings.density_kg_m3;
     experiment.material.damping_s = settings.damping_s;
+    for (const AddedEffect& effect : settings.effects) experiment.effects.push_back(declaration(effect));
     return experiment;
 }
 
@@ -261,6 +264,25 @@ public:
         result.run = shown_run(*study, calibration.after);
         result.run.seconds = calibration.seconds;
         return result;
+    }
+
+    Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress, const LiveDiagnosis& live) override {
+        StudySettings chosen = study_settings(settings);
+        // Steps that nobody changed are the diagnosis' to choose.
+        if (settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
+        const Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), chosen, progress);
+        if (!study) return study.error();
+        const DiagnosisSource source{*study, source_of(scene).experiment.effects.size(), settings};
+        const auto show = [&](const Diagnosis& known) {
+            if (live) live(std::make_shared<const DiagnosisView>(diagnosis_view(source, known)));
+        };
+        const Diagnosis d = whole_diagnosis(*study, {}, progress, show);
+        if (!d.failure.empty()) return Error{d.failure, ""};
+        if (!d.declared.usable()) return Error{"stopped before the declared fit", ""};
+        progress.report({"forces of the effects", 0.0, 1.0, "stage", {}});
+        DiagnosisView view = diagnosis_view(source, d);
+        if (d.complete()) add_forces(source, d, view);
+        return view;
     }
 
 private:

@@ -24,6 +24,14 @@ public:
     Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress) override;
     Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                         const Progress& progress) override;
+    /// A diagnosis as the core might make it of the beam, nothing in it computed: linear drag takes away most of the residual in z.
+    Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress,
+                                   const LiveDiagnosis& live) override;
+
+    /// The diagnosis goes no further than its first ranking while this holds, unless it is cancelled.
+    std::atomic<bool> hold_diagnosis = false;
+    /// It finds no effect that explains, and a force instead.
+    std::atomic<bool> unexplained = false;
 };
 
 /// Where a point of the beam is at time t.

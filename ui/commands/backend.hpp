@@ -11,6 +11,7 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
+#include "commands/diagnosis_view.hpp"
 #include "commands/settings.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
@@ -66,6 +67,14 @@ struct Scene {
     std::vector<std::string> warnings;
     std::shared_ptr<const void> source;           // the backend's own
 };
+
+/// Whether there is a fit trial with measured markers, which a diagnosis needs.
+inline bool can_be_diagnosed(const Scene& scene) {
+    if (!scene.cannot_run.empty()) return false;
+    for (const SceneTrial& trial : scene.trials)
+        if (trial.role == "fit" && !trial.measured.empty()) return true;
+    return false;
+}
 
 struct MeshPrediction {
     double elements = 0.0;
@@ -148,6 +157,12 @@ public:
     /// Cancelled, it gives the best values so far; an error when there are none yet.
     virtual Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                                 const Progress& progress) = 0;
+
+    /// What the model lacks. `live` gets what is known so far after every stage, from the calling thread; may be empty. Cancelled, it
+    /// gives that, too.
+    using LiveDiagnosis = std::function<void(std::shared_ptr<const DiagnosisView>)>;
+    virtual Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress,
+                                           const LiveDiagnosis& live) = 0;
 };
 
 }  // namespace myo

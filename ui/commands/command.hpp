@@ -20,6 +20,11 @@ struct Redo {};
 struct BuildMesh {};
 struct Run {};
 struct Calibrate {};
+struct Diagnose {};
+/// A row of the diagnosis, by its key.
+struct ChooseCandidate { std::string key; };
+/// Takes the effects of a fitted row, and the values that were fitted with them, into the settings.
+struct AddEffect { std::string key; };
 struct Cancel {};
 struct ChooseTrial { int trial = 0; };
 struct ChooseMarker { int marker = 0; };
@@ -36,7 +41,8 @@ struct ClearLog {};
 namespace myo {
 
 using Command = std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo,
-                             command::BuildMesh, command::Run, command::Calibrate, command::Cancel, command::ChooseTrial,
+                             command::BuildMesh, command::Run, command::Calibrate, command::Diagnose,
+                             command::ChooseCandidate, command::AddEffect, command::Cancel, command::ChooseTrial,
                              command::ChooseMarker, command::SetTime, command::Play, command::SetSpeed, command::ChangeView,
                              command::SetDampingFrequency, command::SetTheme, command::ClearLog>;
 

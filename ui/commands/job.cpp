@@ -16,6 +16,7 @@ std::optional<double> remaining_time(double fraction, double elapsed_s) {
 struct Job::Content {
     std::string name;
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    bool staged = false;
     std::atomic<bool> cancel = false;
     mutable std::mutex mutex;              // guards the two below
     ProgressEvent progress;
@@ -24,11 +25,12 @@ struct Job::Content {
     std::thread thread;
 };
 
-Job::Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake)
+Job::Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake, bool staged)
     : content_(std::make_unique<Content>()) {
     Content* c = content_.get();
     c->name = std::move(name);
     c->wake = std::move(wake);
+    c->staged = staged;
     c->thread = std::thread([c, work = std::move(work), failed = std::move(failed)] {
         const Progress progress(
             [c](const ProgressEvent& event) {
@@ -70,7 +72,7 @@ JobView Job::view() const {
     view.name = content_->name;
     view.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - content_->start).count();
     // Of a fit's evaluations only the greatest number is known.
-    if (view.progress.unit != "evaluations") view.remaining_s = remaining_time(view.fraction(), view.elapsed_s);
+    if (view.progress.unit != "evaluations" && !content_->staged) view.remaining_s = remaining_time(view.fraction(), view.elapsed_s);
     view.cancelling = content_->cancel;
     return view;
 }

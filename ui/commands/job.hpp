@@ -15,7 +15,7 @@ struct JobView {
     std::string name;
     ProgressEvent progress;
     double elapsed_s = 0.0;
-    std::optional<double> remaining_s;   // empty while it cannot be told
+    std::optional<double> remaining_s;   // empty while it cannot be told, and where each stage counts anew
     bool cancelling = false;
 
     /// Done part, 0 to 1; 0 when the total is unknown.
@@ -37,7 +37,8 @@ public:
     using Work = std::function<Completion(const Progress&)>;
 
     /// @param wake  called from the work's thread when there is something new to draw; may be empty
-    Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake);
+    /// @param staged  its progress counts anew in every stage
+    Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake, bool staged = false);
     ~Job();
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "commands/force_arrows.hpp"
 #include "viewport/scene_lines.hpp"
 
 namespace myo {
@@ -166,6 +167,7 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     if (state.view.clamp && state.scene->clamp_m) {
         for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
     }
+    add_force_arrows(drawn, state, theme);
     add_markers(drawn, state, theme);
     return drawn;
 }

@@ -1,10 +1,25 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "mesh/volume_mesh.hpp"
 
 namespace myo {
+
+/// An effect that was added to the model of the file.
+struct AddedEffect {
+    using Value = std::variant<double, std::vector<double>, std::string, std::vector<std::string>>;
+
+    std::string id;
+    std::map<std::string, Value> parameters;   // by their names, SI units
+    std::string name;                          // "Quadratic drag"
+    std::string value;                         // "coefficient 903 ± 12 kg/m³"
+
+    bool operator==(const AddedEffect&) const = default;
+};
 
 /// What a person can set before a run. SI units.
 struct Settings {
@@ -19,6 +34,7 @@ struct Settings {
     double spectral_radius = 0.5;           // at infinite frequency, for schemes that have it to choose
     double time_step_s = 0.01;
     double velocity_force_1_s = 0.0;        // Lambda of f = Lambda M v
+    std::vector<AddedEffect> effects;       // beside those that the experiment declares
 
     bool operator==(const Settings&) const = default;
 };

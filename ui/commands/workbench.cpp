@@ -47,6 +47,14 @@ std::array<double, 2> time_span(const WorkbenchState& state) {
     return span;
 }
 
+const DiagnosisRow* WorkbenchState::diagnosis_row() const {
+    if (!diagnosis || diagnosis->rows.empty()) return nullptr;
+    if (const DiagnosisRow* const asked = diagnosis->row(candidate); asked && !candidate.empty()) return asked;
+    for (const DiagnosisRow& row : diagnosis->rows)
+        if (row.chosen) return &row;
+    return diagnosis->rows.size() > 1 ? &diagnosis->rows[1] : &diagnosis->rows.front();
+}
+
 Workbench::Workbench(std::shared_ptr<Backend> backend, std::function<void()> wake)
     : backend_(std::move(backend)), wake_(std::move(wake)) {
     state_.materials = backend_->materials();
@@ -76,6 +84,9 @@ void Workbench::execute(const Command& asked) {
                    },
                    [&](const command::Run&) { run(); },
                    [&](const command::Calibrate&) { calibrate(); },
+                   [&](const command::Diagnose&) { diagnose(); },
+                   [&](const command::ChooseCandidate& c) { state_.candidate = c.key; },
+                   [&](const command::AddEffect& c) { add_effect(c.key); },
                    [&](const command::Cancel&) {
                        if (job_) job_->cancel();
                    },
@@ -112,6 +123,7 @@ void Workbench::execute(const Command& asked) {
 }
 
 void Workbench::advance(double seconds) {
+    take_live_diagnosis();
     if (job_) {
         if (auto completion = job_->take_result()) {
             // The completion may start the next job.
@@ -131,11 +143,11 @@ void Workbench::advance(double seconds) {
     }
 }
 
-void Workbench::start(const std::string& name, Job::Work work) {
+void Workbench::start(const std::string& name, Job::Work work, bool staged) {
     const auto failed = [this, name](const std::string& what) -> Job::Completion {
         return [this, name, what] { log(LogLevel::failure, name + " stopped: " + what); };
     };
-    job_ = std::make_unique<Job>(name, std::move(work), failed, wake_);
+    job_ = std::make_unique<Job>(name, std::move(work), failed, wake_, staged);
     state_.job = job_->view();
 }
 
@@ -186,6 +198,8 @@ void Workbench::show_scene(Scene scene) {
     state_.body.reset();
     state_.run.reset();
     state_.calibration.reset();
+    state_.diagnosis.reset();
+    state_.candidate.clear();
     undo_.clear();
     state_.can_undo = state_.can_redo = false;
     state_.playing = false;

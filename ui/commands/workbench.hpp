@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 
 #include "commands/backend.hpp"
 #include "commands/command.hpp"
@@ -32,13 +33,17 @@ private:
     void build_mesh(std::function<void()> then);
     void run();
     void calibrate();
+    void diagnose();
+    void show_diagnosis(DiagnosisView diagnosis);
+    void take_live_diagnosis();
+    void add_effect(const std::string& key);
     void change_settings(const command::ChangeSettings& change);
     void set_settings(const Settings& settings);
     void check_stability();
     void choose_trial(int trial);
     void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
     void show_calibration(CalibrationResult result);
-    void start(const std::string& name, Job::Work work);
+    void start(const std::string& name, Job::Work work, bool staged = false);
     /// Says why a job cannot be started now, in the log; false then.
     bool may_start();
     bool may_compute();
@@ -49,6 +54,12 @@ private:
     std::function<void()> wake_;
     WorkbenchState state_;
     UndoStack<Settings> undo_;
+    // What a running diagnosis knows so far, on its way from its thread to the frame.
+    struct LiveDiagnosis {
+        std::mutex mutex;
+        std::shared_ptr<const DiagnosisView> latest;
+    };
+    std::shared_ptr<LiveDiagnosis> live_;
     std::unique_ptr<Job> job_;     // last member: its thread ends before anything it uses
 };
 

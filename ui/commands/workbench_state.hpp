@@ -33,10 +33,13 @@ struct ViewOptions {
     bool labels = true;
     bool clamp = true;
     bool displacement = false;      // colour the body by displacement
+    bool effect_force = true;       // arrows of the chosen effect's force, once there is a diagnosis
     double opacity = 1.0;
 
     bool operator==(const ViewOptions&) const = default;
 };
+
+inline constexpr const char* diagnose_job = "Diagnose";
 
 /// Everything the panels show. Panels read it and emit commands; only Workbench changes it.
 struct WorkbenchState {
@@ -44,7 +47,10 @@ struct WorkbenchState {
     std::shared_ptr<const MeshedBody> body;
     std::shared_ptr<const RunResult> run;
     std::shared_ptr<const CalibrationResult> calibration;   // the last one, while its run is shown
+    std::shared_ptr<const DiagnosisView> diagnosis;         // the last one, or what is known of the running one
+    std::string candidate;          // key of its chosen row; empty = that of the verdict
     Settings settings;
+    Settings diagnosis_settings;    // with which `diagnosis` was started
     Settings body_settings;         // with which `body` was meshed
     Settings run_settings;          // with which `run` was made
     MeshPrediction prediction;
@@ -73,6 +79,9 @@ struct WorkbenchState {
     bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
     bool run_is_current() const { return run && settings == run_settings; }
     bool is_unstable() const { return critical_velocity_force_1_s && settings.velocity_force_1_s > *critical_velocity_force_1_s; }
+    bool diagnosing() const { return job && job->name == diagnose_job; }
+    /// Row of the diagnosis that is shown: the chosen one, or the verdict's, or the best so far; null without any.
+    const DiagnosisRow* diagnosis_row() const;
     /// The chosen integrator, or null.
     const Choice* integrator() const {
         const auto found = std::find_if(integrators.begin(), integrators.end(), [&](const Choice& c) { return c.id == settings.integrator; });

@@ -1,4 +1,5 @@
 #include "panels/body_panel.hpp"
+#include "panels/diagnose_panel.hpp"
 #include "panels/log_panel.hpp"
 #include "panels/marker_panel.hpp"
 #include "panels/model_panel.hpp"
@@ -14,6 +15,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<ModelPanel>());
     add(std::type_identity<RunPanel>());
     add(std::type_identity<MarkerPanel>());
+    add(std::type_identity<DiagnosePanel>());
     add(std::type_identity<LogPanel>());
     return panels;
 }

@@ -72,7 +72,40 @@ void ModelPanel::draw(PanelContext& context) {
     const Choice* scheme = state.integrator();
     if (scheme && scheme->has_spectral_radius) numbers(radius_fields());
     numbers(time_fields());
+    draw_numerical_damping(context);
+    draw_effects(context);
+}
 
+void ModelPanel::draw_effects(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    if (state.settings.effects.empty()) return;
+    ImGui::Spacing();
+    for (std::size_t i = 0; i < state.settings.effects.size(); ++i) {
+        const AddedEffect& effect = state.settings.effects[i];
+        ImGui::PushID(static_cast<int>(i));
+        const float button = ImGui::GetFrameHeight();
+        row_label(context.theme, effect.name, "An effect that was added to the experiment's own model.");
+        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+        ImGui::PushTextWrapPos(right - button - ImGui::GetStyle().ItemSpacing.x);
+        ImGui::TextUnformatted(effect.value.c_str());
+        ImGui::PopTextWrapPos();
+        context.items.mark("model/effect/" + effect.id);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(right - button);
+        if (ImGui::Button(icon::remove, {button, 0.0f})) {
+            Settings settings = state.settings;
+            settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(i));
+            context.emit(command::ChangeSettings{settings, "effects", false});
+        }
+        context.items.mark("model/remove/" + effect.id);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Take it out of the model");
+        ImGui::PopID();
+    }
+}
+
+void ModelPanel::draw_numerical_damping(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Choice* const scheme = state.integrator();
     if (!scheme || !scheme->numerical_damping_ratio) return;
     const double frequency = state.damping_frequency_Hz;
     const double ratio = scheme->numerical_damping_ratio(2.0 * std::numbers::pi * frequency, state.settings);

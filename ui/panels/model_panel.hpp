@@ -4,7 +4,7 @@
 
 namespace myo {
 
-/// Material, damping and time stepping.
+/// Material, damping and time stepping, and the effects that were added.
 class ModelPanel : public Panel {
 public:
     std::string name() const override { return "model"; }
@@ -13,6 +13,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    void draw_numerical_damping(PanelContext& context);
+    void draw_effects(PanelContext& context);
+
     OpenEdit edit_;
 };
 

@@ -31,8 +31,8 @@ Result<void> wait_for_jobs(Workbench& workbench, const Progress& progress) {
 }
 
 template <class Named>
-Result<int> index_of(const std::string& what, const std::string& name, const std::vector<Named>& all) {
-    if (name.empty()) return 0;
+Result<int> index_of(const std::string& what, const std::string& name, const std::vector<Named>& all, int otherwise) {
+    if (name.empty()) return otherwise;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].name == name) return static_cast<int>(i);
@@ -44,9 +44,10 @@ Result<int> index_of(const std::string& what, const std::string& name, const std
 Result<void> choose(Workbench& workbench, const ScreenshotOptions& options) {
     if (!workbench.state().scene) return {};
     const Scene& scene = *workbench.state().scene;
-    const auto trial = index_of("trial", options.trial, scene.trials);
+    const DiagnosisView* const d = workbench.state().diagnosis.get();
+    const auto trial = index_of("trial", options.trial, scene.trials, d ? d->worst_trial : 0);
     if (!trial) return trial.error();
-    const auto marker = index_of("marker", options.marker, scene.markers);
+    const auto marker = index_of("marker", options.marker, scene.markers, d ? d->worst_marker : 0);
     if (!marker) return marker.error();
     workbench.execute(command::ChooseTrial{*trial});
     workbench.execute(command::ChooseMarker{*marker});
@@ -80,6 +81,8 @@ Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const Screenshot
         if (options.calibrate) workbench.execute(command::Calibrate{});
         else if (options.run) workbench.execute(command::Run{});
         if (const auto ran = wait_for_jobs(workbench, progress); !ran) return ran.error();
+        if (options.diagnose) workbench.execute(command::Diagnose{});
+        if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     if (!options.panel.empty()) window->show_panel(options.panel);

@@ -19,10 +19,11 @@ struct ScreenshotOptions {
     int width = 1600;                        // [pixels]
     int height = 900;
     std::string panel;                       // brought to the front; empty = as it starts
-    std::string trial;                       // shown; empty = the first
-    std::string marker;                      // plotted; empty = the first
+    std::string trial;                       // shown; empty = the first, or that of a diagnosis
+    std::string marker;                      // plotted; likewise
     bool run = true;                         // simulate before drawing, where possible
     bool calibrate = false;                  // calibrate instead
+    bool diagnose = false;                   // diagnose besides, and show where the declared model is furthest off
     std::optional<double> time_s;            // shown; empty = the end of the trial
     ThemeName theme = ThemeName::dark;
     float scale = 1.0f;

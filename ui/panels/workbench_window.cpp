@@ -261,7 +261,7 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
 
 void WorkbenchWindow::update_scene() {
     const WorkbenchState& state = workbench_->state();
-    const SceneKey key{state.scene, state.body, state.run, state.trial, state.time_s, state.view, interface_.theme().name};
+    const SceneKey key{state.scene, state.body, state.run, state.diagnosis, state.candidate, state.trial, state.time_s, state.view, interface_.theme().name};
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
         viewport_.camera = turn_to(viewport_.camera, StandardView::oblique);

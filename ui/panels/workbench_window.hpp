@@ -58,6 +58,8 @@ private:
         std::shared_ptr<const Scene> scene;
         std::shared_ptr<const MeshedBody> body;
         std::shared_ptr<const RunResult> run;
+        std::shared_ptr<const DiagnosisView> diagnosis;
+        std::string candidate;
         int trial = 0;
         double time_s = 0.0;
         ViewOptions view;

@@ -31,6 +31,9 @@ inline constexpr const char* up = "\xef\x81\xa2";             // f062
 inline constexpr const char* list = "\xef\x80\xba";           // f03a
 inline constexpr const char* eye = "\xef\x81\xae";            // f06e
 inline constexpr const char* chart = "\xef\x88\x81";          // f201
+inline constexpr const char* stethoscope = "\xef\x83\xb1";    // f0f1
+inline constexpr const char* plus = "\xef\x81\xa7";           // f067
+inline constexpr const char* remove = "\xef\x80\x8d";         // f00d
 }  // namespace icon
 
 /// What was found on the system; an empty name means that the built-in font is used and icons are missing.

@@ -29,6 +29,7 @@ constexpr Swatch palette[] = {
     {&Theme::on_accent, 0x08121f, 0xffffff},
     {&Theme::measured, 0xffb347, 0xc96a00},
     {&Theme::simulated, 0x59b4ff, 0x1a66d6},
+    {&Theme::force, 0xd9a0ff, 0x7a2fd0},
     {&Theme::warning, 0xf2c14e, 0x8f6400},
     {&Theme::failure, 0xff7b72, 0xc0342b},
     {&Theme::success, 0x6fd08c, 0x1c7a3c},

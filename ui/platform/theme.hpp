@@ -24,6 +24,7 @@ struct Theme {
     ImVec4 on_accent;              // text on the accent
     ImVec4 measured;
     ImVec4 simulated;
+    ImVec4 force;                  // arrows
     ImVec4 warning;
     ImVec4 failure;
     ImVec4 success;

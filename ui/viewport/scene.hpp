@@ -38,6 +38,13 @@ struct DrawnField {
     Eigen::VectorXd values;
 };
 
+/// What the lengths of arrows mean.
+struct ArrowScale {
+    std::string name;
+    double metres_per_N = 1.0;
+    Color color = Color::Ones();
+};
+
 /// All that a 3D view shows, as a value.
 struct DrawnScene {
     std::shared_ptr<const DrawnSurface> surface;
@@ -49,6 +56,7 @@ struct DrawnScene {
     double marker_radius = 1e-3;                          // [m]
     std::vector<DrawnMarker> markers;
     std::vector<DrawnLine> lines;
+    std::optional<ArrowScale> arrows;                     // where some of the lines are arrows of a force
     Box extent;                                           // of the rest shape: sets the grid
     Box reach;                                            // of the whole motion: what "fit" shows
 };

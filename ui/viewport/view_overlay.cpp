@@ -23,38 +23,64 @@ void outlined(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, ImU
     list.AddText(font, font->FontSize, at, color, text);
 }
 
+// Without its label.
+ScaleBar nice_bar(double per_pixel, double longest) {
+    ScaleBar bar;
+    double step = nice_step(per_pixel * longest);
+    // The smallest nice step above may be too long; the one below it fits.
+    if (step > per_pixel * longest) step = nice_step(step / 2.6);
+    bar.length_m = step;
+    bar.pixels = step / per_pixel;
+    return bar;
+}
+
+// Thousandths, or millionths.
+std::string with_small_unit(double value, const std::string& unit) {
+    if (value >= 1e-3 * (1.0 - 1e-9)) return value_label(value * 1e3, 1) + " m" + unit;
+    return value_label(value * 1e6, 1) + " \xc2\xb5" + unit;
+}
+
+// The bar ends at the given place; its label is centred above, as far as the place's margin allows.
+void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& bar, ImU32 color, const std::string& label, const Theme& theme) {
+    const float s = theme.scale;
+    const float left = end.x - static_cast<float>(bar.pixels);
+    list.AddLine({left, end.y}, end, color, 2.0f * s);
+    list.AddLine({left, end.y - 5.0f * s}, {left, end.y + 1.0f}, color, 2.0f * s);
+    list.AddLine({end.x, end.y - 5.0f * s}, {end.x, end.y + 1.0f}, color, 2.0f * s);
+    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str()).x;
+    const float from = std::min(0.5f * (left + end.x - width), end.x - width);   // centred, or flush right where it is longer
+    outlined(list, theme.small, {from, end.y - theme.small->FontSize - 6.0f * s}, color, packed(theme.view_bottom, 0.6f),
+             label.c_str());
+}
+
 }  // namespace
 
 ScaleBar make_scale_bar(double metres_per_pixel, double longest) {
-    ScaleBar bar;
-    double step = nice_step(metres_per_pixel * longest);
-    // The smallest nice step above may be too long; the one below it fits.
-    if (step > metres_per_pixel * longest) step = nice_step(step / 2.6);
-    bar.length_m = step;
-    bar.pixels = step / metres_per_pixel;
-    if (step >= 1.0) {
-        bar.label = value_label(step, 1) + " m";
-    } else if (step >= 1e-3 * (1.0 - 1e-9)) {
-        bar.label = value_label(step * 1e3, 1) + " mm";
-    } else {
-        bar.label = value_label(step * 1e6, 1) + " \xc2\xb5m";
-    }
+    ScaleBar bar = nice_bar(metres_per_pixel, longest);
+    bar.label = bar.length_m >= 1.0 ? value_label(bar.length_m, 1) + " m" : with_small_unit(bar.length_m, "m");
+    return bar;
+}
+
+ScaleBar make_force_bar(double newtons_per_pixel, double longest) {
+    ScaleBar bar = nice_bar(newtons_per_pixel, longest);
+    bar.label = bar.length_m >= 1.0 ? value_label(bar.length_m, 1) + " N" : with_small_unit(bar.length_m, "N");
     return bar;
 }
 
 void draw_scale_bar(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {
     const float s = theme.scale;
     const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)), 120.0 * static_cast<double>(s));
-    const float right = view.highest.x - 16.0f * s;
-    const float left = right - static_cast<float>(bar.pixels);
-    const float y = view.highest.y - 16.0f * s;
-    const ImU32 color = packed(theme.text);
-    list.AddLine({left, y}, {right, y}, color, 2.0f * s);
-    list.AddLine({left, y - 5.0f * s}, {left, y + 1.0f}, color, 2.0f * s);
-    list.AddLine({right, y - 5.0f * s}, {right, y + 1.0f}, color, 2.0f * s);
-    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, bar.label.c_str()).x;
-    outlined(list, theme.small, {0.5f * (left + right - width), y - theme.small->FontSize - 6.0f * s}, color,
-             packed(theme.view_bottom, 0.6f), bar.label.c_str());
+    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 16.0f * s}, bar, packed(theme.text), bar.label, theme);
+}
+
+void draw_arrow_scale(ImDrawList& list, const Rectangle& view, const Camera& camera, const ArrowScale& arrows, const Theme& theme) {
+    const float s = theme.scale;
+    const ScaleBar bar = make_force_bar(metres_per_pixel(camera, size_of(view)) / arrows.metres_per_N, 120.0 * static_cast<double>(s));
+    const ImU32 color = packed({arrows.color[0], arrows.color[1], arrows.color[2], 1.0f});
+    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 56.0f * s}, bar, color, bar.label, theme);
+    const std::string title = arrows.name + " on each part of the body";
+    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, title.c_str()).x;
+    outlined(list, theme.small, {view.highest.x - 16.0f * s - width, view.highest.y - 64.0f * s - 2.0f * theme.small->FontSize}, color, packed(theme.view_bottom, 0.6f), title.c_str());
 }
 
 void draw_axes(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {

@@ -103,6 +103,7 @@ void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme&
     if (labels) draw_marker_labels(list, state.pixels, state.camera, scene, theme);
     draw_axes(list, state.pixels, state.camera, theme);
     draw_scale_bar(list, state.pixels, state.camera, theme);
+    if (scene.arrows) draw_arrow_scale(list, state.pixels, state.camera, *scene.arrows, theme);
     if (scene.field) draw_field_legend(list, state.pixels, *scene.field, theme);
 }
 

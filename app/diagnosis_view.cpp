@@ -1,0 +1,343 @@
+#include "diagnosis_view.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "loop/diagnosis_report_parts.hpp"
+#include "loop/effect_forces.hpp"
+#include "project/output_json.hpp"
+#include "project/readable_parameter.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* declared_key = "declared";
+constexpr const char* missing_force_key = "missing force";
+constexpr int about_patches = 48, about_moments = 48;
+constexpr std::size_t most_with_forces = 8;
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+std::string key_of(const std::vector<EffectDeclaration>& effects) {
+    std::vector<std::string> ids;
+    for (const EffectDeclaration& effect : effects) ids.push_back(effect.id);
+    std::sort(ids.begin(), ids.end());   // a pair is the same whichever was first
+    return join(ids, "+");
+}
+
+/// "coefficient 903 kg/m³, position 1, 2, 3 mm".
+std::string readable_words(const EffectParameters& parameters) {
+    std::string words;
+    for (const auto& [name, value] : parameters) {
+        const ReadableParameter shown = readable_quantity(name);
+        std::string text;
+        if (const auto* const number = std::get_if<double>(&value)) text = format_number(shown.factor * *number, 4);
+        if (const auto* const word = std::get_if<std::string>(&value)) text = *word;
+        if (const auto* const several = std::get_if<std::vector<std::string>>(&value)) text = join(*several);
+        if (const auto* const v = std::get_if<VectorXd>(&value))
+            for (const double number : *v) text += (text.empty() ? "" : ", ") + format_number(shown.factor * number, 4);
+        words += (words.empty() ? "" : "; ") + shown.name + " " + text + (shown.unit.empty() ? "" : " " + shown.unit);
+    }
+    return words;
+}
+
+AddedEffect added(const EffectDeclaration& effect) {
+    AddedEffect result{effect.id, {}, effect_name(effect.id), readable_words(effect.parameters)};
+    for (const auto& [name, value] : effect.parameters) {
+        if (const auto* const v = std::get_if<VectorXd>(&value)) result.parameters[name] = std::vector<double>(v->begin(), v->end());
+        else if (const auto* const number = std::get_if<double>(&value)) result.parameters[name] = *number;
+        else if (const auto* const word = std::get_if<std::string>(&value)) result.parameters[name] = *word;
+        else result.parameters[name] = std::get<std::vector<std::string>>(value);
+    }
+    return result;
+}
+
+/// A flat vector in metres on the samples of the trials: [trial][marker] 3 x T, NaN elsewhere; trials without a sample stay empty.
+std::vector<std::vector<Matrix3Xd>> on_samples(const Study& study, const FitData& data, const VectorXd& flat_m) {
+    std::vector<std::vector<Matrix3Xd>> result(study.trials.size());
+    for (const ResidualSeries& series : data.layout.series) {
+        const auto t = static_cast<std::size_t>(series.trial);
+        if (result[t].empty()) result[t].assign(study.marker_names.size(), Matrix3Xd::Constant(3, study.trials[t].measured.sample_count(), unknown));
+        for (Index k = series.begin; k < series.end; ++k)
+            result[t][static_cast<std::size_t>(series.marker)](series.axis, data.layout.sample[static_cast<std::size_t>(k)]) = flat_m(k);
+    }
+    return result;
+}
+
+/// Root mean square of a flat residual in each trial [m]; NaN for those that it has no sample of.
+std::vector<double> rms_of_trials(const Study& study, const FitData& data, const VectorXd& residual) {
+    std::vector<double> squares(study.trials.size(), 0.0), count(study.trials.size(), 0.0), result;
+    for (const ResidualSeries& series : data.layout.series) {
+        squares[static_cast<std::size_t>(series.trial)] += residual.segment(series.begin, series.size()).cwiseProduct(data.noise_m.segment(series.begin, series.size())).squaredNorm();
+        count[static_cast<std::size_t>(series.trial)] += static_cast<double>(series.size());
+    }
+    for (std::size_t t = 0; t < squares.size(); ++t) result.push_back(count[t] > 0.0 ? std::sqrt(squares[t] / count[t]) : unknown);
+    return result;
+}
+
+bool is_predicted(const StudyRun& run, std::size_t trial) { return trial < run.predictions.size() && run.predictions[trial].ok(); }
+
+double score_of(const StudyRun& run, const std::string& trial, double otherwise) {
+    const TrialScore* const score = find_score(run, trial);
+    return score ? score->rms_m : otherwise;
+}
+
+/// The fit that a row shows; null for those without.
+const JudgedFit* fit_of(const Diagnosis& d, const std::string& key) {
+    if (key == declared_key) return &d.declared;
+    for (const Candidate& candidate : d.candidates)
+        if (candidate.judged && candidate.score.id == key) return &*candidate.judged;
+    for (const JudgedFit& pair : d.pairs)
+        if (key_of(pair.fit.effects) == key) return &pair;
+    return nullptr;
+}
+
+class View {
+public:
+    View(const DiagnosisSource& source, const Diagnosis& d) : source_(source), study_(source.study), d_(d) {}
+
+    DiagnosisView take() {
+        // The stages before this know nothing to show.
+        if (!d_.declared.usable()) return std::move(view_);
+        view_.complete = d_.complete() && !d_.verdict.because.empty();
+        view_.stopped = d_.stopped;
+        view_.noise_m = d_.noise_m;
+        view_.seconds = d_.seconds;
+        view_.notes = d_.notes;
+        if (view_.complete) set_verdict();
+        set_trials();
+        add_rows();
+        for (const Confusion& c : d_.confusions)
+            view_.confounded.push_back(name_in_sentence(c.first) + " and " + name_in_sentence(c.second) + " (cosine " + format_number(c.cosine, 3) + "); " + c.next_experiment +
+                                       " would separate them");
+        return std::move(view_);
+    }
+
+private:
+    void set_verdict() {
+        const Verdict& verdict = d_.verdict;
+        view_.confidence = verdict.confidence;
+        view_.because = reason();
+        switch (verdict.kind) {
+            case VerdictKind::none:
+                view_.verdict = DiagnosisVerdict::none;
+                view_.headline = "Nothing is missing";
+                chosen_ = declared_key;
+                break;
+            case VerdictKind::effects:
+                view_.verdict = DiagnosisVerdict::effects;
+                view_.headline = capitalised(names_of(verdict.effects)) + (verdict.effects.size() > 1 ? " are missing: " : " is missing: ") + fitted_words(study_, d_.augmented.fit);
+                chosen_ = key_of(verdict.effects);
+                break;
+            case VerdictKind::unknown:
+                view_.verdict = DiagnosisVerdict::unknown;
+                view_.headline = "Something is missing that none of the known effects explains";
+                chosen_ = d_.missing_force && !d_.missing_force->modes.empty() ? missing_force_key : "";
+                break;
+        }
+    }
+
+    /// With the names of effects as a person reads them, and what the trials say that took no part.
+    std::string reason() const {
+        std::string text = capitalised(d_.verdict.because);
+        if (d_.verdict.kind == VerdictKind::effects)
+            text = "With " + names_of(d_.verdict.effects) + " the systematic part of the residual falls from " + format_number(d_.declared.tests.systematic.rms, 3) + " to " +
+                   format_number(d_.augmented.tests.systematic.rms, 2) + " times the noise.";
+        const double before = d_.before.validation_rms_m, after = d_.after.validation_rms_m;
+        if (d_.verdict.kind != VerdictKind::none && std::isfinite(before) && std::isfinite(after) && before > 0.0)
+            text += " On trials that took no part the error goes from " + format_number(1e3 * before, 3) + " to " + format_number(1e3 * after, 3) + " mm.";
+        return text;
+    }
+
+    void set_trials() {
+        const VectorXd flat = -d_.declared.fit.residual.cwiseProduct(d_.data.noise_m);
+        const std::vector<std::vector<Matrix3Xd>> left = on_samples(study_, d_.data, flat);
+        const std::vector<double> rms = rms_of_trials(study_, d_.data, d_.declared.fit.residual);
+        for (std::size_t t = 0; t < study_.trials.size(); ++t) {
+            DiagnosisTrial trial{study_.trials[t].name, study_.trials[t].role == TrialRole::fit, left[t], score_of(d_.before, study_.trials[t].name, rms[t])};
+            if (trial.residual_m.empty() && is_predicted(d_.before, t))
+                for (const Matrix3Xd& residual : d_.before.predictions[t].residual_m) trial.residual_m.push_back(-residual);
+            view_.trials.push_back(std::move(trial));
+        }
+        double most = -1.0;
+        for (const ResidualSeries& series : d_.data.layout.series) {
+            const double mean = series.size() > 0 ? flat.segment(series.begin, series.size()).squaredNorm() / static_cast<double>(series.size()) : 0.0;
+            if (mean <= most) continue;
+            most = mean;
+            view_.worst_trial = series.trial;
+            view_.worst_marker = series.marker;
+            view_.worst_axis = series.axis;
+        }
+    }
+
+    DiagnosisRow fitted_row(const std::string& key, const std::string& name, const JudgedFit& fit) const {
+        DiagnosisRow row;
+        row.key = key;
+        row.name = name;
+        row.chosen = key == chosen_;
+        row.fitted = true;
+        // What the verdict stands on was fitted once more at the end.
+        const JudgedFit& last = row.chosen && d_.augmented.usable() ? d_.augmented : fit;
+        row.value = fitted_words(study_, last.fit);
+        row.rms_m = last.rms_m;
+        row.held_out = fit.held_out_rms;
+        row.weight = fit.weight;
+        row.predicted_m = on_samples(study_, d_.data, (fit.fit.residual - d_.declared.fit.residual).cwiseProduct(d_.data.noise_m));
+        row.after_m = rms_of_trials(study_, d_.data, fit.fit.residual);
+        for (std::size_t t = 0; t < study_.trials.size() && row.chosen; ++t) {
+            row.after_m[t] = score_of(d_.after, study_.trials[t].name, row.after_m[t]);
+            if (!row.predicted_m[t].empty() || !is_predicted(d_.before, t) || !is_predicted(d_.after, t)) continue;
+            for (std::size_t m = 0; m < study_.marker_names.size(); ++m)
+                row.predicted_m[t].push_back(d_.after.predictions[t].residual_m[m] - d_.before.predictions[t].residual_m[m]);
+        }
+        row.settings = source_.settings;
+        row.settings.youngs_modulus_Pa = last.fit.values.youngs_modulus_Pa;
+        row.settings.damping_s = last.fit.values.damping_s;
+        row.settings.effects.clear();
+        for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e) row.settings.effects.push_back(added(last.fit.values.effects[e]));
+        return row;
+    }
+
+    DiagnosisRow candidate_row(const Candidate& candidate) const {
+        const std::string& id = candidate.score.id;
+        DiagnosisRow row;
+        if (candidate.judged) row = fitted_row(id, effect_name(id), *candidate.judged);
+        else {
+            row.key = id;
+            row.name = effect_name(id);
+            row.value = "not fitted";
+            // To first order, without a fit.
+            row.predicted_m = on_samples(study_, d_.data, -candidate.score.predicted.cwiseProduct(d_.data.noise_m));
+        }
+        row.explained = candidate.score.usable() ? candidate.score.test.explained : unknown;
+        for (const std::string& like : candidate.like) row.like += (row.like.empty() ? "" : ", ") + name_in_sentence(like);
+        return row;
+    }
+
+    void add_rows() {
+        DiagnosisRow declared = fitted_row(declared_key, "Declared model", d_.declared);
+        declared.kind = DiagnosisRow::Kind::declared;
+        declared.value = "nothing added";
+        declared.predicted_m.clear();
+        declared.after_m.clear();
+        view_.rows.push_back(std::move(declared));
+        if (chosen_ == missing_force_key) view_.rows.push_back(missing_force_row());
+        std::vector<std::pair<double, DiagnosisRow>> fitted;
+        for (const Candidate& candidate : d_.candidates)
+            if (candidate.judged) fitted.emplace_back(candidate.judged->criterion, candidate_row(candidate));
+        for (const JudgedFit& pair : d_.pairs) fitted.emplace_back(pair.criterion, fitted_row(key_of(pair.fit.effects), effect_name(names_of(pair.fit.effects)), pair));
+        std::stable_sort(fitted.begin(), fitted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        // A verdict leaves out what is not needed: of equals it names the simpler one.
+        std::stable_partition(fitted.begin(), fitted.end(), [](const auto& row) { return row.second.chosen; });
+        for (auto& [criterion, row] : fitted) view_.rows.push_back(std::move(row));
+        for (const Candidate& candidate : d_.candidates)
+            if (!candidate.judged && candidate.score.usable() && candidate.score.predicted.size() == d_.data.layout.size()) view_.rows.push_back(candidate_row(candidate));
+    }
+
+    DiagnosisRow missing_force_row() {
+        const MissingForce& force = *d_.missing_force;
+        DiagnosisRow row;
+        row.kind = DiagnosisRow::Kind::missing_force;
+        row.key = missing_force_key;
+        row.name = "Missing force";
+        row.chosen = row.fitted = true;
+        row.explained = force.removed();
+        row.value = "up to " + format_number(1e3 * force.modes.front().peak_N(), 3) + " mN " + force.modes.front().where;
+        view_.missing_force.trial = force.trial;
+        view_.missing_force.time_s = force.time_s;
+        for (std::size_t k = 0; k < force.modes.size(); ++k) {
+            view_.missing_force.names.push_back(std::to_string(k + 1) + ": " + force.modes[k].where);
+            view_.missing_force.amplitude_N.push_back(force.modes[k].amplitude_N);
+        }
+        return row;
+    }
+
+    const DiagnosisSource& source_;
+    const Study& study_;
+    const Diagnosis& d_;
+    std::string chosen_;
+    DiagnosisView view_;
+};
+
+PatchForces in_patches(const BodyPatches& patches, const std::vector<double>& times, const std::vector<Matrix3Xd>& forces) {
+    PatchForces result;
+    result.time_s = Eigen::Map<const VectorXd>(times.data(), static_cast<Index>(times.size()));
+    for (const Matrix3Xd& force : forces) {
+        result.force_N.push_back(patches.sums(force));
+        result.largest_N = std::max(result.largest_N, result.force_N.back().colwise().norm().maxCoeff());
+    }
+    return result;
+}
+
+void add_missing_force(const Study& study, const MissingForce& force, const BodyPatches& patches, DiagnosisRow& row) {
+    std::vector<Matrix3Xd> forces;
+    for (Index k = 0; k < force.time_s.size(); ++k) {
+        forces.push_back(Matrix3Xd::Zero(3, patches.patch_of_node.size()));
+        for (const ForceMode& mode : force.modes) forces.back() += mode.amplitude_N(k) * mode.pattern;
+    }
+    row.force.resize(study.trials.size());
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        if (study.trials[t].name == force.trial)
+            row.force[t] = std::make_shared<const PatchForces>(in_patches(patches, {force.time_s.begin(), force.time_s.end()}, forces));
+}
+
+}  // namespace
+
+DiagnosisView diagnosis_view(const DiagnosisSource& source, const Diagnosis& diagnosis) { return View(source, diagnosis).take(); }
+
+void add_forces(const DiagnosisSource& source, const Diagnosis& d, DiagnosisView& view) {
+    assert(d.complete());
+    const Study& study = source.study;
+    const BodyPatches patches = body_patches(*study.body, about_patches);
+    view.patch_of_node = patches.patch_of_node;
+    view.patches = patches.count;
+    std::vector<DiagnosisRow*> rows;
+    for (DiagnosisRow& row : view.rows) {
+        if (row.kind == DiagnosisRow::Kind::missing_force) add_missing_force(study, *d.missing_force, patches, row);
+        if (row.kind == DiagnosisRow::Kind::effects && row.fitted && rows.size() < most_with_forces) rows.push_back(&row);
+    }
+    for (DiagnosisRow* row : rows) row->force.resize(study.trials.size());
+    std::vector<std::string> why(rows.size() * study.trials.size());
+    parallel_tasks(static_cast<int>(why.size()), study.settings.threads, [&](int task) {
+        const std::size_t t = static_cast<std::size_t>(task) % study.trials.size();
+        DiagnosisRow& row = *rows[static_cast<std::size_t>(task) / study.trials.size()];
+        const bool own = row.chosen && is_predicted(d.after, t);
+        const JudgedFit* const fit = own ? &d.augmented : fit_of(d, row.key);
+        if (!fit || !is_predicted(d.before, t)) return;
+        const StudyValues values = with_predicted_levels(study, fit->fit.values);
+        const std::size_t first = values.effects.size() - fit->fit.effects.size();
+        const NodalForces forces = effect_forces(study, t, values, first, (own ? d.after : d.before).predictions[t].trace, about_moments);
+        PatchForces shown = in_patches(patches, forces.times_s, forces.force_N);
+        if (!forces.failure.empty()) why[static_cast<std::size_t>(task)] = "No force is drawn: " + forces.failure + ".";
+        else if (!(shown.largest_N > 0.0)) why[static_cast<std::size_t>(task)] = "No force is drawn: it changes where the body is held, how it starts or how it is seen.";
+        else row.force[t] = std::make_shared<const PatchForces>(std::move(shown));
+    });
+    for (std::size_t i = 0; i < why.size(); ++i)
+        if (!why[i].empty()) rows[i / study.trials.size()]->no_force = why[i];
+}
+
+EffectDeclaration declaration(const AddedEffect& effect) {
+    EffectDeclaration result{effect.id, {}, true};
+    for (const auto& [name, value] : effect.parameters) {
+        if (const auto* const v = std::get_if<std::vector<double>>(&value)) result.parameters[name] = VectorXd(Eigen::Map<const VectorXd>(v->data(), static_cast<Index>(v->size())));
+        else if (const auto* const number = std::get_if<double>(&value)) result.parameters[name] = *number;
+        else if (const auto* const word = std::get_if<std::string>(&value)) result.parameters[name] = *word;
+        else result.parameters[name] = std::get<std::vector<std::string>>(value);
+    }
+    return result;
+}
+
+}  // namespace myo

@@ -1,0 +1,75 @@
+#include "commands/force_arrows.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "commands/scene_at_time.hpp"
+
+namespace myo {
+namespace {
+
+constexpr double longest_part = 0.3;       // of the rest shape's diagonal, for the largest force
+constexpr double shortest_part = 0.02;     // of the longest arrow: shorter ones are dots
+constexpr double translucent = 0.4;
+
+/// Middles of the patches.
+Eigen::Matrix3Xd middles(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& patch_of_node, int patches) {
+    Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, patches);
+    Eigen::VectorXd count = Eigen::VectorXd::Zero(patches);
+    for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
+        sum.col(patch_of_node(i)) += nodes.col(i);
+        count(patch_of_node(i)) += 1.0;
+    }
+    return sum * count.cwiseMax(1.0).cwiseInverse().asDiagonal();
+}
+
+/// A shaft with four barbs, in one stroke; ends with a gap.
+void append_arrow(Eigen::Matrix3Xd& points, Eigen::Index& at, const Eigen::Vector3d& from, const Eigen::Vector3d& along) {
+    const Eigen::Vector3d tip = from + along, side = 0.09 * along.norm() * along.unitOrthogonal(), other = along.normalized().cross(side);
+    const Eigen::Vector3d neck = tip - 0.25 * along;
+    points.col(at++) = from;
+    for (const Eigen::Vector3d& barb : {Eigen::Vector3d(neck + side), Eigen::Vector3d(neck - side), Eigen::Vector3d(neck + other), Eigen::Vector3d(neck - other)}) {
+        points.col(at++) = tip;
+        points.col(at++) = barb;
+    }
+    points.col(at++).setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+const PatchForces* shown_forces(const WorkbenchState& state) {
+    const DiagnosisRow* const row = state.diagnosis_row();
+    const auto trial = static_cast<std::size_t>(state.trial);
+    if (!row || !state.body || trial >= row->force.size() || !row->force[trial]) return nullptr;
+    const bool same_body = same_mesh(state.diagnosis_settings, state.body_settings) && state.diagnosis->patch_of_node.size() == state.body->mesh.nodes.cols();
+    const PatchForces& forces = *row->force[trial];
+    return same_body && forces.largest_N > 0.0 ? &forces : nullptr;
+}
+
+void add_force_arrows(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
+    const PatchForces* const forces = shown_forces(state);
+    if (!state.view.effect_force || !forces || drawn.positions.cols() != state.diagnosis->patch_of_node.size()) return;
+    const TimePlace place = place_in_time(forces->time_s, state.time_s);
+    if (place.index < 0) return;
+    const double metres_per_N = longest_part * drawn.extent.size().norm() / forces->largest_N;
+    const Eigen::Matrix3Xd from = middles(drawn.positions, state.diagnosis->patch_of_node, state.diagnosis->patches);
+    Eigen::Matrix3Xd points(3, 10 * from.cols());
+    Eigen::Index used = 0;
+    const Eigen::Matrix3Xd& a = forces->force_N[static_cast<std::size_t>(place.index)];
+    const Eigen::Matrix3Xd& b = forces->force_N[static_cast<std::size_t>(place.next)];
+    for (Eigen::Index p = 0; p < from.cols(); ++p) {
+        const Eigen::Vector3d force = (1.0 - place.weight) * a.col(p) + place.weight * b.col(p);
+        if (force.norm() > shortest_part * forces->largest_N) append_arrow(points, used, from.col(p), metres_per_N * force);
+    }
+    drawn.lines.push_back({points.leftCols(used), Color(theme.force.x, theme.force.y, theme.force.z, 1.0f), 2.5});
+    const DiagnosisRow& row = *state.diagnosis_row();
+    std::string name = row.name;
+    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    drawn.arrows = ArrowScale{row.kind == DiagnosisRow::Kind::missing_force ? row.name : "Force of " + name, metres_per_N, drawn.lines.back().color};
+    drawn.body_opacity = std::min(drawn.body_opacity, translucent);
+}
+
+}  // namespace myo

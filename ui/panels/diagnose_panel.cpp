@@ -1,0 +1,429 @@
+#include "panels/diagnose_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "panels/run_panel.hpp"
+#include "panels/widgets.hpp"
+#include "platform/fonts.hpp"
+
+namespace myo {
+namespace {
+
+constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
+constexpr const char* times = "\xc3\x97";
+constexpr const char* dash = "\xe2\x80\x93";
+
+/// As much of a text as passes, with an ellipsis where some is left out.
+template <class Fits>
+std::string shortened(const std::string& text, const Fits& fits) {
+    if (text.empty() || fits(text)) return text;
+    const auto cut = [&](std::size_t length) {
+        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80) --length;   // not within a character
+        return text.substr(0, length) + "\xe2\x80\xa6";
+    };
+    std::size_t shortest = 0, longest = text.size() - 1;
+    while (shortest < longest) {
+        const std::size_t middle = (shortest + longest + 1) / 2;
+        if (fits(cut(middle))) shortest = middle;
+        else longest = middle - 1;
+    }
+    return shortest > 0 ? cut(shortest) : std::string();
+}
+
+std::string elided(const std::string& text, float width) {
+    return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; });
+}
+
+/// The same for text that wraps.
+std::string elided_lines(const std::string& text, float width, int lines) {
+    const float height = (static_cast<float>(lines) + 0.5f) * ImGui::GetTextLineHeight();
+    return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y <= height; });
+}
+
+void tooltip(const Theme& theme, const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(420.0f * theme.scale);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void number_cell(const Theme& theme, const std::string& text, const ImVec4* color = nullptr) {
+    ImGui::TableNextColumn();
+    const float space = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (space > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + space);
+    ImGui::TextColored(color ? *color : theme.text, "%s", text.c_str());
+}
+
+/// A cell that may be narrower than its text; the whole is shown on hovering.
+void text_cell(const Theme& theme, const std::string& text, const ImVec4& color) {
+    ImGui::TableNextColumn();
+    const std::string shown = elided(text, ImGui::GetContentRegionAvail().x);
+    ImGui::TextColored(color, "%s", shown.c_str());
+    if (shown != text) tooltip(theme, text);
+}
+
+struct Heading {
+    std::string title;
+    std::string tip;
+    bool number = false;
+};
+
+/// A column of numbers, as wide as its heading.
+void number_column(const Theme& theme, const Heading& heading) {
+    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, heading.title.c_str()).x;
+    ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed, std::ceil(std::max(width, 40.0f * theme.scale)) + 2.0f);
+}
+
+void heading_row(const Theme& theme, const std::vector<Heading>& headings) {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::PushFont(theme.small);
+    for (const Heading& heading : headings) {
+        if (heading.number) number_cell(theme, heading.title, &theme.muted);
+        else {
+            ImGui::TableNextColumn();
+            ImGui::TextColored(theme.muted, "%s", heading.title.c_str());
+        }
+        ImGui::PushFont(theme.regular);
+        tooltip(theme, heading.tip);
+        ImGui::PopFont();
+    }
+    ImGui::PopFont();
+}
+
+std::string percent(double share) { return std::isfinite(share) ? value_label(100.0 * share, 3) : dash; }
+
+ImVec4 verdict_color(const Theme& theme, const DiagnosisView& d) {
+    if (!d.complete) return theme.text;
+    return d.verdict == DiagnosisVerdict::none ? theme.success : d.verdict == DiagnosisVerdict::effects ? theme.accent : theme.warning;
+}
+
+std::string stage_words(const JobView& job) {
+    std::string words = job.progress.task.empty() ? "Starting" : job.progress.task;
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    if (job.progress.total > 1.0 && !job.progress.unit.empty())
+        words += ", " + plain_label(job.progress.done, 3) + " of " + plain_label(job.progress.total, 3) + " " + job.progress.unit;
+    if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
+    std::replace(words.begin(), words.end(), '_', ' ');   // ids of effects
+    return words + " \xc2\xb7 " + duration_label(job.elapsed_s);
+}
+
+bool can_be_added(const DiagnosisRow* row) { return row && row->fitted && row->kind == DiagnosisRow::Kind::effects; }
+
+bool is_in_model(const WorkbenchState& state, const DiagnosisRow& row) { return row.settings.effects == state.settings.effects; }
+
+std::string lower_first(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+/// A button that is one of several to choose from.
+bool tab(const Theme& theme, const char* label, bool chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.raised : theme.panel);
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.text : theme.muted);
+    const bool pressed = ImGui::Button(label);
+    ImGui::PopStyleColor(2);
+    return pressed;
+}
+
+}  // namespace
+
+std::string DiagnosePanel::title() const { return std::string(icon::stethoscope) + "  Diagnose"; }
+
+void DiagnosePanel::draw(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    if (!state.scene) {
+        muted_text(context.theme, "Finds what the model lacks: compares the simulation with measured markers and tries every known effect on what is left. "
+                                  "Open an experiment folder to begin.");
+        return;
+    }
+    if (!can_be_diagnosed(*state.scene)) {
+        muted_text(context.theme, "Nothing to diagnose: this needs an experiment folder with at least one trial of role fit and its measured markers.");
+        return;
+    }
+    follow(state);
+    draw_head(context);
+    if (!state.diagnosis) {
+        if (!state.diagnosing())
+            muted_text(context.theme, "Diagnose fits the declared values, tests whether more than noise is left, tries every effect of the catalogue on it and "
+                                      "fits the best. Trials of role validate are predicted once, at the end. It takes some minutes and can be cancelled.");
+        return;
+    }
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::BeginChild("ranking", {std::floor(0.55f * width), 0.0f});
+    draw_ranking(context);
+    ImGui::EndChild();
+    ImGui::SameLine(0.0f, 2.0f * spacing);
+    ImGui::BeginChild("chosen");
+    if (const DiagnosisRow* const row = state.diagnosis_row()) {
+        draw_choices(context);
+        if (errors_) draw_errors(context, *row);
+        else if (row->kind == DiagnosisRow::Kind::missing_force) draw_force(context);
+        else draw_residual(context, *row);
+    }
+    ImGui::EndChild();
+}
+
+void DiagnosePanel::follow(const WorkbenchState& state) {
+    if (scene_ != state.scene) axis_chosen_ = false;
+    scene_ = state.scene;
+    if (!axis_chosen_ && state.diagnosis) axis_ = std::clamp(state.diagnosis->worst_axis, 0, 2);
+    const DiagnosisRow* const row = state.diagnosis_row();
+    const std::string shown = state.scene->path.string() + (row && row->kind == DiagnosisRow::Kind::missing_force ? " force " : " ") + std::to_string(state.trial) + " " +
+                              std::to_string(state.marker) + " " + std::to_string(axis_);
+    if (shown == followed_) return;
+    // Another curve: the old zoom means nothing.
+    followed_ = shown;
+    time_.range.reset();
+    plot_ = {};
+}
+
+void DiagnosePanel::draw_head(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const float s = theme.scale;
+    const ImVec2 button{132.0f * s, 0.0f};
+    if (state.diagnosing()) {
+        ImGui::BeginDisabled(state.job->cancelling);
+        if (ImGui::Button((std::string(icon::stop) + "  Cancel").c_str(), button)) context.emit(command::Cancel{});
+        context.items.mark("diagnose/cancel");
+        ImGui::EndDisabled();
+        ImGui::SameLine(0.0f, 12.0f * s);
+        const JobView& job = *state.job;
+        const std::string inside = job.progress.total > 1.0 ? value_label(100.0 * job.fraction(), 2) + " %" : "working";
+        ImGui::ProgressBar(static_cast<float>(job.progress.total > 1.0 ? job.fraction() : 0.0), {160.0f * s, 0.0f}, inside.c_str());
+        context.items.mark("diagnose/progress");
+        ImGui::SameLine(0.0f, 12.0f * s);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(elided(job.cancelling ? "Stopping" : stage_words(job), ImGui::GetContentRegionAvail().x).c_str());
+        return;
+    }
+    ImGui::BeginDisabled(state.busy());
+    const std::string label = std::string(icon::stethoscope) + "  Diagnose";
+    if (state.diagnosis ? ImGui::Button(label.c_str(), button) : primary_button(theme, label, button)) context.emit(command::Diagnose{});
+    context.items.mark("diagnose/diagnose");
+    ImGui::EndDisabled();
+    if (!state.diagnosis) return;
+    const DiagnosisView& d = *state.diagnosis;
+    const DiagnosisRow* const row = state.diagnosis_row();
+    std::string add;
+    if (can_be_added(row)) add = is_in_model(state, *row) ? std::string(icon::done) + "  Added to the model" : std::string(icon::plus) + "  Add " + lower_first(row->name);
+    const float add_width = add.empty() ? 0.0f : ImGui::CalcTextSize(add.c_str()).x + 4.0f * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(0.0f, 12.0f * s);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(theme.strong);
+    const float confidence_width = 140.0f * s, all = ImGui::GetContentRegionAvail().x - add_width - 16.0f * s;
+    const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;   // else it is told on hovering
+    const float room = all - (with_confidence ? confidence_width : 0.0f);
+    const std::string confidence = "confidence " + value_label(100.0 * d.confidence, 2) + " %";
+    const std::string headline = d.complete ? d.headline : "Cancelled before a verdict: this is what was known by then";
+    ImGui::TextColored(verdict_color(theme, d), "%s", elided(headline, room).c_str());
+    ImGui::PopFont();
+    context.items.mark("diagnose/verdict");
+    std::string words = d.because;
+    for (const std::string& each : d.confounded) words += (words.empty() ? "" : " ") + std::string("Not to be told apart here: ") + each + ".";
+    tooltip(theme, d.headline + (d.complete ? "\n" + confidence : "") + (words.empty() ? "" : "\n\n") + words);
+    if (with_confidence) {
+        ImGui::SameLine(0.0f, 12.0f * s);
+        ImGui::TextColored(theme.muted, "%s", confidence.c_str());
+        tooltip(theme, "How credible the verdict is among all that was tried, the declared model and \"none of these\" included.");
+    }
+    if (!add.empty()) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - add_width));
+        ImGui::BeginDisabled(state.busy() || is_in_model(state, *row));
+        if (primary_button(theme, add, {add_width, 0.0f})) context.emit(command::AddEffect{row->key});
+        context.items.mark("diagnose/add");
+        ImGui::EndDisabled();
+        tooltip(theme, row->name + ": " + row->value + "\n\nBecomes part of the model, with the modulus and the damping that were fitted beside it. The next run has it; undo takes it out.");
+    }
+    if (words.empty()) return;
+    const ImVec2 below = ImGui::GetContentRegionAvail();
+    if (below.y < 160.0f * s) return;   // the plot needs the room; the verdict tells it on hovering
+    muted_text(theme, elided_lines(words, below.x, below.y > 180.0f * s ? 2 : 1));
+    context.items.mark("diagnose/because");
+    tooltip(theme, words);
+}
+
+void DiagnosePanel::draw_ranking(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const DiagnosisView& d = *state.diagnosis;
+    const DiagnosisRow* const shown = state.diagnosis_row();
+    if (!ImGui::BeginTable("candidates", 6, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    // In a narrow window the value is told on hovering.
+    const bool narrow = ImGui::GetWindowWidth() < 480.0f * theme.scale;
+    const std::vector<Heading> headings{
+        {"", ""},
+        {"Effect", "Best first. A click shows what the effect would do."},
+        {"Fitted value", "With one standard deviation, fitted together with the declared parameters."},
+        {"Explains [%]", "Share of the residual's square that it could take away, after what the declared parameters absorb.", true},
+        {std::string("Held out [") + times + " noise]", "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
+        {"Weight [%]", "Share of the evidence among all that was fitted, the declared model included.", true}};
+    ImGui::TableSetupColumn("rank", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00").x);
+    ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch | (narrow ? ImGuiTableColumnFlags_Disabled : 0), 1.4f);
+    for (std::size_t k = 3; k < headings.size(); ++k) number_column(theme, headings[k]);
+    heading_row(theme, headings);
+    int rank = 0;
+    for (const DiagnosisRow& row : d.rows) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        const ImVec4& color = row.fitted ? theme.text : theme.muted;
+        const std::string label = row.kind == DiagnosisRow::Kind::effects ? std::to_string(++rank) : " ";
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        if (ImGui::Selectable((label + "##" + row.key).c_str(), &row == shown, ImGuiSelectableFlags_SpanAllColumns)) context.emit(command::ChooseCandidate{row.key});
+        ImGui::PopStyleColor();
+        context.items.mark("diagnose/row/" + row.key);
+        const std::string like = row.like.empty() ? "" : "This experiment cannot tell it from " + row.like + ".";
+        std::string words = narrow ? row.name + ": " + row.value : "";
+        for (const std::string& more : {like, row.no_force})
+            if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
+        tooltip(theme, words);
+        text_cell(theme, row.name + (row.chosen ? "  " + std::string(icon::done) : ""), row.chosen ? verdict_color(theme, d) : color);
+        text_cell(theme, row.value, color);
+        number_cell(theme, percent(row.explained), &color);
+        number_cell(theme, value_label(row.held_out, 3), &color);
+        number_cell(theme, percent(row.weight), &color);
+    }
+    ImGui::EndTable();
+}
+
+void DiagnosePanel::draw_choices(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const float s = theme.scale;
+    if (tab(theme, "Residual", !errors_)) errors_ = false;
+    context.items.mark("diagnose/show/residual");
+    ImGui::SameLine();
+    if (tab(theme, "Errors", errors_)) errors_ = true;
+    context.items.mark("diagnose/show/errors");
+    tooltip(theme, "Errors of the trials before and after");
+    const DiagnosisRow* const row = state.diagnosis_row();
+    if (errors_ || row->kind == DiagnosisRow::Kind::missing_force) return;
+    const auto& markers = state.scene->markers;
+    const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
+    // In a narrow window on a line of their own.
+    const float axis_width = 56.0f * s, least = 72.0f * s;
+    ImGui::SameLine(0.0f, 16.0f * s);
+    const float room = ImGui::GetContentRegionAvail().x - axis_width - ImGui::GetStyle().ItemSpacing.x;
+    if (room < least) ImGui::NewLine();
+    ImGui::SetNextItemWidth(std::min(150.0f * s, ImGui::GetContentRegionAvail().x - axis_width - ImGui::GetStyle().ItemSpacing.x));
+    const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
+    context.items.mark("diagnose/marker");
+    if (open) {
+        for (std::size_t m = 0; m < markers.size(); ++m) {
+            if (ImGui::Selectable(markers[m].name.c_str(), m == current)) context.emit(command::ChooseMarker{static_cast<int>(m)});
+            context.items.mark("diagnose/marker/" + markers[m].name);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(axis_width);
+    const bool axes = ImGui::BeginCombo("##axis", axis_names[static_cast<std::size_t>(axis_)]);
+    context.items.mark("diagnose/axis");
+    if (!axes) return;
+    for (int axis = 0; axis < 3; ++axis) {
+        const char* const name = axis_names[static_cast<std::size_t>(axis)];
+        if (ImGui::Selectable(name, axis_ == axis)) {
+            axis_ = axis;
+            axis_chosen_ = true;
+        }
+        context.items.mark(std::string("diagnose/axis/") + name);
+    }
+    ImGui::EndCombo();
+}
+
+void DiagnosePanel::draw_residual(PanelContext& context, const DiagnosisRow& row) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const auto trial = static_cast<std::size_t>(state.trial), marker = static_cast<std::size_t>(state.marker);
+    const DiagnosisView& d = *state.diagnosis;
+    if (trial >= d.trials.size() || marker >= d.trials[trial].residual_m.size()) {
+        muted_text(theme, "The residual of " + (state.scene_trial() ? state.scene_trial()->name : std::string("this trial")) +
+                              " is not known: a trial of role validate is predicted once, when there is a verdict.");
+        return;
+    }
+    Plot plot;
+    plot.id = "diagnose/plot";
+    // The legend needs the room more than the title.
+    const std::string axis = axis_names[static_cast<std::size_t>(axis_)];
+    plot.title = ImGui::GetContentRegionAvail().x > 440.0f * theme.scale ? axis + " \xe2\x88\x92 that of the declared model [mm]" : "\xce\x94" + axis + " [mm]";
+    plot.cursor = state.time_s;
+    plot.mark = 0.0;
+    plot.legend = true;
+    plot.zero_line = true;
+    const Eigen::VectorXd& time = state.scene_trial()->time_s;
+    plot.series.push_back({"measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true});
+    const bool predicted = trial < row.predicted_m.size() && marker < row.predicted_m[trial].size();
+    if (predicted) plot.series.push_back({"with " + lower_first(row.name), time, 1e3 * row.predicted_m[trial][marker].row(axis_).transpose(), theme.simulated, false});
+    const PlotResult result = draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_, plot_, hidden_);
+    if (result.cursor) context.emit(command::SetTime{*result.cursor});
+}
+
+void DiagnosePanel::draw_force(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const ForceCourses& force = state.diagnosis->missing_force;
+    double largest = 0.0;
+    for (const Eigen::VectorXd& amplitude : force.amplitude_N)
+        if (amplitude.size() > 0) largest = std::max(largest, amplitude.cwiseAbs().maxCoeff());
+    const bool small = largest < 0.1;
+    Plot plot;
+    plot.id = "diagnose/plot";
+    plot.y_unit = small ? "mN" : "N";
+    plot.title = "missing in " + force.trial + " [" + plot.y_unit + "]";
+    plot.cursor = state.time_s;
+    plot.mark = 0.0;
+    plot.legend = true;
+    plot.zero_line = true;
+    const std::array<ImVec4, 3> colors{theme.force, theme.simulated, theme.success};
+    for (std::size_t k = 0; k < force.amplitude_N.size(); ++k)
+        plot.series.push_back({force.names[k], force.time_s, (small ? 1e3 : 1.0) * force.amplitude_N[k], colors[k % colors.size()], false});
+    const PlotResult result = draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_, plot_, hidden_);
+    if (result.cursor) context.emit(command::SetTime{*result.cursor});
+}
+
+void DiagnosePanel::draw_errors(PanelContext& context, const DiagnosisRow& row) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const DiagnosisView& d = *state.diagnosis;
+    if (row.kind == DiagnosisRow::Kind::missing_force) return muted_text(theme, "The missing force is no model: there is no prediction with it.");
+    if (!ImGui::BeginTable("errors", 6, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    const std::string of_noise = std::string(" [") + times + " noise]";
+    const std::string before = "rms error over the markers of the declared model, its parameters fitted", after = "with " + lower_first(row.name) + " beside them";
+    const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials that are predicted took no part in any fit or choice."}, {"Before [mm]", before, true}, {"After [mm]", after, true},
+                                        {"Before" + of_noise, before, true}, {"After" + of_noise, after, true}};
+    ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("predicted").x + 2.0f);
+    for (std::size_t k = 2; k < headings.size(); ++k) number_column(theme, headings[k]);
+    heading_row(theme, headings);
+    for (std::size_t t = 0; t < d.trials.size(); ++t) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        const DiagnosisTrial& trial = d.trials[t];
+        ImGui::PushID(static_cast<int>(t));
+        if (ImGui::Selectable(elided(trial.name, ImGui::GetContentRegionAvail().x).c_str(), static_cast<int>(t) == state.trial, ImGuiSelectableFlags_SpanAllColumns))
+            context.emit(command::ChooseTrial{static_cast<int>(t)});
+        context.items.mark("diagnose/error/" + trial.name);
+        ImGui::PopID();
+        text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
+        const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");
+        for (const double factor : {1e3, 1.0 / d.noise_m}) {
+            number_cell(theme, value_label(factor * trial.before_m, 3));
+            number_cell(theme, value_label(factor * after_m, 3), after_m < trial.before_m ? &theme.success : nullptr);
+        }
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace myo
