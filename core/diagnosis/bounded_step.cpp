@@ -17,26 +17,24 @@ constexpr double least_change = 1e-10;   // of the residual's length
 }  // namespace
 
 VectorXd bounded_step(const MatrixXd& A, const VectorXd& r, const VectorXd& lower, const VectorXd& upper) {
-    const VectorXd length = A.colwise().norm();
-    const VectorXd inverse = length.unaryExpr([](double l) { return l > 0.0 ? 1.0 / l : 0.0; });
-    const MatrixXd H = inverse.asDiagonal() * (A.transpose() * A) * inverse.asDiagonal();
-    VectorXd slope = inverse.asDiagonal() * (A.transpose() * r);
-    VectorXd x = VectorXd::Zero(A.cols());   // times the lengths
+    const MatrixXd H = A.transpose() * A;
+    VectorXd slope = A.transpose() * r;
+    VectorXd x = VectorXd::Zero(A.cols());
     const double enough = least_change * r.norm();
     for (int round = 0; round < most_rounds; ++round) {
         double most = 0.0;
         for (Index i = 0; i < x.size(); ++i) {
-            if (length(i) == 0.0) continue;
-            const double next = std::clamp(x(i) - slope(i), lower(i) * length(i), upper(i) * length(i));
+            if (H(i, i) == 0.0) continue;
+            const double next = std::clamp(x(i) - slope(i) / H(i, i), lower(i), upper(i));
             const double change = next - x(i);
             if (change == 0.0) continue;
             slope += change * H.col(i);
             x(i) = next;
-            most = std::max(most, std::abs(change));
+            most = std::max(most, std::abs(change) * std::sqrt(H(i, i)));
         }
         if (most <= enough) break;
     }
-    return x.cwiseProduct(inverse);
+    return x;
 }
 
 }  // namespace myo
