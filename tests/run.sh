@@ -41,7 +41,8 @@ build_release() {
 }
 
 build_sanitized() {
-  configure "$sanitize" -DCMAKE_BUILD_TYPE=Debug -DMYOLOOP_SANITIZE=ON
+  # Not Debug: oneTBB then defines a macro for those who link it, and no other module could share the precompiled header.
+  configure "$sanitize" -DCMAKE_BUILD_TYPE=Sanitized -DMYOLOOP_SANITIZE=ON
   local targets=(myoloop-tetgen) module
   for module in "${sanitized[@]}"; do
     if compgen -G "$root/tests/$module/*_test.cpp" >/dev/null; then targets+=("test_$module"); fi
