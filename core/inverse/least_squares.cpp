@@ -68,7 +68,7 @@ public:
         if (!evaluation.ok || !jacobian_ || (has && (!exact || was_asked(values)))) return evaluation;
         MatrixXd J = exact ? MatrixXd() : secant(values, evaluation.residuals);
         const bool asks = J.size() == 0;
-        if (J.size() == 0) {
+        if (asks) {
             J = jacobian_(values, evaluation, progress_.with_sink({}));
             ++report_.jacobians;
         }
@@ -313,7 +313,7 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     for (const Parameter& parameter : parameters) internal.push_back(internal_value(parameter, parameter.value));
 
     const VectorXd origin = evaluator.physical(internal.data());
-    if (jacobian && options.jacobian_guess.size() > 0) evaluator.adopt(origin, options.jacobian_guess);
+    if (jacobian && options.jacobian_guess.size() > 0 && options.jacobian_guess.allFinite()) evaluator.adopt(origin, options.jacobian_guess);
     const ResidualEvaluation first = evaluator.with_jacobian(origin);
     set_covariance(parameters, first, report);
     if (!first.ok) {

@@ -193,7 +193,7 @@ private:
     bool numbers() {
         result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.declared.fit.values); });
         if (progress_.cancelled()) return false;
-        result_.data.shift = result_.numerics.shift;
+        result_.data.shift = declared_shift_ = result_.numerics.shift;
         JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, 6, derivatives_of(result_.declared.fit), progress_); });
         if (progress_.cancelled()) return false;
         if (again.usable()) result_.declared = judged(result_.data, std::move(again), result_.settings);
@@ -388,20 +388,21 @@ private:
     void conclude() {
         result_.augmented = decide(result_);
         const std::vector<TrialPrediction> before = stage("prediction", 2 * static_cast<int>(study_.trials.size()), [&] { return predict_all(result_.declared.fit.values); });
-        const auto scored = [&](const StudyValues& fitted, std::vector<TrialPrediction> predictions) {
-            for (std::size_t t = 0; t < predictions.size(); ++t) predictions[t] = shifted(std::move(predictions[t]), result_.data.shift, t);
+        const auto scored = [&](const StudyValues& fitted, const PredictionShift& shift, std::vector<TrialPrediction> predictions) {
+            for (std::size_t t = 0; t < predictions.size(); ++t) predictions[t] = shifted(std::move(predictions[t]), shift, t);
             std::vector<std::size_t> all(study_.trials.size());
             std::iota(all.begin(), all.end(), std::size_t{0});
             return scored_run(study_, with_predicted_levels(study_, fitted), std::move(predictions), all);
         };
-        result_.before = scored(result_.declared.fit.values, before);
+        result_.before = scored(result_.declared.fit.values, declared_shift_, before);
         if (result_.verdict.kind == VerdictKind::none) {
+            result_.data.shift = declared_shift_;
             result_.after = result_.before;
             return;
         }
         if (!is_corrected(result_.augmented) && !corrected(result_.augmented)) return;
         if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
-        result_.after = scored(result_.augmented.fit.values, predict_all(result_.augmented.fit.values));
+        result_.after = scored(result_.augmented.fit.values, result_.data.shift, predict_all(result_.augmented.fit.values));
     }
 
     Study study_;
@@ -411,6 +412,7 @@ private:
     std::unique_ptr<FitStore> store_;
     std::unique_ptr<Study> refined_;
     bool mesh_failed_ = false;
+    PredictionShift declared_shift_;                // found with the declared fit, which it belongs to
     std::vector<EffectDeclaration> corrected_at_;   // effects of the fit at which the numerical error was last found
     int runs_ = 0;
     Diagnosis result_;

@@ -64,35 +64,47 @@ Range multiples_of(const Probe& probe) {
     return {0.0, probe.probe.reciprocal ? amount / entry.lowest : entry.highest / amount};
 }
 
+/// How far a fit's own parameters may go from where they are, and what their best step leaves.
+struct OwnSteps {
+    VectorXd lower, upper;
+    double squares = 0.0;
+};
+OwnSteps own_steps(const JointFit& fit) {
+    OwnSteps own{VectorXd(fit.jacobian.cols()), VectorXd(fit.jacobian.cols())};
+    for (Index i = 0; i < fit.jacobian.cols(); ++i) {
+        const StudyParameter& p = fit.parameters[static_cast<std::size_t>(i)];
+        const double value = value_of(p, fit.values);
+        own.lower(i) = std::min(0.0, p.parameter.lower - value);
+        own.upper(i) = std::max(0.0, p.parameter.upper - value);
+    }
+    own.squares = (fit.residual + fit.jacobian * bounded_step(fit.jacobian, fit.residual, own.lower, own.upper)).squaredNorm();
+    return own;
+}
+
 /// The fit's parameters and the candidate together take the best step within their bounds: a modulus at the edge of its tolerance does not
 /// stand in for what is missing.
-void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& outside, const FitData& data, const JointFit& fit, const MatrixXd& S, EffectScore& score) {
+void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& outside, const FitData& data, const JointFit& fit, const OwnSteps& own,
+            const MatrixXd& S, EffectScore& score) {
     score.candidate = project_candidate(nuisance, S);
     score.test = score_test(score.candidate, outside, data.layout);
     if (score.candidate.rank() == 0) return;
-    const Index own = fit.jacobian.cols();
-    MatrixXd A(S.rows(), own + S.cols());
+    MatrixXd A(S.rows(), fit.jacobian.cols() + S.cols());
     A << fit.jacobian, S;
     const Range range = multiples_of(probe);
     VectorXd lower(A.cols()), upper(A.cols());
+    lower.head(own.lower.size()) = own.lower;
+    upper.head(own.upper.size()) = own.upper;
     for (Index c = 0; c < S.cols(); ++c) {
         const double most = most_over_residual * fit.residual.norm() / std::max(S.col(c).norm(), std::numeric_limits<double>::min());
-        lower(own + c) = std::max(range.lowest, -most);
-        upper(own + c) = std::min(range.highest, most);
-    }
-    for (Index i = 0; i < own; ++i) {
-        const StudyParameter& p = fit.parameters[static_cast<std::size_t>(i)];
-        const double value = value_of(p, fit.values);
-        lower(i) = std::min(0.0, p.parameter.lower - value);
-        upper(i) = std::max(0.0, p.parameter.upper - value);
+        lower(own.lower.size() + c) = std::max(range.lowest, -most);
+        upper(own.upper.size() + c) = std::min(range.highest, most);
     }
     const VectorXd step = bounded_step(A, fit.residual, lower, upper), multiples = step.tail(S.cols());
-    score.step = step.head(own);
-    const VectorXd alone = bounded_step(fit.jacobian, fit.residual, lower.head(own), upper.head(own));
-    const double without = (fit.residual + fit.jacobian * alone).squaredNorm(), with = (fit.residual + A * step).squaredNorm();
+    score.step = step.head(own.lower.size());
+    const double squares = (fit.residual + A * step).squaredNorm();
     const bool possible = probe.probe.joined ? multiples.allFinite() : scaled(*probe.effect, probe.probe, multiples(0), score.start);
     if (possible && probe.probe.joined) score.start = probe.probe.joined(probe.probe.columns, multiples);
-    score.test.explained = possible && without > 0.0 ? std::max(0.0, 1.0 - with / without) : 0.0;
+    score.test.explained = possible && own.squares > 0.0 ? std::max(0.0, 1.0 - squares / own.squares) : 0.0;
     score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
 }
 
@@ -152,6 +164,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
 
     const NuisanceSpace nuisance(fit.jacobian);
     const VectorXd outside = nuisance.outside(fit.residual);
+    const OwnSteps own = own_steps(fit);
     std::vector<MatrixXd> S(probes.size());
     for (std::size_t p = 0; p < probes.size(); ++p) S[p].resize(data.layout.size(), static_cast<Index>(probes[p].probe.columns.size()));
     for (const Column& column : columns) {
@@ -161,7 +174,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
     }
     parallel_tasks(static_cast<int>(probes.size()), study.settings.threads, [&](int task) {
         const auto p = static_cast<std::size_t>(task);
-        if (scores[p].failure.empty()) finish(probes[p], nuisance, outside, data, fit, S[p], scores[p]);
+        if (scores[p].failure.empty()) finish(probes[p], nuisance, outside, data, fit, own, S[p], scores[p]);
     });
     for (EffectScore& score : scan_markers(study, data, fit, nuisance, allowed)) scores.push_back(std::move(score));
     return scores;

@@ -96,6 +96,31 @@ TEST(LeastSquares, AsksForFewDearJacobians) {
     EXPECT_LT(asked, 0.7 * points);
 }
 
+/// With the Jacobian of the start given, no other is asked for there.
+TEST(LeastSquares, AGoodGuessOfTheJacobianSavesAskingForIt) {
+    const Decay decay = decay_data(2);
+    LeastSquaresOptions options;
+    std::vector<Eigen::VectorXd> asked;
+    const auto fit = [&] {
+        asked.clear();
+        return fit_least_squares(
+            start, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
+            [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
+                asked.push_back(p);
+                return decay(p).jacobian;
+            },
+            options, {});
+    };
+    const LeastSquaresReport plain = fit();
+    ASSERT_FALSE(asked.empty());
+    EXPECT_EQ(asked.front(), plain.start);
+    options.jacobian_guess = decay(plain.start).jacobian;
+    const LeastSquaresReport informed = fit();
+    ASSERT_TRUE(informed.converged());
+    for (const Eigen::VectorXd& p : asked) EXPECT_NE(p, plain.start);
+    EXPECT_LT(informed.jacobians, plain.jacobians);
+}
+
 /// A guess that points the wrong way costs a step, not the fit.
 TEST(LeastSquares, RecoversFromABadGuessOfTheJacobian) {
     const Decay decay = decay_data(2);
