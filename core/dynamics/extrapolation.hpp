@@ -18,6 +18,9 @@ public:
         add(time_s, x);
     }
 
+    void clear() { points_.clear(); }
+    bool known() const { return !points_.empty(); }
+
     void add(double time_s, const Eigen::Matrix3Xd& x) {
         if (points_.size() == 3) points_.erase(points_.begin());
         points_.emplace_back(time_s, x);
@@ -31,6 +34,11 @@ public:
         };
         const Eigen::Matrix3Xd before = velocity(0), last = velocity(1);
         if ((last - before).norm() > 0.4 * std::max(last.norm(), before.norm())) return std::nullopt;
+        return parabola_at(time_s);
+    }
+
+    /// The parabola through the last three, whatever the motion does; the straight line or the position where fewer are known.
+    Eigen::Matrix3Xd parabola_at(double time_s) const {
         Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, points_.back().second.cols());
         for (const auto& [t, position] : points_) {
             double weight = 1.0;

@@ -48,7 +48,9 @@ bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinem
 class Run {
 public:
     Run(StageSolver& solver, const SimulationOptions& options, const RunPart& part, const RunObserver& observer)
-        : solver_(solver), options_(options), part_(part), observer_(observer), jumps_(jump_times(solver.model())) {}
+        : solver_(solver), options_(options), part_(part), observer_(observer), jumps_(jump_times(solver.model())) {
+        if (options.keep_path) trace_.path = std::make_shared<StagePath>();
+    }
 
     Trace take(const Progress& progress) {
         const std::vector<double> ends = step_ends(model(), options_.h_s, options_.end_s);
@@ -58,11 +60,13 @@ public:
             std::vector<double> goals{end};   // the next one last: a step that fails is halved
             for (const double least = (end - point_.time_s) / most_parts; !goals.empty();) {
                 if (progress.cancelled()) return ended(RunStatus::cancelled, "stopped at t = " + std::to_string(point_.time_s) + " s");
+                if (trace_.newton_iterations > options_.most_iterations)
+                    return ended(RunStatus::failed, "at t = " + std::to_string(point_.time_s) + " s the run has taken more than " + std::to_string(options_.most_iterations) + " iterations");
                 Step step = take_step_to(goals.back(), goals.back() == end && is_jump(jumps_, end, options_.h_s));
                 const double h = goals.back() - point_.time_s;
                 if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(solver_, point_.state, step.next, point_.time_s, goals.back())))) {
                     goals.push_back(point_.time_s + 0.5 * h);
-                    past_.restart(point_.time_s, point_.state.x);
+                    start_anew();
                     continue;
                 }
                 if (!step.taken) return ended(RunStatus::failed, where_it_failed(point_.time_s, h, step.last.ok() ? "the motion is no longer finite" : step.last.message));
@@ -103,6 +107,21 @@ private:
         trace_.velocities.push_back(point_.state.v);
     }
 
+    void keep_path(double time_s, const Matrix3Xd& x) {
+        if (!trace_.path) return;
+        trace_.path->times_s.push_back(time_s);
+        trace_.path->positions.push_back(x);
+    }
+
+    /// The motion before says nothing of what comes now.
+    void start_anew() {
+        past_.restart(point_.time_s, point_.state.x);
+        aside_.clear();
+        if (const Matrix3Xd* beside = near_at(point_.time_s)) aside_.add(point_.time_s, point_.state.x - *beside);
+    }
+
+    const Matrix3Xd* near_at(double time_s) const { return options_.near ? options_.near->at(time_s, options_.h_s) : nullptr; }
+
     void set_force(double time_s) {
         set_jump_force(solver_, time_s, point_.state);
         if (observer_.jumped) observer_.jumped(solver_, point_.state, time_s);
@@ -128,7 +147,8 @@ private:
             set_force(loads_from);
             euler_first_ = !ends.empty() && needs_euler(model(), ends.front(), point_.state);
         }
-        past_.restart(point_.time_s, point_.state.x);
+        keep_path(point_.time_s, point_.state.x);
+        start_anew();
         if (observer_.stood) observer_.stood(point_);
         return true;
     }
@@ -152,9 +172,11 @@ private:
     bool solve_stage(const Stage& stage, Step& step, StageSolution& solution) {
         const Body& body = *model().body;
         const std::optional<Matrix3Xd> continued = past_.at(stage.time_s);
+        const Matrix3Xd* beside = near_at(stage.time_s);
         const auto guess = [&](int attempt) -> Matrix3Xd {
             if (attempt == 1) return point_.state.x;
             if (attempt == 2) return undeformed_near(body, point_.state.x);
+            if (beside && aside_.known()) return *beside + aside_.parabola_at(stage.time_s);
             if (continued) return *continued;
             return step.solved.empty() ? Matrix3Xd(point_.state.x + (stage.time_s - point_.time_s) * point_.state.v) : step.solved.back().solution.x;
         };
@@ -176,6 +198,8 @@ private:
         solution.strain = strains(body, solution.x);
         if (model().creep) solution.strain = with_dashpots(*model().creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         past_.add(stage.time_s, solution.x);
+        if (beside) aside_.add(stage.time_s, solution.x - *beside);
+        else aside_.clear();
         step.solved.push_back({stage, solution});
         return true;
     }
@@ -183,6 +207,7 @@ private:
     /// Moves on to the end of a step; `grid`: it is one of step_ends().
     void stand_after(Step& step, bool grid) {
         if (observer_.stepped) observer_.stepped(solver_, step.scheme, point_.time_s, step.end_s - point_.time_s, step.solved);
+        for (const SolvedStage& solved : step.solved) keep_path(solved.stage.time_s, solved.solution.x);
         const bool was_euler = std::exchange(euler_first_, false);
         point_.state = std::move(step.next);
         point_.time_s = step.end_s;
@@ -192,7 +217,7 @@ private:
         }
         record();
         if (step.jump_at_end) set_force(point_.time_s);
-        if (step.jump_at_end || was_euler) past_.restart(point_.time_s, point_.state.x);
+        if (step.jump_at_end || was_euler) start_anew();
         if (grid) ++point_.step;
         if (observer_.stood) observer_.stood(point_);
     }
@@ -205,6 +230,7 @@ private:
     Trace trace_;
     RunPoint point_;
     Extrapolation past_;
+    Extrapolation aside_;   // of the difference to the run that is near
     bool euler_first_ = false;
 };
 

@@ -4,11 +4,13 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "dynamics/integrator.hpp"
+#include "dynamics/stage_path.hpp"
 #include "model/model.hpp"
 
 namespace myo {
@@ -28,6 +30,9 @@ struct SimulationOptions {
     double h_s = 0.005;
     double end_s = 1.0;          // the run covers [0, end_s]
     SolverOptions solver;
+    int most_iterations = std::numeric_limits<int>::max();   // of Newton, over the whole run: one that takes more is given up as failed
+    std::shared_ptr<const StagePath> near;                   // a run that moves nearly alike: saves iterations, changes results within the tolerance
+    bool keep_path = false;                                  // in the trace, for others to be near to
 
     bool starts_at_equilibrium() const { return start == StartKind::equilibrium && initial.positions.size() == 0; }
 };
@@ -46,6 +51,7 @@ struct Trace {
     int factorisations = 0;
     int stages = 0;
     double factor_bytes = 0.0;                  // of the factor in single precision
+    std::shared_ptr<StagePath> path;            // where it was asked for
     SolverTimes times;
 
     bool complete() const { return status == RunStatus::complete; }

@@ -27,8 +27,12 @@ constexpr double fine_unknowns = 8000.0, finest_ratio = 0.5, coarsest_ratio = 0.
 constexpr double step_doubt = 1.0;
 /// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
 constexpr double solver_tolerance = 1e-6;
-/// Evaluations of a candidate's fit before the best go on, and of those that do.
-constexpr int first_evaluations = 6, more_evaluations = 24;
+/// Runs start their stages near those of others, where these can be kept.
+constexpr double most_path_bytes = 1e8;
+/// Evaluations of a candidate's amount before the best go on, and of those that do.
+constexpr int first_evaluations = 4, more_evaluations = 20;
+/// A run that takes so many times the iterations of the declared fit's is given up: its numbers are absurd.
+constexpr int absurd_run = 4;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best.
 constexpr double hopeful = 4.0;
 /// A probe that takes away less of the residual is not worth a fit; nor is one that takes away less than this share of what the best does,
@@ -51,12 +55,24 @@ struct CandidateStart {
 };
 CandidateStart start_of(const EffectScore& score) { return {{score.id, score.start}, score.step}; }
 
+/// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
+double stepped(const Parameter& p, double value, double step) {
+    const double most = std::exp(2.0);
+    const double lower = p.over_decades ? std::max(p.lower, (value + p.scale) / most - p.scale) : p.lower;
+    const double upper = p.over_decades ? std::min(p.upper, (value + p.scale) * most - p.scale) : p.upper;
+    return std::clamp(value + step, lower, upper);
+}
+
 /// A diagnosis on its way.
 class Work {
 public:
     Work(const Study& study, const DiagnoseSettings& settings, const Progress& progress, const std::function<void(const Diagnosis&)>& live)
         : study_(study), serial_(study_), progress_(progress), live_(live) {
-        for (StudyTrial& trial : study_.trials) trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
+        for (StudyTrial& trial : study_.trials) {
+            trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
+            const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
+            trial.options.keep_path = 8.0 * stages * study_.body->dofs() < most_path_bytes;
+        }
         serial_ = study_;
         study_.settings.derivatives = serial_.settings.derivatives = Derivatives::differences;
         serial_.settings.threads = 1;
@@ -106,12 +122,12 @@ private:
 
     int fit_count() const { return static_cast<int>(result_.data.trials.size()); }
 
-    JointFit fit(const Study& study, const StudyValues& start, int evaluations, const KnownDerivatives& known, const Progress& progress) {
+    JointFit fit(const Study& study, const StudyValues& start, EffectFreedom freedom, int evaluations, const Neighbourhood& known, const Progress& progress) {
         LeastSquaresOptions options;
         options.max_evaluations = evaluations;
         options.relative_decrease = 1e-4;   // of a sum of thousands of squares: a quarter of a standard deviation, and the step before was larger
         options.relative_step = 1e-5;
-        const std::vector<StudyParameter> parameters = joint_parameters(study, start);
+        const std::vector<StudyParameter> parameters = joint_parameters(study, start, freedom);
         std::string key = std::to_string(evaluations) + (result_.data.shift.empty() ? "" : " shifted");
         for (const EffectDeclaration& effect : start.effects) key += " " + effect_words(effect);
         for (const StudyParameter& p : parameters) key += " " + p.parameter.name + " " + std::to_string(p.parameter.value);
@@ -120,7 +136,7 @@ private:
             for (std::size_t i = 0; i < parameters.size(); ++i) set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
             options.max_evaluations = 0;
         }
-        JointFit fit = joint_fit(study, result_.data, from, options, known, progress);
+        JointFit fit = joint_fit(study, result_.data, from, freedom, options, known, progress);
         if (!fit.usable() || progress.cancelled()) return fit;
         VectorXd found(static_cast<Index>(parameters.size()));
         for (std::size_t i = 0; i < parameters.size(); ++i) found(static_cast<Index>(i)) = value_of(parameters[i], fit.values);
@@ -137,13 +153,17 @@ private:
         }
         stage("step", 2 * fit_count(), [&] { return lengthen_step(); });
         if (progress_.cancelled()) return false;
-        JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), 30, {}, progress_); });
+        JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), EffectFreedom::all, 30, {}, progress_); });
         if (progress_.cancelled()) return false;
         if (!declared.usable()) {
             result_.failure = "the declared model cannot be run: " + declared.report.message;
             return false;
         }
         result_.cost.back().runs = declared.runs(fit_count());
+        for (std::size_t i = 0; i < result_.data.trials.size(); ++i) {
+            const std::size_t t = result_.data.trials[i];
+            study_.trials[t].options.most_iterations = serial_.trials[t].options.most_iterations = absurd_run * declared.predictions[i].trace.newton_iterations;
+        }
         result_.declared = judged(result_.data, std::move(declared), result_.settings);
         return true;
     }
@@ -194,7 +214,7 @@ private:
         result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.declared.fit.values); });
         if (progress_.cancelled()) return false;
         result_.data.shift = declared_shift_ = result_.numerics.shift;
-        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, 6, derivatives_of(result_.declared.fit), progress_); });
+        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, EffectFreedom::all, 6, neighbourhood_of(result_.declared.fit), progress_); });
         if (progress_.cancelled()) return false;
         if (again.usable()) result_.declared = judged(result_.data, std::move(again), result_.settings);
         return true;
@@ -206,18 +226,23 @@ private:
         return !progress_.cancelled();
     }
 
-    /// Fits of these starts beside a fit's effects, the hopeful ones to the end. In the order of the starts; unusable where they failed.
+    /// Fits of these starts beside a fit's effects: how much of each at first, then the hopeful ones with all their numbers. In the order of the
+    /// starts; unusable where they failed.
     std::vector<JudgedFit> fits_from(const std::string& name, const JointFit& base, const std::vector<CandidateStart>& starts) {
         std::vector<JudgedFit> fits(starts.size());
         std::atomic<int> done{0};
         std::mutex mutex;
-        const KnownDerivatives of_base = derivatives_of(base);
-        const auto round = [&](int evaluations, const std::function<bool(std::size_t)>& wanted, const std::function<StudyValues(std::size_t)>& from) {
+        const Neighbourhood of_base = neighbourhood_of(base);
+        const auto round = [&](const Study& study, EffectFreedom freedom, int evaluations, const std::function<bool(std::size_t)>& wanted,
+                               const std::function<StudyValues(std::size_t, double)>& from) {
             parallel_tasks(static_cast<int>(starts.size()), study_.settings.threads, [&](int task) {
                 const auto i = static_cast<std::size_t>(task);
                 if (progress_.cancelled() || !wanted(i)) return;
-                const KnownDerivatives known = fits[i].usable() ? derivatives_of(fits[i].fit) : of_base;
-                JointFit found = fit(serial_, from(i), evaluations, known, progress_.with_sink({}));
+                Neighbourhood known = fits[i].usable() ? neighbourhood_of(fits[i].fit) : of_base;
+                known.paths = of_base.paths;   // those of all candidates would fill the memory
+                JointFit found = fit(study, from(i, 1.0), freedom, evaluations, known, progress_.with_sink({}));
+                // What the probe foretells may be more than the model can run with.
+                if (!found.usable() && !fits[i].usable() && !progress_.cancelled()) found = fit(study, from(i, 0.0), freedom, evaluations, known, progress_.with_sink({}));
                 if (!found.usable() || progress_.cancelled()) return;
                 for (TrialPrediction& prediction : found.predictions) prediction.trace = {};
                 JudgedFit fresh = judged(result_.data, std::move(found), result_.settings);
@@ -227,22 +252,31 @@ private:
                 progress_.report({name, static_cast<double>(++done), 2.0 * static_cast<double>(starts.size()), "fits", starts[i].effect.id});
             });
         };
-        round(first_evaluations, [](std::size_t) { return true; }, [&](std::size_t i) {
+        round(serial_, EffectFreedom::amount, first_evaluations, [](std::size_t) { return true; }, [&](std::size_t i, double share) {
             StudyValues values = base.values;
             for (std::size_t p = 0; p < base.parameters.size() && starts[i].step.size() > 0; ++p) {
                 const StudyParameter& own = base.parameters[p];
-                const double moved = value_of(own, base.values) + starts[i].step(static_cast<Index>(p));
-                set_value(own, std::clamp(moved, own.parameter.lower, own.parameter.upper), values);
+                set_value(own, stepped(own.parameter, value_of(own, base.values), share * starts[i].step(static_cast<Index>(p))), values);
             }
             values.effects.push_back(starts[i].effect);
             return values;
         });
         double best = std::numeric_limits<double>::infinity();
+        for (const Candidate& candidate : result_.candidates)
+            if (candidate.judged) best = std::min(best, candidate.judged->fit.squares());
         for (const JudgedFit& fit : fits)
             if (fit.usable()) best = std::min(best, fit.fit.squares());
         done = static_cast<int>(starts.size());
-        round(more_evaluations, [&](std::size_t i) { return fits[i].usable() && !fits[i].fit.report.converged() && fits[i].fit.squares() < hopeful * best; },
-              [&](std::size_t i) { return fits[i].fit.values; });
+        const auto unfinished = [&](const JointFit& fit) { return !fit.report.converged() || fit.parameters.size() < joint_parameters(study_, fit.values).size(); };
+        const auto found_so_far = [&](std::size_t i, double) { return fits[i].fit.values; };
+        const auto hopeful_one = [&](std::size_t i) { return fits[i].usable() && unfinished(fits[i].fit) && fits[i].fit.squares() < hopeful * best; };
+        // The best goes first: what it comes to may leave the others no hope.
+        std::size_t leader = starts.size();
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (hopeful_one(i) && (leader == starts.size() || fits[i].fit.squares() < fits[leader].fit.squares())) leader = i;
+        round(study_, EffectFreedom::all, more_evaluations, [&](std::size_t i) { return i == leader; }, found_so_far);
+        if (leader < starts.size()) best = std::min(best, fits[leader].fit.squares());
+        round(serial_, EffectFreedom::all, more_evaluations, [&](std::size_t i) { return i != leader && hopeful_one(i); }, found_so_far);
         return fits;
     }
 
@@ -326,7 +360,7 @@ private:
         result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(judged_fit.fit.values); });
         if (progress_.cancelled()) return false;
         result_.data.shift = result_.numerics.shift;
-        JointFit again = stage("last fit", 4 * fit_count(), [&] { return fit(study_, judged_fit.fit.values, 12, derivatives_of(judged_fit.fit), progress_); });
+        JointFit again = stage("last fit", 4 * fit_count(), [&] { return fit(study_, judged_fit.fit.values, EffectFreedom::all, 12, neighbourhood_of(judged_fit.fit), progress_); });
         if (progress_.cancelled()) return false;
         if (!again.usable()) return true;
         const double weight = judged_fit.weight, criterion = judged_fit.criterion;

@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/throttle.hpp"
-#include "diagnosis/bounded_step.hpp"
+#include "inverse/bounded_step.hpp"
 #include "effect/catalogue.hpp"
 #include "loop/marker_scan.hpp"
 #include "loop/peak_energy.hpp"
@@ -154,7 +154,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
         const Stopwatch watch;
         if (!acts_on(search.sites[i], effect.parameters)) column.predictions[i] = fit.predictions[i];
         else if (is_seen_only(effect)) column.predictions[i] = observe_trial(study, trial, column.values, fit.predictions[i].trace);
-        else column.predictions[i] = predict_trial(study, trial, column.values, {}, progress.with_sink({}));
+        else column.predictions[i] = predict_trial(study, trial, column.values, {}, progress.with_sink({}), fit.predictions[i].trace.path);
         column.predictions[i].trace = {};
         const std::lock_guard<std::mutex> lock(mutex);
         scores[column.score].seconds += watch.seconds();

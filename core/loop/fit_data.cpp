@@ -40,6 +40,7 @@ std::vector<std::size_t> places(const FitData& data) {
 FitData fit_data(const Study& study, const std::vector<std::size_t>& trials) {
     FitData data;
     data.trials = trials;
+    data.noise_declared = study.experiment.markers.noise_m.has_value();
     std::vector<double> noise;
     for (const std::size_t trial : trials)
         for (std::size_t marker = 0; marker < study.marker_names.size(); ++marker)

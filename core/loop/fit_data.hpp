@@ -18,6 +18,7 @@ struct FitData {
     std::vector<std::size_t> trials;   // of the study
     ResidualLayout layout;             // its trials are those numbers
     Eigen::VectorXd noise_m;           // per entry
+    bool noise_declared = true;        // by the experiment; otherwise it is that of still markers, which no model of a real body comes down to
     PredictionShift shift;             // empty: none
 };
 FitData fit_data(const Study& study, const std::vector<std::size_t>& trials);

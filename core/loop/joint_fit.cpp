@@ -60,8 +60,8 @@ void bound_places(const Study& study, std::vector<StudyParameter>& parameters) {
 /// Residuals of all trials and their derivatives, with the last predictions kept for these.
 class Residuals {
 public:
-    Residuals(const Study& study, const FitData& data, const StudyValues& start, int most_evaluations, JointFit& fit)
-        : study_(study), data_(data), start_(start), most_evaluations_(most_evaluations), fit_(fit), priors_(fit.parameters) {}
+    Residuals(const Study& study, const FitData& data, const StudyValues& start, int most_evaluations, const Neighbourhood& known, JointFit& fit)
+        : study_(study), data_(data), start_(start), most_evaluations_(most_evaluations), fit_(fit), priors_(fit.parameters), near_(known.paths) {}
 
     ResidualEvaluation evaluate(const VectorXd& p, const Progress& progress) {
         if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
@@ -73,7 +73,7 @@ public:
         }
         const StudyValues values = values_at(fit_.parameters, p, start_);
         std::vector<PredictionTask> tasks;
-        for (const std::size_t trial : data_.trials) tasks.push_back({trial, &values});
+        for (std::size_t i = 0; i < data_.trials.size(); ++i) tasks.push_back({data_.trials[i], &values, i < near_.size() ? near_[i] : nullptr});
         predictions_ = predict_trials(study_, tasks, {}, progress);
         last_at_ = p;
         for (std::size_t i = 0; i < predictions_.size(); ++i)
@@ -91,13 +91,15 @@ public:
             fit_.residual = residual;
             fit_.values = values;
             fit_.predictions = predictions_;
+            near_.clear();
+            for (const TrialPrediction& prediction : predictions_) near_.push_back(prediction.trace.path);
         }
         last_ = evaluation;
         return evaluation;
     }
 
     /// Columns that are known are taken over; the others take runs, of all trials side by side. Empty: the model could not be run.
-    MatrixXd jacobian(const VectorXd& p, const KnownDerivatives& known, const Progress& progress) {
+    MatrixXd jacobian(const VectorXd& p, const Neighbourhood& known, const Progress& progress) {
         if (last_at_.size() == 0 || p != last_at_) evaluate(p, progress);
         if (!last_.ok) return {};
         const StudyValues values = values_at(fit_.parameters, p, start_);
@@ -132,6 +134,7 @@ private:
     int most_evaluations_;
     JointFit& fit_;
     Priors priors_;
+    std::vector<std::shared_ptr<const StagePath>> near_;   // of the best so far
     double least_ = std::numeric_limits<double>::infinity();
     int evaluations_ = 0;
     VectorXd last_at_;
@@ -141,35 +144,34 @@ private:
 
 }  // namespace
 
-std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start) {
+std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start, EffectFreedom freedom) {
     std::vector<StudyParameter> parameters = study_parameters(study);
-    for (std::size_t e = study.experiment.effects.size(); e < start.effects.size(); ++e)
-        for (StudyParameter& parameter : effect_study_parameters(start.effects[e], e)) parameters.push_back(std::move(parameter));
+    for (std::size_t e = study.experiment.effects.size(); e < start.effects.size(); ++e) {
+        std::vector<StudyParameter> own = effect_study_parameters(start.effects[e], e);
+        if (freedom == EffectFreedom::amount && !own.empty())
+            std::erase_if(own, [amount = own.front().of_effect](const StudyParameter& p) { return p.of_effect != amount; });
+        for (StudyParameter& parameter : own) parameters.push_back(std::move(parameter));
+    }
     bound_places(study, parameters);
     for (StudyParameter& p : parameters) p.parameter.value = std::clamp(value_of(p, start), p.parameter.lower, p.parameter.upper);
     return parameters;
 }
 
-void KnownDerivatives::add(const std::string& name, const VectorXd& column) {
-    names.push_back(name);
-    columns.conservativeResize(column.size(), static_cast<Index>(names.size()));
-    columns.rightCols(1) = column;
-}
-
-KnownDerivatives derivatives_of(const JointFit& fit) {
-    KnownDerivatives known;
+Neighbourhood neighbourhood_of(const JointFit& fit) {
+    Neighbourhood known;
     for (const StudyParameter& p : fit.parameters) known.names.push_back(p.parameter.name);
     known.columns = fit.jacobian;
+    for (const TrialPrediction& prediction : fit.predictions) known.paths.push_back(prediction.trace.path);
     return known;
 }
 
-JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const KnownDerivatives& known,
-                   const Progress& progress) {
+JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, EffectFreedom freedom, const LeastSquaresOptions& options,
+                   const Neighbourhood& known, const Progress& progress) {
     const Stopwatch watch;
     JointFit fit;
-    fit.parameters = joint_parameters(study, start);
+    fit.parameters = joint_parameters(study, start, freedom);
     fit.values = start;
-    Residuals residuals(study, data, start, options.max_evaluations, fit);
+    Residuals residuals(study, data, start, options.max_evaluations, known, fit);
     std::vector<Parameter> parameters;
     for (const StudyParameter& p : fit.parameters) parameters.push_back(p.parameter);
     VectorXd origin(static_cast<Index>(parameters.size()));
@@ -179,6 +181,7 @@ JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& s
     fit.report = fit_least_squares(
         parameters, [&](const VectorXd& p, const Progress& inner) { return residuals.evaluate(p, inner); },
         [&](const VectorXd& p, const ResidualEvaluation&, const Progress& inner) { return residuals.jacobian(p, {}, inner); }, informed, progress);
+    if (fit.report.jacobian.rows() < fit.residual.size()) fit.residual.resize(0);   // it ran there, but nowhere beside: nothing to judge it by
     if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
     fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(study.experiment.effects.size()), fit.values.effects.end());
     fit.seconds = watch.seconds();

@@ -26,24 +26,26 @@ struct JointFit {
     double squares() const { return residual.squaredNorm(); }
 };
 
-/// Derivatives of a flat residual by numbers, near where a fit starts.
-struct KnownDerivatives {
-    std::vector<std::string> names;   // of the numbers
-    Eigen::MatrixXd columns;          // N x names
-
-    void add(const std::string& name, const Eigen::VectorXd& column);
+/// What is known near where a fit starts: derivatives of the flat residual by numbers, and motions.
+struct Neighbourhood {
+    std::vector<std::string> names;                        // of the numbers
+    Eigen::MatrixXd columns;                               // N x names
+    std::vector<std::shared_ptr<const StagePath>> paths;   // of data.trials; null: none
 };
-KnownDerivatives derivatives_of(const JointFit& fit);
+Neighbourhood neighbourhood_of(const JointFit& fit);
+
+/// What a fit moves of the effects it tries: the first parameter of each says how much there is of it, others where and how.
+enum class EffectFreedom { amount, all };
 
 /// Levenberg-Marquardt on the data from `start`, whose effects beyond those of the experiment are fitted, too.
 ///
 /// study.settings.threads trials side by side. Effects' vectors are held near their start by a weak prior of ten times their scale: the
 /// data see a place on a surface in two directions only.
-/// What is known of the derivatives there saves runs.
-JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, const LeastSquaresOptions& options, const KnownDerivatives& known,
-                   const Progress& progress);
+/// What is known there saves runs and iterations.
+JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, EffectFreedom freedom, const LeastSquaresOptions& options,
+                   const Neighbourhood& known, const Progress& progress);
 
 /// The declared parameters' and the tried effects' ones.
-std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start);
+std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValues& start, EffectFreedom freedom = EffectFreedom::all);
 
 }  // namespace myo

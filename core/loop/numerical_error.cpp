@@ -66,7 +66,11 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
     NumericalError error;
     error.step_ratio = 0.5;
     Study halved = study;
-    for (StudyTrial& trial : halved.trials) trial.options.h_s *= error.step_ratio;
+    for (StudyTrial& trial : halved.trials) {
+        trial.options.h_s *= error.step_ratio;
+        trial.options.most_iterations = SimulationOptions().most_iterations;   // it has more steps
+        trial.options.keep_path = false;
+    }
     std::vector<PredictionTask> tasks;
     for (std::size_t t = 0; t < study.trials.size(); ++t) tasks.push_back({t, &values});
     const std::vector<TrialPrediction> finer_step = predict_trials(halved, tasks, {}, progress);

@@ -12,6 +12,9 @@ namespace {
 
 /// Confidence in what the tests say, should all they assume hold.
 constexpr double trust = 0.97;
+/// Cameras alone, at rest, are far better than any model of a real body. Where nobody says how good a model could be, an effect is named that
+/// leaves at most this share of the rms, also on samples it was not fitted to.
+constexpr double most_left = 0.7;
 
 std::string times_noise(double rms) { return format_number(rms, 3) + " times the noise"; }
 
@@ -54,6 +57,17 @@ JudgedFit unknown(Diagnosis& d, const JudgedFit& best) {
     return best;
 }
 
+bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
+    return !d.data.noise_declared && fit.usable() && fit.held_out_rms <= most_left * d.declared.held_out_rms && fit.rms_m <= most_left * d.declared.rms_m;
+}
+
+JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit) {
+    const double left = fit.rms_m / d.declared.rms_m;
+    effects(d, fit, fit.weight * (1.0 - 0.5 * left));
+    d.verdict.because += " What is left is unexplained: the noise was taken from still markers, and no model of a real body comes down to that.";
+    return fit;
+}
+
 }  // namespace
 
 JudgedFit decide(Diagnosis& d) {
@@ -63,6 +77,8 @@ JudgedFit decide(Diagnosis& d) {
     if (!needs_explanation(d.declared, d.data, d.numerics)) fit = none(d);
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, first->judged->weight);
     else if (pair && explains(*pair, d.declared, d.data, d.numerics)) fit = effects(d, *pair, pair->weight);
+    else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged);
+    else if (pair && takes_most(d, *pair)) fit = most_of_it(d, *pair);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
     if (d.numerics.left_rms_m > d.noise_m)
         d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");

@@ -7,6 +7,7 @@
 #include "material/tensors.hpp"
 #include "model/hourglass.hpp"
 #include "model/packed_cells.hpp"
+#include "model/point_bulk.hpp"
 
 namespace myo {
 
@@ -15,6 +16,7 @@ struct PackInput {
     const Material* material = nullptr;
     bool elastic = false, viscous = false;
     Pack mu = 0.0, kappa = 0.0;             // [Pa]
+    PointBulk point_bulk;                   // of cells with a mean volume
     Pack viscous_mu = 0.0;                  // damping times mu [Pa s]; needs `rate_history`
     double rate_factor = 0.0;               // strain rate = rate_factor * strain + rate_history
     const double* rate_history = nullptr;   // strains_per_cell packs
@@ -265,8 +267,8 @@ void evaluate_pack(const PackedCells<N, Q>& cells, int pack, const Eigen::Matrix
     const bool split = in.elastic && in.material->has_split();
     const bool mean = cells.mean_volume && split;
     // What the points keep of the bulk modulus, and what acts on the cell's mean.
-    const Pack point_kappa = mean ? cells.point_bulk_over_mu * in.mu : in.kappa;
-    const bool point_bulk = split && (!mean || cells.point_bulk_over_mu != 0.0);
+    const Pack point_kappa = mean ? in.point_bulk.of(in.mu, in.kappa) : in.kappa;
+    const bool point_bulk = split && (!mean || cells.most_point_bulk_over_mu != 0.0);
 
     LawResponse<Pack> law;
     for (std::size_t q = 0; q < Q; ++q) {

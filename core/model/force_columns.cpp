@@ -78,6 +78,7 @@ UnitForces unit_forces_of(const PackedCells<N, Q>& cells, const Model& model, co
             PackInput elastic;
             elastic.material = model.material.get();
             elastic.elastic = true;
+            elastic.point_bulk = point_bulk(cells, pack, model.moduli);
             elastic.mu = 1.0;
             keep(forces.mu, elastic);
             std::swap(elastic.mu, elastic.kappa);

@@ -42,6 +42,7 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     if (in.elastic) {
         in.mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].mu; });
         in.kappa = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].kappa; });
+        in.point_bulk = point_bulk(cells, pack, model.moduli);
     }
     if (in.viscous) {
         in.viscous_mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.viscous[c].mu; });
@@ -158,7 +159,7 @@ VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, cons
             theta += share * law.volume.value;
             if (dx) d_theta += share * double_dot(law.volume.gradient, deformation_gradient<N>(de, G));
             if (cells.mean_volume && q + 1 < Q) continue;
-            const ScalarFunctionOf<Pack> U = model.material->bulk(theta, cells.mean_volume ? kappa - cells.point_bulk_over_mu * mu : kappa);
+            const ScalarFunctionOf<Pack> U = model.material->bulk(theta, cells.mean_volume ? kappa - point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa);
             const Pack p = U.first + U.second * d_theta;
             p.copy_to(pressure.data() + (pack * per_cell + (cells.mean_volume ? 0 : q)) * pack_width, std::experimental::element_aligned);
         }

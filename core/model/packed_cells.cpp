@@ -6,7 +6,7 @@ template <int N, int Q>
 PackedCells<N, Q> pack_cells(const ElementBlock<N, Q>& block) {
     PackedCells<N, Q> packed;
     packed.mean_volume = block.mean_volume;
-    packed.point_bulk_over_mu = block.point_bulk_over_mu;
+    packed.most_point_bulk_over_mu = block.most_point_bulk_over_mu;
     packed.cell_count = block.cell_count();
     const int packs = (block.cell_count() + pack_width - 1) / pack_width;
     packed.lane_nodes.resize(static_cast<std::size_t>(packs));

@@ -39,7 +39,7 @@ struct PackedCells {
     using LaneNodes = std::array<std::array<int, pack_width>, N>;
 
     bool mean_volume = false;
-    double point_bulk_over_mu = 0.0;        // see ElementBlock
+    double most_point_bulk_over_mu = 0.0;   // see ElementBlock
     int cell_count = 0;
     std::vector<LaneNodes> lane_nodes;      // per pack
     std::vector<PackGeometry<N, Q>> geometry;

@@ -48,7 +48,8 @@ void add_hourglass_work(const Eigen::Matrix<Pack, 3, 8>& x, const Eigen::Matrix<
 }
 
 template <int N, int Q>
-PackWork pack_work(const PackedCells<N, Q>& cells, int pack, const Material& material, const Matrix3Xd& x, const Matrix3Xd& p, const StrainRate& rate) {
+PackWork pack_work(const PackedCells<N, Q>& cells, int pack, const Material& material, const PointBulk& bulk, const Matrix3Xd& x, const Matrix3Xd& p,
+                   const StrainRate& rate) {
     const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
     const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
     const auto xe = gather_lanes<N>(nodes, x), pe = gather_lanes<N>(nodes, p);
@@ -70,7 +71,11 @@ PackWork pack_work(const PackedCells<N, Q>& cells, int pack, const Material& mat
                 const Pack share = weight / geometry.volume;
                 theta += share * law.volume.value;
                 d_theta += share * change;
-                if (cells.point_bulk_over_mu != 0.0) work.mu += cells.point_bulk_over_mu * weight * material.bulk(law.volume.value, one).first * change;
+                if (cells.most_point_bulk_over_mu != 0.0) {
+                    const Pack at_point = weight * material.bulk(law.volume.value, one).first * change;
+                    work.mu += bulk.of_mu * at_point;
+                    work.kappa += bulk.of_kappa * at_point;
+                }
             } else {
                 work.kappa += weight * material.bulk(law.volume.value, one).first * change;
             }
@@ -88,8 +93,8 @@ PackWork pack_work(const PackedCells<N, Q>& cells, int pack, const Material& mat
     }
     if (split && cells.mean_volume) {
         const Pack mean = geometry.volume * material.bulk(theta, one).first * d_theta;
-        work.kappa += mean;
-        work.mu -= cells.point_bulk_over_mu * mean;
+        work.kappa += (1.0 - bulk.of_kappa) * mean;
+        work.mu -= bulk.of_mu * mean;
     }
     if constexpr (N == 8 && Q == 1)
         if (!cells.hourglass.empty())
@@ -110,7 +115,7 @@ void add_moduli_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p,
         [&](const auto& cells) {
             parallel_ranges(cells.pack_count(), 16, [&](int first, int end) {
                 for (int pack = first; pack < end; ++pack) {
-                    const PackWork of_pack = pack_work(cells, pack, *model.material, x, p, rate);
+                    const PackWork of_pack = pack_work(cells, pack, *model.material, point_bulk(cells, pack, model.moduli), x, p, rate);
                     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
                         const auto l = static_cast<std::size_t>(lane), c = static_cast<std::size_t>(pack * pack_width + lane);
                         work.elastic[c].mu += of_pack.mu[l];

@@ -42,7 +42,7 @@ std::vector<TrialPrediction> predict_trials(const Study& study, const std::vecto
     JoinedProgress joined(study, tasks, progress);
     parallel_tasks(static_cast<int>(tasks.size()), study.settings.threads, [&](int index) {
         const auto i = static_cast<std::size_t>(index);
-        predictions[i] = predict_trial(study, tasks[i].trial, *tasks[i].values, parameters, joined.of(i));
+        predictions[i] = predict_trial(study, tasks[i].trial, *tasks[i].values, parameters, joined.of(i), tasks[i].near);
     });
     return predictions;
 }

@@ -12,6 +12,7 @@ namespace myo {
 struct PredictionTask {
     std::size_t trial = 0;
     const StudyValues* values = nullptr;
+    std::shared_ptr<const StagePath> near{};   // see predict_trial()
 };
 
 /// Runs the tasks side by side on the study's threads; one prediction per task. Progress is the simulated time of all together

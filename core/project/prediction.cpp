@@ -204,9 +204,10 @@ TrialPrediction observe_trial(const Study& study, std::size_t index, const Study
 }
 
 TrialPrediction predict_trial(const Study& study, std::size_t index, const StudyValues& values,
-                              const std::vector<StudyParameter>& parameters, const Progress& progress) {
+                              const std::vector<StudyParameter>& parameters, const Progress& progress, std::shared_ptr<const StagePath> near) {
     const StudyTrial& trial = study.trials[index];
-    const Affected affected = affected_trial(study, index, values);
+    Affected affected = affected_trial(study, index, values);
+    affected.options.near = std::move(near);
     std::vector<ModelTangent> model_tangents;
     std::vector<int> row_of(parameters.size(), -1);   // which of the run's tangents belongs to a parameter
     for (std::size_t p = 0; p < parameters.size(); ++p)
@@ -279,7 +280,7 @@ ResidualTangent residual_tangent(const Study& study, std::size_t index, const St
         const double step = difference_step(parameter, value_of(parameter, values));
         set_value(parameter, value_of(parameter, values) + step, changed);
         const bool seen_only = parameter.kind == Kind::effect && is_seen_only(values.effects[parameter.index]);
-        const TrialPrediction other = seen_only ? observe_trial(study, index, changed, there.trace) : predict_trial(study, index, changed, {}, progress);
+        const TrialPrediction other = seen_only ? observe_trial(study, index, changed, there.trace) : predict_trial(study, index, changed, {}, progress, there.trace.path);
         result.status = other.status;
         result.message = other.message;
         if (!other.ok()) return result;

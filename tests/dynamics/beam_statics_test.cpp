@@ -26,7 +26,8 @@ double timoshenko_deflection(const test::BeamSpec& spec, double P) {
     return P * L * L * L / (3.0 * E * test::second_moment(spec)) + P * L / (k * G * test::section_area(spec));
 }
 
-/// Length to height 8: shear is 1.2 % of the deflection, so 1 % could not be met without it at nu = 0.
+/// Length to height 8: shear is 1.2 % of the deflection, so 1 % could not be met without it at nu = 0. Where nu > 0 the clamp, which keeps the
+/// section from contracting, makes a body 1 % stiffer than the theory knows (a mesh of 37 thousand unknowns at length to height 10: 0.96 %).
 TEST(SmallLoad, CantileverDeflectsAsTimoshenkoSays) {
     struct Run {
         const char* element;
@@ -44,8 +45,29 @@ TEST(SmallLoad, CantileverDeflectsAsTimoshenkoSays) {
             test::push_tip(model, spec, {0.0, 0.0, -P});
             const double error = -equilibrium_tip(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
             test::record(std::string("error_") + run.element + (nu > 0.0 ? "_nu03" : "_nu0"), error);
-            EXPECT_LT(std::abs(error), 0.01) << run.element << " nu " << nu;
+            EXPECT_LT(std::abs(error), nu > 0.0 ? 0.015 : 0.01) << run.element << " nu " << nu;
         }
+}
+
+/// Cells as thick as the body: what varies within them carries half of the bending. Without Poisson's ratio there they were 10 to 15 % too soft.
+TEST(SmallLoad, LayersOfQuadraticCells) {
+    for (const double nu : {0.0, 0.3, 0.45, 0.499}) {
+        double error[3] = {};
+        for (const int layers : {1, 2}) {
+            test::BeamSpec spec;
+            spec.kind = ElementKind::tet10;
+            spec.size = {0.2, 0.02, 0.02};
+            spec.cells = {10 * layers, layers, layers};
+            spec.poissons_ratio = nu;
+            Model model = test::make_beam(spec);
+            const double P = 1e-4 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0));
+            test::push_tip(model, spec, {0.0, 0.0, -P});
+            error[layers] = -equilibrium_tip(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
+            test::record("error_" + std::to_string(layers) + "_nu" + std::to_string(static_cast<int>(1000.0 * nu)), error[layers]);
+        }
+        EXPECT_LT(std::abs(error[1]), 0.06) << nu;
+        EXPECT_LT(std::abs(error[2]), 0.02) << nu;
+    }
 }
 
 /// Elastica of a cantilever with a dead end force: theta'' = -alpha cos(theta), theta(0) = 0, theta'(1) = 0 with

@@ -123,6 +123,45 @@ TEST(Run, IsIdenticalWhenRepeated) {
     EXPECT_EQ(a.factorisations, b.factorisations);
 }
 
+/// A run beside another one, of a body a little stiffer, that starts its stages there: the same motion within the tolerance, in fewer iterations.
+TEST(Run, NearAnotherItTakesFewerIterations) {
+    for (const char* element : {"hex8", "tet10"}) {
+        test::BeamSpec spec = soft(element);
+        spec.damping_s = 0.003;
+        SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 40);
+        options.solver.tolerance = 1e-6;
+        options.keep_path = true;
+        const Trace first = simulate(test::make_beam(spec), options);
+        ASSERT_TRUE(first.complete());
+        ASSERT_EQ(first.path->times_s.size(), 81u);   // the start, and two stages a step
+        spec.youngs_modulus_Pa *= 1.01;
+        options.keep_path = false;
+        const Trace alone = simulate(test::make_beam(spec), options);
+        options.near = first.path;
+        const Trace beside = simulate(test::make_beam(spec), options);
+        ASSERT_TRUE(alone.complete() && beside.complete());
+        EXPECT_EQ(beside.path, nullptr);
+        const double moved = (alone.positions.back() - alone.positions.front()).norm();
+        EXPECT_LT((alone.positions.back() - beside.positions.back()).norm(), 1e-5 * moved);
+        test::record(std::string("iterations_") + element, static_cast<double>(beside.newton_iterations) / alone.newton_iterations);
+        EXPECT_LT(beside.newton_iterations, 0.8 * alone.newton_iterations) << element;
+    }
+}
+
+TEST(Run, IsGivenUpWhereItTakesTooManyIterations) {
+    SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 20);
+    const Model model = test::make_beam(soft("hex8"));
+    const Trace whole = simulate(model, options);
+    ASSERT_TRUE(whole.complete());
+    options.most_iterations = whole.newton_iterations / 2;
+    const Trace given_up = simulate(model, options);
+    EXPECT_EQ(given_up.status, RunStatus::failed);
+    EXPECT_NE(given_up.message.find("more than " + std::to_string(options.most_iterations) + " iterations"), std::string::npos) << given_up.message;
+    EXPECT_LT(given_up.times_s.size(), whole.times_s.size());
+    options.most_iterations = whole.newton_iterations;
+    EXPECT_TRUE(simulate(model, options).complete());
+}
+
 TEST(Run, StopsAfterTheCurrentStepWhenCancelled) {
     const Model model = test::make_beam(soft("hex8"));
     std::atomic<bool> stop{false};

@@ -96,15 +96,16 @@ TEST(LeastSquares, AsksForFewDearJacobians) {
     EXPECT_LT(asked, 0.7 * points);
 }
 
-/// With the Jacobian of the start given, no other is asked for there.
+/// With the Jacobian of the start given, no other is asked for there while it serves.
 TEST(LeastSquares, AGoodGuessOfTheJacobianSavesAskingForIt) {
     const Decay decay = decay_data(2);
+    const std::vector<Parameter> near = {{"amplitude", 45.0, 0.0, 1e3, 10.0}, {"rate_1_s", 0.9, 0.0, 10.0, 1.0}};
     LeastSquaresOptions options;
     std::vector<Eigen::VectorXd> asked;
     const auto fit = [&] {
         asked.clear();
         return fit_least_squares(
-            start, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
+            near, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
             [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
                 asked.push_back(p);
                 return decay(p).jacobian;

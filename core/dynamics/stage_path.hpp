@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <vector>
+
+namespace myo {
+
+/// Where the stages of a run ended, for another run that moves nearly alike to start its own stages from.
+struct StagePath {
+    std::vector<double> times_s;                // rising
+    std::vector<Eigen::Matrix3Xd> positions;    // 3 x n [m]
+
+    /// Those of a stage that ended within a millionth of `step_s` of the time; null where there is none.
+    const Eigen::Matrix3Xd* at(double time_s, double step_s) const {
+        const double least = time_s - 1e-6 * step_s;
+        const auto found = std::lower_bound(times_s.begin(), times_s.end(), least);
+        if (found == times_s.end() || *found > time_s + 1e-6 * step_s) return nullptr;
+        return &positions[static_cast<std::size_t>(found - times_s.begin())];
+    }
+};
+
+}  // namespace myo

@@ -1,0 +1,197 @@
+#include <Eigen/QR>
+
+#include <cmath>
+
+#include "inverse/bounded_step.hpp"
+#include "inverse/fit_evaluations.hpp"
+#include "inverse/least_squares.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A Jacobian is asked for where the last one misses so large a share of a step's change, and at the end where the last that was asked for,
+/// or given, misses so much of the way from there.
+constexpr double bad_secant = 0.5, trusted_end = 0.1;
+/// A number over decades moves by no more than a factor of e squared at once.
+constexpr double most_decades = 2.0;
+
+/// Residuals with their Jacobian at a point, all in the fit's own units.
+struct Linear {
+    VectorXd u, r;
+    MatrixXd J;
+};
+
+/// Share of the change from one point to another that its Jacobian does not foretell.
+double surprise(const Linear& from, const VectorXd& u, const VectorXd& r) {
+    const VectorXd change = r - from.r;
+    const double length = change.norm();
+    return length > 0.0 ? (change - from.J * (u - from.u)).norm() / length : 0.0;
+}
+
+class SecantDescent {
+public:
+    SecantDescent(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian, const LeastSquaresOptions& options,
+                  const Progress& progress)
+        : parameters_(parameters), jacobian_(jacobian), options_(options), progress_(progress), evaluations_(residuals, options, progress, report_) {}
+
+    LeastSquaresReport run() {
+        const auto n = static_cast<Index>(parameters_.size());
+        report_.start.resize(n);
+        here_.u.resize(n);
+        for (Index i = 0; i < n; ++i) {
+            const Parameter& parameter = parameters_[static_cast<std::size_t>(i)];
+            report_.start(i) = parameter.value;
+            here_.u(i) = internal_value(parameter, parameter.value);
+        }
+        report_.values = report_.start;
+        const ResidualEvaluation first = evaluations_.at(physical(here_.u));
+        set_covariance(parameters_, {}, report_);
+        if (!first.ok) return stop(FitStatus::failed, first.message), std::move(report_);
+        here_.r = first.residuals;
+        if (options_.jacobian_guess.size() > 0 && options_.jacobian_guess.allFinite()) {
+            here_.J = options_.jacobian_guess * slopes().asDiagonal();
+            anchor_ = here_;
+        } else if (!ask()) return stop(FitStatus::failed, no_derivatives), std::move(report_);
+        if (n > 0) descend();
+        else report_.status = FitStatus::converged;
+        report_.jacobian = here_.J * slopes().cwiseInverse().asDiagonal();
+        set_covariance(parameters_, {true, {}, here_.r, report_.jacobian}, report_);
+        return std::move(report_);
+    }
+
+private:
+    static constexpr const char* no_derivatives = "the model could not be run beside these values";
+
+    VectorXd physical(const VectorXd& u) const { return physical_values(parameters_, u); }
+    VectorXd slopes() const { return physical_slopes(parameters_, here_.u); }
+
+    bool is_exact() const { return report_.jacobians > 0 && anchor_.u == here_.u; }
+
+    /// The Jacobian here, by runs of the model.
+    bool ask() {
+        MatrixXd J = jacobian_(physical(here_.u), {true, {}, here_.r, {}}, progress_.with_sink({}));
+        ++report_.jacobians;
+        if (J.size() == 0 || !J.allFinite()) return false;
+        here_.J = J * slopes().asDiagonal();
+        anchor_ = here_;
+        return true;
+    }
+
+    /// The Jacobian that was given or asked for last holds here.
+    bool knows_the_end() const { return is_exact() || (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < trusted_end); }
+
+    /// The step that leaves least within the bounds and the radius, and what it is foretold to leave. scale: lengths of the columns.
+    VectorXd best_step(const VectorXd& scale, double& left) const {
+        const Index n = here_.u.size();
+        const Eigen::HouseholderQR<MatrixXd> qr(here_.J);
+        const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+        const VectorXd c = (qr.householderQ().adjoint() * here_.r).head(n);
+        VectorXd lower(n), upper(n);
+        for (Index i = 0; i < n; ++i) {
+            const Parameter& p = parameters_[static_cast<std::size_t>(i)];
+            const double most = p.over_decades ? most_decades : std::numeric_limits<double>::infinity();
+            const auto room = [&](double bound) { return std::isfinite(bound) ? internal_value(p, bound) - here_.u(i) : bound; };
+            lower(i) = std::min(0.0, std::max(room(p.lower), -most));
+            upper(i) = std::max(0.0, std::min(room(p.upper), most));
+        }
+        // Marquardt's damping: as much as brings the step within the radius.
+        MatrixXd A(2 * n, n);
+        VectorXd b = VectorXd::Zero(2 * n);
+        A.topRows(n) = R;
+        b.head(n) = c;
+        const auto damped = [&](double lambda) -> VectorXd {
+            A.bottomRows(n) = MatrixXd((std::sqrt(lambda) * scale).asDiagonal());
+            return bounded_step(A, b, lower, upper);
+        };
+        const auto length = [&](const VectorXd& s) { return s.cwiseProduct(scale).norm(); };
+        VectorXd step = damped(1e-12);
+        if (length(step) > radius_) {
+            double low = -12.0, high = 6.0;   // decades of lambda
+            for (int bisection = 0; bisection < 30; ++bisection) {
+                const double middle = 0.5 * (low + high);
+                step = damped(std::pow(10.0, middle));
+                (length(step) > radius_ ? low : high) = middle;
+            }
+            step = damped(std::pow(10.0, high));
+        }
+        left = here_.r.squaredNorm() - c.squaredNorm() + (c + R * step).squaredNorm();
+        return step;
+    }
+
+    void descend() {
+        for (;;) {
+            if (progress_.cancelled()) return stop(FitStatus::cancelled, {});
+            const VectorXd scale = here_.J.colwise().norm().transpose().cwiseMax(1e-12 * here_.J.norm());
+            const double squares = here_.r.squaredNorm();
+            double left = 0.0;
+            const VectorXd step = best_step(scale, left);
+            const bool little = squares - left <= options_.relative_decrease * squares || step.norm() <= options_.relative_step * (here_.u.norm() + options_.relative_step);
+            if (little) {
+                if (knows_the_end()) {
+                    report_.status = FitStatus::converged;
+                    return;
+                }
+                if (!ask()) return stop(FitStatus::not_converged, no_derivatives);
+                radius_ = std::numeric_limits<double>::infinity();
+                continue;
+            }
+            if (report_.evaluations >= options_.max_evaluations) return stop(FitStatus::not_converged, "after " + std::to_string(report_.evaluations) + " evaluations it has not converged");
+            const VectorXd u = here_.u + step;
+            const ResidualEvaluation there = evaluations_.at(physical(u));
+            const double length = step.cwiseProduct(scale).norm();
+            if (!there.ok) {
+                radius_ = 0.25 * length;
+                continue;
+            }
+            const double now = there.residuals.squaredNorm(), gain = (squares - now) / (squares - left);
+            const bool bad = surprise(here_, u, there.residuals) > bad_secant;
+            if (now < squares) {
+                if (gain < 0.25) radius_ = 0.5 * length;
+                else if (gain > 0.75) radius_ = std::max(radius_, 2.0 * length);
+                turn(step, there.residuals, scale);
+                here_.u = u;
+                here_.r = there.residuals;
+                if (bad && !ask()) return stop(FitStatus::not_converged, no_derivatives);
+                continue;
+            }
+            // The parabola through the cost and its slope here and the cost there.
+            const double slope = 2.0 * here_.r.dot(here_.J * step), curve = now - squares - slope;
+            radius_ = length * (curve > 0.0 ? std::clamp(-0.5 * slope / curve, 0.1, 0.5) : 0.5);
+            if (!is_exact() && !ask()) return stop(FitStatus::not_converged, no_derivatives);
+        }
+    }
+
+    void stop(FitStatus status, const std::string& message) {
+        report_.status = progress_.cancelled() ? FitStatus::cancelled : status;
+        report_.message = progress_.cancelled() ? "stopped by the user" : message;
+    }
+
+    /// Broyden's update: the Jacobian explains the step just made.
+    void turn(const VectorXd& step, const VectorXd& residuals, const VectorXd& scale) {
+        const VectorXd weighted = scale.cwiseAbs2().cwiseProduct(step);
+        here_.J += (residuals - here_.r - here_.J * step) * weighted.transpose() / step.dot(weighted);
+    }
+
+    const std::vector<Parameter>& parameters_;
+    const JacobianFunction& jacobian_;
+    const LeastSquaresOptions& options_;
+    const Progress& progress_;
+    LeastSquaresReport report_;
+    FitEvaluations evaluations_;
+    Linear here_;
+    Linear anchor_;  // where the Jacobian was last asked for, or given
+    double radius_ = std::numeric_limits<double>::infinity();   // of a step, its numbers times the lengths of their columns
+};
+
+}  // namespace
+
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian,
+                                     const LeastSquaresOptions& options, const Progress& progress) {
+    return SecantDescent(parameters, residuals, jacobian, options, progress).run();
+}
+
+}  // namespace myo

@@ -1,0 +1,77 @@
+#include "loop/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+namespace myo {
+namespace {
+
+constexpr double noise_m = 1e-4;
+
+/// A fit whose residual is so many times the noise, all of it systematic.
+JudgedFit fit_that_leaves(double over_noise, const std::string& effect = {}) {
+    JudgedFit fit;
+    fit.fit.residual = Eigen::VectorXd::Constant(100, over_noise);
+    if (!effect.empty()) fit.fit.effects.push_back({effect, {{"coefficient_kg_m3", 900.0}}});
+    fit.rms_m = over_noise * noise_m;
+    fit.held_out_rms = over_noise;
+    fit.criterion = over_noise;
+    fit.weight = 0.9;
+    fit.tests.systematic.rms = over_noise;
+    fit.tests.variance.p = over_noise > 1.2 ? 0.0 : 1.0;
+    fit.tests.threshold = 0.0025;
+    return fit;
+}
+
+/// A declared fit that leaves ten times the noise, and a candidate.
+Diagnosis with_candidate(double left_over_noise) {
+    Diagnosis d;
+    d.data.noise_m = Eigen::VectorXd::Constant(100, noise_m);
+    d.noise_m = noise_m;
+    d.declared = fit_that_leaves(10.0);
+    Candidate candidate;
+    candidate.score.id = "quadratic_drag";
+    candidate.judged = fit_that_leaves(left_over_noise, "quadratic_drag");
+    d.candidates.push_back(candidate);
+    return d;
+}
+
+TEST(Verdict, NamesWhatExplainsTheResidual) {
+    Diagnosis d = with_candidate(0.3);
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+    ASSERT_EQ(d.verdict.effects.size(), 1u);
+    EXPECT_EQ(d.verdict.effects[0].id, "quadratic_drag");
+    EXPECT_GT(d.verdict.confidence, 0.8);
+    EXPECT_EQ(d.verdict.ranking, (std::vector<std::string>{"quadratic_drag", "unknown", "none"}));
+}
+
+TEST(Verdict, IsNoneWhereNothingNeedsExplaining) {
+    Diagnosis d = with_candidate(0.3);
+    d.declared = fit_that_leaves(0.1);
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::none);
+}
+
+/// With a declared noise an effect that takes away half of the residual is the nearest name, not the answer. Where the noise is that of still
+/// markers, which nothing comes down to, it is named with less confidence.
+TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) {
+    Diagnosis d = with_candidate(5.0);
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+    EXPECT_TRUE(d.verdict.effects.empty());
+
+    d = with_candidate(5.0);
+    d.data.noise_declared = false;
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+    EXPECT_LT(d.verdict.confidence, 0.75);
+    EXPECT_NE(d.verdict.because.find("unexplained"), std::string::npos);
+
+    d = with_candidate(8.0);
+    d.data.noise_declared = false;
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+}
+
+}  // namespace
+}  // namespace myo
