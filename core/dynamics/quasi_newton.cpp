@@ -35,10 +35,15 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
         result.residual = now.residual.norm() / options.scale;
         if (!std::isfinite(result.residual)) return result;
         if (result.residual <= options.tolerance) {
-            // A guess that is within the tolerance takes one correction all the same, lest what guesses miss adds up from step to step.
+            // A guess that is within the tolerance is tried to be corrected all the same, lest what guesses miss adds up from step to step.
             if (result.iterations == 0) {
                 const Eigen::Matrix3Xd corrected = x + scatter(problem.pattern(), metric(-now.residual));
-                if (corrected.allFinite()) x = corrected;
+                const double left = problem.evaluate(corrected, HessianKind::none).residual.norm() / options.scale;
+                ++result.iterations;
+                if (left < result.residual) {
+                    result.residual = left;
+                    x = corrected;
+                }
             }
             result.converged = true;
             return result;

@@ -134,7 +134,7 @@ Elements make_elements(const VolumeMesh& mesh, ElementKind kind) {
         case ElementKind::hex8_full: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), false);
         case ElementKind::tet10: {
             auto block = gauss_block<Tet10, 4>(mesh, tet_degree2(), true);
-            block.most_point_bulk_over_mu = 2.0;
+            block.most_point_bulk_over_mu = 1.5;
             return block;
         }
         case ElementKind::tet10_full: return gauss_block<Tet10, 4>(mesh, tet_degree2(), false);

@@ -55,7 +55,7 @@ struct ElementBlock {
     bool mean_volume = false;
     /// Of the bulk modulus, so many times mu at most stay at the points; the rest acts on the cell's mean volume. What varies within a cell
     /// answers as if Poisson's ratio were that of the part at the points: with 0 (2/3 of mu) one layer of quadratic cells bends 10 to 15 %
-    /// too easily, with 1/2 it locks. 2 (nu 0.29) bends one layer within 6 % and two within 1 % (test SmallLoad.LayersOfQuadraticCells).
+    /// too easily, with 1/2 it locks. 1.5 (nu 0.23) bends one layer 1 to 7 % off and two within 1 % (test SmallLoad.LayersOfQuadraticCells).
     double most_point_bulk_over_mu = 0.0;
     Eigen::MatrixXi cells;
     std::vector<CellGeometry<N, Q>> geometry;

@@ -27,6 +27,8 @@ constexpr double fine_unknowns = 8000.0, finest_ratio = 0.5, coarsest_ratio = 0.
 constexpr double step_doubt = 1.0;
 /// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
 constexpr double solver_tolerance = 1e-6;
+/// Damping that many times the expected one stands in for something else.
+constexpr double far_damping = 3.0;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
 /// Evaluations of a candidate's amount before the best go on, and of those that do.
@@ -306,9 +308,30 @@ private:
         });
     }
 
+    /// Where candidates are scored and their fits start. A fit without the missing effect bends what it has: damping stands in for every loss and
+    /// lag, and from far up there no effect looks like itself. Numbers that have left what was expected go back there.
+    JointFit base_of_candidates() {
+        StudyValues values = result_.declared.fit.values;
+        const StudyValues expected = declared_values(study_);
+        bool bent = false;
+        for (const StudyParameter& p : result_.declared.fit.parameters) {
+            const double now = value_of(p, values), before = value_of(p, expected);
+            const bool far = p.kind == StudyParameter::Kind::damping ? now > far_damping * before
+                                                                      : p.kind == StudyParameter::Kind::start_shift && (now <= p.parameter.lower || now >= p.parameter.upper);
+            if (!far) continue;
+            bent = true;
+            set_value(p, before, values);
+        }
+        if (!bent) return result_.declared.fit;
+        JointFit base = fit(study_, values, EffectFreedom::all, 1, {}, progress_);
+        return base.usable() ? base : result_.declared.fit;
+    }
+
     bool single_effects() {
+        base_ = stage("score", fit_count(), [&] { return base_of_candidates(); });
+        if (progress_.cancelled()) return false;
         std::vector<EffectScore> scores = stage("score", 0, [&] {
-            return score_effects(study_, result_.data, result_.declared.fit, [this](const std::string& id) { return allowed(id); }, progress_);
+            return score_effects(study_, result_.data, base_, [this](const std::string& id) { return allowed(id); }, progress_);
         });
         if (progress_.cancelled()) return false;
         std::vector<double> p;
@@ -376,7 +399,7 @@ private:
         if (first >= last) return true;
         const std::vector<CandidateStart> part(starts.begin() + static_cast<std::ptrdiff_t>(first), starts.begin() + static_cast<std::ptrdiff_t>(last));
         runs_ = 0;
-        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", result_.declared.fit, part); });
+        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", base_, part); });
         result_.cost.back().runs += runs_;
         if (progress_.cancelled()) return false;
         for (std::size_t i = 0; i < fits.size(); ++i)
@@ -446,6 +469,7 @@ private:
     std::unique_ptr<FitStore> store_;
     std::unique_ptr<Study> refined_;
     bool mesh_failed_ = false;
+    JointFit base_;                                 // where candidates are scored and start
     PredictionShift declared_shift_;                // found with the declared fit, which it belongs to
     std::vector<EffectDeclaration> corrected_at_;   // effects of the fit at which the numerical error was last found
     int runs_ = 0;
