@@ -27,6 +27,8 @@ constexpr double fine_unknowns = 8000.0, finest_ratio = 0.5, coarsest_ratio = 0.
 constexpr double step_doubt = 1.0;
 /// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
 constexpr double solver_tolerance = 1e-6;
+/// Scores are made by runs of twice the step where that changes less than this share of the residual.
+constexpr double step_in_scores = 0.3;
 /// Damping that many times the expected one stands in for something else.
 constexpr double far_damping = 3.0;
 /// Runs start their stages near those of others, where these can be kept.
@@ -327,11 +329,25 @@ private:
         return base.usable() ? base : result_.declared.fit;
     }
 
+    /// The scores of a fit's residual by runs of twice the step, where that changes predictions by less than a share of the residual.
+    std::vector<EffectScore> scores_of(const JointFit& base, const EffectFilter& wanted) {
+        Study longer = study_;
+        for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
+        std::vector<PredictionTask> tasks;
+        for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &base.values});
+        const std::vector<TrialPrediction> unaffected = predict_trials(longer, tasks, {}, progress_);
+        if (progress_.cancelled()) return {};
+        const bool runs = std::all_of(unaffected.begin(), unaffected.end(), [](const TrialPrediction& prediction) { return prediction.ok(); });
+        if (runs && (flat_residual(result_.data, unaffected) - base.residual).norm() < step_in_scores * base.residual.norm())
+            return score_effects(longer, result_.data, base, unaffected, wanted, progress_);
+        return score_effects(study_, result_.data, base, base.predictions, wanted, progress_);
+    }
+
     bool single_effects() {
         base_ = stage("score", fit_count(), [&] { return base_of_candidates(); });
         if (progress_.cancelled()) return false;
-        std::vector<EffectScore> scores = stage("score", 0, [&] {
-            return score_effects(study_, result_.data, base_, [this](const std::string& id) { return allowed(id); }, progress_);
+        std::vector<EffectScore> scores = stage("score", fit_count(), [&] {
+            return scores_of(base_, [this](const std::string& id) { return allowed(id); });
         });
         if (progress_.cancelled()) return false;
         std::vector<double> p;
@@ -421,7 +437,7 @@ private:
         if (progress_.cancelled()) return;
         const std::string first_id = result_.candidates.front().score.id;
         const std::vector<EffectScore> scores = stage("score of pairs", 0, [&] {
-            return score_effects(study_, result_.data, base, [&](const std::string& id) { return id != first_id && allowed(id); }, progress_);
+            return scores_of(base, [&](const std::string& id) { return id != first_id && allowed(id); });
         });
         if (progress_.cancelled()) return;
         std::vector<CandidateStart> starts;

@@ -121,9 +121,10 @@ EffectSearch effect_search(const Study& study, const FitData& data, const StudyV
     return search;
 }
 
-std::vector<EffectScore> score_effects(const Study& study, const FitData& data, const JointFit& fit, const EffectFilter& allowed, const Progress& progress) {
+std::vector<EffectScore> score_effects(const Study& study, const FitData& data, const JointFit& fit, const std::vector<TrialPrediction>& unaffected,
+                                       const EffectFilter& allowed, const Progress& progress) {
     EffectSearch search = effect_search(study, data, fit.values);
-    search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, fit.predictions);
+    search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, unaffected);
     std::vector<Probe> probes;
     std::vector<EffectScore> scores;
     std::vector<Column> columns;
@@ -152,9 +153,9 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
         const std::size_t i = static_cast<std::size_t>(task) % trials, trial = data.trials[i];
         const EffectDeclaration& effect = column.values.effects.back();
         const Stopwatch watch;
-        if (!acts_on(search.sites[i], effect.parameters)) column.predictions[i] = fit.predictions[i];
-        else if (is_seen_only(effect)) column.predictions[i] = observe_trial(study, trial, column.values, fit.predictions[i].trace);
-        else column.predictions[i] = predict_trial(study, trial, column.values, {}, progress.with_sink({}), fit.predictions[i].trace.path);
+        if (!acts_on(search.sites[i], effect.parameters)) column.predictions[i] = unaffected[i];
+        else if (is_seen_only(effect)) column.predictions[i] = observe_trial(study, trial, column.values, unaffected[i].trace);
+        else column.predictions[i] = predict_trial(study, trial, column.values, {}, progress.with_sink({}), unaffected[i].trace.path);
         column.predictions[i].trace = {};
         const std::lock_guard<std::mutex> lock(mutex);
         scores[column.score].seconds += watch.seconds();
@@ -165,12 +166,13 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
     const NuisanceSpace nuisance(fit.jacobian);
     const VectorXd outside = nuisance.outside(fit.residual);
     const OwnSteps own = own_steps(fit);
+    const VectorXd before = flat_residual(data, unaffected);
     std::vector<MatrixXd> S(probes.size());
     for (std::size_t p = 0; p < probes.size(); ++p) S[p].resize(data.layout.size(), static_cast<Index>(probes[p].probe.columns.size()));
     for (const Column& column : columns) {
         for (const TrialPrediction& prediction : column.predictions)
             if (!prediction.ok()) scores[column.score].failure = prediction.message;
-        if (scores[column.score].failure.empty()) S[column.score].col(column.number) = flat_residual(data, column.predictions) - fit.residual;
+        if (scores[column.score].failure.empty()) S[column.score].col(column.number) = flat_residual(data, column.predictions) - before;
     }
     parallel_tasks(static_cast<int>(probes.size()), study.settings.threads, [&](int task) {
         const auto p = static_cast<std::size_t>(task);
