@@ -29,8 +29,8 @@ constexpr double step_doubt = 1.0;
 constexpr double solver_tolerance = 1e-6;
 /// Scores are made by runs of twice the step where that changes less than this share of the residual.
 constexpr double step_in_scores = 0.3;
-/// Damping that many times the expected one stands in for something else.
-constexpr double far_damping = 3.0;
+/// Damping that many times the expected one stands in for something else. Where a candidate explains so much from the expected one, it does.
+constexpr double far_damping = 3.0, sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
 /// Evaluations of a candidate's amount before the best go on, and of those that do.
@@ -343,12 +343,25 @@ private:
         return score_effects(study_, result_.data, base, base.predictions, wanted, progress_);
     }
 
+    static EffectScore best_of(const std::vector<EffectScore>& scores) {
+        const auto best = std::min_element(scores.begin(), scores.end(), [](const EffectScore& a, const EffectScore& b) { return a.left < b.left; });
+        return best == scores.end() ? EffectScore{} : *best;
+    }
+
     bool single_effects() {
-        base_ = stage("score", fit_count(), [&] { return base_of_candidates(); });
-        if (progress_.cancelled()) return false;
-        std::vector<EffectScore> scores = stage("score", fit_count(), [&] {
-            return scores_of(base_, [this](const std::string& id) { return allowed(id); });
+        const EffectFilter may_be_named = [this](const std::string& id) { return allowed(id); };
+        std::vector<EffectScore> scores = stage("score", 2 * fit_count(), [&] {
+            base_ = base_of_candidates();
+            return scores_of(base_, may_be_named);
         });
+        // What was bent may also be right, or no better elsewhere: then from where the declared fit ended.
+        if (!progress_.cancelled() && base_.residual != result_.declared.fit.residual && best_of(scores).test.explained < sure_base) {
+            std::vector<EffectScore> others = stage("score", fit_count(), [&] { return scores_of(result_.declared.fit, may_be_named); });
+            if (best_of(others).left < best_of(scores).left) {
+                scores = std::move(others);
+                base_ = result_.declared.fit;
+            }
+        }
         if (progress_.cancelled()) return false;
         std::vector<double> p;
         for (const EffectScore& score : scores) p.push_back(score.usable() ? score.test.p : 1.0);

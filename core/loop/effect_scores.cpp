@@ -105,6 +105,7 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
     const bool possible = probe.probe.joined ? multiples.allFinite() : scaled(*probe.effect, probe.probe, multiples(0), score.start);
     if (possible && probe.probe.joined) score.start = probe.probe.joined(probe.probe.columns, multiples);
     score.test.explained = possible && own.squares > 0.0 ? std::max(0.0, 1.0 - squares / own.squares) : 0.0;
+    score.left = (1.0 - score.test.explained) * own.squares;
     score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
 }
 
@@ -178,7 +179,10 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
         const auto p = static_cast<std::size_t>(task);
         if (scores[p].failure.empty()) finish(probes[p], nuisance, outside, data, fit, own, S[p], scores[p]);
     });
-    for (EffectScore& score : scan_markers(study, data, fit, nuisance, allowed)) scores.push_back(std::move(score));
+    for (EffectScore& score : scan_markers(study, data, fit, nuisance, allowed)) {
+        if (score.usable()) score.left = (1.0 - score.test.explained) * own.squares;
+        scores.push_back(std::move(score));
+    }
     return scores;
 }
 

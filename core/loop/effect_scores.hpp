@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct EffectScore {
     EffectParameters start;              // parameters that explain the residual best to first order
     ProjectedCandidate candidate;
     ScoreTest test;                      // explained: of the residual, with all numbers within their bounds
+    double left = std::numeric_limits<double>::infinity();   // squares of the residual that it would leave
     Eigen::VectorXd step;                // of the fit's own parameters, that goes with it
     Eigen::VectorXd predicted;           // N: the part of the residual it would take away
     double seconds = 0.0;                // its runs took, added up
