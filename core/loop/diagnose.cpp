@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "loop/candidate_scores.hpp"
 #include "loop/confusion.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/effect_words.hpp"
@@ -27,8 +28,6 @@ constexpr double fine_unknowns = 8000.0, finest_ratio = 0.5, coarsest_ratio = 0.
 constexpr double step_doubt = 1.0;
 /// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
 constexpr double solver_tolerance = 1e-6;
-/// Scores are made by runs of twice the step where that changes less than this share of the residual.
-constexpr double step_in_scores = 0.3;
 /// Damping that many times the expected one stands in for something else. Where a candidate explains so much from the expected one, it does.
 constexpr double far_damping = 3.0, sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
@@ -39,9 +38,8 @@ constexpr int first_evaluations = 4, more_evaluations = 20;
 constexpr int absurd_run = 4;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best.
 constexpr double hopeful = 4.0;
-/// A probe that takes away less of the residual is not worth a fit; nor is one that takes away less than this share of what the best does,
-/// once the best has been found to explain all.
-constexpr double least_explained = 0.02, worth_beside_best = 0.4;
+/// Once the best candidate has been found to explain all, no probe that takes away less than this share of what the best does is worth a fit.
+constexpr double worth_beside_best = 0.4;
 /// A fit that leaves less than this share of the declared one's squares is nearer to the truth than that.
 constexpr double far_better = 0.3;
 /// So many candidates are fitted before anything is concluded.
@@ -284,20 +282,6 @@ private:
         return fits;
     }
 
-    /// The best probes of the best effects.
-    std::vector<std::size_t> worth_fitting(const std::vector<EffectScore>& scores, int count) const {
-        std::vector<std::size_t> order(scores.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return (scores[a].usable() ? scores[a].test.explained : -1.0) > (scores[b].usable() ? scores[b].test.explained : -1.0);
-        });
-        std::vector<std::size_t> chosen;
-        std::map<std::string, int> times;
-        for (const std::size_t i : order)
-            if (static_cast<int>(chosen.size()) < count && scores[i].usable() && scores[i].test.explained > least_explained && times[scores[i].id]++ == 0) chosen.push_back(i);
-        return chosen;
-    }
-
     static void order_by_criterion(const FitData& data, JudgedFit& declared, std::vector<Candidate>& candidates) {
         std::vector<JudgedFit*> fits{&declared};
         for (Candidate& candidate : candidates)
@@ -329,35 +313,16 @@ private:
         return base.usable() ? base : result_.declared.fit;
     }
 
-    /// The scores of a fit's residual by runs of twice the step, where that changes predictions by less than a share of the residual.
-    std::vector<EffectScore> scores_of(const JointFit& base, const EffectFilter& wanted) {
-        Study longer = study_;
-        for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
-        std::vector<PredictionTask> tasks;
-        for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &base.values});
-        const std::vector<TrialPrediction> unaffected = predict_trials(longer, tasks, {}, progress_);
-        if (progress_.cancelled()) return {};
-        const bool runs = std::all_of(unaffected.begin(), unaffected.end(), [](const TrialPrediction& prediction) { return prediction.ok(); });
-        if (runs && (flat_residual(result_.data, unaffected) - base.residual).norm() < step_in_scores * base.residual.norm())
-            return score_effects(longer, result_.data, base, unaffected, wanted, progress_);
-        return score_effects(study_, result_.data, base, base.predictions, wanted, progress_);
-    }
-
-    static EffectScore best_of(const std::vector<EffectScore>& scores) {
-        const auto best = std::min_element(scores.begin(), scores.end(), [](const EffectScore& a, const EffectScore& b) { return a.left < b.left; });
-        return best == scores.end() ? EffectScore{} : *best;
-    }
-
     bool single_effects() {
         const EffectFilter may_be_named = [this](const std::string& id) { return allowed(id); };
         std::vector<EffectScore> scores = stage("score", 2 * fit_count(), [&] {
             base_ = base_of_candidates();
-            return scores_of(base_, may_be_named);
+            return score_coarsely(study_, result_.data, base_, may_be_named, progress_);
         });
         // What was bent may also be right, or no better elsewhere: then from where the declared fit ended.
-        if (!progress_.cancelled() && base_.residual != result_.declared.fit.residual && best_of(scores).test.explained < sure_base) {
-            std::vector<EffectScore> others = stage("score", fit_count(), [&] { return scores_of(result_.declared.fit, may_be_named); });
-            if (best_of(others).left < best_of(scores).left) {
+        if (!progress_.cancelled() && base_.residual != result_.declared.fit.residual && best_score(scores).test.explained < sure_base) {
+            std::vector<EffectScore> others = stage("score", fit_count(), [&] { return score_coarsely(study_, result_.data, result_.declared.fit, may_be_named, progress_); });
+            if (best_score(others).left < best_score(scores).left) {
                 scores = std::move(others);
                 base_ = result_.declared.fit;
             }
@@ -450,7 +415,7 @@ private:
         if (progress_.cancelled()) return;
         const std::string first_id = result_.candidates.front().score.id;
         const std::vector<EffectScore> scores = stage("score of pairs", 0, [&] {
-            return scores_of(base, [&](const std::string& id) { return id != first_id && allowed(id); });
+            return score_coarsely(study_, result_.data, base, [&](const std::string& id) { return id != first_id && allowed(id); }, progress_);
         });
         if (progress_.cancelled()) return;
         std::vector<CandidateStart> starts;

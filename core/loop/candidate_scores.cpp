@@ -1,0 +1,49 @@
+#include "loop/candidate_scores.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "project/predict_trials.hpp"
+
+namespace myo {
+namespace {
+
+/// Longer steps may change the predictions by this share of the residual.
+constexpr double step_in_scores = 0.3;
+/// A probe that takes away less of the residual is not worth a fit.
+constexpr double least_explained = 0.02;
+
+}  // namespace
+
+std::vector<EffectScore> score_coarsely(const Study& study, const FitData& data, const JointFit& base, const EffectFilter& allowed, const Progress& progress) {
+    Study longer = study;
+    for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
+    std::vector<PredictionTask> tasks;
+    for (const std::size_t trial : data.trials) tasks.push_back({trial, &base.values});
+    const std::vector<TrialPrediction> unaffected = predict_trials(longer, tasks, {}, progress);
+    if (progress.cancelled()) return {};
+    const bool runs = std::all_of(unaffected.begin(), unaffected.end(), [](const TrialPrediction& prediction) { return prediction.ok(); });
+    if (runs && (flat_residual(data, unaffected) - base.residual).norm() < step_in_scores * base.residual.norm())
+        return score_effects(longer, data, base, unaffected, allowed, progress);
+    return score_effects(study, data, base, base.predictions, allowed, progress);
+}
+
+EffectScore best_score(const std::vector<EffectScore>& scores) {
+    const auto best = std::min_element(scores.begin(), scores.end(), [](const EffectScore& a, const EffectScore& b) { return a.left < b.left; });
+    return best == scores.end() ? EffectScore{} : *best;
+}
+
+std::vector<std::size_t> worth_fitting(const std::vector<EffectScore>& scores, int count) {
+    const auto share = [&](std::size_t k) { return scores[k].usable() ? scores[k].test.explained : -1.0; };
+    std::vector<std::size_t> order(scores.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
+    std::vector<std::size_t> chosen;
+    std::map<std::string, int> times;
+    for (const std::size_t i : order)
+        if (static_cast<int>(chosen.size()) < count && share(i) > least_explained && times[scores[i].id]++ == 0) chosen.push_back(i);
+    return chosen;
+}
+
+}  // namespace myo

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "loop/effect_scores.hpp"
+
+namespace myo {
+
+/// score_effects() by runs of twice the step, where that changes the predictions by less than a share of the residual; otherwise by the
+/// study's own steps.
+std::vector<EffectScore> score_coarsely(const Study& study, const FitData& data, const JointFit& base, const EffectFilter& allowed, const Progress& progress);
+
+/// The score that would leave least; an empty one where there is none.
+EffectScore best_score(const std::vector<EffectScore>& scores);
+
+/// Numbers of the best probes of the best effects, at most `count`, in falling order of what they explain.
+std::vector<std::size_t> worth_fitting(const std::vector<EffectScore>& scores, int count);
+
+}  // namespace myo
