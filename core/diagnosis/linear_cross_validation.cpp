@@ -11,42 +11,46 @@ namespace {
 
 // Of the normal equations with unit diagonal: squares of directions of J, so 1e-6 of its length.
 constexpr double relative_tolerance = 1e-12;
+// Of the information that all data have on a direction: derivatives are not exact, and a step of many deviations is beyond what is linear.
+constexpr double least_information = 1e-3;
 
 struct NormalEquations {
     Eigen::MatrixXd matrix;   // J'J
     Eigen::VectorXd right;    // J'r
 };
 
+// Columns: directions that the equations determine, each with unit information.
+Eigen::MatrixXd unit_directions(const Eigen::MatrixXd& matrix) {
+    const Eigen::VectorXd diagonal = matrix.diagonal();
+    const Eigen::VectorXd scale = (diagonal.array() > 0.0).select(diagonal.cwiseSqrt().cwiseInverse(), 0.0);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * matrix * scale.asDiagonal());
+    const Eigen::VectorXd& values = eigen.eigenvalues();
+    const Eigen::Index p = values.size();
+    const Eigen::Index free = (values.array() <= relative_tolerance * values(p - 1)).count();
+    const Eigen::Index known = p - free;
+    return scale.asDiagonal() * eigen.eigenvectors().rightCols(known) * values.tail(known).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
 struct Step {
     Eigen::VectorXd change;
     int undetermined = 0;
 };
 
-// Least squares by the eigenvectors of the scaled matrix; directions that it does not determine stay.
-Step solved(const NormalEquations& equations) {
-    const Eigen::Index p = equations.right.size();
-    const Eigen::VectorXd diagonal = equations.matrix.diagonal();
-    const Eigen::VectorXd scale = (diagonal.array() > 0.0).select(diagonal.cwiseSqrt().cwiseInverse(), 0.0);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * equations.matrix * scale.asDiagonal());
-    Step step{Eigen::VectorXd::Zero(p), 0};
-    for (Eigen::Index k = 0; k < p; ++k) {
-        if (eigen.eigenvalues()(k) <= relative_tolerance * eigen.eigenvalues()(p - 1)) {
+// Least squares; directions on which there is little of the information that all data have stay.
+Step solved(const NormalEquations& equations, const Eigen::MatrixXd& directions) {
+    const Eigen::Index p = equations.right.size(), known = directions.cols();
+    Step step{Eigen::VectorXd::Zero(p), static_cast<int>(p - known)};
+    if (known == 0) return step;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(directions.transpose() * equations.matrix * directions);
+    for (Eigen::Index k = 0; k < known; ++k) {
+        if (eigen.eigenvalues()(k) < least_information) {
             ++step.undetermined;
             continue;
         }
-        const Eigen::VectorXd direction = scale.asDiagonal() * eigen.eigenvectors().col(k);
+        const Eigen::VectorXd direction = directions * eigen.eigenvectors().col(k);
         step.change += direction * (direction.dot(equations.right) / eigen.eigenvalues()(k));
     }
     return step;
-}
-
-NormalEquations of_prior(const ParameterPrior& prior, Eigen::Index p) {
-    NormalEquations equations{Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p)};
-    if (prior.precision.size() == 0) return equations;
-    assert(prior.precision.size() == p && (prior.offset.size() == 0 || prior.offset.size() == p));
-    equations.matrix.diagonal() = prior.precision;
-    if (prior.offset.size() == p) equations.right = prior.precision.cwiseProduct(prior.offset);
-    return equations;
 }
 
 std::vector<std::vector<Eigen::Index>> entries_of(const Folds& folds) {
@@ -58,27 +62,31 @@ std::vector<std::vector<Eigen::Index>> entries_of(const Folds& folds) {
 
 }  // namespace
 
-LinearCrossValidation linear_cross_validation(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const Folds& folds,
-                                              const ParameterPrior& prior) {
+LinearCrossValidation linear_cross_validation(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const Folds& folds) {
     assert(J.rows() == r.size() && folds.of_entry.size() == static_cast<std::size_t>(r.size()));
+    const Eigen::Index p = J.cols();
     const std::vector<std::vector<Eigen::Index>> entries = entries_of(folds);
+    const NormalEquations nothing{Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p)};
     std::vector<NormalEquations> parts;
+    NormalEquations all = nothing;
     for (const std::vector<Eigen::Index>& fold : entries) {
         const Eigen::MatrixXd own = J(fold, Eigen::all);
         parts.push_back({own.transpose() * own, own.transpose() * r(fold)});
+        all.matrix += parts.back().matrix;
     }
+    const Eigen::MatrixXd directions = p > 0 ? unit_directions(all.matrix) : Eigen::MatrixXd(0, 0);
     LinearCrossValidation result;
     result.residual.setConstant(r.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t f = 0; f < entries.size(); ++f) {
         // Summed anew rather than subtracted from all: what only this fold determines leaves no rounding behind.
-        NormalEquations others = of_prior(prior, J.cols());
+        NormalEquations others = nothing;
         for (std::size_t g = 0; g < parts.size(); ++g) {
             if (g == f) continue;
             others.matrix += parts[g].matrix;
             others.right += parts[g].right;
         }
         LinearCrossValidation::Fold fold;
-        const Step step = J.cols() > 0 ? solved(others) : Step{Eigen::VectorXd(0), 0};
+        const Step step = solved(others, directions);
         fold.change = step.change;
         fold.undetermined = step.undetermined;
         for (const Eigen::Index k : entries[f]) {

@@ -8,18 +8,12 @@
 
 namespace myo {
 
-/// What is known of the parameters besides the data: independent and normal.
-struct ParameterPrior {
-    Eigen::VectorXd precision;    // p, 1 / deviation^2; 0: nothing is known. Empty: of none
-    Eigen::VectorXd offset;       // p: mean of the prior - value at the fitted point. Empty: zeros
-};
-
 struct LinearCrossValidation {
     struct Fold {
         double squares = 0.0;         // of the predicted held-out residual
         Eigen::Index samples = 0;
         Eigen::VectorXd change;       // p: of the parameters, without this fold
-        int undetermined = 0;         // directions that the other folds leave free; they stay as fitted
+        int undetermined = 0;         // directions of which the other folds know little or nothing; they stay as fitted
     };
     std::vector<Fold> folds;
     double squares = 0.0;         // all folds together
@@ -32,11 +26,10 @@ struct LinearCrossValidation {
 /// Cross-validation without refitting: from the fitted point one Gauss-Newton step on the data without a fold, and its
 /// residual there to first order. Exact for linear models.
 ///
-/// A parameter that acts in one fold only (a start time, the pose of a trial) is not determined without it and stays as
-/// fitted, which flatters it; a prior takes it back to its mean instead.
+/// What one fold alone tells of (a start time, the pose of a trial, an effect that acts in one trial) stays as fitted, which flatters it: the
+/// fold then tests the other parameters. Little is less than a thousandth of the information that all folds have on a direction.
 /// @param r, J  N and N x p at the fitted point, see ResidualLayout
 /// Source: Hastie, Tibshirani & Friedman 2009, ch. 7.10.
-LinearCrossValidation linear_cross_validation(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const Folds& folds,
-                                              const ParameterPrior& prior = {});
+LinearCrossValidation linear_cross_validation(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const Folds& folds);
 
 }  // namespace myo

@@ -42,7 +42,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const EffectSite& site = search.sites.front();
     std::vector<EffectProbe> list;
-    for (const Vector3d& point : spread_surface_points(site, 6)) {
+    for (const Vector3d& point : spread_surface_points(site, 4)) {
         EffectProbe probe;
         probe.joined = joined;
         for (int axis = 0; axis < 3; ++axis) {

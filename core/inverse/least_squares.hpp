@@ -73,6 +73,7 @@ struct LeastSquaresOptions {
     double relative_decrease = 1e-6;  // of the cost, below which it has converged
     double relative_step = 1e-6;      // of the parameters
     Eigen::MatrixXd jacobian_guess;   // m x n at the start, about; saves asking for one there. Empty: none
+    int most_jacobians = 1000;        // asked for apart; after these secants have to do
 };
 
 /// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per evaluation.

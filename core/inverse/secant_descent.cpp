@@ -69,27 +69,34 @@ private:
     VectorXd physical(const VectorXd& u) const { return physical_values(parameters_, u); }
     VectorXd slopes() const { return physical_slopes(parameters_, here_.u); }
 
+    bool may_ask() const { return report_.jacobians < options_.most_jacobians; }
     bool is_exact() const { return report_.jacobians > 0 && anchor_.u == here_.u; }
 
     /// The Jacobian here, by runs of the model.
     bool ask() {
         MatrixXd J = jacobian_(physical(here_.u), {true, {}, here_.r, {}}, progress_.with_sink({}));
         ++report_.jacobians;
-        if (J.size() == 0 || !J.allFinite()) return false;
+        if (J.rows() != here_.r.size() || !J.allFinite()) return false;
         here_.J = J * slopes().asDiagonal();
         anchor_ = here_;
         return true;
     }
 
     /// The Jacobian that was given or asked for last holds here.
-    bool knows_the_end() const { return is_exact() || (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < trusted_end); }
+    bool knows_the_end() const { return !may_ask() || is_exact() || (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < trusted_end); }
 
     /// The step that leaves least within the bounds and the radius, and what it is foretold to leave. scale: lengths of the columns.
     VectorXd best_step(const VectorXd& scale, double& left) const {
         const Index n = here_.u.size();
-        const Eigen::HouseholderQR<MatrixXd> qr(here_.J);
+        // Rows of zeros where there are fewer residuals than numbers.
+        const Index rows = std::max(n, here_.r.size());
+        MatrixXd J = MatrixXd::Zero(rows, n);
+        VectorXd r = VectorXd::Zero(rows);
+        J.topRows(here_.r.size()) = here_.J;
+        r.head(here_.r.size()) = here_.r;
+        const Eigen::HouseholderQR<MatrixXd> qr(J);
         const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-        const VectorXd c = (qr.householderQ().adjoint() * here_.r).head(n);
+        const VectorXd c = (qr.householderQ().adjoint() * r).head(n);
         VectorXd lower(n), upper(n);
         for (Index i = 0; i < n; ++i) {
             const Parameter& p = parameters_[static_cast<std::size_t>(i)];
@@ -155,13 +162,15 @@ private:
                 turn(step, there.residuals, scale);
                 here_.u = u;
                 here_.r = there.residuals;
-                if (bad && !ask()) return stop(FitStatus::not_converged, no_derivatives);
+                if (bad && may_ask() && !ask()) return stop(FitStatus::not_converged, no_derivatives);
                 continue;
             }
             // The parabola through the cost and its slope here and the cost there.
             const double slope = 2.0 * here_.r.dot(here_.J * step), curve = now - squares - slope;
             radius_ = length * (curve > 0.0 ? std::clamp(-0.5 * slope / curve, 0.1, 0.5) : 0.5);
-            if (!is_exact() && !ask()) return stop(FitStatus::not_converged, no_derivatives);
+            if (is_exact()) continue;
+            if (!may_ask()) turn(step, there.residuals, scale);
+            else if (!ask()) return stop(FitStatus::not_converged, no_derivatives);
         }
     }
 

@@ -35,14 +35,13 @@ EffectScore best_score(const std::vector<EffectScore>& scores) {
 }
 
 std::vector<std::size_t> worth_fitting(const std::vector<EffectScore>& scores, int count) {
-    const auto share = [&](std::size_t k) { return scores[k].usable() ? scores[k].test.explained : -1.0; };
     std::vector<std::size_t> order(scores.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a].share() > scores[b].share(); });
     std::vector<std::size_t> chosen;
     std::map<std::string, int> times;
     for (const std::size_t i : order)
-        if (static_cast<int>(chosen.size()) < count && share(i) > least_explained && times[scores[i].id]++ == 0) chosen.push_back(i);
+        if (static_cast<int>(chosen.size()) < count && scores[i].share() > least_explained && times[scores[i].id]++ == 0) chosen.push_back(i);
     return chosen;
 }
 

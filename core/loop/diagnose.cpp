@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
 #include <numeric>
 
-#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "loop/candidate_fits.hpp"
 #include "loop/candidate_scores.hpp"
 #include "loop/confusion.hpp"
 #include "loop/diagnosis.hpp"
@@ -32,14 +31,17 @@ constexpr double solver_tolerance = 1e-6;
 constexpr double far_damping = 3.0, sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
-/// Evaluations of a candidate's amount before the best go on, and of those that do.
-constexpr int first_evaluations = 4, more_evaluations = 20;
+/// How far fits with all trials side by side go: the declared one, with the numerical error taken off, and the one the verdict stands on.
+constexpr Effort declared_effort{30}, again_effort{6}, last_effort{12};
 /// A run that takes so many times the iterations of the declared fit's is given up: its numbers are absurd.
 constexpr int absurd_run = 4;
-/// Of a first round of fits those go on that leave at most so many times the squares of the best.
-constexpr double hopeful = 4.0;
-/// Once the best candidate has been found to explain all, no probe that takes away less than this share of what the best does is worth a fit.
-constexpr double worth_beside_best = 0.4;
+/// Of a first round of fits those go on that leave at most so many times the squares of the best; of pairs fewer, as one of the two is at its best.
+constexpr double hopeful = 4.0, hopeful_pair = 1.5;
+/// Two effects are tried where the better one leaves at most this share of the squares.
+constexpr double worth_a_second = 0.64;
+/// Once the best candidate has been found to explain all, or to leave less than so much of the squares, no probe that takes away less than this
+/// share of what the best does is worth a fit.
+constexpr double worth_beside_best = 0.4, most_of_all = 0.5;
 /// A fit that leaves less than this share of the declared one's squares is nearer to the truth than that.
 constexpr double far_better = 0.3;
 /// So many candidates are fitted before anything is concluded.
@@ -50,19 +52,9 @@ std::string study_words(const Study& study) {
            std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator);
 }
 
-/// Where a candidate's fit starts.
-struct CandidateStart {
-    EffectDeclaration effect;
-    VectorXd step;                       // of the base's own parameters
-};
-CandidateStart start_of(const EffectScore& score) { return {{score.id, score.start}, score.step}; }
-
-/// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
-double stepped(const Parameter& p, double value, double step) {
-    const double most = std::exp(2.0);
-    const double lower = p.over_decades ? std::max(p.lower, (value + p.scale) / most - p.scale) : p.lower;
-    const double upper = p.over_decades ? std::min(p.upper, (value + p.scale) * most - p.scale) : p.upper;
-    return std::clamp(value + step, lower, upper);
+/// Paths take the memory of many runs: they stay only where others start.
+void forget_paths(std::vector<TrialPrediction>& predictions) {
+    for (TrialPrediction& prediction : predictions) prediction.trace.path.reset();
 }
 
 /// A diagnosis on its way.
@@ -93,6 +85,8 @@ public:
         }
         result_.stopped = progress_.cancelled();
         result_.seconds = watch.seconds();
+        forget_paths(result_.declared.fit.predictions);
+        forget_paths(result_.augmented.fit.predictions);
         return std::move(result_);
     }
 
@@ -106,44 +100,28 @@ private:
         if (live_) live_(result_);
     }
 
+    StageCost& cost_of(const std::string& name) {
+        const auto same = std::find_if(result_.cost.begin(), result_.cost.end(), [&](const StageCost& cost) { return cost.stage == name; });
+        return same != result_.cost.end() ? *same : result_.cost.emplace_back(StageCost{name, 0.0, 0});
+    }
+
     /// A stage whose time goes into the table.
     template <class Task>
     auto stage(const std::string& name, int runs, const Task& task) {
         const Stopwatch watch;
         progress_.report({name, 0.0, 1.0, "stage", {}});
         auto value = task();
-        const auto same = std::find_if(result_.cost.begin(), result_.cost.end(), [&](const StageCost& cost) { return cost.stage == name; });
-        if (same == result_.cost.end()) result_.cost.push_back({name, watch.seconds(), runs});
-        else {
-            same->seconds += watch.seconds();
-            same->runs += runs;
-        }
+        StageCost& cost = cost_of(name);
+        cost.seconds += watch.seconds();
+        cost.runs += runs;
         show();
         return value;
     }
 
     int fit_count() const { return static_cast<int>(result_.data.trials.size()); }
 
-    JointFit fit(const Study& study, const StudyValues& start, EffectFreedom freedom, int evaluations, const Neighbourhood& known, const Progress& progress) {
-        LeastSquaresOptions options;
-        options.max_evaluations = evaluations;
-        options.relative_decrease = 1e-4;   // of a sum of thousands of squares: a quarter of a standard deviation, and the step before was larger
-        options.relative_step = 1e-5;
-        const std::vector<StudyParameter> parameters = joint_parameters(study, start, freedom);
-        std::string key = std::to_string(evaluations) + (result_.data.shift.empty() ? "" : " shifted");
-        for (const EffectDeclaration& effect : start.effects) key += " " + effect_words(effect);
-        for (const StudyParameter& p : parameters) key += " " + p.parameter.name + " " + std::to_string(p.parameter.value);
-        StudyValues from = start;
-        if (const std::optional<VectorXd> done = store_->find(key); done && done->size() == static_cast<Index>(parameters.size())) {
-            for (std::size_t i = 0; i < parameters.size(); ++i) set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
-            options.max_evaluations = 0;
-        }
-        JointFit fit = joint_fit(study, result_.data, from, freedom, options, known, progress);
-        if (!fit.usable() || progress.cancelled()) return fit;
-        VectorXd found(static_cast<Index>(parameters.size()));
-        for (std::size_t i = 0; i < parameters.size(); ++i) found(static_cast<Index>(i)) = value_of(parameters[i], fit.values);
-        static_cast<void>(store_->keep(key, found));   // what cannot be kept is done again
-        return fit;
+    JointFit fit(const Study& study, const StudyValues& start, EffectFreedom freedom, const Effort& effort, const Neighbourhood& known, const Progress& progress) {
+        return stored_fit(*store_, study, result_.data, start, freedom, effort, known, progress);
     }
 
     bool declared_fit() {
@@ -155,13 +133,13 @@ private:
         }
         stage("step", 2 * fit_count(), [&] { return lengthen_step(); });
         if (progress_.cancelled()) return false;
-        JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), EffectFreedom::all, 30, {}, progress_); });
+        JointFit declared = stage("declared fit", 0, [&] { return fit(study_, declared_values(study_), EffectFreedom::all, declared_effort, {}, progress_); });
         if (progress_.cancelled()) return false;
         if (!declared.usable()) {
             result_.failure = "the declared model cannot be run: " + declared.report.message;
             return false;
         }
-        result_.cost.back().runs = declared.runs(fit_count());
+        cost_of("declared fit").runs += declared.runs(fit_count());
         for (std::size_t i = 0; i < result_.data.trials.size(); ++i) {
             const std::size_t t = result_.data.trials[i];
             study_.trials[t].options.most_iterations = serial_.trials[t].options.most_iterations = absurd_run * declared.predictions[i].trace.newton_iterations;
@@ -195,10 +173,12 @@ private:
         const StudyValues values = with_predicted_levels(study_, fitted);
         std::vector<PredictionTask> tasks;
         for (std::size_t t = 0; t < study_.trials.size(); ++t) tasks.push_back({t, &values});
-        return predict_trials(study_, tasks, {}, progress_);
+        std::vector<TrialPrediction> predictions = predict_trials(study_, tasks, {}, progress_);
+        forget_paths(predictions);
+        return predictions;
     }
 
-    NumericalError error_at(const StudyValues& fitted) {
+    NumericalError error_at(const StudyValues& fitted, const NumericalError* known) {
         const StudyValues values = with_predicted_levels(study_, fitted);
         if (!refined_ && result_.settings.refine_mesh && !mesh_failed_) {
             const double ratio = std::clamp(std::cbrt(study_.body->dofs() / fine_unknowns), finest_ratio, coarsest_ratio);
@@ -209,14 +189,14 @@ private:
                 for (std::size_t t = 0; t < study_.trials.size(); ++t) refined_->trials[t].options.h_s = study_.trials[t].options.h_s;
             }
         }
-        return numerical_error(study_, refined_.get(), values, predict_all(fitted), progress_);
+        return numerical_error(study_, refined_.get(), values, predict_all(fitted), known, progress_);
     }
 
     bool numbers() {
-        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.declared.fit.values); });
+        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.declared.fit.values, nullptr); });
         if (progress_.cancelled()) return false;
         result_.data.shift = declared_shift_ = result_.numerics.shift;
-        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, EffectFreedom::all, 6, neighbourhood_of(result_.declared.fit), progress_); });
+        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, EffectFreedom::all, again_effort, neighbourhood_of(result_.declared.fit), progress_); });
         if (progress_.cancelled()) return false;
         if (again.usable()) result_.declared = judged(result_.data, std::move(again), result_.settings);
         return true;
@@ -228,58 +208,15 @@ private:
         return !progress_.cancelled();
     }
 
-    /// Fits of these starts beside a fit's effects: how much of each at first, then the hopeful ones with all their numbers. In the order of the
-    /// starts; unusable where they failed.
-    std::vector<JudgedFit> fits_from(const std::string& name, const JointFit& base, const std::vector<CandidateStart>& starts) {
-        std::vector<JudgedFit> fits(starts.size());
-        std::atomic<int> done{0};
-        std::mutex mutex;
-        const Neighbourhood of_base = neighbourhood_of(base);
-        const auto round = [&](const Study& study, EffectFreedom freedom, int evaluations, const std::function<bool(std::size_t)>& wanted,
-                               const std::function<StudyValues(std::size_t, double)>& from) {
-            parallel_tasks(static_cast<int>(starts.size()), study_.settings.threads, [&](int task) {
-                const auto i = static_cast<std::size_t>(task);
-                if (progress_.cancelled() || !wanted(i)) return;
-                Neighbourhood known = fits[i].usable() ? neighbourhood_of(fits[i].fit) : of_base;
-                known.paths = of_base.paths;   // those of all candidates would fill the memory
-                JointFit found = fit(study, from(i, 1.0), freedom, evaluations, known, progress_.with_sink({}));
-                // What the probe foretells may be more than the model can run with.
-                if (!found.usable() && !fits[i].usable() && !progress_.cancelled()) found = fit(study, from(i, 0.0), freedom, evaluations, known, progress_.with_sink({}));
-                if (!found.usable() || progress_.cancelled()) return;
-                for (TrialPrediction& prediction : found.predictions) prediction.trace = {};
-                JudgedFit fresh = judged(result_.data, std::move(found), result_.settings);
-                const std::lock_guard<std::mutex> lock(mutex);
-                runs_ += fresh.fit.runs(fit_count());
-                if (!fits[i].usable() || fresh.fit.squares() < fits[i].fit.squares()) fits[i] = std::move(fresh);
-                progress_.report({name, static_cast<double>(++done), 2.0 * static_cast<double>(starts.size()), "fits", starts[i].effect.id});
-            });
-        };
-        round(serial_, EffectFreedom::amount, first_evaluations, [](std::size_t) { return true; }, [&](std::size_t i, double share) {
-            StudyValues values = base.values;
-            for (std::size_t p = 0; p < base.parameters.size() && starts[i].step.size() > 0; ++p) {
-                const StudyParameter& own = base.parameters[p];
-                set_value(own, stepped(own.parameter, value_of(own, base.values), share * starts[i].step(static_cast<Index>(p))), values);
-            }
-            values.effects.push_back(starts[i].effect);
-            return values;
-        });
-        double best = std::numeric_limits<double>::infinity();
+    std::vector<JudgedFit> fits_from(const std::string& name, const JointFit& base, const std::vector<CandidateStart>& starts, double hope) {
+        double least = std::numeric_limits<double>::infinity();
         for (const Candidate& candidate : result_.candidates)
-            if (candidate.judged) best = std::min(best, candidate.judged->fit.squares());
-        for (const JudgedFit& fit : fits)
-            if (fit.usable()) best = std::min(best, fit.fit.squares());
-        done = static_cast<int>(starts.size());
-        const auto unfinished = [&](const JointFit& fit) { return !fit.report.converged() || fit.parameters.size() < joint_parameters(study_, fit.values).size(); };
-        const auto found_so_far = [&](std::size_t i, double) { return fits[i].fit.values; };
-        const auto hopeful_one = [&](std::size_t i) { return fits[i].usable() && unfinished(fits[i].fit) && fits[i].fit.squares() < hopeful * best; };
-        // The best goes first: what it comes to may leave the others no hope.
-        std::size_t leader = starts.size();
-        for (std::size_t i = 0; i < starts.size(); ++i)
-            if (hopeful_one(i) && (leader == starts.size() || fits[i].fit.squares() < fits[leader].fit.squares())) leader = i;
-        round(study_, EffectFreedom::all, more_evaluations, [&](std::size_t i) { return i == leader; }, found_so_far);
-        if (leader < starts.size()) best = std::min(best, fits[leader].fit.squares());
-        round(serial_, EffectFreedom::all, more_evaluations, [&](std::size_t i) { return i != leader && hopeful_one(i); }, found_so_far);
-        return fits;
+            if (candidate.judged) least = std::min(least, candidate.judged->fit.squares());
+        CandidateFits found = stage(name, 0, [&] {
+            return fit_candidates({study_, serial_, result_.data, result_.settings, *store_}, base, starts, least, hope, name, progress_);
+        });
+        cost_of(name).runs += found.runs;
+        return std::move(found.fits);
     }
 
     static void order_by_criterion(const FitData& data, JudgedFit& declared, std::vector<Candidate>& candidates) {
@@ -290,13 +227,13 @@ private:
         std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
             if (a.judged.has_value() != b.judged.has_value()) return a.judged.has_value();
             if (a.judged) return a.judged->criterion < b.judged->criterion;
-            return (a.score.usable() ? a.score.test.explained : -1.0) > (b.score.usable() ? b.score.test.explained : -1.0);
+            return a.score.share() > b.score.share();
         });
     }
 
-    /// Where candidates are scored and their fits start. A fit without the missing effect bends what it has: damping stands in for every loss and
-    /// lag, and from far up there no effect looks like itself. Numbers that have left what was expected go back there.
-    JointFit base_of_candidates() {
+    /// The declared fit with what it has bent put back, where there is any: without the missing effect damping stands in for every loss and lag,
+    /// and from far up there no effect looks like itself. Numbers that have left what was expected go back there.
+    std::optional<JointFit> unbent() {
         StudyValues values = result_.declared.fit.values;
         const StudyValues expected = declared_values(study_);
         bool bent = false;
@@ -308,23 +245,26 @@ private:
             bent = true;
             set_value(p, before, values);
         }
-        if (!bent) return result_.declared.fit;
-        JointFit base = fit(study_, values, EffectFreedom::all, 1, {}, progress_);
-        return base.usable() ? base : result_.declared.fit;
+        if (!bent) return std::nullopt;
+        JointFit fit_there = fit(study_, values, EffectFreedom::all, {1}, {}, progress_);
+        return fit_there.usable() ? std::optional(std::move(fit_there)) : std::nullopt;
     }
+
+    /// Where candidates are scored and their fits start.
+    const JointFit& base() const { return unbent_ ? *unbent_ : result_.declared.fit; }
 
     bool single_effects() {
         const EffectFilter may_be_named = [this](const std::string& id) { return allowed(id); };
         std::vector<EffectScore> scores = stage("score", 2 * fit_count(), [&] {
-            base_ = base_of_candidates();
-            return score_coarsely(study_, result_.data, base_, may_be_named, progress_);
+            unbent_ = unbent();
+            return score_coarsely(study_, result_.data, base(), may_be_named, progress_);
         });
         // What was bent may also be right, or no better elsewhere: then from where the declared fit ended.
-        if (!progress_.cancelled() && base_.residual != result_.declared.fit.residual && best_score(scores).test.explained < sure_base) {
+        if (!progress_.cancelled() && unbent_ && best_score(scores).test.explained < sure_base) {
             std::vector<EffectScore> others = stage("score", fit_count(), [&] { return score_coarsely(study_, result_.data, result_.declared.fit, may_be_named, progress_); });
             if (best_score(others).left < best_score(scores).left) {
                 scores = std::move(others);
-                base_ = result_.declared.fit;
+                unbent_.reset();
             }
         }
         if (progress_.cancelled()) return false;
@@ -335,8 +275,7 @@ private:
         std::map<std::string, std::size_t> best_probe;
         for (std::size_t i = 0; i < scores.size(); ++i) {
             const auto [place, first] = best_probe.emplace(scores[i].id, i);
-            const auto share = [&](std::size_t k) { return scores[k].usable() ? scores[k].test.explained : -1.0; };
-            if (!first && share(i) > share(place->second)) place->second = i;
+            if (!first && scores[i].share() > scores[place->second].share()) place->second = i;
         }
         for (const auto& [id, i] : best_probe) result_.candidates.push_back({scores[i], adjusted[i], {}, {}});
         order_by_criterion(result_.data, result_.declared, result_.candidates);
@@ -345,8 +284,8 @@ private:
         for (const std::size_t i : chosen) starts.push_back(start_of(scores[i]));
         if (!refit(starts, 0, std::min(first_fits, starts.size())) || !correct_the_best()) return false;
         std::size_t last = starts.size();
-        if (!result_.candidates.empty() && result_.candidates.front().judged &&
-            explains(*result_.candidates.front().judged, result_.declared, result_.data, result_.numerics)) {
+        const JudgedFit* const best = !result_.candidates.empty() && result_.candidates.front().judged ? &*result_.candidates.front().judged : nullptr;
+        if (best && (explains(*best, result_.declared, result_.data, result_.numerics) || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
             last = std::min(first_fits, last);
             while (last < starts.size() && scores[chosen[last]].test.explained > worth_beside_best * scores[chosen[0]].test.explained) ++last;
         }
@@ -374,10 +313,10 @@ private:
 
     /// The numerical error at a fit, and the fit with it.
     bool corrected(JudgedFit& judged_fit) {
-        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(judged_fit.fit.values); });
+        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(judged_fit.fit.values, &result_.numerics); });
         if (progress_.cancelled()) return false;
         result_.data.shift = result_.numerics.shift;
-        JointFit again = stage("last fit", 4 * fit_count(), [&] { return fit(study_, judged_fit.fit.values, EffectFreedom::all, 12, neighbourhood_of(judged_fit.fit), progress_); });
+        JointFit again = stage("last fit", 4 * fit_count(), [&] { return fit(study_, judged_fit.fit.values, EffectFreedom::all, last_effort, neighbourhood_of(judged_fit.fit), progress_); });
         if (progress_.cancelled()) return false;
         if (!again.usable()) return true;
         const double weight = judged_fit.weight, criterion = judged_fit.criterion;
@@ -392,9 +331,7 @@ private:
     bool refit(const std::vector<CandidateStart>& starts, std::size_t first, std::size_t last) {
         if (first >= last) return true;
         const std::vector<CandidateStart> part(starts.begin() + static_cast<std::ptrdiff_t>(first), starts.begin() + static_cast<std::ptrdiff_t>(last));
-        runs_ = 0;
-        std::vector<JudgedFit> fits = stage("refit", 0, [&] { return fits_from("refit", base_, part); });
-        result_.cost.back().runs += runs_;
+        std::vector<JudgedFit> fits = fits_from("refit", base(), part, hopeful);
         if (progress_.cancelled()) return false;
         for (std::size_t i = 0; i < fits.size(); ++i)
             for (Candidate& candidate : result_.candidates)
@@ -407,7 +344,7 @@ private:
     void second_effects() {
         if (result_.candidates.empty() || !result_.candidates.front().judged) return;
         const JudgedFit& first = *result_.candidates.front().judged;
-        if (explains(first, result_.declared, result_.data, result_.numerics)) return;
+        if (explains(first, result_.declared, result_.data, result_.numerics) || first.fit.squares() > worth_a_second * result_.declared.fit.squares()) return;
         JointFit base = first.fit;
         std::vector<PredictionTask> tasks;
         for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &base.values});
@@ -420,9 +357,7 @@ private:
         if (progress_.cancelled()) return;
         std::vector<CandidateStart> starts;
         for (const std::size_t i : worth_fitting(scores, result_.settings.pairs)) starts.push_back(start_of(scores[i]));
-        runs_ = 0;
-        std::vector<JudgedFit> fits = stage("refit of pairs", 0, [&] { return fits_from("refit of pairs", base, starts); });
-        result_.cost.back().runs += runs_;
+        std::vector<JudgedFit> fits = fits_from("refit of pairs", base, starts, hopeful_pair);
         if (progress_.cancelled()) return;
         for (JudgedFit& fit : fits)
             if (fit.usable()) result_.pairs.push_back(std::move(fit));
@@ -463,10 +398,9 @@ private:
     std::unique_ptr<FitStore> store_;
     std::unique_ptr<Study> refined_;
     bool mesh_failed_ = false;
-    JointFit base_;                                 // where candidates are scored and start
+    std::optional<JointFit> unbent_;                // the declared fit with what it has bent put back
     PredictionShift declared_shift_;                // found with the declared fit, which it belongs to
     std::vector<EffectDeclaration> corrected_at_;   // effects of the fit at which the numerical error was last found
-    int runs_ = 0;
     Diagnosis result_;
 };
 

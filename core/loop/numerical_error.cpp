@@ -16,6 +16,9 @@ constexpr double extrapolation_doubt = 0.35;
 /// Changes below so many times the noise are taken to be in the range where errors follow their order.
 constexpr double asymptotic_over_noise = 3.0;
 
+/// A step that changes predictions by less than this part of the noise is not looked at again.
+constexpr double negligible_step = 0.3;
+
 /// finer - coarser of the residuals, per marker; what is not compared is 0.
 std::vector<Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser) {
     std::vector<Matrix3Xd> result;
@@ -62,18 +65,22 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
 }
 
 NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
-                               const Progress& progress) {
+                               const NumericalError* known, const Progress& progress) {
     NumericalError error;
     error.step_ratio = 0.5;
-    Study halved = study;
-    for (StudyTrial& trial : halved.trials) {
-        trial.options.h_s *= error.step_ratio;
-        trial.options.most_iterations = SimulationOptions().most_iterations;   // it has more steps
-        trial.options.keep_path = false;
-    }
     std::vector<PredictionTask> tasks;
     for (std::size_t t = 0; t < study.trials.size(); ++t) tasks.push_back({t, &values});
-    const std::vector<TrialPrediction> finer_step = predict_trials(halved, tasks, {}, progress);
+    const bool negligible = known && known->step_rms_m < negligible_step * study.noise_m.minCoeff() && known->step_shift.size() == study.trials.size();
+    std::vector<TrialPrediction> finer_step(study.trials.size());
+    if (!negligible) {
+        Study halved = study;
+        for (StudyTrial& trial : halved.trials) {
+            trial.options.h_s *= error.step_ratio;
+            trial.options.most_iterations = SimulationOptions().most_iterations;   // it has more steps
+            trial.options.keep_path = false;
+        }
+        finer_step = predict_trials(halved, tasks, {}, progress);
+    }
     std::vector<TrialPrediction> finer_mesh(study.trials.size());
     if (refined) {
         error.mesh_ratio = refined->mesh.resolution_m / study.mesh.resolution_m;
@@ -81,6 +88,8 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
     } else {
         error.message = "no finer mesh could be made";
     }
+    error.step_shift.resize(study.trials.size());
+    if (negligible) error.step_shift = known->step_shift;
     error.shift.resize(study.trials.size());
     Sum by_step, by_mesh, total;
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
@@ -88,8 +97,9 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
         if (finer_step[t].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_step[t], base[t]);
             by_step.add(change);
-            add_scaled(change, extrapolation(error.step_ratio), error.shift[t]);
+            add_scaled(change, extrapolation(error.step_ratio), error.step_shift[t]);
         }
+        error.shift[t] = error.step_shift[t];
         if (finer_mesh[t].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_mesh[t], base[t]);
             by_mesh.add(change);
@@ -99,7 +109,7 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
         }
         total.add(error.shift[t]);
     }
-    error.step_rms_m = by_step.rms();
+    error.step_rms_m = negligible ? known->step_rms_m : by_step.rms();
     error.mesh_rms_m = by_mesh.rms();
     error.left_rms_m = extrapolation_doubt * total.rms();
     const StudyTrial& first = study.trials.front();

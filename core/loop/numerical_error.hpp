@@ -19,6 +19,7 @@ struct NumericalError {
     double numerical_damping = 0.0;     // damping ratio that the time scheme adds to the first vibration
     std::string message;                // why a part of it is unknown
     PredictionShift shift;              // extrapolated to zero step and edge, to be added to predictions; empty where unknown
+    PredictionShift step_shift;         // the step's part of it
 };
 
 /// The study with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
@@ -27,9 +28,10 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
 /// Runs the trials with these values on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by
 /// Richardson's rule for second order.
 ///
-/// @param base  the study's predictions with these values, one per trial, with their traces or without; failed ones are left alone
+/// @param base   the study's predictions with these values, one per trial, with their traces or without; failed ones are left alone
+/// @param known  the error with other values, null: none. What the step changes there is taken over where that is far below the noise
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
 NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
-                               const Progress& progress);
+                               const NumericalError* known, const Progress& progress);
 
 }  // namespace myo

@@ -42,7 +42,7 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     if (in.elastic) {
         in.mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].mu; });
         in.kappa = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].kappa; });
-        in.point_bulk = point_bulk(cells, pack, model.moduli);
+        if (cells.mean_volume) in.point_bulk = point_bulk(cells, pack, model.moduli);
     }
     if (in.viscous) {
         in.viscous_mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.viscous[c].mu; });

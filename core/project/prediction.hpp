@@ -52,8 +52,7 @@ Model trial_model(const Study& study, std::size_t trial, const StudyValues& valu
 /// The same with the effects, and how the trial runs and is seen with them.
 Affected affected_trial(const Study& study, std::size_t trial, const StudyValues& values);
 
-/// Prediction of a trial's samples, in the frame and form in which they are compared. near: a run that moves nearly alike, see
-/// SimulationOptions; may be null.
+/// Prediction of a trial's samples, in the frame and form in which they are compared.
 struct TrialPrediction {
     RunStatus status = RunStatus::not_run;
     std::string message;
@@ -65,6 +64,7 @@ struct TrialPrediction {
 
     bool ok() const { return status == RunStatus::complete; }
 };
+/// near: a run that moves nearly alike, see SimulationOptions; may be null.
 TrialPrediction predict_trial(const Study& study, std::size_t trial, const StudyValues& values,
                               const std::vector<StudyParameter>& parameters = {}, const Progress& progress = {},
                               std::shared_ptr<const StagePath> near = {});

@@ -122,6 +122,25 @@ TEST(LeastSquares, AGoodGuessOfTheJacobianSavesAskingForIt) {
     EXPECT_LT(informed.jacobians, plain.jacobians);
 }
 
+/// With no Jacobian allowed beside the guess, secants find nearly as good an end.
+TEST(LeastSquares, SecantsHaveToDoWhereNoJacobianIsAllowed) {
+    const Decay decay = decay_data(2);
+    const std::vector<Parameter> near = {{"amplitude", 35.0, 0.0, 1e3, 10.0}, {"rate_1_s", 1.2, 0.0, 10.0, 1.0}};
+    LeastSquaresOptions options;
+    options.jacobian_guess = decay(Eigen::Vector2d(45.0, 0.9)).jacobian;
+    options.most_jacobians = 0;
+    const LeastSquaresReport report = fit_least_squares(
+        near, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
+        [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
+            ADD_FAILURE() << "asked for";
+            return decay(p).jacobian;
+        },
+        options, {});
+    ASSERT_TRUE(report.converged()) << report.message;
+    const LeastSquaresReport all = fit_least_squares(near, decay);
+    EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.5);
+}
+
 /// A guess that points the wrong way costs a step, not the fit.
 TEST(LeastSquares, RecoversFromABadGuessOfTheJacobian) {
     const Decay decay = decay_data(2);
@@ -133,6 +152,44 @@ TEST(LeastSquares, RecoversFromABadGuessOfTheJacobian) {
         [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; }, options, {});
     ASSERT_TRUE(report.converged()) << report.message;
     EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.02);
+}
+
+/// Nothing to fit is judged all the same, and fewer data than numbers are fitted.
+TEST(LeastSquares, SecantsTakeNoNumbersAndFewData) {
+    const auto line = [](const Eigen::VectorXd& p) { return Eigen::VectorXd::Constant(1, p.size() > 0 ? 3.0 * p(0) + 4.0 * p(1) - 10.0 : 2.0); };
+    const auto fit = [&](const std::vector<Parameter>& parameters) {
+        return fit_least_squares(
+            parameters, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, line(p), {}}; },
+            [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
+                return p.size() > 0 ? Eigen::MatrixXd(Eigen::RowVector2d(3.0, 4.0)) : Eigen::MatrixXd(1, 0);
+            },
+            {}, {});
+    };
+    const LeastSquaresReport none = fit({});
+    EXPECT_TRUE(none.converged()) << none.message;
+    EXPECT_EQ(none.jacobian.rows(), 1);
+    EXPECT_NEAR(none.cost_after, 2.0, 1e-15);
+    const LeastSquaresReport few = fit({{"a", 1.0}, {"b", 0.0}});
+    EXPECT_TRUE(few.converged()) << few.message;
+    EXPECT_NEAR(few.cost_after, 0.0, 1e-12);
+}
+
+/// Steps end at the bounds, also where the fit has to go along one to its end.
+TEST(LeastSquares, SecantsStayWithinBounds) {
+    const Decay decay = decay_data(4);
+    std::vector<Parameter> bounded = start;
+    bounded[1].lower = 1.0;
+    const LeastSquaresReport report = fit_least_squares(
+        bounded,
+        [&](const Eigen::VectorXd& p, const Progress&) {
+            EXPECT_GE(p(1), 1.0 - 1e-12);
+            return ResidualEvaluation{true, {}, decay(p).residuals, {}};
+        },
+        [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; }, {}, {});
+    ASSERT_TRUE(report.converged()) << report.message;
+    EXPECT_NEAR(report.values(1), 1.0, 1e-9);
+    const Eigen::VectorXd shape = (-decay.t.array()).exp();
+    EXPECT_NEAR(report.values(0), decay.y.dot(shape) / shape.squaredNorm(), 0.02 * report.deviations(0));
 }
 
 TEST(LeastSquares, StaysWithinBounds) {

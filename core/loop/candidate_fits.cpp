@@ -1,0 +1,112 @@
+#include "loop/candidate_fits.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <mutex>
+
+#include "base/parallel.hpp"
+#include "loop/judge.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+
+/// A candidate's amount before the best go on, the best of these, and the others that do.
+constexpr Effort amount_effort{4, 1e-3, 0}, leader_effort{20, 3e-4}, other_effort{20, 1e-3, 1};
+
+/// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
+double stepped(const Parameter& p, double value, double step) {
+    const double most = std::exp(2.0);
+    const double lower = p.over_decades ? std::max(p.lower, (value + p.scale) / most - p.scale) : p.lower;
+    const double upper = p.over_decades ? std::min(p.upper, (value + p.scale) * most - p.scale) : p.upper;
+    return std::clamp(value + step, lower, upper);
+}
+
+class Rounds {
+public:
+    Rounds(const CandidateFitting& fitting, const JointFit& base, const std::vector<CandidateStart>& starts, const std::string& name, const Progress& progress)
+        : fitting_(fitting), starts_(starts), name_(name), progress_(progress), of_base_(neighbourhood_of(base)) {
+        result_.fits.resize(starts.size());
+    }
+
+    const JudgedFit& fit(std::size_t i) const { return result_.fits[i]; }
+
+    bool is_unfinished(std::size_t i) const {
+        const JointFit& found = fit(i).fit;
+        return fit(i).usable() && (!found.report.converged() || found.parameters.size() < joint_parameters(fitting_.study, found.values).size());
+    }
+
+    /// Fits those that are wanted, from these values; what was better before stays.
+    void run(const Study& study, EffectFreedom freedom, const Effort& effort, const std::function<bool(std::size_t)>& wanted,
+             const std::function<StudyValues(std::size_t)>& from) {
+        parallel_tasks(static_cast<int>(starts_.size()), study.settings.threads == 1 ? fitting_.study.settings.threads : 1, [&](int task) {
+            const auto i = static_cast<std::size_t>(task);
+            if (progress_.cancelled() || !wanted(i)) return;
+            Neighbourhood known = fit(i).usable() ? neighbourhood_of(fit(i).fit) : of_base_;
+            known.paths = of_base_.paths;   // those of all candidates would fill the memory
+            JointFit found = stored_fit(fitting_.store, study, fitting_.data, from(i), freedom, effort, known, progress_.with_sink({}));
+            if (!found.usable() || progress_.cancelled()) return;
+            for (TrialPrediction& prediction : found.predictions) prediction.trace = {};
+            JudgedFit fresh = judged(fitting_.data, std::move(found), fitting_.settings);
+            const std::lock_guard<std::mutex> lock(mutex_);
+            result_.runs += fresh.fit.runs(static_cast<int>(fitting_.data.trials.size()));
+            if (!fit(i).usable() || fresh.fit.squares() < fit(i).fit.squares()) result_.fits[i] = std::move(fresh);
+            progress_.report({name_, static_cast<double>(++done_), 2.0 * static_cast<double>(starts_.size()), "fits", starts_[i].effect.id});
+        });
+    }
+
+    CandidateFits take() { return std::move(result_); }
+
+private:
+    const CandidateFitting& fitting_;
+    const std::vector<CandidateStart>& starts_;
+    const std::string& name_;
+    const Progress& progress_;
+    Neighbourhood of_base_;
+    CandidateFits result_;
+    std::atomic<int> done_{0};
+    std::mutex mutex_;
+};
+
+}  // namespace
+
+CandidateStart start_of(const EffectScore& score) { return {{score.id, score.start}, score.step}; }
+
+CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& base, const std::vector<CandidateStart>& starts, double least_yet, double hope,
+                             const std::string& name, const Progress& progress) {
+    Rounds rounds(fitting, base, starts, name, progress);
+    const auto with_effect = [&](std::size_t i, StudyValues values) {
+        values.effects.push_back(starts[i].effect);
+        return values;
+    };
+    rounds.run(fitting.serial, EffectFreedom::amount, amount_effort, [](std::size_t) { return true; }, [&](std::size_t i) {
+        StudyValues values = base.values;
+        for (std::size_t p = 0; p < base.parameters.size() && starts[i].step.size() > 0; ++p) {
+            const StudyParameter& own = base.parameters[p];
+            set_value(own, stepped(own.parameter, value_of(own, base.values), starts[i].step(static_cast<Index>(p))), values);
+        }
+        return with_effect(i, values);
+    });
+    // What a probe foretells may be more than the model can run with.
+    rounds.run(fitting.serial, EffectFreedom::amount, amount_effort, [&](std::size_t i) { return !rounds.fit(i).usable(); },
+               [&](std::size_t i) { return with_effect(i, base.values); });
+    double least = least_yet;
+    std::size_t leader = starts.size();
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        if (!rounds.fit(i).usable()) continue;
+        least = std::min(least, rounds.fit(i).fit.squares());
+        if (leader == starts.size() || rounds.fit(i).fit.squares() < rounds.fit(leader).fit.squares()) leader = i;
+    }
+    const auto found_so_far = [&](std::size_t i) { return rounds.fit(i).fit.values; };
+    const auto is_hopeful = [&](std::size_t i) { return rounds.is_unfinished(i) && rounds.fit(i).fit.squares() < hope * least; };
+    // The best goes first: what it comes to may leave the others no hope.
+    rounds.run(fitting.study, EffectFreedom::all, leader_effort, [&](std::size_t i) { return i == leader && is_hopeful(i); }, found_so_far);
+    if (leader < starts.size()) least = std::min(least, rounds.fit(leader).fit.squares());
+    rounds.run(fitting.serial, EffectFreedom::all, other_effort, [&](std::size_t i) { return i != leader && is_hopeful(i); }, found_so_far);
+    return rounds.take();
+}
+
+}  // namespace myo

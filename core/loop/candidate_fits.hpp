@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loop/diagnosis.hpp"
+#include "loop/effect_scores.hpp"
+#include "loop/stored_fit.hpp"
+
+namespace myo {
+
+/// Where a candidate's fit starts.
+struct CandidateStart {
+    EffectDeclaration effect;
+    Eigen::VectorXd step;   // of the base's own parameters; empty: none
+};
+CandidateStart start_of(const EffectScore& score);
+
+/// What fits of candidates share.
+struct CandidateFitting {
+    const Study& study;
+    const Study& serial;    // the same, whose fits run on one thread each, side by side
+    const FitData& data;
+    const DiagnoseSettings& settings;
+    FitStore& store;
+};
+
+struct CandidateFits {
+    std::vector<JudgedFit> fits;   // in the order of the starts; unusable where they failed
+    int runs = 0;                  // of the model, about
+};
+
+/// Fits of these starts beside a fit's effects: how much of each at first, then the hopeful ones with all their numbers, the best first.
+///
+/// @param base        where the starts' steps begin
+/// @param least_yet   squares that other candidates are known to leave
+/// @param hope        those go on that leave at most so many times the least squares
+/// @param name        of the stage, for progress
+CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& base, const std::vector<CandidateStart>& starts, double least_yet, double hope,
+                             const std::string& name, const Progress& progress);
+
+}  // namespace myo

@@ -1,0 +1,34 @@
+#include "loop/stored_fit.hpp"
+
+#include "loop/effect_words.hpp"
+
+namespace myo {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+JointFit stored_fit(FitStore& store, const Study& study, const FitData& data, const StudyValues& start, EffectFreedom freedom, const Effort& effort,
+                    const Neighbourhood& known, const Progress& progress) {
+    LeastSquaresOptions options;
+    options.max_evaluations = effort.evaluations;
+    options.relative_decrease = effort.relative_decrease;
+    options.most_jacobians = effort.most_jacobians;
+    options.relative_step = 1e-5;
+    const std::vector<StudyParameter> parameters = joint_parameters(study, start, freedom);
+    std::string key = std::to_string(effort.evaluations) + (data.shift.empty() ? "" : " shifted");
+    for (const EffectDeclaration& effect : start.effects) key += " " + effect_words(effect);
+    for (const StudyParameter& p : parameters) key += " " + p.parameter.name + " " + std::to_string(p.parameter.value);
+    StudyValues from = start;
+    if (const std::optional<VectorXd> done = store.find(key); done && done->size() == static_cast<Index>(parameters.size())) {
+        for (std::size_t i = 0; i < parameters.size(); ++i) set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
+        options.max_evaluations = 0;
+    }
+    JointFit fit = joint_fit(study, data, from, freedom, options, known, progress);
+    if (!fit.usable() || progress.cancelled()) return fit;
+    VectorXd found(static_cast<Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i) found(static_cast<Index>(i)) = value_of(parameters[i], fit.values);
+    static_cast<void>(store.keep(key, found));
+    return fit;
+}
+
+}  // namespace myo
