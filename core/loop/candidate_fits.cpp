@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <mutex>
 
 #include "base/parallel.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 using Eigen::Index;
 
-/// A candidate's amount before the best go on, the best of these, and the others that do.
-constexpr Effort amount_effort{4, 1e-3, 0}, leader_effort{20, 3e-4}, other_effort{20, 1e-3, 1};
+/// A candidate's amount before the best go on, also where the way is not straight, the best of these, and the others that do.
+constexpr Effort amount_effort{4, 1e-3, 0}, winding_effort{10, 1e-3, 1}, leader_effort{20, 3e-4}, other_effort{20, 1e-3, 1};
 
 /// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
 double stepped(const Parameter& p, double value, double step) {
@@ -73,7 +74,19 @@ private:
 
 }  // namespace
 
-CandidateStart start_of(const EffectScore& score) { return {{score.id, score.start}, score.step}; }
+CandidateStart start_of(const EffectScore& score) { return {{score.id, score.start, false}, score.step, false}; }
+
+std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores) {
+    std::map<std::string, const EffectScore*> best;
+    for (const EffectScore& score : scores) {
+        if (!score.failure.empty() || !score.modest) continue;
+        const EffectScore*& found = best[score.id];
+        if (!found || score.share() > found->share()) found = &score;
+    }
+    std::vector<CandidateStart> starts;
+    for (const auto& [id, score] : best) starts.push_back({{id, score->modest->effect, false}, score->modest->step, true});
+    return starts;
+}
 
 CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& base, const std::vector<CandidateStart>& starts, double least_yet, double hope,
                              const std::string& name, const Progress& progress) {
@@ -82,16 +95,19 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
         values.effects.push_back(starts[i].effect);
         return values;
     };
-    rounds.run(fitting.serial, EffectFreedom::amount, amount_effort, [](std::size_t) { return true; }, [&](std::size_t i) {
+    const auto stepped_base = [&](std::size_t i) {
         StudyValues values = base.values;
         for (std::size_t p = 0; p < base.parameters.size() && starts[i].step.size() > 0; ++p) {
             const StudyParameter& own = base.parameters[p];
             set_value(own, stepped(own.parameter, value_of(own, base.values), starts[i].step(static_cast<Index>(p))), values);
         }
         return with_effect(i, values);
-    });
-    // What a probe foretells may be more than the model can run with.
-    rounds.run(fitting.serial, EffectFreedom::amount, amount_effort, [&](std::size_t i) { return !rounds.fit(i).usable(); },
+    };
+    rounds.run(fitting.serial, EffectFreedom::amount, amount_effort, [&](std::size_t i) { return !starts[i].winding; }, stepped_base);
+    rounds.run(fitting.serial, EffectFreedom::amount, winding_effort, [&](std::size_t i) { return starts[i].winding; }, stepped_base);
+    // What a probe foretells may be more than the model can run with, or far from what is linear.
+    const auto went_wrong = [&](std::size_t i) { return !rounds.fit(i).usable() || rounds.fit(i).fit.squares() > base.squares(); };
+    rounds.run(fitting.serial, EffectFreedom::amount, amount_effort, [&](std::size_t i) { return !starts[i].winding && went_wrong(i); },
                [&](std::size_t i) { return with_effect(i, base.values); });
     double least = least_yet;
     std::size_t leader = starts.size();

@@ -13,8 +13,11 @@ namespace myo {
 struct CandidateStart {
     EffectDeclaration effect;
     Eigen::VectorXd step;   // of the base's own parameters; empty: none
+    bool winding = false;   // the way from there is not straight: it takes more evaluations before hope is lost
 };
 CandidateStart start_of(const EffectScore& score);
+/// Of the best probe of each effect that has one.
+std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores);
 
 /// What fits of candidates share.
 struct CandidateFitting {

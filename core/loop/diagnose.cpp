@@ -32,7 +32,15 @@ constexpr double far_damping = 3.0, sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
 /// How far fits with all trials side by side go: the declared one, with the numerical error taken off, and the one the verdict stands on.
-constexpr Effort declared_effort{30}, again_effort{6}, last_effort{12};
+constexpr Effort declared_effort{30}, again_effort{12}, last_effort{30};
+/// The numerical error is found anew where taking it off moves the predictions by more, in units of the noise and as a share of what is left, and
+/// at most so often.
+constexpr double settled_change = 1.0, settled_share = 0.3;
+constexpr int most_rounds = 3;
+/// It is not taken over where the fit then leaves so many times the squares.
+constexpr double gone_astray = 1.2;
+/// For so many candidates before the verdict.
+constexpr std::size_t settled_candidates = 2;
 /// A run that takes so many times the iterations of the declared fit's is given up: its numbers are absurd.
 constexpr int absurd_run = 4;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best; of pairs fewer, as one of the two is at its best.
@@ -44,6 +52,8 @@ constexpr double worth_a_second = 0.64;
 constexpr double worth_beside_best = 0.4, most_of_all = 0.5;
 /// A fit that leaves less than this share of the declared one's squares is nearer to the truth than that.
 constexpr double far_better = 0.3;
+/// A candidate whose fit leaves more than this share of the squares has perhaps not found its way.
+constexpr double little_better = 0.9;
 /// So many candidates are fitted before anything is concluded.
 constexpr std::size_t first_fits = 3;
 
@@ -55,6 +65,13 @@ std::string study_words(const Study& study) {
 /// Paths take the memory of many runs: they stay only where others start.
 void forget_paths(std::vector<TrialPrediction>& predictions) {
     for (TrialPrediction& prediction : predictions) prediction.trace.path.reset();
+}
+
+/// Rms by which predictions differ between two fits of the same numbers, to first order, in units of the noise.
+double change_between(const JointFit& a, const JointFit& b) {
+    VectorXd step(static_cast<Index>(b.parameters.size()));
+    for (std::size_t i = 0; i < b.parameters.size(); ++i) step(static_cast<Index>(i)) = value_of(b.parameters[i], b.values) - value_of(b.parameters[i], a.values);
+    return (b.jacobian * step).norm() / std::sqrt(static_cast<double>(std::max<Index>(1, b.residual.size())));
 }
 
 /// A diagnosis on its way.
@@ -193,12 +210,38 @@ private:
     }
 
     bool numbers() {
-        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(result_.declared.fit.values, nullptr); });
-        if (progress_.cancelled()) return false;
-        result_.data.shift = declared_shift_ = result_.numerics.shift;
-        JointFit again = stage("declared fit", 2 * fit_count(), [&] { return fit(study_, result_.declared.fit.values, EffectFreedom::all, again_effort, neighbourhood_of(result_.declared.fit), progress_); });
-        if (progress_.cancelled()) return false;
-        if (again.usable()) result_.declared = judged(result_.data, std::move(again), result_.settings);
+        if (!settle(result_.declared, "declared fit", again_effort)) return false;
+        if (!result_.declared.numerics) result_.declared.numerics.emplace();
+        result_.numerics = *result_.declared.numerics;
+        return true;
+    }
+
+    /// The numerical error at a fit, and the fit with it taken off; again while that takes the fit elsewhere: an error of another motion is another
+    /// error.
+    bool settle(JudgedFit& judged_fit, const std::string& name, const Effort& effort) {
+        Study exact = study_;
+        exact.settings.derivatives = Derivatives::central;
+        for (int round = 0; round < most_rounds; ++round) {
+            const NumericalError* const known = judged_fit.numerics ? &*judged_fit.numerics : nullptr;   // the declared fit may be damped far more
+            NumericalError numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(judged_fit.fit.values, known); });
+            if (progress_.cancelled()) return false;
+            result_.data.shift = numerics.shift;
+            JointFit again = stage(name, 0, [&] { return fit(exact, judged_fit.fit.values, EffectFreedom::all, effort, neighbourhood_of(judged_fit.fit), progress_); });
+            if (progress_.cancelled()) return false;
+            cost_of(name).runs += again.runs(fit_count());
+            const bool is_first = !result_.declared.numerics;   // until then no error was taken off
+            if (!again.usable() || (!is_first && again.squares() > gone_astray * judged_fit.fit.squares())) break;
+            const double left = std::sqrt(again.squares() / static_cast<double>(again.residual.size()));
+            const bool settled = change_between(judged_fit.fit, again) < std::max(settled_change, settled_share * left);
+            const double weight = judged_fit.weight, criterion = judged_fit.criterion;
+            judged_fit = judged(result_.data, std::move(again), result_.settings);
+            judged_fit.weight = weight;
+            judged_fit.criterion = criterion;
+            judged_fit.numerics = std::move(numerics);
+            if (settled) break;
+        }
+        if (!judged_fit.numerics) judged_fit.numerics = result_.declared.numerics;
+        result_.data.shift = judged_fit.numerics ? judged_fit.numerics->shift : PredictionShift{};
         return true;
     }
 
@@ -282,7 +325,7 @@ private:
         show();
         std::vector<CandidateStart> starts;
         for (const std::size_t i : chosen) starts.push_back(start_of(scores[i]));
-        if (!refit(starts, 0, std::min(first_fits, starts.size())) || !correct_the_best()) return false;
+        if (!refit(starts, 0, std::min(first_fits, starts.size())) || !settle_the_best()) return false;
         std::size_t last = starts.size();
         const JudgedFit* const best = !result_.candidates.empty() && result_.candidates.front().judged ? &*result_.candidates.front().judged : nullptr;
         if (best && (explains(*best, result_.declared, result_.data, result_.numerics) || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
@@ -290,40 +333,39 @@ private:
             while (last < starts.size() && scores[chosen[last]].test.explained > worth_beside_best * scores[chosen[0]].test.explained) ++last;
         }
         if (!refit(starts, std::min(first_fits, starts.size()), last)) return false;
+        const auto explained = [&] {
+            const std::vector<Candidate>& ranked = result_.candidates;
+            return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics);
+        };
+        if (!explained()) {
+            starts = modest_starts(scores);
+            std::erase_if(starts, [&](const CandidateStart& start) { return has_done_better(start.effect.id); });
+            if (!refit(starts, 0, starts.size()) || !settle_the_best()) return false;
+        }
         find_confusions(study_, result_);
         show();
         return true;
     }
 
-    /// The numerical error was found with the declared fit, whose motion may be far off: where the best candidate explains most but not all, it is
-    /// found anew with that.
-    bool correct_the_best() {
-        if (result_.candidates.empty() || !result_.candidates.front().judged) return true;
-        JudgedFit& best = *result_.candidates.front().judged;
-        if (explains(best, result_.declared, result_.data, result_.numerics) || best.fit.squares() > far_better * result_.declared.fit.squares()) return true;
-        return corrected(best);
-    }
-
-    bool is_corrected(const JudgedFit& judged_fit) const {
-        const std::vector<EffectDeclaration>& effects = judged_fit.fit.values.effects;
-        return !effects.empty() && std::equal(effects.begin(), effects.end(), corrected_at_.begin(), corrected_at_.end(), [](const EffectDeclaration& a, const EffectDeclaration& b) {
-            return effect_words(a) == effect_words(b);
+    /// Whether a candidate's fit has left less than where it began.
+    bool has_done_better(const std::string& id) const {
+        return std::any_of(result_.candidates.begin(), result_.candidates.end(), [&](const Candidate& candidate) {
+            return candidate.score.id == id && candidate.judged && candidate.judged->fit.squares() < little_better * base().squares();
         });
     }
 
-    /// The numerical error at a fit, and the fit with it.
-    bool corrected(JudgedFit& judged_fit) {
-        result_.numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(judged_fit.fit.values, &result_.numerics); });
-        if (progress_.cancelled()) return false;
-        result_.data.shift = result_.numerics.shift;
-        JointFit again = stage("last fit", 4 * fit_count(), [&] { return fit(study_, judged_fit.fit.values, EffectFreedom::all, last_effort, neighbourhood_of(judged_fit.fit), progress_); });
-        if (progress_.cancelled()) return false;
-        if (!again.usable()) return true;
-        const double weight = judged_fit.weight, criterion = judged_fit.criterion;
-        judged_fit = judged(result_.data, std::move(again), result_.settings);
-        judged_fit.weight = weight;
-        judged_fit.criterion = criterion;
-        corrected_at_ = judged_fit.fit.values.effects;
+    /// The numerical error was found with the declared fit, whose motion may be far off: where the best candidates explain most but not all, it is
+    /// found anew with them.
+    bool settle_the_best() {
+        const std::size_t count = std::min(settled_candidates, result_.candidates.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            std::optional<JudgedFit>& best = result_.candidates[i].judged;
+            if (!best || best->numerics || best->fit.squares() > far_better * result_.declared.fit.squares()) continue;
+            if (explains(*best, result_.declared, result_.data, result_.numerics)) break;
+            if (!settle(*best, "last fit", last_effort)) return false;
+            result_.data.shift = result_.numerics.shift;
+        }
+        order_by_criterion(result_.data, result_.declared, result_.candidates);
         return true;
     }
 
@@ -335,7 +377,8 @@ private:
         if (progress_.cancelled()) return false;
         for (std::size_t i = 0; i < fits.size(); ++i)
             for (Candidate& candidate : result_.candidates)
-                if (candidate.score.id == part[i].effect.id && fits[i].usable()) candidate.judged = std::move(fits[i]);
+                if (candidate.score.id == part[i].effect.id && fits[i].usable() && !(candidate.judged && candidate.judged->fit.squares() < fits[i].fit.squares()))
+                    candidate.judged = std::move(fits[i]);
         order_by_criterion(result_.data, result_.declared, result_.candidates);
         return true;
     }
@@ -346,6 +389,7 @@ private:
         const JudgedFit& first = *result_.candidates.front().judged;
         if (explains(first, result_.declared, result_.data, result_.numerics) || first.fit.squares() > worth_a_second * result_.declared.fit.squares()) return;
         JointFit base = first.fit;
+        if (first.numerics) result_.data.shift = first.numerics->shift;
         std::vector<PredictionTask> tasks;
         for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &base.values});
         base.predictions = predict_trials(study_, tasks, {}, progress_);
@@ -380,15 +424,13 @@ private:
             std::iota(all.begin(), all.end(), std::size_t{0});
             return scored_run(study_, with_predicted_levels(study_, fitted), std::move(predictions), all);
         };
-        result_.before = scored(result_.declared.fit.values, declared_shift_, before);
-        if (result_.verdict.kind == VerdictKind::none) {
-            result_.data.shift = declared_shift_;
-            result_.after = result_.before;
-            return;
-        }
-        if (!is_corrected(result_.augmented) && !corrected(result_.augmented)) return;
+        result_.before = scored(result_.declared.fit.values, result_.numerics.shift, before);
+        if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", last_effort)) return;
+        result_.data.shift = result_.augmented.numerics->shift;
         if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
-        result_.after = scored(result_.augmented.fit.values, result_.data.shift, predict_all(result_.augmented.fit.values));
+        result_.after = result_.verdict.kind == VerdictKind::none
+                            ? result_.before
+                            : scored(result_.augmented.fit.values, result_.data.shift, predict_all(result_.augmented.fit.values));
     }
 
     Study study_;
@@ -399,8 +441,6 @@ private:
     std::unique_ptr<Study> refined_;
     bool mesh_failed_ = false;
     std::optional<JointFit> unbent_;                // the declared fit with what it has bent put back
-    PredictionShift declared_shift_;                // found with the declared fit, which it belongs to
-    std::vector<EffectDeclaration> corrected_at_;   // effects of the fit at which the numerical error was last found
     Diagnosis result_;
 };
 

@@ -33,6 +33,7 @@ struct JudgedFit {
     double criterion = 0.0;                       // what fits are ordered by; lower is better
     double weight = 0.0;                          // share of the evidence among all that were fitted
     ResidualTests tests;
+    std::optional<NumericalError> numerics;       // found with this fit, and taken off; none: that of the declared fit was
 
     bool usable() const { return fit.usable(); }
 };

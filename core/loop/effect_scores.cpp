@@ -49,8 +49,11 @@ bool scaled(const Effect& effect, const EffectProbe& probe, double multiple, Eff
     return true;
 }
 
-/// An effect that would be larger than so many times the residual, and taken back by other numbers, is not told from a linear step.
-constexpr double most_over_residual = 2.0;
+/// How many times the residual an effect may be: what other numbers do not take back of it, and all of it (a softer material under a higher
+/// modulus takes much).
+constexpr double most_outside = 2.0, most_over_residual = 30.0;
+/// Where other numbers take back all but this share of an effect, amounts that matter are not linear.
+constexpr double taken_back = 0.3;
 
 /// How far a probe may be multiplied: amounts keep their sign and bounds.
 struct Range {
@@ -81,6 +84,15 @@ OwnSteps own_steps(const JointFit& fit) {
     return own;
 }
 
+/// As much of an effect as makes one residual, and the parameters where they take it back.
+std::optional<EffectScore::Start> modest_start(const Probe& probe, const JointFit& fit, const OwnSteps& own, const VectorXd& S, const Range& range) {
+    const double multiple = std::clamp(fit.residual.norm() / std::max(S.norm(), std::numeric_limits<double>::min()), range.lowest, range.highest);
+    EffectScore::Start start;
+    if (!scaled(*probe.effect, probe.probe, multiple, start.effect)) return {};
+    start.step = bounded_step(fit.jacobian, VectorXd(multiple * S), own.lower, own.upper);
+    return start;
+}
+
 /// The fit's parameters and the candidate together take the best step within their bounds: a modulus at the edge of its tolerance does not
 /// stand in for what is missing.
 void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& outside, const FitData& data, const JointFit& fit, const OwnSteps& own,
@@ -95,7 +107,8 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
     lower.head(own.lower.size()) = own.lower;
     upper.head(own.upper.size()) = own.upper;
     for (Index c = 0; c < S.cols(); ++c) {
-        const double most = most_over_residual * fit.residual.norm() / std::max(S.col(c).norm(), std::numeric_limits<double>::min());
+        const double tiny = std::numeric_limits<double>::min();
+        const double most = fit.residual.norm() * std::min(most_over_residual / std::max(S.col(c).norm(), tiny), most_outside / std::max(nuisance.outside(S.col(c)).norm(), tiny));
         lower(own.lower.size() + c) = std::max(range.lowest, -most);
         upper(own.upper.size() + c) = std::min(range.highest, most);
     }
@@ -106,6 +119,7 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
     if (possible && probe.probe.joined) score.start = probe.probe.joined(probe.probe.columns, multiples);
     score.test.explained = possible && own.squares > 0.0 ? std::max(0.0, 1.0 - squares / own.squares) : 0.0;
     score.left = (1.0 - score.test.explained) * own.squares;
+    if (!probe.probe.joined && score.candidate.kept(0) < taken_back) score.modest = modest_start(probe, fit, own, S.col(0), range);
     score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
 }
 

@@ -22,6 +22,14 @@ constexpr double temperature = 8.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
 constexpr double guard_s = 0.05;
 
+/// A modulus that ends where it may not go on stands in for something else.
+bool modulus_at_bound(const JointFit& fit) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
+        const double value = value_of(p, fit.values), little = 1e-6 * value;
+        return p.kind == StudyParameter::Kind::youngs_modulus && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
+    });
+}
+
 double mean_noise_m(const FitData& data) { return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, data.noise_m.size()))); }
 
 }  // namespace
@@ -69,8 +77,8 @@ bool needs_explanation(const JudgedFit& fit, const FitData& data, const Numerica
 }
 
 bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics) {
-    if (!fit.usable()) return false;
-    const double allowed = std::max(1.5 * numerical_allowance(data, numerics), share_of_form * before.tests.systematic.rms);
+    if (!fit.usable() || modulus_at_bound(fit.fit)) return false;
+    const double allowed = std::max(1.5 * numerical_allowance(data, fit.numerics ? *fit.numerics : numerics), share_of_form * before.tests.systematic.rms);
     return !fit.tests.significant() || fit.tests.systematic.rms <= allowed;
 }
 

@@ -29,7 +29,7 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
 /// Richardson's rule for second order.
 ///
 /// @param base   the study's predictions with these values, one per trial, with their traces or without; failed ones are left alone
-/// @param known  the error with other values, null: none. What the step changes there is taken over where that is far below the noise
+/// @param known  the error with values near these, null: none. What the step changes there is taken over where that is far below the noise
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
 NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
                                const NumericalError* known, const Progress& progress);

@@ -15,6 +15,8 @@ constexpr double trust = 0.97;
 /// Cameras alone, at rest, are far better than any model of a real body. Where nobody says how good a model could be, an effect is named that
 /// leaves at most this share of the rms, also on samples it was not fitted to.
 constexpr double most_left = 0.7;
+/// Of the confidence in an effect whose size ends at its bound.
+constexpr double at_bound_trust = 0.5;
 
 std::string times_noise(double rms) { return format_number(rms, 3) + " times the noise"; }
 
@@ -61,9 +63,19 @@ bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
     return !d.data.noise_declared && fit.usable() && fit.held_out_rms <= most_left * d.declared.held_out_rms && fit.rms_m <= most_left * d.declared.rms_m;
 }
 
+/// A number of an effect, other than a place, has gone as far as it may.
+bool effect_at_bound(const JointFit& fit) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
+        const double value = value_of(p, fit.values), little = 1e-6 * std::abs(value);
+        return p.kind == StudyParameter::Kind::effect && p.component < 0 && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
+    });
+}
+
 JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit) {
     const double left = fit.rms_m / d.declared.rms_m;
-    effects(d, fit, fit.weight * (1.0 - 0.5 * left));
+    const bool at_bound = effect_at_bound(fit.fit);
+    effects(d, fit, fit.weight * (1.0 - 0.5 * left) * (at_bound ? at_bound_trust : 1.0));
+    if (at_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
     d.verdict.because += " What is left is unexplained: the noise was taken from still markers, and no model of a real body comes down to that.";
     return fit;
 }

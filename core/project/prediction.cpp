@@ -188,7 +188,7 @@ double difference_step(const StudyParameter& p, double value) {
 
 /// Memory of damage and responses of actuators stand between a modulus or a level and the motion: there, differences of runs tell.
 bool needs_differences(const Study& study, const StudyParameter& parameter, const StudyValues& values) {
-    return study.settings.derivatives == Derivatives::differences || std::any_of(values.effects.begin(), values.effects.end(), [&](const EffectDeclaration& effect) {
+    return study.settings.derivatives != Derivatives::tangents || std::any_of(values.effects.begin(), values.effects.end(), [&](const EffectDeclaration& effect) {
         const EffectStage stage = find_effect(effect.id)->stage;
         return (parameter.kind == Kind::level && stage == EffectStage::actuation) || effect.id == "stress_softening";
     });
@@ -276,15 +276,21 @@ ResidualTangent residual_tangent(const Study& study, std::size_t index, const St
         for (Matrix3Xd& marker : result.tangent) marker = by_displacement(study) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
     } else if (parameter.kind == Kind::effect || moves_the_body(parameter, index)) {
         if (parameter.kind == Kind::effect && !acts_on(effect_site(study, index), values.effects[parameter.index].parameters)) return result;
-        StudyValues changed = values;
-        const double step = difference_step(parameter, value_of(parameter, values));
-        set_value(parameter, value_of(parameter, values) + step, changed);
+        const double value = value_of(parameter, values), step = difference_step(parameter, value);
         const bool seen_only = parameter.kind == Kind::effect && is_seen_only(values.effects[parameter.index]);
-        const TrialPrediction other = seen_only ? observe_trial(study, index, changed, there.trace) : predict_trial(study, index, changed, {}, progress, there.trace.path);
+        const auto beside = [&](double at) {
+            StudyValues changed = values;
+            set_value(parameter, at, changed);
+            return seen_only ? observe_trial(study, index, changed, there.trace) : predict_trial(study, index, changed, {}, progress, there.trace.path);
+        };
+        const TrialPrediction other = beside(value + step);
         result.status = other.status;
         result.message = other.message;
         if (!other.ok()) return result;
-        for (std::size_t m = 0; m < result.tangent.size(); ++m) result.tangent[m] = (other.residual_m[m] - there.residual_m[m]) / step;
+        const bool both_sides = study.settings.derivatives == Derivatives::central && value - step >= parameter.parameter.lower && value - step <= parameter.parameter.upper;
+        const TrialPrediction opposite = both_sides ? beside(value - step) : TrialPrediction{};
+        for (std::size_t m = 0; m < result.tangent.size(); ++m)
+            result.tangent[m] = opposite.ok() ? Matrix3Xd((other.residual_m[m] - opposite.residual_m[m]) / (2.0 * step)) : Matrix3Xd((other.residual_m[m] - there.residual_m[m]) / step);
     }
     return result;
 }

@@ -23,6 +23,7 @@ namespace myo {
 enum class Derivatives {
     tangents,      // exact, side by side: about six runs for the first parameter and a tenth for each other
     differences,   // one run more for each: faster for few
+    central,       // two runs more for each: a phase that drifts over many periods is no longer linear in a modulus
 };
 
 /// How the experiment is to be simulated; what is left open is chosen for the data.

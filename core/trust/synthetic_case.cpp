@@ -246,7 +246,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     if (const EffectDraw* const draw = find_effect_draw(id)) needs = draw->needs;
     const BodyFamily family = drawn_family(choice, needs, random);
     const bool muscles = needs.muscles || (may_have_muscles(family) && !needs.hung_weight && random.chance(0.3));
-    c.body = drawn_body(family, needs.deep_clamp || (!needs.face_clamp && may_be_held_deep(family) && random.chance(0.3)), random);
+    c.body = drawn_body(family, needs.deep_clamp, random);
     c.material = drawn_material(c.body, needs.known_damping || random.chance(0.25), random);
     if (muscles) c.muscles = drawn_muscles(c.body, c.material, random);
     c.markers = drawn_markers(c.body, 4 + random.below(5), random);

@@ -95,7 +95,7 @@ const std::map<std::string, EffectDraw>& draws() {
         {"cable_tug", {none, "stiffness_N_m", 0.1, 100.0, true, cable}},
         {"hung_mass", {{.hung_weight = true}, "inertia_ratio", 0.1, 3.0, true, nothing}},
         {"gravity_tilt", {none, "tilt_deg", 0.5, 20.0, true, level_axis}},
-        {"clamp_compliance", {{.face_clamp = true}, "stiffness_Pa_per_m", 5e5, 1e9, false, nothing}},
+        {"clamp_compliance", {none, "stiffness_Pa_per_m", 5e5, 1e9, false, nothing}},
         {"clamp_slip", {{.deep_clamp = true}, "free_length_m", 1e-3, 0.02, true, nothing}},
         {"held_pose", {straight, "offset_m", 3e-4, 0.02, true, held}},
         {"extra_damping", {{.known_damping = true}, "excess_damping_s", 2e-4, 0.03, true, nothing}},

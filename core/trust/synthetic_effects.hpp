@@ -9,8 +9,7 @@ namespace myo {
 /// What an effect needs to show at all.
 struct EffectNeeds {
     bool muscles = false;
-    bool deep_clamp = false;
-    bool face_clamp = false;
+    bool deep_clamp = false;       // others are held on a face
     bool hung_weight = false;      // a force that goes on
     bool known_damping = false;
     bool straight_start = false;

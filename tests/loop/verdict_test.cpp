@@ -73,5 +73,40 @@ TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) 
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
 }
 
+/// A fit with one number, which ends at a value between 1 and 100.
+void end_at(JudgedFit& fit, StudyParameter::Kind kind, double value) {
+    StudyParameter p;
+    p.kind = kind;
+    p.parameter.lower = 1.0;
+    p.parameter.upper = 100.0;
+    if (kind == StudyParameter::Kind::effect) p.of_effect = "coefficient_kg_m3";
+    fit.fit.parameters = {p};
+    fit.fit.values.youngs_modulus_Pa = value;
+    fit.fit.values.effects = {{"quadratic_drag", {{"coefficient_kg_m3", value}}, false}};
+}
+
+/// Two ways of being too good: a modulus driven out of its tolerance explains nothing, and an effect as large as it may be is trusted less.
+TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
+    Diagnosis d = with_candidate(0.3);
+    end_at(*d.candidates[0].judged, StudyParameter::Kind::youngs_modulus, 50.0);
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+    d = with_candidate(0.3);
+    end_at(*d.candidates[0].judged, StudyParameter::Kind::youngs_modulus, 100.0);
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+
+    double confidence[2];
+    for (const bool at_bound : {false, true}) {
+        d = with_candidate(5.0);
+        d.data.noise_declared = false;
+        end_at(*d.candidates[0].judged, StudyParameter::Kind::effect, at_bound ? 100.0 : 50.0);
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+        confidence[at_bound] = d.verdict.confidence;
+    }
+    EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace myo
