@@ -35,7 +35,7 @@ constexpr double most_path_bytes = 1e8;
 constexpr Effort declared_effort{30}, again_effort{12}, last_effort{30};
 /// The numerical error is found anew where taking it off moves the predictions by more, in units of the noise and as a share of what is left, and
 /// at most so often.
-constexpr double settled_change = 1.0, settled_share = 0.3;
+constexpr double declared_settled = 1.0, effect_settled = 3.0, settled_share = 0.3;
 constexpr int most_rounds = 3;
 /// It is not taken over where the fit then leaves so many times the squares.
 constexpr double gone_astray = 1.2;
@@ -210,7 +210,7 @@ private:
     }
 
     bool numbers() {
-        if (!settle(result_.declared, "declared fit", again_effort)) return false;
+        if (!settle(result_.declared, "declared fit", again_effort, declared_settled)) return false;
         if (!result_.declared.numerics) result_.declared.numerics.emplace();
         result_.numerics = *result_.declared.numerics;
         return true;
@@ -218,7 +218,7 @@ private:
 
     /// The numerical error at a fit, and the fit with it taken off; again while that takes the fit elsewhere: an error of another motion is another
     /// error.
-    bool settle(JudgedFit& judged_fit, const std::string& name, const Effort& effort) {
+    bool settle(JudgedFit& judged_fit, const std::string& name, const Effort& effort, double settled_change) {
         Study exact = study_;
         exact.settings.derivatives = Derivatives::central;
         for (int round = 0; round < most_rounds; ++round) {
@@ -362,7 +362,7 @@ private:
             std::optional<JudgedFit>& best = result_.candidates[i].judged;
             if (!best || best->numerics || best->fit.squares() > far_better * result_.declared.fit.squares()) continue;
             if (explains(*best, result_.declared, result_.data, result_.numerics)) break;
-            if (!settle(*best, "last fit", last_effort)) return false;
+            if (!settle(*best, "last fit", last_effort, effect_settled)) return false;
             result_.data.shift = result_.numerics.shift;
         }
         order_by_criterion(result_.data, result_.declared, result_.candidates);
@@ -425,7 +425,7 @@ private:
             return scored_run(study_, with_predicted_levels(study_, fitted), std::move(predictions), all);
         };
         result_.before = scored(result_.declared.fit.values, result_.numerics.shift, before);
-        if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", last_effort)) return;
+        if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", last_effort, effect_settled)) return;
         result_.data.shift = result_.augmented.numerics->shift;
         if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
         result_.after = result_.verdict.kind == VerdictKind::none

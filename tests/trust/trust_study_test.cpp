@@ -48,7 +48,7 @@ TEST(TrustStudy, ASmallOneIsAnsweredRightAndNotRepeated) {
         ASSERT_TRUE(record.answered()) << what;
         EXPECT_TRUE(record.right()) << what;
         EXPECT_GT(record.confidence, 0.5) << what;
-        EXPECT_LT(record.after_over_noise, 1.3) << what;
+        EXPECT_LT(record.after_over_noise, 1.5) << what;   // another simulator, and a trial that was not fitted
         if (record.kind != CaseKind::named) continue;
         EXPECT_GT(record.level, least_level) << what;
         EXPECT_LT(record.level, most_level) << what;
