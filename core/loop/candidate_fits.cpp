@@ -43,7 +43,7 @@ public:
     /// Fits those that are wanted, from these values; what was better before stays.
     void run(const Study& study, EffectFreedom freedom, const Effort& effort, const std::function<bool(std::size_t)>& wanted,
              const std::function<StudyValues(std::size_t)>& from) {
-        parallel_tasks(static_cast<int>(starts_.size()), study.settings.threads == 1 ? fitting_.study.settings.threads : 1, [&](int task) {
+        parallel_tasks(static_cast<int>(starts_.size()), fitting_.study.settings.threads, [&](int task) {
             const auto i = static_cast<std::size_t>(task);
             if (progress_.cancelled() || !wanted(i)) return;
             Neighbourhood known = fit(i).usable() ? neighbourhood_of(fit(i).fit) : of_base_;
@@ -74,7 +74,7 @@ private:
 
 }  // namespace
 
-CandidateStart start_of(const EffectScore& score) { return {{score.id, score.start, false}, score.step, false}; }
+CandidateStart start_of(const EffectScore& score) { return {{score.id, score.best.effect, false}, score.best.step, false}; }
 
 std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores) {
     std::map<std::string, const EffectScore*> best;

@@ -237,6 +237,7 @@ private:
             judged_fit = judged(result_.data, std::move(again), result_.settings);
             judged_fit.weight = weight;
             judged_fit.criterion = criterion;
+            numerics.left_rms_m = extrapolation_left_m(result_.data, judged_fit.fit.jacobian);
             judged_fit.numerics = std::move(numerics);
             if (settled) break;
         }

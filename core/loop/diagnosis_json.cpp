@@ -76,7 +76,7 @@ Json candidate_json(const Candidate& candidate) {
     json["statistic"] = json_number(candidate.score.test.statistic);
     json["p"] = json_number(candidate.adjusted_p);
     json["score_seconds"] = json_number(candidate.score.seconds);
-    json["start"] = effect_parameters_json(candidate.score.start);
+    json["start"] = effect_parameters_json(candidate.score.best.effect);
     if (!candidate.like.empty()) json["indistinguishable_from"] = candidate.like;
     if (candidate.judged) json["fit"] = judged_json(*candidate.judged);
     return json;

@@ -113,10 +113,10 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
         upper(own.upper.size() + c) = std::min(range.highest, most);
     }
     const VectorXd step = bounded_step(A, fit.residual, lower, upper), multiples = step.tail(S.cols());
-    score.step = step.head(own.lower.size());
+    score.best.step = step.head(own.lower.size());
     const double squares = (fit.residual + A * step).squaredNorm();
-    const bool possible = probe.probe.joined ? multiples.allFinite() : scaled(*probe.effect, probe.probe, multiples(0), score.start);
-    if (possible && probe.probe.joined) score.start = probe.probe.joined(probe.probe.columns, multiples);
+    const bool possible = probe.probe.joined ? multiples.allFinite() : scaled(*probe.effect, probe.probe, multiples(0), score.best.effect);
+    if (possible && probe.probe.joined) score.best.effect = probe.probe.joined(probe.probe.columns, multiples);
     score.test.explained = possible && own.squares > 0.0 ? std::max(0.0, 1.0 - squares / own.squares) : 0.0;
     score.left = (1.0 - score.test.explained) * own.squares;
     if (!probe.probe.joined && score.candidate.kept(0) < taken_back) score.modest = modest_start(probe, fit, own, S.col(0), range);

@@ -14,17 +14,17 @@ namespace myo {
 
 /// What one probe of an effect says of a residual, before anything is fitted.
 struct EffectScore {
+    /// Where a fit may start.
     struct Start {
         EffectParameters effect;
         Eigen::VectorXd step;            // of the fit's own parameters, that goes with it
     };
 
     std::string id;
-    EffectParameters start;              // parameters that explain the residual best to first order
+    Start best;                          // explains the residual best to first order
     ProjectedCandidate candidate;
     ScoreTest test;                      // explained: of the residual, with all numbers within their bounds
     double left = std::numeric_limits<double>::infinity();   // squares of the residual that it would leave
-    Eigen::VectorXd step;                // of the fit's own parameters, that goes with it
     std::optional<Start> modest;         // where other numbers take back nearly all of it: a start from which a fit has to find its way
     Eigen::VectorXd predicted;           // N: the part of the residual it would take away
     double seconds = 0.0;                // its runs took, added up

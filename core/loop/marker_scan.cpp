@@ -109,7 +109,7 @@ void scan_swaps(const Study& study, const FitData& data, const JointFit& fit, co
                         for (Index k = series.begin; k < series.end; ++k)
                             if (data.layout.time_s[static_cast<std::size_t>(k)] >= onset.from_s) S(k, 0) = change.at(series, k);
                 EffectScore score = scored(data, fit, nuisance, S, "marker_swap");
-                score.start = with_trial({{"markers", std::vector<std::string>{study.marker_names[static_cast<std::size_t>(first)], study.marker_names[static_cast<std::size_t>(second)]}},
+                score.best.effect = with_trial({{"markers", std::vector<std::string>{study.marker_names[static_cast<std::size_t>(first)], study.marker_names[static_cast<std::size_t>(second)]}},
                                           {"time_s", onset.from_s}}, study, choice);
                 scores.push_back(std::move(score));
             }
@@ -138,7 +138,7 @@ void scan_slips(const Study& study, const FitData& data, const JointFit& fit, co
                     for (Index k = series.begin; k < series.end; ++k)
                         if (data.layout.time_s[static_cast<std::size_t>(k)] >= onset.from_s) S(k, series.axis) = 1.0 / data.noise_m(k);
             EffectScore score = scored(data, fit, nuisance, S, "marker_slip");
-            score.start = with_trial({{"marker", study.marker_names[static_cast<std::size_t>(marker)]}, {"shift_m", VectorXd(-score.test.step)}, {"time_s", onset.from_s}},
+            score.best.effect = with_trial({{"marker", study.marker_names[static_cast<std::size_t>(marker)]}, {"shift_m", VectorXd(-score.test.step)}, {"time_s", onset.from_s}},
                                      study, choice);
             scores.push_back(std::move(score));
         }

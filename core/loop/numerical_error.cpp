@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "diagnosis/nuisance_space.hpp"
 #include "project/integration_check.hpp"
 #include "project/predict_trials.hpp"
 
@@ -91,7 +92,7 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
     error.step_shift.resize(study.trials.size());
     if (negligible) error.step_shift = known->step_shift;
     error.shift.resize(study.trials.size());
-    Sum by_step, by_mesh, total;
+    Sum by_step, by_mesh;
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
         if (!base[t].ok()) continue;
         if (finer_step[t].ok()) {
@@ -107,14 +108,25 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
             const bool small = change_rms(change) < asymptotic_over_noise * study.noise_m.maxCoeff();
             add_scaled(change, small ? extrapolation(error.mesh_ratio) : 1.0, error.shift[t]);
         }
-        total.add(error.shift[t]);
     }
     error.step_rms_m = negligible ? known->step_rms_m : by_step.rms();
     error.mesh_rms_m = by_mesh.rms();
-    error.left_rms_m = extrapolation_doubt * total.rms();
     const StudyTrial& first = study.trials.front();
     error.numerical_damping = check_integration(trial_model(study, 0, values), first.options.integrator, first.options.h_s).numerical_damping_ratio;
     return error;
+}
+
+double extrapolation_left_m(const FitData& data, const Eigen::MatrixXd& jacobian) {
+    const NuisanceSpace nuisance(jacobian);
+    const Eigen::VectorXd shift = flat_shift(data);
+    double squares = 0.0;
+    for (const int trial : trials_of(data.layout)) {
+        Eigen::VectorXd own = Eigen::VectorXd::Zero(shift.size());
+        for (const ResidualSeries& series : data.layout.series)
+            if (series.trial == trial) own.segment(series.begin, series.size()) = shift.segment(series.begin, series.size());
+        squares += std::pow(flat_rms_m(data, nuisance.outside(own)), 2);
+    }
+    return extrapolation_doubt * std::sqrt(squares);
 }
 
 }  // namespace myo

@@ -15,7 +15,7 @@ struct NumericalError {
     double mesh_rms_m = 0.0;            // the finer mesh against the mesh
     double step_ratio = 0.0;            // finer over coarser
     double mesh_ratio = 0.0;
-    double left_rms_m = 0.0;            // of what the extrapolation takes off, the share it may be wrong by
+    double left_rms_m = 0.0;            // of what extrapolation takes off, the share it may be wrong by and a fit cannot take up
     double numerical_damping = 0.0;     // damping ratio that the time scheme adds to the first vibration
     std::string message;                // why a part of it is unknown
     PredictionShift shift;              // extrapolated to zero step and edge, to be added to predictions; empty where unknown
@@ -33,5 +33,11 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
 NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
                                const NumericalError* known, const Progress& progress);
+
+/// What the extrapolation data.shift may be wrong by, each trial on its own, where parameters of a fit cannot take it up: a stiffer mesh
+/// is a lower modulus. Rms over the data [m].
+///
+/// @param jacobian  N x parameters of the fit
+double extrapolation_left_m(const FitData& data, const Eigen::MatrixXd& jacobian);
 
 }  // namespace myo

@@ -1,11 +1,25 @@
 #include "loop/stored_fit.hpp"
 
+#include "base/text.hpp"
 #include "loop/effect_words.hpp"
 
 namespace myo {
+namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+constexpr int all_digits = 17;
+
+/// What tells one shift from another.
+double fingerprint(const PredictionShift& shift) {
+    double sum = 0.0;
+    for (const auto& trial : shift)
+        for (const auto& marker : trial) sum += marker.squaredNorm();
+    return sum;
+}
+
+}  // namespace
 
 JointFit stored_fit(FitStore& store, const Study& study, const FitData& data, const StudyValues& start, EffectFreedom freedom, const Effort& effort,
                     const Neighbourhood& known, const Progress& progress) {
@@ -15,9 +29,9 @@ JointFit stored_fit(FitStore& store, const Study& study, const FitData& data, co
     options.most_jacobians = effort.most_jacobians;
     options.relative_step = 1e-5;
     const std::vector<StudyParameter> parameters = joint_parameters(study, start, freedom);
-    std::string key = std::to_string(effort.evaluations) + (data.shift.empty() ? "" : " shifted");
+    std::string key = std::to_string(effort.evaluations) + " shift " + format_number(fingerprint(data.shift), all_digits);
     for (const EffectDeclaration& effect : start.effects) key += " " + effect_words(effect);
-    for (const StudyParameter& p : parameters) key += " " + p.parameter.name + " " + std::to_string(p.parameter.value);
+    for (const StudyParameter& p : parameters) key += " " + p.parameter.name + " " + format_number(p.parameter.value, all_digits);
     StudyValues from = start;
     if (const std::optional<VectorXd> done = store.find(key); done && done->size() == static_cast<Index>(parameters.size())) {
         for (std::size_t i = 0; i < parameters.size(); ++i) set_value(parameters[i], (*done)(static_cast<Index>(i)), from);

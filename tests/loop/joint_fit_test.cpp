@@ -1,0 +1,108 @@
+#include "loop/joint_fit.hpp"
+
+#include "loop/effect_scores.hpp"
+#include "loop/numerical_error.hpp"
+#include "loop/stored_fit.hpp"
+#include "swung_beam.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A beam that was recorded with an effect, and its declared model.
+struct Recorded {
+    test::Folder folder{"joint_fit"};
+    Study study = test::swung_beam(folder, 0.4);
+    explicit Recorded(const std::vector<EffectDeclaration>& effects, double modulus_factor = 1.0) {
+        StudyValues truth = declared_values(study);
+        truth.youngs_modulus_Pa *= modulus_factor;
+        truth.effects = effects;
+        test::record(study, 0, truth, predict_trial(study, 0, truth).trace);
+    }
+    FitData data() const { return fit_data(study, {0}); }
+};
+
+/// Derivative by Young's modulus.
+VectorXd modulus_column(Study study, const FitData& data, Derivatives derivatives) {
+    study.settings.derivatives = derivatives;
+    return test::unmoved_fit(study, data, declared_values(study)).jacobian.col(0);
+}
+
+TEST(JointFit, CentralDifferencesComeNearerToExactDerivatives) {
+    const Recorded recorded({});
+    const FitData data = recorded.data();
+    const VectorXd exact = modulus_column(recorded.study, data, Derivatives::tangents);
+    const double forward = (modulus_column(recorded.study, data, Derivatives::differences) - exact).norm() / exact.norm();
+    const double central = (modulus_column(recorded.study, data, Derivatives::central) - exact).norm() / exact.norm();
+    EXPECT_LT(forward, 0.02);
+    EXPECT_LT(central, 0.3 * forward);
+    EXPECT_LT(central, 2e-3);
+}
+
+TEST(StoredFit, IsTakenOverForTheSameShiftOnly) {
+    Recorded recorded({}, 1.05);
+    recorded.study.settings.derivatives = Derivatives::differences;
+    FitData data = recorded.data();
+    FitStore store(recorded.folder.path() / "fits.json", "beam");
+    const auto fit = [&](FitStore& in) { return stored_fit(in, recorded.study, data, declared_values(recorded.study), EffectFreedom::all, {10}, {}, {}); };
+    const JointFit first = fit(store), again = fit(store);
+    EXPECT_GT(first.report.evaluations, 2);
+    EXPECT_LT(again.report.evaluations, 2);
+    EXPECT_NEAR(again.values.youngs_modulus_Pa, first.values.youngs_modulus_Pa, 1e-9 * first.values.youngs_modulus_Pa);
+    // Predictions lower by half a noise level all the time: a little softer is best.
+    const Trace& trace = first.predictions.front().trace;
+    data.shift = {std::vector<Eigen::Matrix3Xd>(recorded.study.marker_names.size(), Eigen::Matrix3Xd::Constant(3, recorded.study.trials[0].measured.sample_count(), 5e-5)), {}};
+    ASSERT_FALSE(trace.times_s.empty());
+    FitStore empty;
+    const JointFit shifted = fit(store), fresh = fit(empty);
+    EXPECT_NEAR(shifted.values.youngs_modulus_Pa, fresh.values.youngs_modulus_Pa, 1e-9 * fresh.values.youngs_modulus_Pa);
+    EXPECT_GT(std::abs(shifted.values.youngs_modulus_Pa / first.values.youngs_modulus_Pa - 1.0), 1e-5);
+}
+
+TEST(NumericalError, ThatAModulusTakesUpExcusesNothing) {
+    Recorded recorded({});
+    FitData data = recorded.data();
+    const Eigen::MatrixXd J = test::unmoved_fit(recorded.study, data, declared_values(recorded.study)).jacobian;
+    const auto shift_of = [&](const auto& value) {   // of the fit trial, as long as the modulus' column would be by 1 %
+        VectorXd flat = value(0.01 * declared_values(recorded.study).youngs_modulus_Pa * J.col(0));
+        data.shift.assign(2, {});
+        data.shift[0].assign(recorded.study.marker_names.size(), Eigen::Matrix3Xd::Zero(3, recorded.study.trials[0].measured.sample_count()));
+        for (const ResidualSeries& series : data.layout.series)
+            for (Eigen::Index k = series.begin; k < series.end; ++k)
+                data.shift[0][static_cast<std::size_t>(series.marker)](series.axis, data.layout.sample[static_cast<std::size_t>(k)]) = flat(k) * data.noise_m(k);
+        return flat_rms_m(data, flat);
+    };
+    const double like_modulus = shift_of([](const VectorXd& column) { return column; });
+    EXPECT_LT(extrapolation_left_m(data, J), 1e-6 * like_modulus);
+    const double unlike = shift_of([&](const VectorXd& column) {
+        const VectorXd other = VectorXd::Ones(column.size()) - J.col(0) * (J.col(0).sum() / J.col(0).squaredNorm());
+        return VectorXd(other * (column.norm() / other.norm()));
+    });
+    EXPECT_NEAR(unlike, like_modulus, 1e-9 * like_modulus);
+    EXPECT_GT(extrapolation_left_m(data, J), 0.3 * unlike);
+    EXPECT_LT(extrapolation_left_m(data, J), 0.4 * unlike);
+}
+
+TEST(EffectScores, GiveAModestStartWhereTheModulusTakesAnEffectBack) {
+    const Recorded recorded({{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}}});
+    const FitData data = recorded.data();
+    const JointFit fit = test::unmoved_fit(recorded.study, data, declared_values(recorded.study));
+    const auto scores = score_effects(recorded.study, data, fit, fit.predictions, [](const std::string& id) { return id == "quadratic_drag" || id == "stiffness_gradient"; }, {});
+    int modest = 0;
+    for (const EffectScore& score : scores) {
+        ASSERT_TRUE(score.failure.empty()) << score.failure;
+        if (score.id == "quadratic_drag") {   // a modulus cannot do what drag does
+            EXPECT_FALSE(score.modest);
+            EXPECT_NEAR(number(score.best.effect, "coefficient_kg_m3"), 60.0, 6.0);
+        } else if (score.modest) {   // stiffer towards the tip is softer at the clamp: under a higher modulus
+            ++modest;
+            ASSERT_EQ(score.modest->step.size(), 1);
+            EXPECT_GT(score.modest->step(0) * number(score.modest->effect, "relative_change"), 0.0);
+        }
+    }
+    EXPECT_GT(modest, 0);
+}
+
+}  // namespace
+}  // namespace myo
