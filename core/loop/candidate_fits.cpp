@@ -15,8 +15,12 @@ namespace {
 
 using Eigen::Index;
 
-/// A candidate's amount before the best go on, also where the way is not straight, the best of these, and the others that do.
+/// A candidate's amount before the best go on, also where the way is not straight, the best of these and those
+/// that promise much, and the others that do.
 constexpr Effort amount_effort{4, 1e-3, 0}, winding_effort{10, 1e-3, 1}, leader_effort{20, 3e-4}, other_effort{20, 1e-3, 1};
+
+/// Secants do not do for those that promise to take away more than this share.
+constexpr double promising = 0.3;
 
 /// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
 double stepped(const Parameter& p, double value, double step) {
@@ -74,17 +78,17 @@ private:
 
 }  // namespace
 
-CandidateStart start_of(const EffectScore& score) { return {{score.id, score.best.effect, false}, score.best.step, false}; }
+CandidateStart start_of(const EffectScore& score) { return {{score.id, score.best.effect, false}, score.best.step, false, score.share()}; }
 
-std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores) {
+std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores, const std::function<bool(const EffectScore&)>& wanted) {
     std::map<std::string, const EffectScore*> best;
     for (const EffectScore& score : scores) {
-        if (!score.failure.empty() || !score.modest) continue;
+        if (!score.failure.empty() || !score.modest || !wanted(score)) continue;
         const EffectScore*& found = best[score.id];
         if (!found || score.share() > found->share()) found = &score;
     }
     std::vector<CandidateStart> starts;
-    for (const auto& [id, score] : best) starts.push_back({{id, score->modest->effect, false}, score->modest->step, true});
+    for (const auto& [id, score] : best) starts.push_back({{id, score->modest->effect, false}, score->modest->step, true, score->share()});
     return starts;
 }
 
@@ -121,7 +125,9 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
     // The best goes first: what it comes to may leave the others no hope.
     rounds.run(fitting.study, EffectFreedom::all, leader_effort, [&](std::size_t i) { return i == leader && is_hopeful(i); }, found_so_far);
     if (leader < starts.size()) least = std::min(least, rounds.fit(leader).fit.squares());
-    rounds.run(fitting.serial, EffectFreedom::all, other_effort, [&](std::size_t i) { return i != leader && is_hopeful(i); }, found_so_far);
+    const auto promises_much = [&](std::size_t i) { return starts[i].promise > promising; };
+    rounds.run(fitting.serial, EffectFreedom::all, leader_effort, [&](std::size_t i) { return i != leader && promises_much(i) && is_hopeful(i); }, found_so_far);
+    rounds.run(fitting.serial, EffectFreedom::all, other_effort, [&](std::size_t i) { return i != leader && !promises_much(i) && is_hopeful(i); }, found_so_far);
     return rounds.take();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,11 @@ struct CandidateStart {
     EffectDeclaration effect;
     Eigen::VectorXd step;   // of the base's own parameters; empty: none
     bool winding = false;   // the way from there is not straight: it takes more evaluations before hope is lost
+    double promise = 0.0;   // share of the residual that its score says it takes away
 };
 CandidateStart start_of(const EffectScore& score);
-/// Of the best probe of each effect that has one.
-std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores);
+/// Of the best probe that has one, of each of these effects.
+std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores, const std::function<bool(const EffectScore&)>& wanted);
 
 /// What fits of candidates share.
 struct CandidateFitting {

@@ -31,8 +31,9 @@ constexpr double solver_tolerance = 1e-6;
 constexpr double far_damping = 3.0, sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
-/// How far fits with all trials side by side go: the declared one, with the numerical error taken off, and the one the verdict stands on.
-constexpr Effort declared_effort{30}, again_effort{12}, last_effort{30};
+/// How far fits with all trials side by side go: the declared one, with the numerical error taken off, the best where
+/// nothing explains the residual, and the one the verdict stands on.
+constexpr Effort declared_effort{30}, again_effort{12}, polish_effort{20, 3e-4}, last_effort{30};
 /// The numerical error is found anew where taking it off moves the predictions by more, in units of the noise and as a share of what is left, and
 /// at most so often.
 constexpr double declared_settled = 1.0, effect_settled = 3.0, settled_share = 0.3;
@@ -41,6 +42,8 @@ constexpr int most_rounds = 3;
 constexpr double gone_astray = 1.2;
 /// For so many candidates before the verdict.
 constexpr std::size_t settled_candidates = 2;
+/// Where nothing explains the residual so many fits go on so far.
+constexpr std::size_t polished_candidates = 3;
 /// A run that takes so many times the iterations of the declared fit's is given up: its numbers are absurd.
 constexpr int absurd_run = 4;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best; of pairs fewer, as one of the two is at its best.
@@ -326,7 +329,7 @@ private:
         show();
         std::vector<CandidateStart> starts;
         for (const std::size_t i : chosen) starts.push_back(start_of(scores[i]));
-        if (!refit(starts, 0, std::min(first_fits, starts.size())) || !settle_the_best()) return false;
+        if (!refit(starts, 0, std::min(first_fits, starts.size())) || !settle_the_best() || !polish()) return false;
         std::size_t last = starts.size();
         const JudgedFit* const best = !result_.candidates.empty() && result_.candidates.front().judged ? &*result_.candidates.front().judged : nullptr;
         if (best && (explains(*best, result_.declared, result_.data, result_.numerics) || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
@@ -334,25 +337,40 @@ private:
             while (last < starts.size() && scores[chosen[last]].test.explained > worth_beside_best * scores[chosen[0]].test.explained) ++last;
         }
         if (!refit(starts, std::min(first_fits, starts.size()), last)) return false;
-        const auto explained = [&] {
-            const std::vector<Candidate>& ranked = result_.candidates;
-            return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics);
-        };
         if (!explained()) {
-            starts = modest_starts(scores);
-            std::erase_if(starts, [&](const CandidateStart& start) { return has_done_better(start.effect.id); });
-            if (!refit(starts, 0, starts.size()) || !settle_the_best()) return false;
+            starts = modest_starts(scores, [this](const EffectScore& score) { return left_by(score.id) >= little_better * base().squares(); });
+            if (!refit(starts, 0, starts.size()) || !settle_the_best() || !polish()) return false;
         }
         find_confusions(study_, result_);
         show();
         return true;
     }
 
-    /// Whether a candidate's fit has left less than where it began.
-    bool has_done_better(const std::string& id) const {
-        return std::any_of(result_.candidates.begin(), result_.candidates.end(), [&](const Candidate& candidate) {
-            return candidate.score.id == id && candidate.judged && candidate.judged->fit.squares() < little_better * base().squares();
-        });
+    /// What a candidate's fit leaves; infinite where it was not fitted.
+    double left_by(const std::string& id) const {
+        for (const Candidate& candidate : result_.candidates)
+            if (candidate.score.id == id && candidate.judged) return candidate.judged->fit.squares();
+        return std::numeric_limits<double>::infinity();
+    }
+
+    bool explained() const {
+        const std::vector<Candidate>& ranked = result_.candidates;
+        return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics);
+    }
+
+    /// Where nothing explains the residual: the best ones that had to do with secants go on with derivatives of their own.
+    bool polish() {
+        const std::size_t count = explained() ? 0 : std::min(polished_candidates, result_.candidates.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            std::optional<JudgedFit>& found = result_.candidates[i].judged;
+            if (!found || found->numerics || found->fit.report.jacobians > 1) continue;
+            JointFit again = stage("refit", 0, [&] { return fit(study_, found->fit.values, EffectFreedom::all, polish_effort, {}, progress_); });
+            if (progress_.cancelled()) return false;
+            cost_of("refit").runs += again.runs(fit_count());
+            if (again.usable() && again.squares() < found->fit.squares()) found = judged(result_.data, std::move(again), result_.settings);
+            else found->fit.report.jacobians += again.report.jacobians;   // as many were spent on it
+        }
+        return count == 0 || settle_the_best();
     }
 
     /// The numerical error was found with the declared fit, whose motion may be far off: where the best candidates explain most but not all, it is

@@ -9,35 +9,52 @@
 #include "trust/truth_model.hpp"
 
 namespace myo {
+namespace {
 
-EffectLevel::EffectLevel(const SyntheticCase& c, Study study, const Progress& progress) : study_(std::move(study)), progress_(progress) {
+constexpr int most_evaluations = 8;
+
+/// Recalibration by secants from derivatives without the effect.
+LeastSquaresOptions recalibration(int evaluations) {
+    LeastSquaresOptions options;
+    options.max_evaluations = evaluations;
+    options.relative_decrease = 0.03;
+    options.relative_step = 1e-4;
+    options.most_jacobians = 0;
+    return options;
+}
+
+std::vector<TrialPrediction> predictions(const Study& study, const FitData& data, const StudyValues& values, const Progress& progress) {
+    std::vector<PredictionTask> tasks;
+    for (const std::size_t trial : data.trials) tasks.push_back({trial, &values});
+    return predict_trials(study, tasks, {}, progress);
+}
+
+}  // namespace
+
+EffectLevel::EffectLevel(const SyntheticCase& c, Study study, const Progress& progress) : study_(std::move(study)), progress_(progress.with_sink({})) {
     study_.settings.derivatives = Derivatives::differences;
     study_.noise_m.setConstant(c.noise_m);   // an estimate would be that of the traces, which are still to be made
     data_ = fit_data(study_, trials_with_role(study_, TrialRole::fit));
     without_ = true_values(c, study_);
     without_.effects.clear();
-    const std::vector<StudyParameter> parameters = study_parameters(study_);
-    const std::vector<TrialPrediction> found = predictions(without_, parameters);
-    if (found.empty()) return;
-    residual_ = flat_residual(data_, found);
-    space_ = std::make_unique<NuisanceSpace>(flat_jacobian(data_, found, parameters.size()));
-}
-
-std::vector<TrialPrediction> EffectLevel::predictions(const StudyValues& values, const std::vector<StudyParameter>& parameters) const {
-    std::vector<PredictionTask> tasks;
-    for (const std::size_t trial : data_.trials) tasks.push_back({trial, &values});
-    std::vector<TrialPrediction> found = predict_trials(study_, tasks, parameters, progress_.with_sink({}));
-    if (std::all_of(found.begin(), found.end(), [](const TrialPrediction& p) { return p.ok(); })) return found;
-    return {};
+    LeastSquaresOptions there = recalibration(1);
+    there.most_jacobians = 1;
+    const JointFit fit = joint_fit(study_, data_, without_, EffectFreedom::all, there, {}, progress_);
+    if (fit.usable()) near_ = neighbourhood_of(fit);
 }
 
 std::optional<double> EffectLevel::of(const EffectDeclaration& effect) const {
     StudyValues values = without_;
     values.effects.push_back(effect);
-    const std::vector<TrialPrediction> found = predictions(values, {});
-    if (found.empty()) return {};
-    const Eigen::VectorXd change = flat_residual(data_, found) - residual_;
-    const double rms = std::sqrt(space_->outside(change).squaredNorm() / static_cast<double>(change.size()));
+    const std::vector<TrialPrediction> with = predictions(study_, data_, values, progress_);
+    Study seen = study_;
+    for (std::size_t i = 0; i < data_.trials.size(); ++i) {
+        if (!with[i].ok()) return {};
+        seen.trials[data_.trials[i]].measured.tracks = with[i].positions_m;
+    }
+    const JointFit fit = joint_fit(seen, data_, without_, EffectFreedom::all, recalibration(most_evaluations), near_, progress_);
+    if (!fit.usable()) return {};
+    const double rms = std::sqrt(fit.squares() / static_cast<double>(fit.residual.size()));
     if (!std::isfinite(rms)) return {};
     return rms;
 }

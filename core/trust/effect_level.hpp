@@ -1,10 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
-#include "diagnosis/nuisance_space.hpp"
-#include "loop/fit_data.hpp"
+#include "loop/joint_fit.hpp"
 #include "trust/synthetic_case.hpp"
 
 namespace myo {
@@ -15,21 +13,18 @@ public:
     /// Runs the fit trials as they truly are but without the effect, with derivatives by all that is fitted. ready() is false where that fails.
     EffectLevel(const SyntheticCase& c, Study study, const Progress& progress = {});
 
-    bool ready() const { return space_ != nullptr; }
+    bool ready() const { return near_.columns.size() > 0; }
 
-    /// rms of what the effect changes in the markers' positions, recalibration projected out to first order [noise levels]; none where a
-    /// trial with the effect does not run.
+    /// rms of what a fit of the declared parameters leaves of the markers' motion with the effect, without noise [noise levels]; none where
+    /// a trial with the effect does not run.
     std::optional<double> of(const EffectDeclaration& effect) const;
 
 private:
-    std::vector<TrialPrediction> predictions(const StudyValues& values, const std::vector<StudyParameter>& parameters) const;
-
     Study study_;
     Progress progress_;
     StudyValues without_;
     FitData data_;
-    Eigen::VectorXd residual_;
-    std::unique_ptr<NuisanceSpace> space_;
+    Neighbourhood near_;   // of the fit trials without the effect
 };
 
 /// The case's effect with an amount that has about its wanted level, within the amounts that are plausible; none where there is none.
