@@ -10,6 +10,7 @@
 #include "loop/confusion.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/effect_words.hpp"
+#include "loop/error_finder.hpp"
 #include "loop/fit_store.hpp"
 #include "loop/judge.hpp"
 #include "loop/verdict.hpp"
@@ -21,8 +22,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// The numerical error is taken off predictions by a mesh of so many unknowns, within these ratios of the edge.
-constexpr double fine_unknowns = 8000.0, finest_ratio = 0.5, coarsest_ratio = 0.75;
 /// The step is doubled for all that follows when that changes the predictions by less, in units of the noise.
 constexpr double step_doubt = 1.0;
 /// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
@@ -50,9 +49,9 @@ constexpr int absurd_run = 4;
 constexpr double hopeful = 4.0, hopeful_pair = 1.5;
 /// Two effects are tried where the better one leaves at most this share of the squares.
 constexpr double worth_a_second = 0.64;
-/// Once the best candidate has been found to explain all, or to leave less than so much of the squares, no probe that takes away less than this
-/// share of what the best does is worth a fit.
-constexpr double worth_beside_best = 0.4, most_of_all = 0.5;
+/// Once the best candidate has been found to explain all, no probe that takes away less than the first share of what the best does is worth a fit; once
+/// it leaves at most so much of the squares, less than the second.
+constexpr double worth_beside_all = 0.4, worth_beside_most = 0.25, most_of_all = 0.5;
 /// A fit that leaves less than this share of the declared one's squares is nearer to the truth than that.
 constexpr double far_better = 0.3;
 /// A candidate whose fit leaves more than this share of the squares has perhaps not found its way.
@@ -63,11 +62,6 @@ constexpr std::size_t first_fits = 3;
 std::string study_words(const Study& study) {
     return study.experiment.name + ", " + to_string(study.mesh.element) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
            std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator);
-}
-
-/// Paths take the memory of many runs: they stay only where others start.
-void forget_paths(std::vector<TrialPrediction>& predictions) {
-    for (TrialPrediction& prediction : predictions) prediction.trace.path.reset();
 }
 
 /// Rms by which predictions differ between two fits of the same numbers, to first order, in units of the noise.
@@ -81,7 +75,7 @@ double change_between(const JointFit& a, const JointFit& b) {
 class Work {
 public:
     Work(const Study& study, const DiagnoseSettings& settings, const Progress& progress, const std::function<void(const Diagnosis&)>& live)
-        : study_(study), serial_(study_), progress_(progress), live_(live) {
+        : study_(study), serial_(study_), progress_(progress), live_(live), errors_(study_, settings.refine_mesh) {
         for (StudyTrial& trial : study_.trials) {
             trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
             const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
@@ -188,28 +182,10 @@ private:
         return true;
     }
 
-    /// Predictions of all trials with the values of a fit.
-    std::vector<TrialPrediction> predict_all(const StudyValues& fitted) const {
-        const StudyValues values = with_predicted_levels(study_, fitted);
-        std::vector<PredictionTask> tasks;
-        for (std::size_t t = 0; t < study_.trials.size(); ++t) tasks.push_back({t, &values});
-        std::vector<TrialPrediction> predictions = predict_trials(study_, tasks, {}, progress_);
-        forget_paths(predictions);
-        return predictions;
-    }
-
-    NumericalError error_at(const StudyValues& fitted, const NumericalError* known) {
-        const StudyValues values = with_predicted_levels(study_, fitted);
-        if (!refined_ && result_.settings.refine_mesh && !mesh_failed_) {
-            const double ratio = std::clamp(std::cbrt(study_.body->dofs() / fine_unknowns), finest_ratio, coarsest_ratio);
-            Result<Study> finer = refined_study(study_, ratio, progress_);
-            mesh_failed_ = !finer;
-            if (finer) {
-                refined_ = std::make_unique<Study>(std::move(*finer));
-                for (std::size_t t = 0; t < study_.trials.size(); ++t) refined_->trials[t].options.h_s = study_.trials[t].options.h_s;
-            }
-        }
-        return numerical_error(study_, refined_.get(), values, predict_all(fitted), known, progress_);
+    std::vector<std::size_t> all_trials() const {
+        std::vector<std::size_t> all(study_.trials.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
     }
 
     bool numbers() {
@@ -226,7 +202,7 @@ private:
         exact.settings.derivatives = Derivatives::central;
         for (int round = 0; round < most_rounds; ++round) {
             const NumericalError* const known = judged_fit.numerics ? &*judged_fit.numerics : nullptr;   // the declared fit may be damped far more
-            NumericalError numerics = stage("numerical error", 3 * static_cast<int>(study_.trials.size()), [&] { return error_at(judged_fit.fit.values, known); });
+            NumericalError numerics = stage("numerical error", 3 * fit_count(), [&] { return errors_.at(judged_fit.fit.values, result_.data.trials, known, progress_); });
             if (progress_.cancelled()) return false;
             result_.data.shift = numerics.shift;
             JointFit again = stage(name, 0, [&] { return fit(exact, judged_fit.fit.values, EffectFreedom::all, effort, neighbourhood_of(judged_fit.fit), progress_); });
@@ -247,6 +223,16 @@ private:
         if (!judged_fit.numerics) judged_fit.numerics = result_.declared.numerics;
         result_.data.shift = judged_fit.numerics ? judged_fit.numerics->shift : PredictionShift{};
         return true;
+    }
+
+    /// The numerical error of the trials that a fit did not see.
+    void foretell_error(JudgedFit& judged_fit) {
+        if (!judged_fit.numerics || judged_fit.numerics->shift.size() != study_.trials.size()) return;
+        std::vector<std::size_t> others;
+        for (const std::size_t t : all_trials())
+            if (judged_fit.numerics->shift[t].empty()) others.push_back(t);
+        if (others.empty() || progress_.cancelled()) return;
+        complete(*judged_fit.numerics, stage("numerical error", 3 * static_cast<int>(others.size()), [&] { return errors_.at(judged_fit.fit.values, others, nullptr, progress_); }));
     }
 
     bool tests() {
@@ -332,9 +318,10 @@ private:
         if (!refit(starts, 0, std::min(first_fits, starts.size())) || !settle_the_best() || !polish()) return false;
         std::size_t last = starts.size();
         const JudgedFit* const best = !result_.candidates.empty() && result_.candidates.front().judged ? &*result_.candidates.front().judged : nullptr;
-        if (best && (explains(*best, result_.declared, result_.data, result_.numerics) || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
+        if (best && (explained() || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
+            const double worth = (explained() ? worth_beside_all : worth_beside_most) * scores[chosen[0]].test.explained;
             last = std::min(first_fits, last);
-            while (last < starts.size() && scores[chosen[last]].test.explained > worth_beside_best * scores[chosen[0]].test.explained) ++last;
+            while (last < starts.size() && scores[chosen[last]].test.explained > worth) ++last;
         }
         if (!refit(starts, std::min(first_fits, starts.size()), last)) return false;
         if (!explained()) {
@@ -424,32 +411,56 @@ private:
         if (progress_.cancelled()) return;
         for (JudgedFit& fit : fits)
             if (fit.usable()) result_.pairs.push_back(std::move(fit));
+        order_pairs();
+        if (!result_.pairs.empty()) try_alone(result_.pairs.front());
+        order_pairs();
+        show();
+    }
+
+    /// The second effect of a pair without the first: it may have needed it to find its way only.
+    void try_alone(const JudgedFit& pair) {
+        StudyValues values = pair.fit.values;
+        values.effects.erase(values.effects.begin() + static_cast<std::ptrdiff_t>(study_.experiment.effects.size()));
+        JointFit alone = stage("refit of pairs", 0, [&] { return fit(study_, values, EffectFreedom::all, polish_effort, {}, progress_); });
+        if (progress_.cancelled() || !alone.usable()) return;
+        cost_of("refit of pairs").runs += alone.runs(fit_count());
+        const std::string id = pair.fit.effects.back().id;
+        for (Candidate& candidate : result_.candidates)
+            if (candidate.score.id == id && alone.squares() < left_by(id)) {
+                candidate.judged = judged(result_.data, std::move(alone), result_.settings);
+                break;
+            }
+        order_by_criterion(result_.data, result_.declared, result_.candidates);
+    }
+
+    void order_pairs() {
         std::vector<JudgedFit*> all{&result_.declared};
         for (Candidate& candidate : result_.candidates)
             if (candidate.judged) all.push_back(&*candidate.judged);
         for (JudgedFit& pair : result_.pairs) all.push_back(&pair);
         weigh(result_.data, all);
         std::stable_sort(result_.pairs.begin(), result_.pairs.end(), [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
-        show();
     }
 
     /// The verdict, the fit it stands on with the numerical error taken anew, and all trials before and after.
     void conclude() {
+        foretell_error(result_.declared);
+        result_.numerics = *result_.declared.numerics;
         result_.augmented = decide(result_);
-        const std::vector<TrialPrediction> before = stage("prediction", 2 * static_cast<int>(study_.trials.size()), [&] { return predict_all(result_.declared.fit.values); });
+        const std::vector<std::size_t> all = all_trials();
+        const std::vector<TrialPrediction> before = stage("prediction", 2 * static_cast<int>(all.size()), [&] { return fitted_predictions(study_, all, result_.declared.fit.values, progress_); });
         const auto scored = [&](const StudyValues& fitted, const PredictionShift& shift, std::vector<TrialPrediction> predictions) {
             for (std::size_t t = 0; t < predictions.size(); ++t) predictions[t] = shifted(std::move(predictions[t]), shift, t);
-            std::vector<std::size_t> all(study_.trials.size());
-            std::iota(all.begin(), all.end(), std::size_t{0});
             return scored_run(study_, with_predicted_levels(study_, fitted), std::move(predictions), all);
         };
         result_.before = scored(result_.declared.fit.values, result_.numerics.shift, before);
         if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", last_effort, effect_settled)) return;
+        foretell_error(result_.augmented);
         result_.data.shift = result_.augmented.numerics->shift;
         if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
         result_.after = result_.verdict.kind == VerdictKind::none
                             ? result_.before
-                            : scored(result_.augmented.fit.values, result_.data.shift, predict_all(result_.augmented.fit.values));
+                            : scored(result_.augmented.fit.values, result_.data.shift, fitted_predictions(study_, all, result_.augmented.fit.values, progress_));
     }
 
     Study study_;
@@ -457,8 +468,7 @@ private:
     const Progress& progress_;
     const std::function<void(const Diagnosis&)>& live_;
     std::unique_ptr<FitStore> store_;
-    std::unique_ptr<Study> refined_;
-    bool mesh_failed_ = false;
+    ErrorFinder errors_;
     std::optional<JointFit> unbent_;                // the declared fit with what it has bent put back
     Diagnosis result_;
 };

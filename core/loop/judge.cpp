@@ -12,11 +12,13 @@ namespace myo {
 namespace {
 
 /// Systematic residuals below this share of the noise are nobody's concern: two simulators of one model differ by as much.
-constexpr double least_systematic = 0.2;
+constexpr double least_systematic = 0.3;
 /// A mesh whose error is larger excuses nothing: it has to be refined.
 constexpr double most_allowed = 1.0;
 /// What an effect leaves, over what was there: another program's form of the same effect differs by as much.
 constexpr double share_of_form = 0.05;
+/// What leaves more of what was there explains little, however doubtful the mesh.
+constexpr double most_of_what_was = 0.6;
 /// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights().
 constexpr double temperature = 8.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
@@ -31,6 +33,9 @@ bool modulus_at_bound(const JointFit& fit) {
 }
 
 double mean_noise_m(const FitData& data) { return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, data.noise_m.size()))); }
+
+/// What the program's own errors may be after they were taken off [noise levels].
+double numerical_doubt(const FitData& data, const NumericalError& numerics) { return std::min(most_allowed, numerics.left_rms_m / mean_noise_m(data)); }
 
 }  // namespace
 
@@ -68,9 +73,7 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
     for (std::size_t i = 0; i < fits.size(); ++i) fits[i]->weight = weights[i];
 }
 
-double numerical_allowance(const FitData& data, const NumericalError& numerics) {
-    return std::clamp(numerics.left_rms_m / mean_noise_m(data), least_systematic, most_allowed);
-}
+double numerical_allowance(const FitData& data, const NumericalError& numerics) { return std::max(least_systematic, numerical_doubt(data, numerics)); }
 
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
     return fit.tests.significant() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
@@ -78,8 +81,9 @@ bool needs_explanation(const JudgedFit& fit, const FitData& data, const Numerica
 
 bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics) {
     if (!fit.usable() || modulus_at_bound(fit.fit)) return false;
-    const double allowed = std::max(1.5 * numerical_allowance(data, fit.numerics ? *fit.numerics : numerics), share_of_form * before.tests.systematic.rms);
-    return !fit.tests.significant() || fit.tests.systematic.rms <= allowed;
+    const double doubt = numerical_doubt(data, fit.numerics ? *fit.numerics : numerics);
+    const double allowed = std::max({least_systematic, 1.5 * doubt, share_of_form * before.tests.systematic.rms});
+    return !fit.tests.significant() || fit.tests.systematic.rms <= std::min(allowed, most_of_what_was * before.tests.systematic.rms);
 }
 
 }  // namespace myo

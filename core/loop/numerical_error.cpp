@@ -65,14 +65,14 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
     return prepare_study(study.experiment, settings, progress);
 }
 
-NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
-                               const NumericalError* known, const Progress& progress) {
+NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
+                               const std::vector<TrialPrediction>& base, const NumericalError* known, const Progress& progress) {
     NumericalError error;
     error.step_ratio = 0.5;
     std::vector<PredictionTask> tasks;
-    for (std::size_t t = 0; t < study.trials.size(); ++t) tasks.push_back({t, &values});
+    for (const std::size_t t : trials) tasks.push_back({t, &values});
     const bool negligible = known && known->step_rms_m < negligible_step * study.noise_m.minCoeff() && known->step_shift.size() == study.trials.size();
-    std::vector<TrialPrediction> finer_step(study.trials.size());
+    std::vector<TrialPrediction> finer_step(trials.size());
     if (!negligible) {
         Study halved = study;
         for (StudyTrial& trial : halved.trials) {
@@ -82,7 +82,7 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
         }
         finer_step = predict_trials(halved, tasks, {}, progress);
     }
-    std::vector<TrialPrediction> finer_mesh(study.trials.size());
+    std::vector<TrialPrediction> finer_mesh(trials.size());
     if (refined) {
         error.mesh_ratio = refined->mesh.resolution_m / study.mesh.resolution_m;
         if (!progress.cancelled()) finer_mesh = predict_trials(*refined, tasks, {}, progress);
@@ -93,16 +93,17 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
     if (negligible) error.step_shift = known->step_shift;
     error.shift.resize(study.trials.size());
     Sum by_step, by_mesh;
-    for (std::size_t t = 0; t < study.trials.size(); ++t) {
-        if (!base[t].ok()) continue;
-        if (finer_step[t].ok()) {
-            const std::vector<Matrix3Xd> change = difference(finer_step[t], base[t]);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const std::size_t t = trials[i];
+        if (!base[i].ok()) continue;
+        if (finer_step[i].ok()) {
+            const std::vector<Matrix3Xd> change = difference(finer_step[i], base[i]);
             by_step.add(change);
             add_scaled(change, extrapolation(error.step_ratio), error.step_shift[t]);
         }
         error.shift[t] = error.step_shift[t];
-        if (finer_mesh[t].ok()) {
-            const std::vector<Matrix3Xd> change = difference(finer_mesh[t], base[t]);
+        if (finer_mesh[i].ok()) {
+            const std::vector<Matrix3Xd> change = difference(finer_mesh[i], base[i]);
             by_mesh.add(change);
             // A mesh so coarse that its error is far from small does not follow its order: then the finer one is taken as it is.
             const bool small = change_rms(change) < asymptotic_over_noise * study.noise_m.maxCoeff();
@@ -114,6 +115,13 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
     const StudyTrial& first = study.trials.front();
     error.numerical_damping = check_integration(trial_model(study, 0, values), first.options.integrator, first.options.h_s).numerical_damping_ratio;
     return error;
+}
+
+void complete(NumericalError& error, const NumericalError& other) {
+    for (std::size_t t = 0; t < error.shift.size(); ++t) {
+        if (error.shift[t].empty()) error.shift[t] = other.shift[t];
+        if (error.step_shift[t].empty()) error.step_shift[t] = other.step_shift[t];
+    }
 }
 
 double extrapolation_left_m(const FitData& data, const Eigen::MatrixXd& jacobian) {

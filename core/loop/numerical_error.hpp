@@ -11,7 +11,7 @@ namespace myo {
 
 /// How much of a residual is the program's own doing: what a finer step and a finer mesh change in the predictions.
 struct NumericalError {
-    double step_rms_m = 0.0;            // half the step against the step, over all trials
+    double step_rms_m = 0.0;            // half the step against the step
     double mesh_rms_m = 0.0;            // the finer mesh against the mesh
     double step_ratio = 0.0;            // finer over coarser
     double mesh_ratio = 0.0;
@@ -25,14 +25,17 @@ struct NumericalError {
 /// The study with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
 Result<Study> refined_study(const Study& study, double ratio, const Progress& progress);
 
-/// Runs the trials with these values on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by
-/// Richardson's rule for second order.
+/// Runs these trials with these values on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by
+/// Richardson's rule for second order. Shifts of other trials stay empty.
 ///
-/// @param base   the study's predictions with these values, one per trial, with their traces or without; failed ones are left alone
+/// @param base   the study's predictions with these values, one per trial of `trials`, with their traces or without; failed ones are left alone
 /// @param known  the error with values near these, null: none. What the step changes there is taken over where that is far below the noise
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
-NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<TrialPrediction>& base,
-                               const NumericalError* known, const Progress& progress);
+NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
+                               const std::vector<TrialPrediction>& base, const NumericalError* known, const Progress& progress);
+
+/// Takes over the shifts of trials that have none yet.
+void complete(NumericalError& error, const NumericalError& of_other_trials);
 
 /// What the extrapolation data.shift may be wrong by, each trial on its own, where parameters of a fit cannot take it up: a stiffer mesh
 /// is a lower modulus. Rms over the data [m].

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/nuisance_space.hpp"
 #include "project/predict_trials.hpp"
 #include "trust/synthetic_effects.hpp"
 #include "trust/synthetic_experiment.hpp"
@@ -11,7 +12,12 @@
 namespace myo {
 namespace {
 
-constexpr int most_evaluations = 8;
+constexpr int most_evaluations = 8, most_rounds = 8;
+
+double rms(const Eigen::VectorXd& residual) { return std::sqrt(residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, residual.size()))); }
+
+/// With a margin, as the truth is run on another mesh.
+bool is_visible(double level) { return level > 1.05 * least_level && level < 0.95 * most_level; }
 
 /// Recalibration by secants from derivatives without the effect.
 LeastSquaresOptions recalibration(int evaluations) {
@@ -40,51 +46,59 @@ EffectLevel::EffectLevel(const SyntheticCase& c, Study study, const Progress& pr
     LeastSquaresOptions there = recalibration(1);
     there.most_jacobians = 1;
     const JointFit fit = joint_fit(study_, data_, without_, EffectFreedom::all, there, {}, progress_);
-    if (fit.usable()) near_ = neighbourhood_of(fit);
+    if (!fit.usable()) return;
+    near_ = neighbourhood_of(fit);
+    without_effect_ = fit.residual;
 }
 
-std::optional<double> EffectLevel::of(const EffectDeclaration& effect) const {
+std::optional<EffectLevel::Level> EffectLevel::of(const EffectDeclaration& effect) const {
     StudyValues values = without_;
     values.effects.push_back(effect);
-    const std::vector<TrialPrediction> with = predictions(study_, data_, values, progress_);
+    std::vector<TrialPrediction> with = predictions(study_, data_, values, progress_);
+    if (!std::all_of(with.begin(), with.end(), [](const TrialPrediction& p) { return p.ok(); })) return {};
+    const Eigen::VectorXd outside = NuisanceSpace(near_.columns).outside(flat_residual(data_, with) - without_effect_);
+    if (!outside.allFinite()) return {};
+    return Level{rms(outside), [this, with] { return fitted(with); }};
+}
+
+std::optional<double> EffectLevel::fitted(const std::vector<TrialPrediction>& with) const {
     Study seen = study_;
-    for (std::size_t i = 0; i < data_.trials.size(); ++i) {
-        if (!with[i].ok()) return {};
-        seen.trials[data_.trials[i]].measured.tracks = with[i].positions_m;
-    }
+    for (std::size_t i = 0; i < data_.trials.size(); ++i) seen.trials[data_.trials[i]].measured.tracks = with[i].positions_m;
     const JointFit fit = joint_fit(seen, data_, without_, EffectFreedom::all, recalibration(most_evaluations), near_, progress_);
-    if (!fit.usable()) return {};
-    const double rms = std::sqrt(fit.squares() / static_cast<double>(fit.residual.size()));
-    if (!std::isfinite(rms)) return {};
-    return rms;
+    if (!fit.usable() || !fit.residual.allFinite()) return {};
+    return rms(fit.residual);
 }
 
 std::optional<EffectDeclaration> visible_effect(const SyntheticCase& c, const EffectLevel& levels, double& level) {
     const EffectDraw& draw = *find_effect_draw(c.effect->id);
     EffectDeclaration effect = *c.effect;
-    std::optional<double> found = levels.of(effect);
+    std::optional<EffectLevel::Level> found = levels.of(effect);
     if (draw.amount.empty()) {
-        level = found.value_or(0.0);
+        level = found ? found->fitted().value_or(0.0) : 0.0;
         return level > least_level ? std::optional(effect) : std::nullopt;
     }
     double power = draw.grows ? 1.0 : -1.0;   // level ~ amount^power, improved by the secant of logarithms
     double last_amount = 0.0, last_level = 0.0;
-    for (int round = 0; round < 7; ++round) {
+    double taken_up = 1.0;                    // what a fit leaves of what is left to first order
+    for (int round = 0; round < most_rounds; ++round) {
         const double amount = effect_amount(effect);
-        if (found && *found > 1.05 * least_level && *found < 0.95 * most_level && (round > 1 || std::abs(std::log(*found / c.wanted_level)) < 0.3)) {
-            level = *found;
-            return effect;
+        const double there = found ? taken_up * found->first_order : 0.0;
+        if (is_visible(there) && (round > 1 || std::abs(std::log(there / c.wanted_level)) < 0.3)) {
+            level = found->fitted().value_or(0.0);
+            if (is_visible(level)) return effect;
+            if (level <= 0.0) return {};
+            taken_up = level / found->first_order;
         }
         // What does not run is too much.
         double next = draw.grows ? amount / 5.0 : amount * 5.0;
-        if (found && *found > 0.0) {
+        if (found && found->first_order > 0.0) {
             if (last_level > 0.0 && last_amount != amount) {
-                const double secant = std::log(*found / last_level) / std::log(amount / last_amount);
+                const double secant = std::log(found->first_order / last_level) / std::log(amount / last_amount);
                 if (secant * power > 0.2) power = std::copysign(std::min(std::abs(secant), 3.0), power);
             }
             last_amount = amount;
-            last_level = *found;
-            next = amount * std::pow(c.wanted_level / *found, 1.0 / power);
+            last_level = found->first_order;
+            next = amount * std::pow(c.wanted_level / (taken_up * found->first_order), 1.0 / power);
         }
         next = std::clamp(next, draw.lowest, draw.highest);
         if (next == amount) return {};

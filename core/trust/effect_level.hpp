@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "loop/joint_fit.hpp"
@@ -15,16 +16,23 @@ public:
 
     bool ready() const { return near_.columns.size() > 0; }
 
-    /// rms of what a fit of the declared parameters leaves of the markers' motion with the effect, without noise [noise levels]; none where
-    /// a trial with the effect does not run.
-    std::optional<double> of(const EffectDeclaration& effect) const;
+    /// rms of what recalibration of the declared parameters leaves of the markers' motion with the effect, without noise [noise levels]: to
+    /// first order, and by a fit, which a phase that drifts needs. None where a trial with the effect does not run.
+    struct Level {
+        double first_order = 0.0;
+        std::function<std::optional<double>()> fitted;   // while the levels live
+    };
+    std::optional<Level> of(const EffectDeclaration& effect) const;
 
 private:
+    std::optional<double> fitted(const std::vector<TrialPrediction>& with) const;
+
     Study study_;
     Progress progress_;
     StudyValues without_;
     FitData data_;
     Neighbourhood near_;   // of the fit trials without the effect
+    Eigen::VectorXd without_effect_;   // their residual
 };
 
 /// The case's effect with an amount that has about its wanted level, within the amounts that are plausible; none where there is none.

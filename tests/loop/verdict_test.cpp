@@ -52,6 +52,20 @@ TEST(Verdict, IsNoneWhereNothingNeedsExplaining) {
     EXPECT_EQ(d.verdict.kind, VerdictKind::none);
 }
 
+/// A mesh whose doubt is as large as the noise does not make an explanation of what takes away a tenth.
+TEST(Verdict, WhatLeavesNearlyAllExplainsNothing) {
+    Diagnosis d = with_candidate(1.25);
+    d.declared = fit_that_leaves(1.4);
+    d.numerics.left_rms_m = noise_m;
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+    d = with_candidate(1.25);
+    d.declared = fit_that_leaves(3.0);
+    d.numerics.left_rms_m = noise_m;
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+}
+
 /// With a declared noise an effect that takes away half of the residual is the nearest name, not the answer. Where the noise is that of still
 /// markers, which nothing comes down to, it is named with less confidence.
 TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) {
