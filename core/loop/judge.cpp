@@ -24,14 +24,6 @@ constexpr double temperature = 8.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
 constexpr double guard_s = 0.05;
 
-/// A modulus that ends where it may not go on stands in for something else.
-bool modulus_at_bound(const JointFit& fit) {
-    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
-        const double value = value_of(p, fit.values), little = 1e-6 * value;
-        return p.kind == StudyParameter::Kind::youngs_modulus && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
-    });
-}
-
 double mean_noise_m(const FitData& data) { return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, data.noise_m.size()))); }
 
 /// What the program's own errors may be after they were taken off [noise levels].
@@ -74,6 +66,13 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
 }
 
 double numerical_allowance(const FitData& data, const NumericalError& numerics) { return std::max(least_systematic, numerical_doubt(data, numerics)); }
+
+bool modulus_at_bound(const JointFit& fit) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
+        const double value = value_of(p, fit.values), little = 1e-6 * value;
+        return p.kind == StudyParameter::Kind::youngs_modulus && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
+    });
+}
 
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
     return fit.tests.significant() && fit.tests.systematic.rms > numerical_allowance(data, numerics);

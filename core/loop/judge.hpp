@@ -16,6 +16,9 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits);
 /// How large a systematic residual may be and still be put down to the program itself, in units of the noise.
 double numerical_allowance(const FitData& data, const NumericalError& numerics);
 
+/// A modulus that ends where it may not go on stands in for something else.
+bool modulus_at_bound(const JointFit& fit);
+
 /// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance.
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 

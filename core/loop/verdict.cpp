@@ -15,6 +15,12 @@ constexpr double trust = 0.97;
 /// Cameras alone, at rest, are far better than any model of a real body. Where nobody says how good a model could be, an effect is named that
 /// leaves at most this share of the rms, also on samples it was not fitted to.
 constexpr double most_left = 0.7;
+/// A second effect has to take away more than the rest of this share of what the first one leaves.
+constexpr double most_after_second = 0.6;
+/// An effect that leaves less of what was systematic is named though a test still fires: its law may be of another form than ours.
+constexpr double nearly_all = 0.125;
+/// Of the confidence in it.
+constexpr double other_form_trust = 0.6;
 /// Of the confidence in an effect whose size ends at its bound.
 constexpr double at_bound_trust = 0.5;
 
@@ -71,6 +77,19 @@ bool effect_at_bound(const JointFit& fit) {
     });
 }
 
+/// The second effect of a pair hardly does anything.
+bool is_idle(const JudgedFit& pair, const JudgedFit& first) { return pair.tests.systematic.rms > most_after_second * first.tests.systematic.rms; }
+
+bool takes_nearly_all(const Diagnosis& d, const JudgedFit& fit) {
+    return fit.usable() && fit.weight > 0.5 && !modulus_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
+}
+
+JudgedFit nearly_all_of_it(Diagnosis& d, const JudgedFit& fit) {
+    effects(d, fit, other_form_trust * fit.weight);
+    d.verdict.because += " That is not all: the effect may act in another form than the one it was given here.";
+    return fit;
+}
+
 JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit) {
     const double left = fit.rms_m / d.declared.rms_m;
     const bool at_bound = effect_at_bound(fit.fit);
@@ -88,7 +107,8 @@ JudgedFit decide(Diagnosis& d) {
     const JudgedFit* const pair = d.pairs.empty() ? nullptr : &d.pairs.front();
     if (!needs_explanation(d.declared, d.data, d.numerics)) fit = none(d);
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, first->judged->weight);
-    else if (pair && explains(*pair, d.declared, d.data, d.numerics)) fit = effects(d, *pair, pair->weight);
+    else if (pair && explains(*pair, d.declared, d.data, d.numerics) && !(first && is_idle(*pair, *first->judged))) fit = effects(d, *pair, pair->weight);
+    else if (first && takes_nearly_all(d, *first->judged)) fit = nearly_all_of_it(d, *first->judged);
     else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged);
     else if (pair && takes_most(d, *pair)) fit = most_of_it(d, *pair);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);

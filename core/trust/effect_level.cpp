@@ -75,19 +75,19 @@ std::optional<EffectDeclaration> visible_effect(const SyntheticCase& c, const Ef
     std::optional<EffectLevel::Level> found = levels.of(effect);
     if (draw.amount.empty()) {
         level = found ? found->fitted().value_or(0.0) : 0.0;
-        return level > least_level ? std::optional(effect) : std::nullopt;
+        return level > least_fitted ? std::optional(effect) : std::nullopt;
     }
     double power = draw.grows ? 1.0 : -1.0;   // level ~ amount^power, improved by the secant of logarithms
     double last_amount = 0.0, last_level = 0.0;
-    double taken_up = 1.0;                    // what a fit leaves of what is left to first order
+    double wanted = c.wanted_level;
     for (int round = 0; round < most_rounds; ++round) {
         const double amount = effect_amount(effect);
-        const double there = found ? taken_up * found->first_order : 0.0;
-        if (is_visible(there) && (round > 1 || std::abs(std::log(there / c.wanted_level)) < 0.3)) {
+        const double there = found ? found->first_order : 0.0;
+        if (is_visible(there) && (round > 1 || std::abs(std::log(there / wanted)) < 0.3)) {
             level = found->fitted().value_or(0.0);
-            if (is_visible(level)) return effect;
-            if (level <= 0.0) return {};
-            taken_up = level / found->first_order;
+            if (level > least_fitted) return effect;
+            wanted = std::min(1.6 * std::max(wanted, there), 0.9 * most_level);
+            if (there > 0.85 * most_level) return {};
         }
         // What does not run is too much.
         double next = draw.grows ? amount / 5.0 : amount * 5.0;
@@ -98,7 +98,7 @@ std::optional<EffectDeclaration> visible_effect(const SyntheticCase& c, const Ef
             }
             last_amount = amount;
             last_level = found->first_order;
-            next = amount * std::pow(c.wanted_level / (taken_up * found->first_order), 1.0 / power);
+            next = amount * std::pow(wanted / found->first_order, 1.0 / power);
         }
         next = std::clamp(next, draw.lowest, draw.highest);
         if (next == amount) return {};

@@ -21,13 +21,15 @@ struct MadeExperiment {
 /// The experiment.toml of a case.
 std::string experiment_text(const SyntheticCase& c);
 
-/// Draws a case, makes its effect so large that it does between least_level and most_level to the markers, simulates it by its own scheme on a
-/// mesh of other and finer cells than the diagnosis would take, and writes the folder: experiment.toml, traces, actuations, STL.
+/// Draws a case, makes its effect so large that it does between least_level and most_level to the markers and a fit leaves
+/// least_fitted of it, simulates it by its own scheme on a mesh of other and finer cells than the diagnosis would take, and writes the folder: experiment.toml, traces, actuations, STL.
 ///
 /// The folder says nothing of the truth. Errors: no draw in 12 could be run and seen; the folder cannot be written; cancelled.
 Result<MadeExperiment> make_experiment(const CaseChoice& choice, int number, const std::filesystem::path& folder, const Progress& progress = {});
 
 /// Bounds of what an effect does, in noise levels: below, no one can see it; far above, anyone can. A swap of markers may be above.
 inline constexpr double least_level = 3.0, most_level = 15.0;
+/// What recalibration has to leave of it: a fit moves phases, which first order does not.
+inline constexpr double least_fitted = 1.0;
 
 }  // namespace myo

@@ -103,7 +103,7 @@ HtmlReport trust_report(const std::vector<CaseRecord>& records, const std::strin
     std::string families;
     for (const auto& [family, count] : s.families) families += (families.empty() ? "" : ", ") + std::to_string(count) + " " + family;
     report.summary = {std::to_string(s.cases) + " synthetic experiments (" + families + "), simulated with other cells, a finer mesh, a smaller step and another scheme than the diagnosis uses.",
-                      "An effect changes the markers' motion by 3 to 15 noise levels after recalibration has absorbed what it can."};
+                      "An effect changes the markers' motion by 3 to 15 noise levels after recalibration has absorbed what it can to first order, and a fit leaves at least one."};
     report.key_figures = {key_figure("right first", s.top_1, true), key_figure("right among two", s.top_2, true), key_figure("false alarms", s.false_alarms, false),
                           key_figure("deleted effects answered unknown", s.unknown, true),
                           {"calibration error", format_number(s.calibration_error, 2), "", "mean distance of confidence and share right"},

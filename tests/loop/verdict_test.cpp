@@ -66,6 +66,20 @@ TEST(Verdict, WhatLeavesNearlyAllExplainsNothing) {
     EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
 }
 
+/// A second effect that finds little left to do is not named; the first one is where it leaves next to nothing.
+TEST(Verdict, ASecondEffectHasToDoSomething) {
+    for (const double pair_leaves : {0.2, 0.9}) {
+        Diagnosis d = with_candidate(1.25);
+        d.numerics.left_rms_m = 0.65 * noise_m;   // 0.98 noise levels are excused, 1.25 are not
+        d.pairs.push_back(fit_that_leaves(pair_leaves, "quadratic_drag"));
+        d.pairs[0].fit.effects.push_back({"cable_tug", {}});
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+        EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 0.5 ? 2u : 1u);
+        EXPECT_EQ(d.verdict.confidence < 0.6, pair_leaves > 0.5);
+    }
+}
+
 /// With a declared noise an effect that takes away half of the residual is the nearest name, not the answer. Where the noise is that of still
 /// markers, which nothing comes down to, it is named with less confidence.
 TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) {

@@ -50,7 +50,7 @@ TEST(TrustStudy, ASmallOneIsAnsweredRightAndNotRepeated) {
         EXPECT_GT(record.confidence, 0.5) << what;
         EXPECT_LT(record.after_over_noise, 1.5) << what;   // another simulator, and a trial that was not fitted
         if (record.kind != CaseKind::named) continue;
-        EXPECT_GT(record.level, least_level) << what;
+        EXPECT_GT(record.level, least_fitted) << what;
         EXPECT_LT(record.level, most_level) << what;
         EXPECT_GT(record.before_over_noise, record.after_over_noise) << what;
         for (const ParameterError& error : record.errors) EXPECT_LT(error.relative, 0.2) << error.name << " " << what;
