@@ -80,20 +80,27 @@ bool effect_at_bound(const JointFit& fit) {
 /// The second effect of a pair hardly does anything.
 bool is_idle(const JudgedFit& pair, const JudgedFit& first) { return pair.tests.systematic.rms > most_after_second * first.tests.systematic.rms; }
 
+/// That the first candidate's effect acts, alone or beside another: pairs are tried with it only.
+double presence(const Diagnosis& d, const JudgedFit& first) {
+    double weight = first.weight;
+    for (const JudgedFit& pair : d.pairs) weight += pair.weight;
+    return std::min(1.0, weight);
+}
+
 bool takes_nearly_all(const Diagnosis& d, const JudgedFit& fit) {
-    return fit.usable() && fit.weight > 0.5 && !modulus_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
+    return fit.usable() && presence(d, fit) > 0.5 && !modulus_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
 }
 
 JudgedFit nearly_all_of_it(Diagnosis& d, const JudgedFit& fit) {
-    effects(d, fit, other_form_trust * fit.weight);
+    effects(d, fit, other_form_trust * presence(d, fit));
     d.verdict.because += " That is not all: the effect may act in another form than the one it was given here.";
     return fit;
 }
 
-JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit) {
+JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit, double weight) {
     const double left = fit.rms_m / d.declared.rms_m;
     const bool at_bound = effect_at_bound(fit.fit);
-    effects(d, fit, fit.weight * (1.0 - 0.5 * left) * (at_bound ? at_bound_trust : 1.0));
+    effects(d, fit, weight * (1.0 - 0.5 * left) * (at_bound ? at_bound_trust : 1.0));
     if (at_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
     d.verdict.because += " What is left is unexplained: the noise was taken from still markers, and no model of a real body comes down to that.";
     return fit;
@@ -109,8 +116,8 @@ JudgedFit decide(Diagnosis& d) {
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, first->judged->weight);
     else if (pair && explains(*pair, d.declared, d.data, d.numerics) && !(first && is_idle(*pair, *first->judged))) fit = effects(d, *pair, pair->weight);
     else if (first && takes_nearly_all(d, *first->judged)) fit = nearly_all_of_it(d, *first->judged);
-    else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged);
-    else if (pair && takes_most(d, *pair)) fit = most_of_it(d, *pair);
+    else if (pair && takes_most(d, *pair) && first && pair->criterion < first->judged->criterion && !is_idle(*pair, *first->judged)) fit = most_of_it(d, *pair, pair->weight);
+    else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged, presence(d, *first->judged));
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
     if (d.numerics.left_rms_m > d.noise_m)
         d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");

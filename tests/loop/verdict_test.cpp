@@ -101,6 +101,22 @@ TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) 
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
 }
 
+/// Of what is only partly explained the pair is named where it does much more than its first effect; the first one is as sure as the pairs it is in.
+TEST(Verdict, APairThatExplainsMuchMoreOfARealBodyIsNamed) {
+    for (const double pair_leaves : {1.0, 4.0}) {
+        Diagnosis d = with_candidate(5.0);
+        d.data.noise_declared = false;
+        d.candidates[0].judged->weight = 0.0;
+        d.pairs.push_back(fit_that_leaves(pair_leaves, "quadratic_drag"));
+        d.pairs[0].tests.variance.p = 0.0;
+        d.pairs[0].fit.effects.push_back({"cable_tug", {}});
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+        EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 2.0 ? 2u : 1u);
+        EXPECT_GT(d.verdict.confidence, 0.4);
+    }
+}
+
 /// A fit with one number, which ends at a value between 1 and 100.
 void end_at(JudgedFit& fit, StudyParameter::Kind kind, double value) {
     StudyParameter p;
