@@ -66,7 +66,7 @@ JudgedFit unknown(Diagnosis& d, const JudgedFit& best) {
 }
 
 bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
-    return !d.data.noise_declared && fit.usable() && fit.held_out_rms <= most_left * d.declared.held_out_rms && fit.rms_m <= most_left * d.declared.rms_m;
+    return !d.data.noise_declared && fit.usable() && !modulus_at_bound(fit.fit) && fit.held_out_rms <= most_left * d.declared.held_out_rms && fit.rms_m <= most_left * d.declared.rms_m;
 }
 
 /// A number of an effect, other than a place, has gone as far as it may.
