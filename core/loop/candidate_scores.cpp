@@ -19,12 +19,9 @@ constexpr double least_explained = 0.02;
 std::vector<EffectScore> score_coarsely(const Study& study, const FitData& data, const JointFit& base, const EffectFilter& allowed, const Progress& progress) {
     Study longer = study;
     for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
-    std::vector<PredictionTask> tasks;
-    for (const std::size_t trial : data.trials) tasks.push_back({trial, &base.values});
-    const std::vector<TrialPrediction> unaffected = predict_trials(longer, tasks, {}, progress);
+    const std::vector<TrialPrediction> unaffected = predict_trials_with(longer, base.values, data.trials, progress);
     if (progress.cancelled()) return {};
-    const bool runs = std::all_of(unaffected.begin(), unaffected.end(), [](const TrialPrediction& prediction) { return prediction.ok(); });
-    if (runs && (flat_residual(data, unaffected) - base.residual).norm() < step_in_scores * base.residual.norm())
+    if (all_ok(unaffected) && (flat_residual(data, unaffected) - base.residual).norm() < step_in_scores * base.residual.norm())
         return score_effects(longer, data, base, unaffected, allowed, progress);
     return score_effects(study, data, base, base.predictions, allowed, progress);
 }

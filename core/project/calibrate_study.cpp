@@ -177,9 +177,7 @@ Calibration calibrate_study(const Study& study, const CalibrationSettings& setti
     KeptPredictions kept;
     const auto residuals = [&](const Eigen::VectorXd& p, const Progress& inner) {
         const StudyValues values = values_at(p);
-        std::vector<PredictionTask> tasks;
-        for (const std::size_t t : fit_trials) tasks.push_back({t, &values});
-        std::vector<TrialPrediction> predictions = predict_trials(study, tasks, result.parameters, inner);
+        std::vector<TrialPrediction> predictions = predict_trials_with(study, values, fit_trials, inner, result.parameters);
         ResidualEvaluation evaluation = weighted_residuals(study, fit_trials, predictions, result.parameters.size());
         if (evaluation.ok) kept.offer(std::move(predictions), evaluation.residuals.squaredNorm(), is_declared(p));
         return evaluation;

@@ -47,6 +47,17 @@ std::vector<TrialPrediction> predict_trials(const Study& study, const std::vecto
     return predictions;
 }
 
+std::vector<TrialPrediction> predict_trials_with(const Study& study, const StudyValues& values, const std::vector<std::size_t>& trials, const Progress& progress,
+                                                 const std::vector<StudyParameter>& parameters) {
+    std::vector<PredictionTask> tasks;
+    for (const std::size_t trial : trials) tasks.push_back({trial, &values});
+    return predict_trials(study, tasks, parameters, progress);
+}
+
+bool all_ok(const std::vector<TrialPrediction>& predictions) {
+    return std::all_of(predictions.begin(), predictions.end(), [](const TrialPrediction& prediction) { return prediction.ok(); });
+}
+
 std::vector<std::size_t> trials_with_role(const Study& study, TrialRole role) {
     std::vector<std::size_t> list;
     for (std::size_t t = 0; t < study.trials.size(); ++t)

@@ -20,6 +20,12 @@ struct PredictionTask {
 std::vector<TrialPrediction> predict_trials(const Study& study, const std::vector<PredictionTask>& tasks,
                                             const std::vector<StudyParameter>& parameters = {}, const Progress& progress = {});
 
+/// The same of trials with one set of values.
+std::vector<TrialPrediction> predict_trials_with(const Study& study, const StudyValues& values, const std::vector<std::size_t>& trials, const Progress& progress = {},
+                                                 const std::vector<StudyParameter>& parameters = {});
+
+bool all_ok(const std::vector<TrialPrediction>& predictions);
+
 /// The trials that are fitted, or those that are predicted.
 std::vector<std::size_t> trials_with_role(const Study& study, TrialRole role);
 

@@ -83,9 +83,7 @@ StudyRun run_study(const Study& study, const StudyValues& values, const Progress
     std::vector<std::size_t> trials;
     for (std::size_t t = 0; t < study.trials.size(); ++t)
         if (only_trial.empty() || study.trials[t].name == only_trial) trials.push_back(t);
-    std::vector<PredictionTask> tasks;
-    for (const std::size_t t : trials) tasks.push_back({t, &values});
-    std::vector<TrialPrediction> done = predict_trials(study, tasks, {}, progress);
+    std::vector<TrialPrediction> done = predict_trials_with(study, values, trials, progress);
     std::vector<TrialPrediction> predictions(study.trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) predictions[trials[i]] = std::move(done[i]);
     StudyRun run = scored_run(study, values, std::move(predictions), trials);

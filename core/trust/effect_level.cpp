@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/nuisance_space.hpp"
 #include "project/predict_trials.hpp"
 #include "trust/synthetic_effects.hpp"
 #include "trust/synthetic_experiment.hpp"
@@ -29,12 +28,6 @@ LeastSquaresOptions recalibration(int evaluations) {
     return options;
 }
 
-std::vector<TrialPrediction> predictions(const Study& study, const FitData& data, const StudyValues& values, const Progress& progress) {
-    std::vector<PredictionTask> tasks;
-    for (const std::size_t trial : data.trials) tasks.push_back({trial, &values});
-    return predict_trials(study, tasks, {}, progress);
-}
-
 }  // namespace
 
 EffectLevel::EffectLevel(const SyntheticCase& c, Study study, const Progress& progress) : study_(std::move(study)), progress_(progress.with_sink({})) {
@@ -48,25 +41,25 @@ EffectLevel::EffectLevel(const SyntheticCase& c, Study study, const Progress& pr
     const JointFit fit = joint_fit(study_, data_, without_, EffectFreedom::all, there, {}, progress_);
     if (!fit.usable()) return;
     near_ = neighbourhood_of(fit);
+    recalibrated_.emplace(near_.columns);
     without_effect_ = fit.residual;
 }
 
 std::optional<EffectLevel::Level> EffectLevel::of(const EffectDeclaration& effect) const {
     StudyValues values = without_;
     values.effects.push_back(effect);
-    std::vector<TrialPrediction> with = predictions(study_, data_, values, progress_);
-    if (!std::all_of(with.begin(), with.end(), [](const TrialPrediction& p) { return p.ok(); })) return {};
-    const Eigen::VectorXd outside = NuisanceSpace(near_.columns).outside(flat_residual(data_, with) - without_effect_);
+    std::vector<TrialPrediction> with = predict_trials_with(study_, values, data_.trials, progress_);
+    if (!all_ok(with)) return {};
+    const Eigen::VectorXd outside = recalibrated_->outside(flat_residual(data_, with) - without_effect_);
     if (!outside.allFinite()) return {};
-    return Level{rms(outside), [this, with] { return fitted(with); }};
+    return Level{rms(outside), std::move(with)};
 }
 
-std::optional<double> EffectLevel::fitted(const std::vector<TrialPrediction>& with) const {
+double EffectLevel::fitted(const Level& level) const {
     Study seen = study_;
-    for (std::size_t i = 0; i < data_.trials.size(); ++i) seen.trials[data_.trials[i]].measured.tracks = with[i].positions_m;
+    for (std::size_t i = 0; i < data_.trials.size(); ++i) seen.trials[data_.trials[i]].measured.tracks = level.with[i].positions_m;
     const JointFit fit = joint_fit(seen, data_, without_, EffectFreedom::all, recalibration(most_evaluations), near_, progress_);
-    if (!fit.usable() || !fit.residual.allFinite()) return {};
-    return rms(fit.residual);
+    return fit.usable() && fit.residual.allFinite() ? rms(fit.residual) : 0.0;
 }
 
 std::optional<EffectDeclaration> visible_effect(const SyntheticCase& c, const EffectLevel& levels, double& level) {
@@ -74,7 +67,7 @@ std::optional<EffectDeclaration> visible_effect(const SyntheticCase& c, const Ef
     EffectDeclaration effect = *c.effect;
     std::optional<EffectLevel::Level> found = levels.of(effect);
     if (draw.amount.empty()) {
-        level = found ? found->fitted().value_or(0.0) : 0.0;
+        level = found ? levels.fitted(*found) : 0.0;
         return level > least_fitted ? std::optional(effect) : std::nullopt;
     }
     double power = draw.grows ? 1.0 : -1.0;   // level ~ amount^power, improved by the secant of logarithms
@@ -84,7 +77,7 @@ std::optional<EffectDeclaration> visible_effect(const SyntheticCase& c, const Ef
         const double amount = effect_amount(effect);
         const double there = found ? found->first_order : 0.0;
         if (is_visible(there) && (round > 1 || std::abs(std::log(there / wanted)) < 0.3)) {
-            level = found->fitted().value_or(0.0);
+            level = levels.fitted(*found);
             if (level > least_fitted) return effect;
             wanted = std::min(1.6 * std::max(wanted, there), 0.9 * most_level);
             if (there > 0.85 * most_level) return {};

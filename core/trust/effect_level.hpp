@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
+#include "diagnosis/nuisance_space.hpp"
 #include "loop/joint_fit.hpp"
 #include "trust/synthetic_case.hpp"
 
@@ -14,24 +14,26 @@ public:
     /// Runs the fit trials as they truly are but without the effect, with derivatives by all that is fitted. ready() is false where that fails.
     EffectLevel(const SyntheticCase& c, Study study, const Progress& progress = {});
 
-    bool ready() const { return near_.columns.size() > 0; }
+    bool ready() const { return recalibrated_.has_value(); }
 
-    /// rms of what recalibration of the declared parameters leaves of the markers' motion with the effect, without noise [noise levels]: to
-    /// first order, and by a fit, which a phase that drifts needs. None where a trial with the effect does not run.
+    /// What recalibration of the declared parameters leaves of the markers' motion with an effect, without noise.
     struct Level {
-        double first_order = 0.0;
-        std::function<std::optional<double>()> fitted;   // while the levels live
+        double first_order = 0.0;            // rms [noise levels]
+        std::vector<TrialPrediction> with;   // the fit trials with the effect
     };
+    /// None where a trial with the effect does not run.
     std::optional<Level> of(const EffectDeclaration& effect) const;
 
-private:
-    std::optional<double> fitted(const std::vector<TrialPrediction>& with) const;
+    /// The same rms left by a fit, which a phase that drifts needs; 0 where none can be made.
+    double fitted(const Level& level) const;
 
+private:
     Study study_;
     Progress progress_;
     StudyValues without_;
     FitData data_;
     Neighbourhood near_;   // of the fit trials without the effect
+    std::optional<NuisanceSpace> recalibrated_;
     Eigen::VectorXd without_effect_;   // their residual
 };
 

@@ -22,7 +22,8 @@ struct MadeExperiment {
 std::string experiment_text(const SyntheticCase& c);
 
 /// Draws a case, makes its effect so large that it does between least_level and most_level to the markers and a fit leaves
-/// least_fitted of it, simulates it by its own scheme on a mesh of other and finer cells than the diagnosis would take, and writes the folder: experiment.toml, traces, actuations, STL.
+/// least_fitted of it, simulates it by its own scheme on a mesh of other and finer cells than the diagnosis would take, and
+/// writes the folder: experiment.toml, traces, actuations, STL.
 ///
 /// The folder says nothing of the truth. Errors: no draw in 12 could be run and seen; the folder cannot be written; cancelled.
 Result<MadeExperiment> make_experiment(const CaseChoice& choice, int number, const std::filesystem::path& folder, const Progress& progress = {});

@@ -91,9 +91,7 @@ inline JointFit unmoved_fit(const Study& study, const FitData& data, const Study
     JointFit fit;
     fit.values = values;
     fit.parameters = joint_parameters(study, values);
-    std::vector<PredictionTask> tasks;
-    for (const std::size_t trial : data.trials) tasks.push_back({trial, &values});
-    fit.predictions = predict_trials(study, tasks, fit.parameters);
+    fit.predictions = predict_trials_with(study, values, data.trials, {}, fit.parameters);
     fit.residual = flat_residual(data, fit.predictions);
     fit.jacobian = flat_jacobian(data, fit.predictions, fit.parameters.size());
     fit.report.deviations = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(fit.parameters.size()), std::nan(""));
