@@ -1,3 +1,5 @@
+#include <Eigen/Eigenvalues>
+
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
 #include "model/tied_spring.hpp"
@@ -21,21 +23,31 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     affected.model.force_elements.push_back(tied_spring(*site.body, place.cell, place.nodes, place.shares, anchor, number(parameters, "stiffness_N_m")));
 }
 
-/// A spring between the anchors in the direction of the strongest pull, k d d' being the best positive part of what the columns add up to.
+constexpr double probed_stiffness_N_m = 0.2, least_share = 0.1;
+
+/// To first order a spring of direction d acts by its tensor k d d': those of six directions span all symmetric tensors.
+std::vector<Vector3d> directions() {
+    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+    return {x, y, z, (x + y).normalized(), (y + z).normalized(), (z + x).normalized()};
+}
+
+Vector3d span_of(const EffectParameters& column) { return vector(column, "anchor_m") - vector(column, "position_m"); }
+
+/// The spring nearest to the tensor that the columns add up to: of its largest eigenvalue. Its anchor is outside of the body, like theirs.
 EffectParameters joined(const std::vector<EffectParameters>& columns, const Eigen::VectorXd& multiples) {
-    Eigen::Index best = 0;
-    multiples.cwiseAbs().maxCoeff(&best);
-    Vector3d along = Vector3d::Zero();
-    double total = 0.0;
+    Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+    Vector3d outwards = Vector3d::Zero();
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        const double k = std::max(0.0, multiples(static_cast<Eigen::Index>(i)));
-        along += std::sqrt(k) * (vector(columns[i], "anchor_m") - vector(columns[i], "position_m"));
-        total += k;
+        const Vector3d d = span_of(columns[i]).normalized();
+        tensor += multiples(static_cast<Eigen::Index>(i)) * d * d.transpose();
+        outwards += d;
     }
-    EffectParameters result = columns[static_cast<std::size_t>(best)];
-    const double length = (vector(result, "anchor_m") - vector(result, "position_m")).norm();
-    if (total > 0.0) result["anchor_m"] = Eigen::VectorXd(vector(result, "position_m") + length * along.normalized());
-    result["stiffness_N_m"] = number(result, "stiffness_N_m") * std::max(total, 0.1);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(tensor);
+    const Vector3d along = eigen.eigenvectors().col(2);
+    EffectParameters result = columns.front();
+    const double length = span_of(result).norm();
+    result["anchor_m"] = Eigen::VectorXd(vector(result, "position_m") + (along.dot(outwards) < 0.0 ? -length : length) * along);
+    result["stiffness_N_m"] = probed_stiffness_N_m * std::max(eigen.eigenvalues()(2), least_share);
     return result;
 }
 
@@ -45,10 +57,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     for (const Vector3d& point : spread_surface_points(site, 4)) {
         EffectProbe probe;
         probe.joined = joined;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Vector3d place = surface_place(*site.body, point).point;
-            probe.columns.push_back({{"stiffness_N_m", 0.2}, {"position_m", Eigen::VectorXd(place)},
-                                     {"anchor_m", Eigen::VectorXd(place + body_length(site) * Vector3d::Unit(axis))}});
+        const SurfacePlace place = surface_place(*site.body, point);
+        for (const Vector3d& d : directions()) {
+            const Vector3d anchor = place.point + (d.dot(place.normal) < 0.0 ? -1.0 : 1.0) * body_length(site) * d;
+            probe.columns.push_back({{"stiffness_N_m", probed_stiffness_N_m}, {"position_m", Eigen::VectorXd(place.point)}, {"anchor_m", Eigen::VectorXd(anchor)}});
         }
         list.push_back(std::move(probe));
     }

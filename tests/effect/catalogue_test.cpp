@@ -54,6 +54,30 @@ TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
     EXPECT_EQ(find_effect("none"), nullptr);
 }
 
+/// What a slanted spring does to first order, as a sum of a probe's springs, leads back to it.
+TEST(CableTug, IsSoughtAlongTheSpringWhoseTensorTheColumnsAddUpTo) {
+    const test::HeldBeam beam = test::held_beam({6, 2, 2});
+    EffectSearch search;
+    search.sites = {beam.site};
+    const Eigen::Vector3d d = Eigen::Vector3d(0.6, -0.3, 0.74).normalized();
+    const auto tensor = [](const Eigen::Vector3d& along) {
+        const Eigen::Matrix3d t = along * along.transpose();
+        return Eigen::Vector<double, 6>(t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(2, 0));
+    };
+    for (const EffectProbe& probe : find_effect("cable_tug")->probes(search)) {
+        ASSERT_EQ(probe.columns.size(), 6u);
+        Eigen::Matrix<double, 6, 6> basis;
+        for (int i = 0; i < 6; ++i) {
+            const EffectParameters& column = probe.columns[static_cast<std::size_t>(i)];
+            basis.col(i) = tensor((vector(column, "anchor_m") - vector(column, "position_m")).normalized());
+        }
+        const EffectParameters found = probe.joined(probe.columns, basis.partialPivLu().solve(5.0 * tensor(d)));
+        EXPECT_NEAR(number(found, "stiffness_N_m"), 5.0 * number(probe.columns[0], "stiffness_N_m"), 1e-9);
+        const Eigen::Vector3d along = (vector(found, "anchor_m") - vector(found, "position_m")).normalized();
+        EXPECT_NEAR(std::abs(along.dot(d)), 1.0, 1e-9);
+    }
+}
+
 class MovingEffect : public ::testing::TestWithParam<std::pair<const std::string, EffectParameters>> {};
 
 TEST_P(MovingEffect, ChangesTheMotionAndLeavesWhatItIsGiven) {
