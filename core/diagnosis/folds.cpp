@@ -27,7 +27,10 @@ Folds by_trial(const ResidualLayout& layout, const std::vector<int>& trials) {
     return without_empty(std::move(folds));
 }
 
-Folds by_time(const ResidualLayout& layout, const FoldOptions& options) {
+}  // namespace
+
+Folds time_folds(const ResidualLayout& layout, const FoldOptions& options) {
+    assert(is_consistent(layout) && options.blocks > 1 && options.guard_s >= 0.0);
     Folds folds{0, std::vector<int>(layout.sample.size(), -1), false};
     if (layout.size() == 0) return folds;
     const auto [first, last] = std::minmax_element(layout.time_s.begin(), layout.time_s.end());
@@ -46,12 +49,9 @@ Folds by_time(const ResidualLayout& layout, const FoldOptions& options) {
     return without_empty(std::move(folds));
 }
 
-}  // namespace
-
 Folds make_folds(const ResidualLayout& layout, const FoldOptions& options) {
-    assert(is_consistent(layout) && options.blocks > 1 && options.guard_s >= 0.0);
     const std::vector<int> trials = trials_of(layout);
-    return trials.size() > 1 ? by_trial(layout, trials) : by_time(layout, options);
+    return trials.size() > 1 ? by_trial(layout, trials) : time_folds(layout, options);
 }
 
 }  // namespace myo

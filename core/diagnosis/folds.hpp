@@ -18,8 +18,11 @@ struct FoldOptions {
     double guard_s = 0.0;         // left out between blocks, so that coloured noise does not tell of its neighbour
 };
 
-/// One fold per trial when there are two or more; else blocks of equal time, the same for all series, less the guard.
-/// There are no more blocks than samples; a block in which no marker was seen does not count.
+/// One fold per trial when there are two or more; else time_folds().
 Folds make_folds(const ResidualLayout& layout, const FoldOptions& options = {});
+
+/// Blocks of equal time, the same for all series of all trials, less the guard: for what one trial alone tells of.
+/// There are no more blocks than samples; a block in which no marker was seen does not count.
+Folds time_folds(const ResidualLayout& layout, const FoldOptions& options = {});
 
 }  // namespace myo

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace myo {
 namespace {
@@ -61,6 +62,10 @@ std::vector<std::vector<Eigen::Index>> entries_of(const Folds& folds) {
 }
 
 }  // namespace
+
+int LinearCrossValidation::undetermined() const {
+    return std::accumulate(folds.begin(), folds.end(), 0, [](int sum, const Fold& fold) { return sum + fold.undetermined; });
+}
 
 LinearCrossValidation linear_cross_validation(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const Folds& folds) {
     assert(J.rows() == r.size() && folds.of_entry.size() == static_cast<std::size_t>(r.size()));

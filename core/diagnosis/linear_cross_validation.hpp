@@ -20,6 +20,9 @@ struct LinearCrossValidation {
     Eigen::Index samples = 0;
     Eigen::VectorXd residual;     // N: predicted from the other folds; NaN where in no fold
 
+    /// Over all folds.
+    int undetermined() const;
+
     double mean_square() const { return samples > 0 ? squares / static_cast<double>(samples) : 0.0; }
 };
 

@@ -168,11 +168,9 @@ private:
         const StudyValues values = declared_values(study_);
         Study longer = study_;
         for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
-        std::vector<PredictionTask> tasks;
-        for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &values});
-        const std::vector<TrialPrediction> fine = predict_trials(study_, tasks, {}, progress_), coarse = predict_trials(longer, tasks, {}, progress_);
-        for (std::size_t i = 0; i < tasks.size(); ++i)
-            if (!fine[i].ok() || !coarse[i].ok()) return false;
+        const std::vector<std::size_t>& trials = result_.data.trials;
+        const std::vector<TrialPrediction> fine = predict_trials_with(study_, values, trials, progress_), coarse = predict_trials_with(longer, values, trials, progress_);
+        if (!all_ok(fine) || !all_ok(coarse)) return false;
         const VectorXd change = flat_residual(result_.data, coarse) - flat_residual(result_.data, fine);
         if (change.norm() > step_doubt * std::sqrt(static_cast<double>(change.size()))) return false;
         study_ = std::move(longer);
@@ -204,11 +202,13 @@ private:
             const NumericalError* const known = judged_fit.numerics ? &*judged_fit.numerics : nullptr;   // the declared fit may be damped far more
             NumericalError numerics = stage("numerical error", 3 * fit_count(), [&] { return errors_.at(judged_fit.fit.values, result_.data.trials, known, progress_); });
             if (progress_.cancelled()) return false;
+            const bool is_first = !result_.declared.numerics;   // until then no error was taken off
+            if (is_first) match_stiffness(judged_fit.fit, numerics);
+            exact.modulus_factor = study_.modulus_factor;
             result_.data.shift = numerics.shift;
             JointFit again = stage(name, 0, [&] { return fit(exact, judged_fit.fit.values, EffectFreedom::all, effort, neighbourhood_of(judged_fit.fit), progress_); });
             if (progress_.cancelled()) return false;
             cost_of(name).runs += again.runs(fit_count());
-            const bool is_first = !result_.declared.numerics;   // until then no error was taken off
             if (!again.usable() || (!is_first && again.squares() > gone_astray * judged_fit.fit.squares())) break;
             const double left = std::sqrt(again.squares() / static_cast<double>(again.residual.size()));
             const bool settled = change_between(judged_fit.fit, again) < std::max(settled_change, settled_share * left);
@@ -216,13 +216,22 @@ private:
             judged_fit = judged(result_.data, std::move(again), result_.settings);
             judged_fit.weight = weight;
             judged_fit.criterion = criterion;
-            numerics.left_rms_m = extrapolation_left_m(result_.data, judged_fit.fit.jacobian);
+            numerics.left_rms_m = extrapolation_left_m(result_.data, numerics, judged_fit.fit);
             judged_fit.numerics = std::move(numerics);
             if (settled) break;
         }
         if (!judged_fit.numerics) judged_fit.numerics = result_.declared.numerics;
         result_.data.shift = judged_fit.numerics ? judged_fit.numerics->shift : PredictionShift{};
         return true;
+    }
+
+    /// Gives the cells the modulus with which they move like finer ones, and a fit one with which they move as before.
+    void match_stiffness(JointFit& declared, NumericalError& numerics) {
+        if (!stage("numerical error", 3 * fit_count(), [&] { return errors_.match(declared.values, result_.data, numerics, progress_); })) return;
+        study_.modulus_factor = serial_.modulus_factor = numerics.stiffening.factor();
+        for (const StudyParameter& p : declared.parameters)
+            if (p.kind == StudyParameter::Kind::youngs_modulus)
+                set_value(p, std::clamp(declared.values.youngs_modulus_Pa / study_.modulus_factor, p.parameter.lower, p.parameter.upper), declared.values);
     }
 
     /// The numerical error of the trials that a fit did not see.
@@ -396,9 +405,7 @@ private:
         if (explains(first, result_.declared, result_.data, result_.numerics) || first.fit.squares() > worth_a_second * result_.declared.fit.squares()) return;
         JointFit base = first.fit;
         if (first.numerics) result_.data.shift = first.numerics->shift;
-        std::vector<PredictionTask> tasks;
-        for (const std::size_t trial : result_.data.trials) tasks.push_back({trial, &base.values});
-        base.predictions = predict_trials(study_, tasks, {}, progress_);
+        base.predictions = predict_trials_with(study_, base.values, result_.data.trials, progress_);
         if (progress_.cancelled()) return;
         const std::string first_id = result_.candidates.front().score.id;
         const std::vector<EffectScore> scores = stage("score of pairs", 0, [&] {
@@ -475,8 +482,9 @@ private:
 
 }  // namespace
 
-Study with_steps_of(const Diagnosis& diagnosis, Study study) {
+Study as_diagnosed(const Diagnosis& diagnosis, Study study) {
     for (StudyTrial& trial : study.trials) trial.options.h_s *= diagnosis.step_factor;
+    study.modulus_factor = diagnosis.numerics.stiffening.factor();
     return study;
 }
 

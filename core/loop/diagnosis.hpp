@@ -29,7 +29,9 @@ struct DiagnoseSettings {
 struct JudgedFit {
     JointFit fit;
     double rms_m = 0.0;                           // over the fit trials
-    double held_out_rms = 0.0;                    // in units of the noise, each fold predicted from the others (linearised)
+    double held_out_rms = 0.0;                    // in units of the noise, each trial predicted from the others (linearised); of one: blocks of time
+    double held_out_in_time_rms = 0.0;            // the same with blocks of time of all trials
+    int told_by_one = 0;                          // directions of the numbers of which one trial alone tells: they stay as fitted when it is held out
     double criterion = 0.0;                       // what fits are ordered by; lower is better
     double weight = 0.0;                          // share of the evidence among all that were fitted
     ResidualTests tests;
@@ -93,8 +95,8 @@ struct Diagnosis {
     bool complete() const { return !stopped && failure.empty(); }
 };
 
-/// The study with the steps that a diagnosis used.
-Study with_steps_of(const Diagnosis& diagnosis, Study study);
+/// The study with the steps and the cells' modulus that a diagnosis used.
+Study as_diagnosed(const Diagnosis& diagnosis, Study study);
 
 /// Declared fit, numerical error, significance, scores, refits, pairs, verdict, prediction of all trials.
 ///

@@ -61,6 +61,7 @@ Json judged_json(const JudgedFit& fit) {
     Json json = fit_json(fit);
     json["std"] = deviations_json(fit.fit);
     json["held_out_rms_over_noise"] = json_number(fit.held_out_rms);
+    json["held_out_in_time_rms_over_noise"] = json_number(fit.held_out_in_time_rms);
     json["criterion"] = json_number(fit.criterion);
     json["weight"] = json_number(fit.weight);
     json["tests"] = tests_json(fit.tests);
@@ -86,6 +87,7 @@ Json numerics_json(const Diagnosis& d) {
     const NumericalError& n = d.numerics;
     return {{"numerical_damping", {{"half_step_rms_m", json_number(n.step_rms_m)}, {"damping_ratio_of_the_scheme", json_number(n.numerical_damping)}}},
             {"discretisation", {{"finer_mesh_rms_m", json_number(n.mesh_rms_m)}, {"mesh_ratio", json_number(n.mesh_ratio)}}},
+            {"made_up_for_by_the_modulus", {{"modulus_factor", n.stiffening.factor()}, {"rest_rms_m", json_number(n.rest_rms_m)}}},
             {"left_after_extrapolation_rms_m", json_number(n.left_rms_m)},
             {"allowance_over_noise", json_number(numerical_allowance(d.data, n))},
             {"message", n.message}};

@@ -122,8 +122,9 @@ Section numerics_section(const Study& study, const Diagnosis& d) {
     const std::string step = readable_number(1e3 * study.trials.front().options.h_s, 3) + " ms";
     add("Numerical damping, time step", n.step_ratio > 0.0 ? "steps of " + step + " times " + readable_number(n.step_ratio, 2) : "steps of " + step, n.step_ratio > 0.0 ? n.step_rms_m : none);
     add("Discretisation", n.mesh_ratio > 0.0 ? "cells of " + readable_number(n.mesh_ratio, 2) + " times the edge" : "no finer mesh was made", n.mesh_ratio > 0.0 ? n.mesh_rms_m : none);
+    if (n.stiffening.any()) add("What is left of both", "with cells of " + readable_number(n.stiffening.factor(), 4) + " times the body's modulus", n.rest_rms_m);
     add("What extrapolation may leave", "share of both that is uncertain", n.left_rms_m);
-    Section section{"Suspects ruled out", {Paragraph{"Before nature is blamed: how much of the residual the program makes itself. Both errors are extrapolated and taken off the predictions."}, table}};
+    Section section{"Suspects ruled out", {Paragraph{"Before nature is blamed: how much of the residual the program makes itself. Both errors are extrapolated and taken off the predictions. Coarse cells bend as if of another modulus: where that is much, they get the modulus that makes up for it first."}, table}};
     section.blocks.push_back(Paragraph{"The time scheme adds a damping ratio of " + readable_number(n.numerical_damping, 2) + " to the first vibration."});
     if (!n.message.empty()) section.blocks.push_back(WarningBox{{n.message}});
     return section;

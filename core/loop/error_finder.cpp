@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loop/stiffening.hpp"
 #include "project/predict_trials.hpp"
 #include "project/run_study.hpp"
 
@@ -19,12 +20,15 @@ void forget_paths(std::vector<TrialPrediction>& predictions) {
 }
 
 std::vector<TrialPrediction> fitted_predictions(const Study& study, const std::vector<std::size_t>& trials, const StudyValues& fitted, const Progress& progress) {
-    const StudyValues values = with_predicted_levels(study, fitted);
-    std::vector<PredictionTask> tasks;
-    for (const std::size_t t : trials) tasks.push_back({t, &values});
-    std::vector<TrialPrediction> predictions = predict_trials(study, tasks, {}, progress);
+    std::vector<TrialPrediction> predictions = predict_trials_with(study, with_predicted_levels(study, fitted), trials, progress);
     forget_paths(predictions);
     return predictions;
+}
+
+bool ErrorFinder::match(const StudyValues& fitted, const FitData& data, NumericalError& error, const Progress& progress) {
+    if (!match_stiffness(study_, with_predicted_levels(study_, fitted), data, error, progress)) return false;
+    plain_ = error;
+    return true;
 }
 
 NumericalError ErrorFinder::at(const StudyValues& fitted, const std::vector<std::size_t>& trials, const NumericalError* known, const Progress& progress) {
@@ -38,7 +42,13 @@ NumericalError ErrorFinder::at(const StudyValues& fitted, const std::vector<std:
         }
     }
     const std::vector<TrialPrediction> base = fitted_predictions(study_, trials, fitted, progress);
-    return numerical_error(study_, refined_.get(), with_predicted_levels(study_, fitted), trials, base, known, progress);
+    NumericalError error = numerical_error(study_, refined_.get(), with_predicted_levels(study_, fitted), trials, base, known, plain_.stiffening, progress);
+    if (plain_.stiffening.any()) {   // the cells' own error, as it was without
+        error.by_stiffness = plain_.by_stiffness;
+        error.step_rms_m = plain_.step_rms_m;
+        error.mesh_rms_m = plain_.mesh_rms_m;
+    }
+    return error;
 }
 
 }  // namespace myo

@@ -19,12 +19,16 @@ public:
     /// @param study  outlives this; steps as they are when it is asked
     ErrorFinder(const Study& study, bool refine_mesh) : study_(study), refine_mesh_(refine_mesh) {}
 
+    /// match_stiffness() for all that is found from now on. True: the study is to take the modulus factor of error.stiffening.
+    bool match(const StudyValues& fitted, const FitData& data, NumericalError& error, const Progress& progress);
+
     /// numerical_error() with a fit's values.
     NumericalError at(const StudyValues& fitted, const std::vector<std::size_t>& trials, const NumericalError* known, const Progress& progress);
 
 private:
     const Study& study_;
     bool refine_mesh_;
+    NumericalError plain_;   // with which the stiffening was found
     std::unique_ptr<Study> refined_;
 };
 

@@ -36,9 +36,9 @@ std::vector<std::size_t> places(const FitData& data) {
 }
 
 /// What is added to an entry [m].
-double shift_at(const FitData& data, const ResidualSeries& at, int sample) {
+double shift_at(const PredictionShift& shift, const ResidualSeries& at, int sample) {
     const auto trial = static_cast<std::size_t>(at.trial);
-    return data.shift.empty() || data.shift[trial].empty() ? 0.0 : data.shift[trial][static_cast<std::size_t>(at.marker)](at.axis, sample);
+    return shift.empty() || shift[trial].empty() ? 0.0 : shift[trial][static_cast<std::size_t>(at.marker)](at.axis, sample);
 }
 
 }  // namespace
@@ -70,13 +70,13 @@ VectorXd flat_residual(const FitData& data, const std::vector<TrialPrediction>& 
     const std::vector<std::size_t> place = places(data);
     const VectorXd metres = gathered(data, [&](const ResidualSeries& at, int sample) {
         const auto trial = static_cast<std::size_t>(at.trial), marker = static_cast<std::size_t>(at.marker);
-        return predictions[place[trial]].residual_m[marker](at.axis, sample) + shift_at(data, at, sample);
+        return predictions[place[trial]].residual_m[marker](at.axis, sample) + shift_at(data.shift, at, sample);
     });
     return metres.cwiseQuotient(data.noise_m);
 }
 
-VectorXd flat_shift(const FitData& data) {
-    return gathered(data, [&](const ResidualSeries& at, int sample) { return shift_at(data, at, sample); }).cwiseQuotient(data.noise_m);
+VectorXd flat_shift(const FitData& data, const PredictionShift& shift) {
+    return gathered(data, [&](const ResidualSeries& at, int sample) { return shift_at(shift, at, sample); }).cwiseQuotient(data.noise_m);
 }
 
 Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPrediction>& predictions, std::size_t parameters) {

@@ -26,8 +26,8 @@ FitData fit_data(const Study& study, const std::vector<std::size_t>& trials);
 /// (prediction + shift - measurement) / noise of the trials' predictions, in the order of data.trials.
 Eigen::VectorXd flat_residual(const FitData& data, const std::vector<TrialPrediction>& predictions);
 
-/// The shift / noise alone.
-Eigen::VectorXd flat_shift(const FitData& data);
+/// A shift / noise alone, 0 where it is empty.
+Eigen::VectorXd flat_shift(const FitData& data, const PredictionShift& shift);
 
 /// Derivatives of the same, N x parameters.
 Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPrediction>& predictions, std::size_t parameters);

@@ -17,8 +17,6 @@ constexpr double least_systematic = 0.3;
 constexpr double most_allowed = 1.0;
 /// What an effect leaves, over what was there: another program's form of the same effect differs by as much.
 constexpr double share_of_form = 0.05;
-/// What leaves more of what was there explains little, however doubtful the mesh.
-constexpr double most_of_what_was = 0.6;
 /// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights().
 constexpr double temperature = 8.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
@@ -40,7 +38,10 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
         result.tests = test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()), options);
         FoldOptions folds;
         folds.guard_s = guard_s;
-        result.held_out_rms = std::sqrt(linear_cross_validation(fit.residual, fit.jacobian, make_folds(data.layout, folds)).mean_square());
+        const LinearCrossValidation of_trials = linear_cross_validation(fit.residual, fit.jacobian, make_folds(data.layout, folds));
+        result.held_out_rms = std::sqrt(of_trials.mean_square());
+        result.told_by_one = of_trials.undetermined();
+        result.held_out_in_time_rms = std::sqrt(linear_cross_validation(fit.residual, fit.jacobian, time_folds(data.layout, folds)).mean_square());
     }
     result.fit = std::move(fit);
     return result;
@@ -53,14 +54,24 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
     if (!best) return;
     const auto samples = static_cast<double>(data.layout.size());
     const double effective = effective_samples(best->fit.residual, data.layout);
+    const auto compare = [&](double JudgedFit::*held_out) {
+        for (JudgedFit* fit : fits) {
+            fit->criterion = std::numeric_limits<double>::infinity();
+            if (fit->usable())
+                fit->criterion = 0.5 * (information_criterion(fit->fit.squares(), samples, effective, static_cast<int>(fit->fit.parameters.size())) +
+                                        information_criterion(samples * std::pow(fit->*held_out, 2), samples, effective, 0));
+        }
+    };
+    const auto order = [](const JudgedFit* a, const JudgedFit* b) { return a->criterion < b->criterion; };
+    compare(&JudgedFit::held_out_rms);
+    // What one trial alone tells of is not tested by holding that out: a fit that is best by it is compared by blocks of time.
+    int least_told = std::numeric_limits<int>::max();
+    for (const JudgedFit* fit : fits)
+        if (fit->usable()) least_told = std::min(least_told, fit->told_by_one);
+    if ((*std::min_element(fits.begin(), fits.end(), order))->told_by_one > least_told)
+        compare(&JudgedFit::held_out_in_time_rms);
     std::vector<double> criteria;
-    for (JudgedFit* fit : fits) {
-        fit->criterion = std::numeric_limits<double>::infinity();
-        if (fit->usable())
-            fit->criterion = 0.5 * (information_criterion(fit->fit.squares(), samples, effective, static_cast<int>(fit->fit.parameters.size())) +
-                                    information_criterion(samples * fit->held_out_rms * fit->held_out_rms, samples, effective, 0));
-        criteria.push_back(fit->criterion);
-    }
+    for (const JudgedFit* fit : fits) criteria.push_back(fit->criterion);
     const std::vector<double> weights = evidence_weights(criteria, temperature);
     for (std::size_t i = 0; i < fits.size(); ++i) fits[i]->weight = weights[i];
 }

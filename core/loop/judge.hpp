@@ -6,11 +6,15 @@
 
 namespace myo {
 
+/// What leaves a larger share of what was there before explains little, however doubtful the mesh; nor does a second effect that does.
+inline constexpr double most_of_what_was = 0.6;
+
 /// Tests of what a fit leaves, and how it predicts data it was not fitted to.
 JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& settings);
 
 /// Gives fits of the same data their criteria and weights: the mean of a cross-validated and a Bayesian information criterion, both with the
-/// effective number of samples of the best residual among them.
+/// effective number of samples of the best residual among them. Trials are held out; blocks of time are where the best has more numbers than
+/// others of which one trial alone tells.
 void weigh(const FitData& data, const std::vector<JudgedFit*>& fits);
 
 /// How large a systematic residual may be and still be put down to the program itself, in units of the noise.

@@ -201,7 +201,7 @@ MissingForce infer_missing_force(const Study& declared, const Diagnosis& d, cons
         result.failure = "there is no fit to begin from";
         return result;
     }
-    const Study study = with_steps_of(d, declared);
+    const Study study = as_diagnosed(d, declared);
     const ForcedTrial trial(study, d, worst_trial(d.data, d.augmented.fit.residual));
     result.trial = study.trials[trial.trial()].name;
     result.time_s = trial.knots().times_s();

@@ -1,5 +1,6 @@
 #include "loop/numerical_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/nuisance_space.hpp"
@@ -19,16 +20,6 @@ constexpr double asymptotic_over_noise = 3.0;
 
 /// A step that changes predictions by less than this part of the noise is not looked at again.
 constexpr double negligible_step = 0.3;
-
-/// finer - coarser of the residuals, per marker; what is not compared is 0.
-std::vector<Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser) {
-    std::vector<Matrix3Xd> result;
-    for (std::size_t m = 0; m < coarser.residual_m.size(); ++m) {
-        result.push_back(finer.residual_m[m] - coarser.residual_m[m]);
-        result.back() = result.back().unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
-    }
-    return result;
-}
 
 struct Sum {
     double squares = 0.0, count = 0.0;
@@ -50,13 +41,26 @@ double change_rms(const std::vector<Matrix3Xd>& tracks) {
 /// 1 / (1 - ratio^2): from the change by a refinement of second order to its limit.
 double extrapolation(double ratio) { return 1.0 / (1.0 - ratio * ratio); }
 
+bool moves_modulus(const JointFit& fit) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const StudyParameter& p) { return p.kind == StudyParameter::Kind::youngs_modulus; });
+}
+
+}  // namespace
+
+std::vector<Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser) {
+    std::vector<Matrix3Xd> result;
+    for (std::size_t m = 0; m < coarser.residual_m.size(); ++m) {
+        result.push_back(finer.residual_m[m] - coarser.residual_m[m]);
+        result.back() = result.back().unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
+    }
+    return result;
+}
+
 void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector<Matrix3Xd>& sum) {
     if (sum.empty())
         for (const Matrix3Xd& track : tracks) sum.push_back(Matrix3Xd::Zero(3, track.cols()));
     for (std::size_t m = 0; m < tracks.size(); ++m) sum[m] += factor * tracks[m];
 }
-
-}  // namespace
 
 Result<Study> refined_study(const Study& study, double ratio, const Progress& progress) {
     StudySettings settings = study.settings;
@@ -65,33 +69,35 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
     return prepare_study(study.experiment, settings, progress);
 }
 
-NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
-                               const std::vector<TrialPrediction>& base, const NumericalError* known, const Progress& progress) {
+NumericalError numerical_error(const Study& study, Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
+                               const std::vector<TrialPrediction>& base, const NumericalError* known, const Stiffening& stiffening, const Progress& progress) {
     NumericalError error;
+    error.stiffening = stiffening;
     error.step_ratio = 0.5;
-    std::vector<PredictionTask> tasks;
-    for (const std::size_t t : trials) tasks.push_back({t, &values});
     const bool negligible = known && known->step_rms_m < negligible_step * study.noise_m.minCoeff() && known->step_shift.size() == study.trials.size();
     std::vector<TrialPrediction> finer_step(trials.size());
     if (!negligible) {
         Study halved = study;
+        halved.modulus_factor = stiffening.factor_of_finer_step();
         for (StudyTrial& trial : halved.trials) {
             trial.options.h_s *= error.step_ratio;
             trial.options.most_iterations = SimulationOptions().most_iterations;   // it has more steps
             trial.options.keep_path = false;
         }
-        finer_step = predict_trials(halved, tasks, {}, progress);
+        finer_step = predict_trials_with(halved, values, trials, progress);
     }
     std::vector<TrialPrediction> finer_mesh(trials.size());
     if (refined) {
+        refined->modulus_factor = stiffening.factor_of_finer_mesh();
         error.mesh_ratio = refined->mesh.resolution_m / study.mesh.resolution_m;
-        if (!progress.cancelled()) finer_mesh = predict_trials(*refined, tasks, {}, progress);
+        if (!progress.cancelled()) finer_mesh = predict_trials_with(*refined, values, trials, progress);
     } else {
         error.message = "no finer mesh could be made";
     }
     error.step_shift.resize(study.trials.size());
     if (negligible) error.step_shift = known->step_shift;
     error.shift.resize(study.trials.size());
+    error.mesh_change.resize(study.trials.size());
     Sum by_step, by_mesh;
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const std::size_t t = trials[i];
@@ -105,6 +111,7 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
         if (finer_mesh[i].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_mesh[i], base[i]);
             by_mesh.add(change);
+            error.mesh_change[t] = change;
             // A mesh so coarse that its error is far from small does not follow its order: then the finer one is taken as it is.
             const bool small = change_rms(change) < asymptotic_over_noise * study.noise_m.maxCoeff();
             add_scaled(change, small ? extrapolation(error.mesh_ratio) : 1.0, error.shift[t]);
@@ -112,9 +119,16 @@ NumericalError numerical_error(const Study& study, const Study* refined, const S
     }
     error.step_rms_m = negligible ? known->step_rms_m : by_step.rms();
     error.mesh_rms_m = by_mesh.rms();
+    error.rest_rms_m = shift_rms_m(error.shift);
     const StudyTrial& first = study.trials.front();
     error.numerical_damping = check_integration(trial_model(study, 0, values), first.options.integrator, first.options.h_s).numerical_damping_ratio;
     return error;
+}
+
+double shift_rms_m(const PredictionShift& shift) {
+    Sum sum;
+    for (const std::vector<Matrix3Xd>& trial : shift) sum.add(trial);
+    return sum.rms();
 }
 
 void complete(NumericalError& error, const NumericalError& other) {
@@ -124,9 +138,10 @@ void complete(NumericalError& error, const NumericalError& other) {
     }
 }
 
-double extrapolation_left_m(const FitData& data, const Eigen::MatrixXd& jacobian) {
-    const NuisanceSpace nuisance(jacobian);
-    const Eigen::VectorXd shift = flat_shift(data);
+double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit) {
+    const NuisanceSpace nuisance(fit.jacobian);
+    Eigen::VectorXd shift = flat_shift(data, error.shift);
+    if (!moves_modulus(fit)) shift += flat_shift(data, error.by_stiffness);
     double squares = 0.0;
     for (const int trial : trials_of(data.layout)) {
         Eigen::VectorXd own = Eigen::VectorXd::Zero(shift.size());

@@ -5,14 +5,27 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
-#include "loop/fit_data.hpp"
+#include "loop/joint_fit.hpp"
 
 namespace myo {
+
+/// Relative changes of the modulus that let motions on these cells, and on the finer ones, with this step, and with the finer one, be those of
+/// the limit; see match_stiffness().
+struct Stiffening {
+    double mesh = 0.0, finer_mesh = 0.0;
+    double step = 0.0, finer_step = 0.0;
+
+    bool any() const { return mesh != 0.0 || step != 0.0; }
+    double factor() const { return 1.0 + mesh + step; }
+    double factor_of_finer_mesh() const { return 1.0 + finer_mesh + step; }
+    double factor_of_finer_step() const { return 1.0 + mesh + finer_step; }
+};
 
 /// How much of a residual is the program's own doing: what a finer step and a finer mesh change in the predictions.
 struct NumericalError {
     double step_rms_m = 0.0;            // half the step against the step
     double mesh_rms_m = 0.0;            // the finer mesh against the mesh
+    double rest_rms_m = 0.0;            // of the shift, where moduli of .stiffening have taken off most of both
     double step_ratio = 0.0;            // finer over coarser
     double mesh_ratio = 0.0;
     double left_rms_m = 0.0;            // of what extrapolation takes off, the share it may be wrong by and a fit cannot take up
@@ -20,6 +33,9 @@ struct NumericalError {
     std::string message;                // why a part of it is unknown
     PredictionShift shift;              // extrapolated to zero step and edge, to be added to predictions; empty where unknown
     PredictionShift step_shift;         // the step's part of it
+    PredictionShift mesh_change;        // the finer mesh less the mesh
+    Stiffening stiffening;              // with which the shift was found
+    PredictionShift by_stiffness;       // what that takes off the shift, to first order
 };
 
 /// The study with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
@@ -29,18 +45,27 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
 /// Richardson's rule for second order. Shifts of other trials stay empty.
 ///
 /// @param base   the study's predictions with these values, one per trial of `trials`, with their traces or without; failed ones are left alone
+/// @param refined  gets its modulus factor here
 /// @param known  the error with values near these, null: none. What the step changes there is taken over where that is far below the noise
+/// @param stiffening  that of the study, whose modulus factor is set
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
-NumericalError numerical_error(const Study& study, const Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
-                               const std::vector<TrialPrediction>& base, const NumericalError* known, const Progress& progress);
+NumericalError numerical_error(const Study& study, Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
+                               const std::vector<TrialPrediction>& base, const NumericalError* known, const Stiffening& stiffening, const Progress& progress);
+
+/// finer - coarser of what is compared, per marker; 0 where nothing is.
+std::vector<Eigen::Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser);
+
+/// Adds `factor` times the tracks to a sum, which may be empty.
+void add_scaled(const std::vector<Eigen::Matrix3Xd>& tracks, double factor, std::vector<Eigen::Matrix3Xd>& sum);
+
+/// Over all samples of the trials that have a shift [m].
+double shift_rms_m(const PredictionShift& shift);
 
 /// Takes over the shifts of trials that have none yet.
 void complete(NumericalError& error, const NumericalError& of_other_trials);
 
-/// What the extrapolation data.shift may be wrong by, each trial on its own, where parameters of a fit cannot take it up: a stiffer mesh
-/// is a lower modulus. Rms over the data [m].
-///
-/// @param jacobian  N x parameters of the fit
-double extrapolation_left_m(const FitData& data, const Eigen::MatrixXd& jacobian);
+/// What the error's extrapolation may be wrong by, each trial on its own, where parameters of a fit cannot take it up: a stiffer mesh is a
+/// lower modulus. Rms over the data [m].
+double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit);
 
 }  // namespace myo

@@ -15,8 +15,6 @@ constexpr double trust = 0.97;
 /// Cameras alone, at rest, are far better than any model of a real body. Where nobody says how good a model could be, an effect is named that
 /// leaves at most this share of the rms, also on samples it was not fitted to.
 constexpr double most_left = 0.7;
-/// A second effect has to take away more than the rest of this share of what the first one leaves.
-constexpr double most_after_second = 0.6;
 /// An effect that leaves less of what was systematic is named though a test still fires: its law may be of another form than ours.
 constexpr double nearly_all = 0.125;
 /// Of the confidence in it.
@@ -66,7 +64,9 @@ JudgedFit unknown(Diagnosis& d, const JudgedFit& best) {
 }
 
 bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
-    return !d.data.noise_declared && fit.usable() && !modulus_at_bound(fit.fit) && fit.held_out_rms <= most_left * d.declared.held_out_rms && fit.rms_m <= most_left * d.declared.rms_m;
+    if (d.data.noise_declared || !fit.usable() || modulus_at_bound(fit.fit)) return false;
+    const auto held_out = fit.told_by_one > d.declared.told_by_one ? &JudgedFit::held_out_in_time_rms : &JudgedFit::held_out_rms;
+    return fit.*held_out <= most_left * d.declared.*held_out && fit.rms_m <= most_left * d.declared.rms_m;
 }
 
 /// A number of an effect, other than a place, has gone as far as it may.
@@ -78,7 +78,7 @@ bool effect_at_bound(const JointFit& fit) {
 }
 
 /// The second effect of a pair hardly does anything.
-bool is_idle(const JudgedFit& pair, const JudgedFit& first) { return pair.tests.systematic.rms > most_after_second * first.tests.systematic.rms; }
+bool is_idle(const JudgedFit& pair, const JudgedFit& first) { return pair.tests.systematic.rms > most_of_what_was * first.tests.systematic.rms; }
 
 /// That the first candidate's effect acts, alone or beside another: pairs are tried with it only.
 double presence(const Diagnosis& d, const JudgedFit& first) {

@@ -129,7 +129,7 @@ void set_value(const StudyParameter& p, double value, StudyValues& values) {
 
 Model trial_model(const Study& study, std::size_t trial, const StudyValues& values) {
     Model model = study.trials[trial].model;
-    model.moduli = uniform_moduli(study.body->cell_count(), values.youngs_modulus_Pa, study.experiment.material.poissons_ratio);
+    model.moduli = uniform_moduli(study.body->cell_count(), study.modulus_factor * values.youngs_modulus_Pa, study.experiment.material.poissons_ratio);
     model.damping_s = values.damping_s;
     for (const auto& [muscle, level] : values.levels[trial]) model.activation = with_level(study.experiment, model.activation, muscle, level);
     return model;

@@ -76,6 +76,7 @@ struct Study {
     std::vector<std::string> marker_names;
     Eigen::VectorXd noise_m;                  // per marker, 1 sigma per coordinate
     std::vector<StudyTrial> trials;
+    double modulus_factor = 1.0;              // the cells' modulus over the body's: coarse ones bend as if of another one
     std::vector<std::string> warnings;
     std::optional<IntegrationCheck> integration;   // of check_integration(), when asked for
 };

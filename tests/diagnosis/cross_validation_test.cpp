@@ -36,6 +36,13 @@ TEST(Folds, AreBlocksOfTimeWithAGuardInOneTrial) {
     EXPECT_EQ(make_folds({}).count, 0);
 }
 
+TEST(Folds, OfTimeCutAllTrialsAlike) {
+    const ResidualLayout layout = make_layout({.trials = 3, .samples = 101});
+    const Folds folds = time_folds(layout, {.blocks = 4});
+    EXPECT_EQ(folds.count, 4);
+    for (std::size_t k = 0; k < folds.of_entry.size(); ++k) EXPECT_EQ(folds.of_entry[k], std::min(3, static_cast<int>(layout.time_s[k] / 0.25)));
+}
+
 struct Problem {
     ResidualLayout layout = make_layout({.trials = 3});
     Eigen::MatrixXd J;

@@ -62,26 +62,28 @@ TEST(StoredFit, IsTakenOverForTheSameShiftOnly) {
 
 TEST(NumericalError, ThatAModulusTakesUpExcusesNothing) {
     Recorded recorded({});
-    FitData data = recorded.data();
-    const Eigen::MatrixXd J = test::unmoved_fit(recorded.study, data, declared_values(recorded.study)).jacobian;
+    const FitData data = recorded.data();
+    const JointFit fit = test::unmoved_fit(recorded.study, data, declared_values(recorded.study));
+    const Eigen::MatrixXd& J = fit.jacobian;
+    NumericalError error;
     const auto shift_of = [&](const auto& value) {   // of the fit trial, as long as the modulus' column would be by 1 %
         VectorXd flat = value(0.01 * declared_values(recorded.study).youngs_modulus_Pa * J.col(0));
-        data.shift.assign(2, {});
-        data.shift[0].assign(recorded.study.marker_names.size(), Eigen::Matrix3Xd::Zero(3, recorded.study.trials[0].measured.sample_count()));
+        error.shift.assign(2, {});
+        error.shift[0].assign(recorded.study.marker_names.size(), Eigen::Matrix3Xd::Zero(3, recorded.study.trials[0].measured.sample_count()));
         for (const ResidualSeries& series : data.layout.series)
             for (Eigen::Index k = series.begin; k < series.end; ++k)
-                data.shift[0][static_cast<std::size_t>(series.marker)](series.axis, data.layout.sample[static_cast<std::size_t>(k)]) = flat(k) * data.noise_m(k);
+                error.shift[0][static_cast<std::size_t>(series.marker)](series.axis, data.layout.sample[static_cast<std::size_t>(k)]) = flat(k) * data.noise_m(k);
         return flat_rms_m(data, flat);
     };
     const double like_modulus = shift_of([](const VectorXd& column) { return column; });
-    EXPECT_LT(extrapolation_left_m(data, J), 1e-6 * like_modulus);
+    EXPECT_LT(extrapolation_left_m(data, error, fit), 1e-6 * like_modulus);
     const double unlike = shift_of([&](const VectorXd& column) {
         const VectorXd other = VectorXd::Ones(column.size()) - J.col(0) * (J.col(0).sum() / J.col(0).squaredNorm());
         return VectorXd(other * (column.norm() / other.norm()));
     });
     EXPECT_NEAR(unlike, like_modulus, 1e-9 * like_modulus);
-    EXPECT_GT(extrapolation_left_m(data, J), 0.3 * unlike);
-    EXPECT_LT(extrapolation_left_m(data, J), 0.4 * unlike);
+    EXPECT_GT(extrapolation_left_m(data, error, fit), 0.3 * unlike);
+    EXPECT_LT(extrapolation_left_m(data, error, fit), 0.4 * unlike);
 }
 
 TEST(EffectScores, GiveAModestStartWhereTheModulusTakesAnEffectBack) {

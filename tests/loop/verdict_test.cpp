@@ -13,7 +13,7 @@ JudgedFit fit_that_leaves(double over_noise, const std::string& effect = {}) {
     fit.fit.residual = Eigen::VectorXd::Constant(100, over_noise);
     if (!effect.empty()) fit.fit.effects.push_back({effect, {{"coefficient_kg_m3", 900.0}}});
     fit.rms_m = over_noise * noise_m;
-    fit.held_out_rms = over_noise;
+    fit.held_out_rms = fit.held_out_in_time_rms = over_noise;
     fit.criterion = over_noise;
     fit.weight = 0.9;
     fit.tests.systematic.rms = over_noise;
@@ -33,6 +33,13 @@ Diagnosis with_candidate(double left_over_noise) {
     candidate.judged = fit_that_leaves(left_over_noise, "quadratic_drag");
     d.candidates.push_back(candidate);
     return d;
+}
+
+/// A fit of the candidate's effect and a second one.
+JudgedFit pair_that_leaves(double over_noise) {
+    JudgedFit pair = fit_that_leaves(over_noise, "quadratic_drag");
+    pair.fit.effects.push_back({"cable_tug", {}});
+    return pair;
 }
 
 TEST(Verdict, NamesWhatExplainsTheResidual) {
@@ -71,8 +78,7 @@ TEST(Verdict, ASecondEffectHasToDoSomething) {
     for (const double pair_leaves : {0.2, 0.9}) {
         Diagnosis d = with_candidate(1.25);
         d.numerics.left_rms_m = 0.65 * noise_m;   // 0.98 noise levels are excused, 1.25 are not
-        d.pairs.push_back(fit_that_leaves(pair_leaves, "quadratic_drag"));
-        d.pairs[0].fit.effects.push_back({"cable_tug", {}});
+        d.pairs.push_back(pair_that_leaves(pair_leaves));
         decide(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 0.5 ? 2u : 1u);
@@ -107,9 +113,8 @@ TEST(Verdict, APairThatExplainsMuchMoreOfARealBodyIsNamed) {
         Diagnosis d = with_candidate(5.0);
         d.data.noise_declared = false;
         d.candidates[0].judged->weight = 0.0;
-        d.pairs.push_back(fit_that_leaves(pair_leaves, "quadratic_drag"));
+        d.pairs.push_back(pair_that_leaves(pair_leaves));
         d.pairs[0].tests.variance.p = 0.0;
-        d.pairs[0].fit.effects.push_back({"cable_tug", {}});
         decide(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 2.0 ? 2u : 1u);
@@ -136,6 +141,12 @@ TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
     decide(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
     d = with_candidate(0.3);
+    end_at(*d.candidates[0].judged, StudyParameter::Kind::youngs_modulus, 100.0);
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+
+    d = with_candidate(5.0);
+    d.data.noise_declared = false;   // the same with less to be explained
     end_at(*d.candidates[0].judged, StudyParameter::Kind::youngs_modulus, 100.0);
     decide(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);

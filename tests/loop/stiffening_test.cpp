@@ -1,0 +1,54 @@
+#include "loop/stiffening.hpp"
+
+#include <gtest/gtest.h>
+
+#include "loop/error_finder.hpp"
+#include "swung_beam.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Cells of 15 mm swing too fast or too slow. With the modulus that makes up for it at one modulus of the body, they come nearer to finer cells at
+/// another one than with positions shifted alone.
+TEST(Stiffening, OfCellsHoldsForOtherMotionsWhereAShiftDoesNot) {
+    const test::Folder folder("stiffening");
+    Study study = test::swung_beam(folder, 0.4);
+    study.noise_m.setConstant(2e-5);   // so that the mesh's error matters
+    const FitData data = fit_data(study, {0});
+    const StudyValues here = declared_values(study);
+    StudyValues there = here;
+    there.youngs_modulus_Pa *= 1.15;
+
+    ErrorFinder errors(study, true);
+    const NumericalError plain = errors.at(here, data.trials, nullptr, {});
+    NumericalError matched = plain;
+    ASSERT_TRUE(errors.match(here, data, matched, {}));
+    EXPECT_NE(matched.stiffening.mesh, 0.0);
+    EXPECT_LT(std::abs(matched.stiffening.factor() - 1.0), 0.15);
+    EXPECT_LT(matched.rest_rms_m, 0.4 * plain.rest_rms_m);
+
+    // What a finer mesh and step say of the other motion.
+    const VectorXd coarse = flat_residual(data, predict_trials_with(study, there, data.trials));
+    const VectorXd limit = coarse + flat_shift(data, ErrorFinder(study, true).at(there, data.trials, nullptr, {}).shift);
+    Study softer = study;
+    softer.modulus_factor = matched.stiffening.factor();
+    const VectorXd by_modulus = flat_residual(data, predict_trials_with(softer, there, data.trials)) + flat_shift(data, matched.shift);
+    const VectorXd by_shift = coarse + flat_shift(data, plain.shift);
+    EXPECT_LT((by_modulus - limit).norm(), 0.5 * (by_shift - limit).norm());
+}
+
+TEST(Stiffening, IsLeftAloneWhereTheErrorIsFarBelowTheNoise) {
+    const test::Folder folder("stiffening_small");
+    Study study = test::swung_beam(folder, 0.2);
+    study.noise_m.setConstant(0.05);
+    const FitData data = fit_data(study, {0});
+    ErrorFinder errors(study, true);
+    NumericalError error = errors.at(declared_values(study), data.trials, nullptr, {});
+    EXPECT_FALSE(errors.match(declared_values(study), data, error, {}));
+    EXPECT_FALSE(error.stiffening.any());
+}
+
+}  // namespace
+}  // namespace myo
