@@ -13,6 +13,7 @@ namespace {
 
 constexpr double longest_part = 0.3;       // of the rest shape's diagonal, for the largest force
 constexpr double shortest_part = 0.02;     // of the longest arrow: shorter ones are dots
+constexpr double seen_part = 0.1;          // a time is one to look at where the longest arrow is at least so long
 constexpr double translucent = 0.4;
 
 /// Middles of the patches.
@@ -47,6 +48,16 @@ const PatchForces* shown_forces(const WorkbenchState& state) {
     const bool same_body = same_mesh(state.diagnosis_settings, state.body_settings) && state.diagnosis->patch_of_node.size() == state.body->mesh.nodes.cols();
     const PatchForces& forces = *row->force[trial];
     return same_body && forces.largest_N > 0.0 ? &forces : nullptr;
+}
+
+double time_with_forces(const PatchForces& forces, double time_s) {
+    const auto largest = [&](Eigen::Index k) { return forces.force_N[static_cast<std::size_t>(k)].colwise().norm().maxCoeff(); };
+    const TimePlace place = place_in_time(forces.time_s, time_s);
+    if (place.index >= 0 && largest(place.index) > seen_part * forces.largest_N) return time_s;
+    Eigen::Index best = 0;
+    for (Eigen::Index k = 1; k < forces.time_s.size(); ++k)
+        if (largest(k) > largest(best)) best = k;
+    return forces.time_s(best);
 }
 
 void add_force_arrows(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {

@@ -85,7 +85,10 @@ void Workbench::execute(const Command& asked) {
                    [&](const command::Run&) { run(); },
                    [&](const command::Calibrate&) { calibrate(); },
                    [&](const command::Diagnose&) { diagnose(); },
-                   [&](const command::ChooseCandidate& c) { state_.candidate = c.key; },
+                   [&](const command::ChooseCandidate& c) {
+                       state_.candidate = c.key;
+                       look_at_forces();
+                   },
                    [&](const command::AddEffect& c) { add_effect(c.key); },
                    [&](const command::Cancel&) {
                        if (job_) job_->cancel();

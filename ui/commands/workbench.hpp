@@ -35,6 +35,8 @@ private:
     void calibrate();
     void diagnose();
     void show_diagnosis(DiagnosisView diagnosis);
+    /// Moves the time to where the chosen row's force can be seen, unless the motion plays.
+    void look_at_forces();
     void take_live_diagnosis();
     void add_effect(const std::string& key);
     void change_settings(const command::ChangeSettings& change);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "commands/force_arrows.hpp"
 #include "commands/workbench.hpp"
 #include "plot/ticks.hpp"
 
@@ -57,6 +58,12 @@ void Workbench::show_diagnosis(DiagnosisView diagnosis) {
     if (d.stopped) log(LogLevel::information, "Diagnosis cancelled; what it knew by then is shown, without a verdict.");
     else log(LogLevel::done, "Diagnosed in " + value_label(d.seconds, 3) + " s: " + d.headline + ", confidence " + value_label(100.0 * d.confidence, 2) + " %.");
     for (const std::string& note : d.notes) log(LogLevel::information, note);
+    look_at_forces();
+}
+
+void Workbench::look_at_forces() {
+    const PatchForces* const forces = shown_forces(state_);
+    if (forces && !state_.playing) state_.time_s = time_with_forces(*forces, state_.time_s);
 }
 
 void Workbench::add_effect(const std::string& key) {

@@ -284,7 +284,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         ImGui::PopStyleColor();
         context.items.mark("diagnose/row/" + row.key);
         const std::string like = row.like.empty() ? "" : "This experiment cannot tell it from " + row.like + ".";
-        std::string words = narrow ? row.name + ": " + row.value : "";
+        std::string words = row.name + (row.value.empty() ? "" : ": " + row.value);   // whole, however narrow the table is
         for (const std::string& more : {like, row.no_force})
             if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
         tooltip(theme, words);
