@@ -42,7 +42,7 @@ struct NumericalError {
 Result<Study> refined_study(const Study& study, double ratio, const Progress& progress);
 
 /// Runs these trials with these values on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by
-/// Richardson's rule for second order. Shifts of other trials stay empty.
+/// Richardson's rule for the order of each. Shifts of other trials stay empty.
 ///
 /// @param base   the study's predictions with these values, one per trial of `trials`, with their traces or without; failed ones are left alone
 /// @param refined  gets its modulus factor here
