@@ -78,7 +78,7 @@ private:
 
 }  // namespace
 
-CandidateStart start_of(const EffectScore& score) { return {{score.id, score.best.effect, false}, score.best.step, false, score.share()}; }
+CandidateStart start_of(const EffectScore& score) { return {{score.id, score.best.effect, false}, score.best.step, false, score.share(), score.probed}; }
 
 std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores, const std::function<bool(const EffectScore&)>& wanted) {
     std::map<std::string, const EffectScore*> best;
@@ -88,7 +88,7 @@ std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores
         if (!found || score.share() > found->share()) found = &score;
     }
     std::vector<CandidateStart> starts;
-    for (const auto& [id, score] : best) starts.push_back({{id, score->modest->effect, false}, score->modest->step, true, score->share()});
+    for (const auto& [id, score] : best) starts.push_back({{id, score->modest->effect, false}, score->modest->step, true, score->share(), {}});
     return starts;
 }
 
@@ -113,6 +113,11 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
     const auto went_wrong = [&](std::size_t i) { return !rounds.fit(i).usable() || rounds.fit(i).fit.squares() > base.squares(); };
     rounds.run(fitting.serial, EffectFreedom::amount, amount_effort, [&](std::size_t i) { return !starts[i].winding && went_wrong(i); },
                [&](std::size_t i) { return with_effect(i, base.values); });
+    rounds.run(fitting.serial, EffectFreedom::amount, winding_effort, [&](std::size_t i) { return !starts[i].winding && !starts[i].safe.empty() && went_wrong(i); }, [&](std::size_t i) {
+        StudyValues values = base.values;
+        values.effects.push_back({starts[i].effect.id, starts[i].safe, false});
+        return values;
+    });
     double least = least_yet;
     std::size_t leader = starts.size();
     for (std::size_t i = 0; i < starts.size(); ++i) {

@@ -16,6 +16,7 @@ struct CandidateStart {
     Eigen::VectorXd step;   // of the base's own parameters; empty: none
     bool winding = false;   // the way from there is not straight: it takes more evaluations before hope is lost
     double promise = 0.0;   // share of the residual that its score says it takes away
+    EffectParameters safe;  // of the effect, where the fit starts from when all else goes wrong; empty: nowhere
 };
 CandidateStart start_of(const EffectScore& score);
 /// Of the best probe that has one, of each of these effects.

@@ -100,6 +100,7 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
     score.candidate = project_candidate(nuisance, S);
     score.test = score_test(score.candidate, outside, data.layout);
     if (score.candidate.rank() == 0) return;
+    if (!probe.probe.joined) score.probed = probe.probe.columns.front();
     MatrixXd A(S.rows(), fit.jacobian.cols() + S.cols());
     A << fit.jacobian, S;
     const Range range = multiples_of(probe);

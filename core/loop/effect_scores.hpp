@@ -22,6 +22,7 @@ struct EffectScore {
 
     std::string id;
     Start best;                          // explains the residual best to first order
+    EffectParameters probed;             // of one number: what was run, for a fit that finds the best one beyond what is linear; else empty
     ProjectedCandidate candidate;
     ScoreTest test;                      // explained: of the residual, with all numbers within their bounds
     double left = std::numeric_limits<double>::infinity();   // squares of the residual that it would leave
