@@ -64,13 +64,6 @@ std::string study_words(const Study& study) {
            std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator);
 }
 
-/// Rms by which predictions differ between two fits of the same numbers, to first order, in units of the noise.
-double change_between(const JointFit& a, const JointFit& b) {
-    VectorXd step(static_cast<Index>(b.parameters.size()));
-    for (std::size_t i = 0; i < b.parameters.size(); ++i) step(static_cast<Index>(i)) = value_of(b.parameters[i], b.values) - value_of(b.parameters[i], a.values);
-    return (b.jacobian * step).norm() / std::sqrt(static_cast<double>(std::max<Index>(1, b.residual.size())));
-}
-
 /// A diagnosis on its way.
 class Work {
 public:

@@ -165,6 +165,12 @@ Neighbourhood neighbourhood_of(const JointFit& fit) {
     return known;
 }
 
+double change_between(const JointFit& a, const JointFit& b) {
+    VectorXd step(static_cast<Index>(b.parameters.size()));
+    for (std::size_t i = 0; i < b.parameters.size(); ++i) step(static_cast<Index>(i)) = value_of(b.parameters[i], b.values) - value_of(b.parameters[i], a.values);
+    return (b.jacobian * step).norm() / std::sqrt(static_cast<double>(std::max<Index>(1, b.residual.size())));
+}
+
 JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& start, EffectFreedom freedom, const LeastSquaresOptions& options,
                    const Neighbourhood& known, const Progress& progress) {
     const Stopwatch watch;

@@ -34,6 +34,9 @@ struct Neighbourhood {
 };
 Neighbourhood neighbourhood_of(const JointFit& fit);
 
+/// Rms by which predictions differ between two fits of the same numbers, to first order, in units of the noise.
+double change_between(const JointFit& a, const JointFit& b);
+
 /// What a fit moves of the effects it tries: the first parameter of each says how much there is of it, others where and how.
 enum class EffectFreedom { amount, all };
 

@@ -65,8 +65,9 @@ JudgedFit unknown(Diagnosis& d, const JudgedFit& best) {
 
 bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
     if (d.data.noise_declared || !fit.usable() || modulus_at_bound(fit.fit)) return false;
-    const auto held_out = fit.told_by_one > d.declared.told_by_one ? &JudgedFit::held_out_in_time_rms : &JudgedFit::held_out_rms;
-    return fit.*held_out <= most_left * d.declared.*held_out && fit.rms_m <= most_left * d.declared.rms_m;
+    const auto takes = [&](double JudgedFit::*rms) { return fit.*rms <= most_left * d.declared.*rms; };
+    const bool untested_by_trials = fit.told_by_one > d.declared.told_by_one;
+    return takes(&JudgedFit::rms_m) && takes(&JudgedFit::held_out_rms) && (!untested_by_trials || takes(&JudgedFit::held_out_in_time_rms));
 }
 
 /// A number of an effect, other than a place, has gone as far as it may.
