@@ -105,6 +105,14 @@ TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) 
     d.data.noise_declared = false;
     decide(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+
+    // Holding out trials does not test numbers of which one trial alone tells: blocks of time have to be predicted, too.
+    d = with_candidate(5.0);
+    d.data.noise_declared = false;
+    d.candidates[0].judged->told_by_one = 1;
+    d.candidates[0].judged->held_out_in_time_rms = 9.0;
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
 }
 
 /// Of what is only partly explained the pair is named where it does much more than its first effect; the first one is as sure as the pairs it is in.
