@@ -221,7 +221,7 @@ private:
     /// Gives the cells the modulus with which they move like finer ones, and a fit one with which they move as before.
     void match_stiffness(JointFit& declared, NumericalError& numerics) {
         if (!stage("numerical error", 3 * fit_count(), [&] { return errors_.match(declared.values, result_.data, numerics, progress_); })) return;
-        study_.modulus_factor = serial_.modulus_factor = numerics.stiffening.factor();
+        result_.modulus_factor = study_.modulus_factor = serial_.modulus_factor = numerics.stiffening.factor();
         for (const StudyParameter& p : declared.parameters)
             if (p.kind == StudyParameter::Kind::youngs_modulus)
                 set_value(p, std::clamp(declared.values.youngs_modulus_Pa / study_.modulus_factor, p.parameter.lower, p.parameter.upper), declared.values);
@@ -477,7 +477,7 @@ private:
 
 Study as_diagnosed(const Diagnosis& diagnosis, Study study) {
     for (StudyTrial& trial : study.trials) trial.options.h_s *= diagnosis.step_factor;
-    study.modulus_factor = diagnosis.numerics.stiffening.factor();
+    study.modulus_factor = diagnosis.modulus_factor;
     return study;
 }
 

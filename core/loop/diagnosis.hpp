@@ -78,6 +78,7 @@ struct Diagnosis {
     double noise_m = 0.0;                         // rms a right model would leave
     NumericalError numerics;
     double step_factor = 1.0;                     // steps of all fits over the study's; the shift belongs to these
+    double modulus_factor = 1.0;                  // of the cells in all fits after the declared one's first
     JudgedFit declared;
     std::vector<Candidate> candidates;            // most credible first
     std::vector<JudgedFit> pairs;                 // best first

@@ -1,5 +1,6 @@
 #include "loop/joint_fit.hpp"
 
+#include "loop/candidate_fits.hpp"
 #include "loop/effect_scores.hpp"
 #include "loop/numerical_error.hpp"
 #include "loop/stored_fit.hpp"
@@ -84,6 +85,24 @@ TEST(NumericalError, ThatAModulusTakesUpExcusesNothing) {
     EXPECT_NEAR(unlike, like_modulus, 1e-9 * like_modulus);
     EXPECT_GT(extrapolation_left_m(data, error, fit), 0.3 * unlike);
     EXPECT_LT(extrapolation_left_m(data, error, fit), 0.4 * unlike);
+}
+
+/// A score that foretold far too much leads a fit nowhere; what the probe was run with does.
+TEST(CandidateFits, GoOnFromTheProbeWhereWhatWasForetoldGoesWrong) {
+    Recorded recorded({{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}}});
+    recorded.study.settings.derivatives = Derivatives::differences;
+    const FitData data = recorded.data();
+    const JointFit base = test::unmoved_fit(recorded.study, data, declared_values(recorded.study));
+    FitStore store;
+    const DiagnoseSettings settings;
+    CandidateStart start{{"quadratic_drag", {{"coefficient_kg_m3", 1e6}}, false}, {}, false, 0.9, {}};
+    const auto left = [&] {
+        const CandidateFits found = fit_candidates({recorded.study, recorded.study, data, settings, store}, base, {start}, base.squares(), 4.0, "refit", {});
+        return found.fits[0].usable() ? found.fits[0].fit.squares() : std::numeric_limits<double>::infinity();
+    };
+    EXPECT_GT(left(), base.squares());
+    start.safe = {{"coefficient_kg_m3", 50.0}};
+    EXPECT_LT(left(), 0.5 * base.squares());
 }
 
 TEST(EffectScores, GiveAModestStartWhereTheModulusTakesAnEffectBack) {
