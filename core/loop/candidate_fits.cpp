@@ -118,21 +118,28 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
         values.effects.push_back({starts[i].effect.id, starts[i].safe, false});
         return values;
     });
-    double least = least_yet;
-    std::size_t leader = starts.size();
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        if (!rounds.fit(i).usable()) continue;
-        least = std::min(least, rounds.fit(i).fit.squares());
-        if (leader == starts.size() || rounds.fit(i).fit.squares() < rounds.fit(leader).fit.squares()) leader = i;
-    }
     const auto found_so_far = [&](std::size_t i) { return rounds.fit(i).fit.values; };
-    const auto is_hopeful = [&](std::size_t i) { return rounds.is_unfinished(i) && rounds.fit(i).fit.squares() < hope * least; };
-    // The best goes first: what it comes to may leave the others no hope.
-    rounds.run(fitting.study, EffectFreedom::all, leader_effort, [&](std::size_t i) { return i == leader && is_hopeful(i); }, found_so_far);
-    if (leader < starts.size()) least = std::min(least, rounds.fit(leader).fit.squares());
     const auto promises_much = [&](std::size_t i) { return starts[i].promise > promising; };
-    rounds.run(fitting.serial, EffectFreedom::all, leader_effort, [&](std::size_t i) { return i != leader && promises_much(i) && is_hopeful(i); }, found_so_far);
-    rounds.run(fitting.serial, EffectFreedom::all, other_effort, [&](std::size_t i) { return i != leader && !promises_much(i) && is_hopeful(i); }, found_so_far);
+    std::vector<bool> went_on(starts.size(), false);
+    // The best go first, with all threads: what they come to may leave the others no hope.
+    for (;;) {
+        double least = least_yet;
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (rounds.fit(i).usable()) least = std::min(least, rounds.fit(i).fit.squares());
+        std::vector<std::size_t> next;
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            if (!went_on[i] && rounds.is_unfinished(i) && rounds.fit(i).fit.squares() < hope * least) next.push_back(i);
+        if (next.empty()) break;
+        const bool first = std::find(went_on.begin(), went_on.end(), true) == went_on.end();
+        const std::size_t count = std::min(next.size(), first ? std::size_t{1} : static_cast<std::size_t>(std::max(1, fitting.study.settings.threads)));
+        std::partial_sort(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count), next.end(),
+                          [&](std::size_t a, std::size_t b) { return rounds.fit(a).fit.squares() < rounds.fit(b).fit.squares(); });
+        std::vector<bool> chosen(starts.size(), false);
+        for (std::size_t k = 0; k < count; ++k) went_on[next[k]] = chosen[next[k]] = true;
+        const Study& study = first ? fitting.study : fitting.serial;
+        rounds.run(study, EffectFreedom::all, leader_effort, [&](std::size_t i) { return chosen[i] && (first || promises_much(i)); }, found_so_far);
+        rounds.run(study, EffectFreedom::all, other_effort, [&](std::size_t i) { return chosen[i] && !(first || promises_much(i)); }, found_so_far);
+    }
     return rounds.take();
 }
 

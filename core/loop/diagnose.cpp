@@ -31,8 +31,8 @@ constexpr double far_damping = 3.0, sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
 /// How far fits with all trials side by side go: the declared one, with the numerical error taken off, the best where
-/// nothing explains the residual, and the one the verdict stands on.
-constexpr Effort declared_effort{30}, again_effort{12}, polish_effort{20, 3e-4}, last_effort{30};
+/// nothing explains the residual, the one the verdict stands on, and the best attempt where it is unknown.
+constexpr Effort declared_effort{30}, again_effort{12}, polish_effort{20, 3e-4}, last_effort{20}, attempt_effort{4, 1e-3};
 /// The numerical error is found anew where taking it off moves the predictions by more, in units of the noise and as a share of what is left, and
 /// at most so often.
 constexpr double declared_settled = 1.0, effect_settled = 3.0, settled_share = 0.3;
@@ -47,12 +47,12 @@ constexpr std::size_t polished_candidates = 3;
 constexpr int absurd_run = 4;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best; of pairs fewer, as one of the two is at its best.
 constexpr double hopeful = 4.0, hopeful_pair = 1.5;
-/// Two effects are tried where the better one leaves at most this share of the squares.
-constexpr double worth_a_second = 0.64;
+/// Two effects are tried where the better one leaves at most this share of what noise does not make.
+constexpr double worth_a_second = 0.6;
 /// Once the best candidate has been found to explain all, no probe that takes away less than the first share of what the best does is worth a fit; once
 /// it leaves at most so much of the squares, less than the second.
 constexpr double worth_beside_all = 0.4, worth_beside_most = 0.25, most_of_all = 0.5;
-/// A fit that leaves less than this share of the declared one's squares is nearer to the truth than that.
+/// A fit that leaves less than this share of what noise does not make of the declared one's squares is nearer to the truth than that.
 constexpr double far_better = 0.3;
 /// A candidate whose fit leaves more than this share of the squares has perhaps not found its way.
 constexpr double little_better = 0.9;
@@ -325,11 +325,13 @@ private:
             last = std::min(first_fits, last);
             while (last < starts.size() && scores[chosen[last]].test.explained > worth) ++last;
         }
-        if (!refit(starts, std::min(first_fits, starts.size()), last)) return false;
+        starts.resize(last);
         if (!explained()) {
-            starts = modest_starts(scores, [this](const EffectScore& score) { return left_by(score.id) >= little_better * base().squares(); });
-            if (!refit(starts, 0, starts.size()) || !settle_the_best() || !polish()) return false;
+            const std::vector<CandidateStart> winding = modest_starts(scores, [this](const EffectScore& score) { return left_by(score.id) >= little_better * base().squares(); });
+            starts.insert(starts.end(), winding.begin(), winding.end());
         }
+        if (!refit(starts, std::min(first_fits, last), starts.size())) return false;
+        if (!explained() && (!settle_the_best() || !polish())) return false;
         find_confusions(study_, result_);
         show();
         return true;
@@ -347,12 +349,12 @@ private:
         return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics);
     }
 
-    /// Where nothing explains the residual: the best ones that had to do with secants go on with derivatives of their own.
+    /// Where nothing explains the residual: the best ones that had to do with secants, or with few evaluations, go on with derivatives of their own.
     bool polish() {
         const std::size_t count = explained() ? 0 : std::min(polished_candidates, result_.candidates.size());
         for (std::size_t i = 0; i < count; ++i) {
             std::optional<JudgedFit>& found = result_.candidates[i].judged;
-            if (!found || found->numerics || found->fit.report.jacobians > 1) continue;
+            if (!found || found->numerics || (found->fit.report.jacobians > 1 && found->fit.report.converged())) continue;
             JointFit again = stage("refit", 0, [&] { return fit(study_, found->fit.values, EffectFreedom::all, polish_effort, {}, progress_); });
             if (progress_.cancelled()) return false;
             cost_of("refit").runs += again.runs(fit_count());
@@ -368,7 +370,7 @@ private:
         const std::size_t count = std::min(settled_candidates, result_.candidates.size());
         for (std::size_t i = 0; i < count; ++i) {
             std::optional<JudgedFit>& best = result_.candidates[i].judged;
-            if (!best || best->numerics || best->fit.squares() > far_better * result_.declared.fit.squares()) continue;
+            if (!best || best->numerics || best->fit.excess() > far_better * result_.declared.fit.excess()) continue;
             if (explains(*best, result_.declared, result_.data, result_.numerics)) break;
             if (!settle(*best, "last fit", last_effort, effect_settled)) return false;
             result_.data.shift = result_.numerics.shift;
@@ -395,7 +397,7 @@ private:
     void second_effects() {
         if (result_.candidates.empty() || !result_.candidates.front().judged) return;
         const JudgedFit& first = *result_.candidates.front().judged;
-        if (explains(first, result_.declared, result_.data, result_.numerics) || first.fit.squares() > worth_a_second * result_.declared.fit.squares()) return;
+        if (explains(first, result_.declared, result_.data, result_.numerics) || first.fit.excess() > worth_a_second * result_.declared.fit.excess()) return;
         JointFit base = first.fit;
         if (first.numerics) result_.data.shift = first.numerics->shift;
         base.predictions = predict_trials_with(study_, base.values, result_.data.trials, progress_);
@@ -454,7 +456,8 @@ private:
             return scored_run(study_, with_predicted_levels(study_, fitted), std::move(predictions), all);
         };
         result_.before = scored(result_.declared.fit.values, result_.numerics.shift, before);
-        if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", last_effort, effect_settled)) return;
+        const Effort& effort = result_.verdict.kind == VerdictKind::effects ? last_effort : attempt_effort;
+        if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", effort, effect_settled)) return;
         foretell_error(result_.augmented);
         result_.data.shift = result_.augmented.numerics->shift;
         if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;

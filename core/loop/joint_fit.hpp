@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct JointFit {
     /// Of the model, with so many trials, about: a number that moves nothing in a trial takes none there.
     int runs(int trials) const { return trials * (report.evaluations + report.jacobians * static_cast<int>(parameters.size())); }
     double squares() const { return residual.squaredNorm(); }
+    /// Of the squares, those that noise alone does not make.
+    double excess() const { return std::max(0.0, squares() - static_cast<double>(residual.size())); }
 };
 
 /// What is known near where a fit starts: derivatives of the flat residual by numbers, and motions.
