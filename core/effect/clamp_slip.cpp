@@ -15,8 +15,12 @@ constexpr const char* length = "free_length_m";
 /// How fast the anchorage lets go: stiff beside the material, so that what is held stands still.
 constexpr double stiffer_than_material = 300.0;
 
-/// Everything inside the clamp is released, and what still holds is tied to its place cell by cell, by the part of each cell that is held:
-/// so the free length may move continuously through the cells.
+/// As a share of those of a cell that is held altogether, the springs of one whose part f is held: it bends like one of length (1 - f) h, which
+/// springs of E / h f / (1 - f) per area of its free face make of it. Lumped at the nodes, half of a cell's springs are there. So the free length
+/// moves evenly through the cells, which springs of f alone would hold nearly rigidly.
+double held_share(double f, double relative_modulus) { return f < 1.0 ? std::min(1.0, 2.0 * relative_modulus * f / (1.0 - f) / stiffer_than_material) : 1.0; }
+
+/// Everything inside the clamp is released, and what still holds is tied to its place cell by cell.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const Body& body = *site.body;
     const ClampAxis clamp = clamp_axis(site);
@@ -30,9 +34,10 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     (clamp.sign > 0.0 ? held.highest : held.lowest)(clamp.axis) = edge;
     const Moduli& material = affected.model.moduli.front();
     const double spread = std::cbrt(body.unit_mass.sum() / body.cell_count());
-    const Eigen::VectorXd fraction = volume_fractions(body.mesh, held);
+    const double relative_modulus = young_from_moduli(material).youngs_modulus_Pa / material.mu;
+    const Eigen::VectorXd share = volume_fractions(body.mesh, held).unaryExpr([&](double f) { return held_share(f, relative_modulus); });
     affected.model.body = released_body(*affected.model.body, released);
-    affected.model.force_elements.push_back(anchorage(body, fraction, stiffer_than_material * material.mu / (spread * spread)));
+    affected.model.force_elements.push_back(anchorage(body, share, stiffer_than_material * material.mu / (spread * spread)));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {

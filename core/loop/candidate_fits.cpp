@@ -22,6 +22,9 @@ constexpr Effort amount_effort{4, 1e-3, 0}, winding_effort{10, 1e-3, 1}, leader_
 /// Secants do not do for those that promise to take away more than this share.
 constexpr double promising = 0.3;
 
+/// What promised at least this share of what the best did is hoped for longer: its way may only be less straight.
+constexpr double as_promising = 0.9;
+
 /// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
 double stepped(const Parameter& p, double value, double step) {
     const double most = std::exp(2.0);
@@ -80,15 +83,16 @@ private:
 
 CandidateStart start_of(const EffectScore& score) { return {{score.id, score.best.effect, false}, score.best.step, false, score.share(), score.probed}; }
 
-std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores, const std::function<bool(const EffectScore&)>& wanted) {
+std::vector<CandidateStart> winding_starts(const std::vector<EffectScore>& scores, const std::function<bool(const EffectScore&)>& wanted) {
     std::map<std::string, const EffectScore*> best;
     for (const EffectScore& score : scores) {
-        if (!score.failure.empty() || !score.modest || !wanted(score)) continue;
+        if (!score.failure.empty() || score.away.empty() || !wanted(score)) continue;
         const EffectScore*& found = best[score.id];
         if (!found || score.share() > found->share()) found = &score;
     }
     std::vector<CandidateStart> starts;
-    for (const auto& [id, score] : best) starts.push_back({{id, score->modest->effect, false}, score->modest->step, true, score->share(), {}});
+    for (const auto& [id, score] : best)
+        for (const EffectScore::Start& start : score->away) starts.push_back({{id, start.effect, false}, start.step, true, score->share(), {}});
     return starts;
 }
 
@@ -123,12 +127,17 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
     std::vector<bool> went_on(starts.size(), false);
     // The best go first, with all threads: what they come to may leave the others no hope.
     for (;;) {
-        double least = least_yet;
+        double least = least_yet, promised = 1.0;
         for (std::size_t i = 0; i < starts.size(); ++i)
-            if (rounds.fit(i).usable()) least = std::min(least, rounds.fit(i).fit.squares());
+            if (rounds.fit(i).usable() && rounds.fit(i).fit.squares() < least) {
+                least = rounds.fit(i).fit.squares();
+                promised = starts[i].promise;
+            }
         std::vector<std::size_t> next;
-        for (std::size_t i = 0; i < starts.size(); ++i)
-            if (!went_on[i] && rounds.is_unfinished(i) && rounds.fit(i).fit.squares() < hope * least) next.push_back(i);
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            const double patience = starts[i].promise > as_promising * promised ? hope * hope : hope;
+            if (!went_on[i] && rounds.is_unfinished(i) && rounds.fit(i).fit.squares() < patience * least) next.push_back(i);
+        }
         if (next.empty()) break;
         const bool first = std::find(went_on.begin(), went_on.end(), true) == went_on.end();
         const std::size_t count = std::min(next.size(), first ? std::size_t{1} : static_cast<std::size_t>(std::max(1, fitting.study.settings.threads)));

@@ -19,8 +19,8 @@ struct CandidateStart {
     EffectParameters safe;  // of the effect, where the fit starts from when all else goes wrong; empty: nowhere
 };
 CandidateStart start_of(const EffectScore& score);
-/// Of the best probe that has one, of each of these effects.
-std::vector<CandidateStart> modest_starts(const std::vector<EffectScore>& scores, const std::function<bool(const EffectScore&)>& wanted);
+/// Of the best probe that has any, of each of these effects.
+std::vector<CandidateStart> winding_starts(const std::vector<EffectScore>& scores, const std::function<bool(const EffectScore&)>& wanted);
 
 /// What fits of candidates share.
 struct CandidateFitting {

@@ -12,6 +12,8 @@ namespace {
 constexpr double alike = 0.97;
 /// What explains a smaller share of the residual than this part of what the best does is out of the question anyway.
 constexpr double worth_naming = 0.3;
+/// Fits that both have this share of the evidence are as good as each other.
+constexpr double as_good = 0.05;
 
 std::string advice(const Effect& first, const Effect& second) {
     const auto either = [&](EffectStage stage) { return first.stage == stage || second.stage == stage; };
@@ -23,9 +25,16 @@ std::string advice(const Effect& first, const Effect& second) {
     return "releases from two other deflections, one small and one large";
 }
 
+/// Between what the two take off the declared fit's residual, where no fit can choose between them; 0 elsewhere.
+double cosine_of_fits(const Candidate& a, const Candidate& b, const JointFit& declared) {
+    if (!a.judged || !b.judged || std::min(a.judged->weight, b.judged->weight) < as_good) return 0.0;
+    const Eigen::VectorXd of_a = a.judged->fit.residual - declared.residual, of_b = b.judged->fit.residual - declared.residual;
+    return std::abs(of_a.normalized().dot(of_b.normalized()));
+}
+
 }  // namespace
 
-void find_confusions(const Study&, Diagnosis& d) {
+void find_confusions(Diagnosis& d) {
     d.confusions.clear();
     double most = 0.0;
     for (const Candidate& candidate : d.candidates)
@@ -35,7 +44,7 @@ void find_confusions(const Study&, Diagnosis& d) {
             Candidate& a = d.candidates[i];
             Candidate& b = d.candidates[j];
             if (!a.score.usable() || !b.score.usable() || std::min(a.score.test.explained, b.score.test.explained) < worth_naming * most) continue;
-            const double cosine = std::abs(principal_cosine(a.score.candidate, b.score.candidate));
+            const double cosine = std::max(std::abs(principal_cosine(a.score.candidate, b.score.candidate)), cosine_of_fits(a, b, d.declared.fit));
             if (cosine < alike) continue;
             a.like.push_back(b.score.id);
             b.like.push_back(a.score.id);

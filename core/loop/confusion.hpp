@@ -4,7 +4,7 @@
 
 namespace myo {
 
-/// Names the candidates whose parts of the residual point the same way, and what would tell them apart.
-void find_confusions(const Study& study, Diagnosis& diagnosis);
+/// Names the candidates that explain the residual in the same way, as foretold or as fitted, and what would tell them apart.
+void find_confusions(Diagnosis& diagnosis);
 
 }  // namespace myo

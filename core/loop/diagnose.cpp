@@ -327,12 +327,12 @@ private:
         }
         starts.resize(last);
         if (!explained()) {
-            const std::vector<CandidateStart> winding = modest_starts(scores, [this](const EffectScore& score) { return left_by(score.id) >= little_better * base().squares(); });
+            const std::vector<CandidateStart> winding = winding_starts(scores, [this](const EffectScore& score) { return left_by(score.id) >= little_better * base().squares(); });
             starts.insert(starts.end(), winding.begin(), winding.end());
         }
         if (!refit(starts, std::min(first_fits, last), starts.size())) return false;
         if (!explained() && (!settle_the_best() || !polish())) return false;
-        find_confusions(study_, result_);
+        find_confusions(result_);
         show();
         return true;
     }

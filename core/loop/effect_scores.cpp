@@ -52,8 +52,8 @@ bool scaled(const Effect& effect, const EffectProbe& probe, double multiple, Eff
 /// How many times the residual an effect may be: what other numbers do not take back of it, and all of it (a softer material under a higher
 /// modulus takes much).
 constexpr double most_outside = 2.0, most_over_residual = 30.0;
-/// Where other numbers take back all but this share of an effect, amounts that matter are not linear.
-constexpr double taken_back = 0.3;
+/// A probe is another start than a modest amount where that is this many times as much, or the reciprocal.
+constexpr double another_start = 2.0;
 
 /// How far a probe may be multiplied: amounts keep their sign and bounds.
 struct Range {
@@ -84,13 +84,18 @@ OwnSteps own_steps(const JointFit& fit) {
     return own;
 }
 
-/// As much of an effect as makes one residual, and the parameters where they take it back.
-std::optional<EffectScore::Start> modest_start(const Probe& probe, const JointFit& fit, const OwnSteps& own, const VectorXd& S, const Range& range) {
-    const double multiple = std::clamp(fit.residual.norm() / std::max(S.norm(), std::numeric_limits<double>::min()), range.lowest, range.highest);
-    EffectScore::Start start;
-    if (!scaled(*probe.effect, probe.probe, multiple, start.effect)) return {};
-    start.step = bounded_step(fit.jacobian, VectorXd(multiple * S), own.lower, own.upper);
-    return start;
+/// As much of an effect as makes one residual, and as much as was run, each with the parameters where they take it back.
+std::vector<EffectScore::Start> starts_away(const Probe& probe, const JointFit& fit, const OwnSteps& own, const VectorXd& S, const Range& range) {
+    const double modest = std::clamp(fit.residual.norm() / std::max(S.norm(), std::numeric_limits<double>::min()), range.lowest, range.highest);
+    std::vector<EffectScore::Start> starts;
+    for (const double multiple : {modest, 1.0}) {
+        if (!starts.empty() && modest < another_start && modest > 1.0 / another_start) break;
+        EffectScore::Start start;
+        if (!scaled(*probe.effect, probe.probe, multiple, start.effect)) continue;
+        start.step = bounded_step(fit.jacobian, VectorXd(multiple * S), own.lower, own.upper);
+        starts.push_back(std::move(start));
+    }
+    return starts;
 }
 
 /// The fit's parameters and the candidate together take the best step within their bounds: a modulus at the edge of its tolerance does not
@@ -120,7 +125,8 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
     if (possible && probe.probe.joined) score.best.effect = probe.probe.joined(probe.probe.columns, multiples);
     score.test.explained = possible && own.squares > 0.0 ? std::max(0.0, 1.0 - squares / own.squares) : 0.0;
     score.left = (1.0 - score.test.explained) * own.squares;
-    if (!probe.probe.joined && score.candidate.kept(0) < taken_back) score.modest = modest_start(probe, fit, own, S.col(0), range);
+    // A probe that goes beyond all that is missing does not tell what lies between.
+    if (!probe.probe.joined && nuisance.outside(S.col(0)).norm() > fit.residual.norm()) score.away = starts_away(probe, fit, own, S.col(0), range);
     score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
 }
 

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +25,7 @@ struct EffectScore {
     ProjectedCandidate candidate;
     ScoreTest test;                      // explained: of the residual, with all numbers within their bounds
     double left = std::numeric_limits<double>::infinity();   // squares of the residual that it would leave
-    std::optional<Start> modest;         // where other numbers take back nearly all of it: a start from which a fit has to find its way
+    std::vector<Start> away;             // where the probe goes beyond the residual: starts from which a fit has to find its way
     Eigen::VectorXd predicted;           // N: the part of the residual it would take away
     double seconds = 0.0;                // its runs took, added up
     std::string failure;                 // why it could not be tried; empty when it was

@@ -105,24 +105,44 @@ TEST(CandidateFits, GoOnFromTheProbeWhereWhatWasForetoldGoesWrong) {
     EXPECT_LT(left(), 0.5 * base.squares());
 }
 
-TEST(EffectScores, GiveAModestStartWhereTheModulusTakesAnEffectBack) {
+/// What the best comes to leaves another no hope: of that only the amount is fitted.
+TEST(CandidateFits, AreGivenUpWhereTheBestLeavesNoHope) {
+    Recorded recorded({{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}}});
+    recorded.study.settings.derivatives = Derivatives::differences;
+    const FitData data = recorded.data();
+    const JointFit base = test::unmoved_fit(recorded.study, data, declared_values(recorded.study));
+    const DiagnoseSettings settings;
+    const std::vector<CandidateStart> starts{{{"gravity_tilt", {{"tilt_deg", 0.5}, {"axis", Eigen::VectorXd(Eigen::Vector3d(0.0, 1.0, 0.0))}}, false}, {}, false, 0.5, {}},
+                                             {{"quadratic_drag", {{"coefficient_kg_m3", 50.0}}, false}, {}, false, 0.9, {}}};
+    for (const double hope : {1.4, 1e12}) {   // the wrong one leaves two times the squares of noise
+        FitStore store;
+        const CandidateFits found = fit_candidates({recorded.study, recorded.study, data, settings, store}, base, starts, base.squares(), hope, "refit", {});
+        ASSERT_TRUE(found.fits[0].usable() && found.fits[1].usable());
+        EXPECT_LT(1.4 * found.fits[1].fit.squares(), found.fits[0].fit.squares());
+        EXPECT_EQ(found.fits[0].fit.parameters.size() > base.parameters.size() + 1, hope > 1e6);
+    }
+}
+
+/// A material that softens far more than the data say, under a modulus that makes up for it: its probe alone is more than is missing.
+TEST(EffectScores, GiveStartsWhereAProbeGoesBeyondTheResidual) {
     const Recorded recorded({{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}}});
     const FitData data = recorded.data();
     const JointFit fit = test::unmoved_fit(recorded.study, data, declared_values(recorded.study));
-    const auto scores = score_effects(recorded.study, data, fit, fit.predictions, [](const std::string& id) { return id == "quadratic_drag" || id == "stiffness_gradient"; }, {});
-    int modest = 0;
+    const auto scores = score_effects(recorded.study, data, fit, fit.predictions, [](const std::string& id) { return id == "quadratic_drag" || id == "stress_softening"; }, {});
+    int starts = 0;
     for (const EffectScore& score : scores) {
         ASSERT_TRUE(score.failure.empty()) << score.failure;
-        if (score.id == "quadratic_drag") {   // a modulus cannot do what drag does
+        if (score.id == "quadratic_drag") {
             EXPECT_NEAR(number(score.best.effect, "coefficient_kg_m3"), 60.0, 6.0);
-            EXPECT_FALSE(score.modest);
-        } else if (score.modest) {   // stiffer towards the tip is softer at the clamp: under a higher modulus
-            ++modest;
-            ASSERT_EQ(score.modest->step.size(), 1);
-            EXPECT_GT(score.modest->step(0) * number(score.modest->effect, "relative_change"), 0.0);
+            continue;
+        }
+        for (const EffectScore::Start& start : score.away) {
+            ++starts;
+            ASSERT_EQ(start.step.size(), 1);
+            EXPECT_GT(start.step(0), 0.0);
         }
     }
-    EXPECT_GT(modest, 0);
+    EXPECT_GT(starts, 0);
 }
 
 }  // namespace
