@@ -133,9 +133,11 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
                 least = rounds.fit(i).fit.squares();
                 promised = starts[i].promise;
             }
+        // While the best leaves far more than noise it may be the one that is wrong.
+        const double patience_yet = hope * std::clamp(least / static_cast<double>(base.residual.size()), 1.0, hope * hope);
         std::vector<std::size_t> next;
         for (std::size_t i = 0; i < starts.size(); ++i) {
-            const double patience = starts[i].promise > as_promising * promised ? hope * hope : hope;
+            const double patience = starts[i].promise > as_promising * promised ? std::max(hope * hope, patience_yet) : patience_yet;
             if (!went_on[i] && rounds.is_unfinished(i) && rounds.fit(i).fit.squares() < patience * least) next.push_back(i);
         }
         if (next.empty()) break;

@@ -414,19 +414,21 @@ private:
         for (JudgedFit& fit : fits)
             if (fit.usable()) result_.pairs.push_back(std::move(fit));
         order_pairs();
-        if (!result_.pairs.empty()) try_alone(result_.pairs.front());
+        if (!result_.pairs.empty())
+            for (const std::size_t kept : {1u, 0u}) try_alone(result_.pairs.front(), kept);
         order_pairs();
         show();
     }
 
-    /// The second effect of a pair without the first: it may have needed it to find its way only.
-    void try_alone(const JudgedFit& pair) {
+    /// One effect of a pair without the other: it may have needed that to find its way only.
+    void try_alone(const JudgedFit& pair, std::size_t kept) {
+        if (progress_.cancelled() || explained()) return;
         StudyValues values = pair.fit.values;
-        values.effects.erase(values.effects.begin() + static_cast<std::ptrdiff_t>(study_.experiment.effects.size()));
+        values.effects.erase(values.effects.begin() + static_cast<std::ptrdiff_t>(study_.experiment.effects.size() + 1 - kept));
         JointFit alone = stage("refit of pairs", 0, [&] { return fit(study_, values, EffectFreedom::all, polish_effort, {}, progress_); });
         if (progress_.cancelled() || !alone.usable()) return;
         cost_of("refit of pairs").runs += alone.runs(fit_count());
-        const std::string id = pair.fit.effects.back().id;
+        const std::string id = pair.fit.effects[kept].id;
         for (Candidate& candidate : result_.candidates)
             if (candidate.score.id == id && alone.squares() < left_by(id)) {
                 candidate.judged = judged(result_.data, std::move(alone), result_.settings);

@@ -52,6 +52,8 @@ bool scaled(const Effect& effect, const EffectProbe& probe, double multiple, Eff
 /// How many times the residual an effect may be: what other numbers do not take back of it, and all of it (a softer material under a higher
 /// modulus takes much).
 constexpr double most_outside = 2.0, most_over_residual = 30.0;
+/// A probe that does so many times as much as is missing does not tell what lies between, where other numbers may take most of it back.
+constexpr double far_beyond = 2.0;
 /// A probe is another start than a modest amount where that is this many times as much, or the reciprocal.
 constexpr double another_start = 2.0;
 
@@ -125,8 +127,7 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
     if (possible && probe.probe.joined) score.best.effect = probe.probe.joined(probe.probe.columns, multiples);
     score.test.explained = possible && own.squares > 0.0 ? std::max(0.0, 1.0 - squares / own.squares) : 0.0;
     score.left = (1.0 - score.test.explained) * own.squares;
-    // A probe that goes beyond all that is missing does not tell what lies between.
-    if (!probe.probe.joined && nuisance.outside(S.col(0)).norm() > fit.residual.norm()) score.away = starts_away(probe, fit, own, S.col(0), range);
+    if (!probe.probe.joined && S.col(0).norm() > far_beyond * fit.residual.norm()) score.away = starts_away(probe, fit, own, S.col(0), range);
     score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
 }
 
