@@ -36,13 +36,20 @@ private:
     FitEvaluations& evaluations_;
 };
 
-class StopWhenCancelled final : public ceres::IterationCallback {
+/// Ends a fit that was cancelled, and one whose steps change the cost by no more than the model's own rounding: Ceres counts a step that gains
+/// little as convergence, but goes on shortening one that loses as little.
+class EndFit final : public ceres::IterationCallback {
 public:
-    explicit StopWhenCancelled(const Progress& progress) : progress_(progress) {}
-    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override { return progress_.cancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE; }
+    EndFit(const Progress& progress, double relative_decrease) : progress_(progress), relative_decrease_(relative_decrease) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+        if (progress_.cancelled()) return ceres::SOLVER_ABORT;
+        const bool vain = step.step_is_valid && !step.step_is_successful && std::abs(step.cost_change) <= relative_decrease_ * step.cost;
+        return vain ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    }
 
 private:
     const Progress& progress_;
+    double relative_decrease_;
 };
 
 }  // namespace
@@ -89,8 +96,8 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     settings.gradient_tolerance = 1e-12;
     settings.initial_trust_region_radius = 1e4;
     settings.num_threads = 1;
-    StopWhenCancelled stop(progress);
-    settings.callbacks.push_back(&stop);
+    EndFit end(progress, options.relative_decrease);
+    settings.callbacks.push_back(&end);
     ceres::Solver::Summary summary;
     FLAGS_minloglevel = google::GLOG_FATAL;   // Ceres prints whole residual vectors where a model could not be run; the report says it
     ceres::Solve(settings, &problem, &summary);
@@ -98,7 +105,7 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     if (progress.cancelled()) {
         report.status = FitStatus::cancelled;
         report.message = "stopped by the user";
-    } else if (summary.termination_type == ceres::CONVERGENCE) {
+    } else if (summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS) {
         report.status = FitStatus::converged;
     } else {
         report.status = FitStatus::not_converged;

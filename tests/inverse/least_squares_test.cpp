@@ -65,6 +65,27 @@ TEST(LeastSquares, RunsTheModelOncePerPoint) {
     EXPECT_LT(report.cost_after, report.cost_before);
 }
 
+/// A model rounds: near the end a step may lose as little as it would have gained. That is the end; shorter ones would not be better.
+TEST(LeastSquares, EndsWhereAStepLosesNoMoreThanTheModelRounds) {
+    const Decay decay = decay_data(3);
+    const LeastSquaresReport smooth = fit_least_squares(start, decay);
+    std::vector<Parameter> near = start;
+    for (std::size_t i = 0; i < near.size(); ++i) near[i].value = smooth.values(static_cast<Eigen::Index>(i)) + 0.001 * smooth.deviations(static_cast<Eigen::Index>(i));
+    const LeastSquaresReport report = fit_least_squares(near, [&](const Eigen::VectorXd& p, const Progress&) {
+        ResidualEvaluation e = decay(p);
+        const Eigen::Index m = e.residuals.size();
+        e.residuals.conservativeResize(m + 1);
+        e.residuals(m) = p(1) == near[1].value ? 0.0 : 0.01;
+        e.jacobian.conservativeResize(m + 1, Eigen::NoChange);
+        e.jacobian.row(m).setZero();
+        return e;
+    });
+    EXPECT_LT(0.5 * 0.01 * 0.01, LeastSquaresOptions{}.relative_decrease * smooth.cost_after);
+    EXPECT_TRUE(report.converged()) << report.message;
+    EXPECT_LE(report.evaluations, 3);
+    EXPECT_EQ(report.values(1), near[1].value);
+}
+
 /// Asked for apart, few Jacobians are made, and the end is that of the fit with one at every point; the Jacobian there is a good secant.
 TEST(LeastSquares, AsksForFewDearJacobians) {
     int asked = 0, points = 0;
