@@ -13,7 +13,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     if (search.largest_energy_density_J_m3 > 0.0)
-        for (const double part : {0.03, 0.3}) list.push_back(probe({{damage, 0.1}, {scale, part * search.largest_energy_density_J_m3}}, damage));
+        for (const double part : {0.03, 0.3, 1.5}) list.push_back(probe({{damage, 0.1}, {scale, part * search.largest_energy_density_J_m3}}, damage));
     return list;
 }
 
