@@ -13,6 +13,7 @@
 #include "loop/error_finder.hpp"
 #include "loop/fit_store.hpp"
 #include "loop/judge.hpp"
+#include "loop/unbent_values.hpp"
 #include "loop/verdict.hpp"
 #include "project/predict_trials.hpp"
 
@@ -26,8 +27,8 @@ using Eigen::VectorXd;
 constexpr double step_doubt = 1.0;
 /// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
 constexpr double solver_tolerance = 1e-6;
-/// Damping that many times the expected one stands in for something else. Where a candidate explains so much from the expected one, it does.
-constexpr double far_damping = 3.0, sure_base = 0.8;
+/// Where a candidate explains so much from the fit with what is bent put back, that is the place to start from.
+constexpr double sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
 /// How far fits with all trials side by side go: the declared one, with the numerical error taken off, the best where
@@ -254,34 +255,11 @@ private:
         return std::move(found.fits);
     }
 
-    static void order_by_criterion(const FitData& data, JudgedFit& declared, std::vector<Candidate>& candidates) {
-        std::vector<JudgedFit*> fits{&declared};
-        for (Candidate& candidate : candidates)
-            if (candidate.judged) fits.push_back(&*candidate.judged);
-        weigh(data, fits);
-        std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-            if (a.judged.has_value() != b.judged.has_value()) return a.judged.has_value();
-            if (a.judged) return a.judged->criterion < b.judged->criterion;
-            return a.score.share() > b.score.share();
-        });
-    }
-
-    /// The declared fit with what it has bent put back, where there is any: without the missing effect damping stands in for every loss and lag,
-    /// and from far up there no effect looks like itself. Numbers that have left what was expected go back there.
+    /// The declared fit with what it has bent put back, where there is any.
     std::optional<JointFit> unbent() {
-        StudyValues values = result_.declared.fit.values;
-        const StudyValues expected = declared_values(study_);
-        bool bent = false;
-        for (const StudyParameter& p : result_.declared.fit.parameters) {
-            const double now = value_of(p, values), before = value_of(p, expected);
-            const bool far = p.kind == StudyParameter::Kind::damping ? now > far_damping * before
-                                                                      : p.kind == StudyParameter::Kind::start_shift && (now <= p.parameter.lower || now >= p.parameter.upper);
-            if (!far) continue;
-            bent = true;
-            set_value(p, before, values);
-        }
-        if (!bent) return std::nullopt;
-        JointFit fit_there = fit(study_, values, EffectFreedom::all, {1}, {}, progress_);
+        const std::optional<StudyValues> values = unbent_values(result_.declared.fit, declared_values(study_));
+        if (!values) return std::nullopt;
+        JointFit fit_there = fit(study_, *values, EffectFreedom::all, {1}, {}, progress_);
         return fit_there.usable() ? std::optional(std::move(fit_there)) : std::nullopt;
     }
 
@@ -313,20 +291,21 @@ private:
             if (!first && scores[i].share() > scores[place->second].share()) place->second = i;
         }
         for (const auto& [id, i] : best_probe) result_.candidates.push_back({scores[i], adjusted[i], {}, {}});
-        order_by_criterion(result_.data, result_.declared, result_.candidates);
+        order_candidates(result_);
         show();
         std::vector<CandidateStart> starts;
         for (const std::size_t i : chosen) starts.push_back(start_of(scores[i]));
         if (!refit(starts, 0, std::min(first_fits, starts.size())) || !settle_the_best() || !polish()) return false;
         std::size_t last = starts.size();
         const JudgedFit* const best = !result_.candidates.empty() && result_.candidates.front().judged ? &*result_.candidates.front().judged : nullptr;
-        if (best && (explained() || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
-            const double worth = (explained() ? worth_beside_all : worth_beside_most) * scores[chosen[0]].test.explained;
+        const bool surely = explained(MeshDoubt::strict);
+        if (best && (surely || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
+            const double worth = (surely ? worth_beside_all : worth_beside_most) * scores[chosen[0]].test.explained;
             last = std::min(first_fits, last);
             while (last < starts.size() && scores[chosen[last]].test.explained > worth) ++last;
         }
         starts.resize(last);
-        if (!explained()) {
+        if (!surely) {
             const std::vector<CandidateStart> winding = winding_starts(scores, [this](const EffectScore& score) { return left_by(score.id) >= little_better * base().squares(); });
             starts.insert(starts.end(), winding.begin(), winding.end());
         }
@@ -344,9 +323,9 @@ private:
         return std::numeric_limits<double>::infinity();
     }
 
-    bool explained() const {
+    bool explained(MeshDoubt mesh = MeshDoubt::generous) const {
         const std::vector<Candidate>& ranked = result_.candidates;
-        return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics);
+        return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics, mesh);
     }
 
     /// Where nothing explains the residual: the best ones that had to do with secants, or with few evaluations, go on with derivatives of their own.
@@ -375,7 +354,7 @@ private:
             if (!settle(*best, "last fit", last_effort, effect_settled)) return false;
             result_.data.shift = result_.numerics.shift;
         }
-        order_by_criterion(result_.data, result_.declared, result_.candidates);
+        order_candidates(result_);
         return true;
     }
 
@@ -389,7 +368,7 @@ private:
             for (Candidate& candidate : result_.candidates)
                 if (candidate.score.id == part[i].effect.id && fits[i].usable() && !(candidate.judged && candidate.judged->fit.squares() < fits[i].fit.squares()))
                     candidate.judged = std::move(fits[i]);
-        order_by_criterion(result_.data, result_.declared, result_.candidates);
+        order_candidates(result_);
         return true;
     }
 
@@ -413,10 +392,10 @@ private:
         if (progress_.cancelled()) return;
         for (JudgedFit& fit : fits)
             if (fit.usable()) result_.pairs.push_back(std::move(fit));
-        order_pairs();
+        order_pairs(result_);
         if (!result_.pairs.empty())
             for (const std::size_t kept : {1u, 0u}) try_alone(result_.pairs.front(), kept);
-        order_pairs();
+        order_pairs(result_);
         show();
     }
 
@@ -434,16 +413,7 @@ private:
                 candidate.judged = judged(result_.data, std::move(alone), result_.settings);
                 break;
             }
-        order_by_criterion(result_.data, result_.declared, result_.candidates);
-    }
-
-    void order_pairs() {
-        std::vector<JudgedFit*> all{&result_.declared};
-        for (Candidate& candidate : result_.candidates)
-            if (candidate.judged) all.push_back(&*candidate.judged);
-        for (JudgedFit& pair : result_.pairs) all.push_back(&pair);
-        weigh(result_.data, all);
-        std::stable_sort(result_.pairs.begin(), result_.pairs.end(), [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
+        order_candidates(result_);
     }
 
     /// The verdict, the fit it stands on with the numerical error taken anew, and all trials before and after.
@@ -460,8 +430,8 @@ private:
         result_.before = scored(result_.declared.fit.values, result_.numerics.shift, before);
         const Effort& effort = result_.verdict.kind == VerdictKind::effects ? last_effort : attempt_effort;
         if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", effort, effect_settled)) return;
-        foretell_error(result_.augmented);
         result_.data.shift = result_.augmented.numerics->shift;
+        foretell_error(result_.augmented);
         if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
         result_.after = result_.verdict.kind == VerdictKind::none
                             ? result_.before

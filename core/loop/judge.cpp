@@ -15,12 +15,21 @@ namespace {
 constexpr double least_systematic = 0.3;
 /// A mesh whose error is larger excuses nothing: it has to be refined.
 constexpr double most_allowed = 1.0;
+/// What a fit leaves may be so many times what is left of the mesh's error: that was extrapolated.
+constexpr double generous = 1.5;
 /// What an effect leaves, over what was there: another program's form of the same effect differs by as much.
 constexpr double share_of_form = 0.05;
 /// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights().
 constexpr double temperature = 8.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
 constexpr double guard_s = 0.05;
+
+std::vector<JudgedFit*> single_fits(Diagnosis& d) {
+    std::vector<JudgedFit*> fits{&d.declared};
+    for (Candidate& candidate : d.candidates)
+        if (candidate.judged) fits.push_back(&*candidate.judged);
+    return fits;
+}
 
 double mean_noise_m(const FitData& data) { return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, data.noise_m.size()))); }
 
@@ -76,6 +85,22 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
     for (std::size_t i = 0; i < fits.size(); ++i) fits[i]->weight = weights[i];
 }
 
+void order_candidates(Diagnosis& d) {
+    weigh(d.data, single_fits(d));
+    std::stable_sort(d.candidates.begin(), d.candidates.end(), [](const Candidate& a, const Candidate& b) {
+        if (a.judged.has_value() != b.judged.has_value()) return a.judged.has_value();
+        if (a.judged) return a.judged->criterion < b.judged->criterion;
+        return a.score.share() > b.score.share();
+    });
+}
+
+void order_pairs(Diagnosis& d) {
+    std::vector<JudgedFit*> all = single_fits(d);
+    for (JudgedFit& pair : d.pairs) all.push_back(&pair);
+    weigh(d.data, all);
+    std::stable_sort(d.pairs.begin(), d.pairs.end(), [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
+}
+
 double numerical_allowance(const FitData& data, const NumericalError& numerics) { return std::max(least_systematic, numerical_doubt(data, numerics)); }
 
 bool modulus_at_bound(const JointFit& fit) {
@@ -89,10 +114,10 @@ bool needs_explanation(const JudgedFit& fit, const FitData& data, const Numerica
     return fit.tests.significant() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
 }
 
-bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics) {
+bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, MeshDoubt mesh) {
     if (!fit.usable() || modulus_at_bound(fit.fit)) return false;
     const double doubt = numerical_doubt(data, fit.numerics ? *fit.numerics : numerics);
-    const double allowed = std::max({least_systematic, 1.5 * doubt, share_of_form * before.tests.systematic.rms});
+    const double allowed = std::max({least_systematic, (mesh == MeshDoubt::generous ? generous : 1.0) * doubt, share_of_form * before.tests.systematic.rms});
     return !fit.tests.significant() || fit.tests.systematic.rms <= std::min(allowed, most_of_what_was * before.tests.systematic.rms);
 }
 

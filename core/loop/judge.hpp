@@ -17,6 +17,12 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
 /// others of which one trial alone tells.
 void weigh(const FitData& data, const std::vector<JudgedFit*>& fits);
 
+/// Weighs the declared fit and those of the candidates, and sorts these, the best first; those not fitted follow by what their scores promise.
+void order_candidates(Diagnosis& diagnosis);
+
+/// Weighs all fits, of single effects and of pairs, and sorts the pairs.
+void order_pairs(Diagnosis& diagnosis);
+
 /// How large a systematic residual may be and still be put down to the program itself, in units of the noise.
 double numerical_allowance(const FitData& data, const NumericalError& numerics);
 
@@ -26,7 +32,10 @@ bool modulus_at_bound(const JointFit& fit);
 /// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance.
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 
+/// How much of what a fit leaves is put down to the mesh: half as much again as was found, for a verdict, or that alone, to end the search.
+enum class MeshDoubt { generous, strict };
+
 /// Whether a fit explains what another left: what remains is of the size of the program's own errors, or a small part of what was there.
-bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics);
+bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, MeshDoubt mesh = MeshDoubt::generous);
 
 }  // namespace myo

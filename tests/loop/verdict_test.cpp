@@ -86,6 +86,22 @@ TEST(Verdict, ASecondEffectHasToDoSomething) {
     }
 }
 
+/// Small rests, of the mesh say, are taken away by many second effects: the first one is named alone where they are about as good.
+TEST(Verdict, ASecondEffectIsNamedOnlyWhereItIsLikelierThanTheOthers) {
+    for (const double weight : {0.45, 0.95}) {
+        Diagnosis d = with_candidate(1.25);
+        d.candidates[0].judged->weight = 0.0;
+        for (const double share : {weight, 1.0 - weight}) {
+            d.pairs.push_back(pair_that_leaves(0.2));
+            d.pairs.back().weight = share;
+        }
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+        EXPECT_EQ(d.verdict.effects.size(), weight > 0.5 ? 2u : 1u);
+        EXPECT_EQ(d.verdict.because.find("too small to tell which") == std::string::npos, weight > 0.5);
+    }
+}
+
 /// With a declared noise an effect that takes away half of the residual is the nearest name, not the answer. Where the noise is that of still
 /// markers, which nothing comes down to, it is named with less confidence.
 TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) {
