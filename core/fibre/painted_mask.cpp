@@ -86,13 +86,22 @@ bool evenly_painted(const std::vector<FibreSample>& samples, double volume_m3, d
     return true;
 }
 
-void add_resampled_cell(const VolumeMesh& mesh, int cell, const PartPlace& place, const PaintedMask& mask, const MaskLookup& lookup, FibreGroup& group) {
+/// A cell that was not painted itself, asked at places a quarter of the mask's cell size apart.
+struct ResampledCell {
+    std::vector<FibreSample> samples;
+    double volume = 0.0, whole = 0.0;   // of muscle, and of the cell, as the samples have it [m3]
+};
+ResampledCell resample(const VolumeMesh& mesh, int cell, const PartPlace& place, const PaintedMask& mask, const MaskLookup& lookup) {
     const double spacing = 0.25 * mask.cell_size_m, edge = 1.15 * place.radius_m;   // 2 / sqrt(3): a cube's edge
     const int cuts = std::clamp(static_cast<int>(std::ceil(std::log2(edge / spacing) - 1e-6)), 0, 5);
-    std::vector<FibreSample> samples;
-    double whole = 0.0, volume = 0.0;
-    collect(mesh, cell, whole_cell(mesh.type), cuts, mask, lookup, samples, whole);
-    for (const FibreSample& sample : samples) volume += sample.volume_m3;
+    ResampledCell result;
+    collect(mesh, cell, whole_cell(mesh.type), cuts, mask, lookup, result.samples, result.whole);
+    for (const FibreSample& sample : result.samples) result.volume += sample.volume_m3;
+    return result;
+}
+
+void add_resampled_cell(const VolumeMesh& mesh, int cell, const ResampledCell& resampled, FibreGroup& group) {
+    const auto& [samples, volume, whole] = resampled;
     if (samples.size() == 1 || evenly_painted(samples, volume, whole)) {
         const Vector3d direction = samples.front().direction;
         add_whole_cell(mesh, cell, volume / whole, [&](const Vector3d&) { return direction; }, group);
@@ -101,9 +110,27 @@ void add_resampled_cell(const VolumeMesh& mesh, int cell, const PartPlace& place
     }
 }
 
+/// Calls itself(cell, i) for cells that are element i of the mask, and resampled(cell, what) for others that may hold some of it.
+template <class Itself, class Resampled>
+void for_painted_cells(const VolumeMesh& mesh, const PaintedMask& mask, const Itself& itself, const Resampled& resampled) {
+    if (mask.count() == 0) return;
+    assert(mask.cell_size_m > 0.0);
+    const MaskLookup lookup(mask);
+    const CellPart whole = whole_cell(mesh.type);
+    for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
+        const PartPlace place = place_of(mesh, c, whole);
+        if (lookup.misses(place.centre_m, place.radius_m)) continue;
+        // The rounding of a text file, and no more, lies between a painted cell's centroid and its own.
+        const int i = lookup.nearest(centroid(mesh, c), 1e-6 * mask.cell_size_m);
+        if (i < 0) resampled(c, resample(mesh, c, place, mask, lookup));
+        else if (mask.weights(i) > 0.0) itself(c, i);
+    }
+}
+
 }  // namespace
 
-PaintedMask mask_of_cells(const VolumeMesh& mesh, const Eigen::VectorXd& weights, const Eigen::Matrix3Xd& directions) {
+PaintedMask mask_of_cells(const VolumeMesh& mesh, const CellPaint& paint) {
+    const auto& [weights, directions] = paint;
     assert(weights.size() == mesh.cell_count() && directions.cols() == mesh.cell_count());
     std::vector<bool> at_paint(static_cast<std::size_t>(mesh.node_count()), false);
     double edges = 0.0;
@@ -134,19 +161,30 @@ PaintedMask mask_of_cells(const VolumeMesh& mesh, const Eigen::VectorXd& weights
 
 FibreGroup fibres_of_mask(const VolumeMesh& mesh, const PaintedMask& mask, double stiffness_Pa, std::string name) {
     FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
-    if (mask.count() == 0) return group;
-    assert(mask.cell_size_m > 0.0);
-    const MaskLookup lookup(mask);
-    const CellPart whole = whole_cell(mesh.type);
-    for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
-        const PartPlace place = place_of(mesh, c, whole);
-        if (lookup.misses(place.centre_m, place.radius_m)) continue;
-        // The rounding of a text file, and no more, lies between a painted cell's centroid and its own.
-        const int itself = lookup.nearest(centroid(mesh, c), 1e-6 * mask.cell_size_m);
-        if (itself < 0) add_resampled_cell(mesh, c, place, mask, lookup, group);
-        else if (mask.weights(itself) > 0.0) add_whole_cell(mesh, c, mask.weights(itself), [&](const Vector3d&) -> Vector3d { return mask.directions.col(itself); }, group);
-    }
+    for_painted_cells(
+        mesh, mask, [&](int cell, int i) { add_whole_cell(mesh, cell, mask.weights(i), [&](const Vector3d&) -> Vector3d { return mask.directions.col(i); }, group); },
+        [&](int cell, const ResampledCell& resampled) {
+            if (!resampled.samples.empty()) add_resampled_cell(mesh, cell, resampled, group);
+        });
     return group;
+}
+
+CellPaint paint_of_mask(const VolumeMesh& mesh, const PaintedMask& mask) {
+    CellPaint paint = blank_paint(mesh);
+    for_painted_cells(
+        mesh, mask,
+        [&](int cell, int i) {
+            paint.weights(cell) = mask.weights(i);
+            paint.directions.col(cell) = mask.directions.col(i);
+        },
+        [&](int cell, const ResampledCell& resampled) {
+            if (!(resampled.volume > 0.0)) return;
+            Eigen::Matrix3d dyads = Eigen::Matrix3d::Zero();
+            for (const FibreSample& sample : resampled.samples) dyads += sample.volume_m3 * sample.direction * sample.direction.transpose();
+            paint.weights(cell) = std::min(1.0, resampled.volume / resampled.whole);
+            paint.directions.col(cell) = mean_line(dyads);
+        });
+    return paint;
 }
 
 }  // namespace myo

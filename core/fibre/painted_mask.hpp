@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/result.hpp"
+#include "fibre/cell_paint.hpp"
 #include "fibre/fibre_group.hpp"
 #include "mesh/volume_mesh.hpp"
 
@@ -23,10 +24,7 @@ struct PaintedMask {
 };
 
 /// The mask of a painted mesh.
-///
-/// @param weights     per cell, 0 ... 1
-/// @param directions  3 x cells, unit where the weight is not 0
-PaintedMask mask_of_cells(const VolumeMesh& mesh, const Eigen::VectorXd& weights, const Eigen::Matrix3Xd& directions);
+PaintedMask mask_of_cells(const VolumeMesh& mesh, const CellPaint& paint);
 
 /// Text, one row per element: `x_m,y_m,z_m,weight,fibre_x,fibre_y,fibre_z`, below a line with the cell size.
 Result<void> write_painted_mask(const std::filesystem::path& path, const PaintedMask& mask);
@@ -40,5 +38,9 @@ Result<PaintedMask> read_painted_mask(const std::filesystem::path& path);
 /// A cell that was itself painted has just its weight. Any other is asked at places a quarter of the mask's cell size apart: each
 /// takes the weight and the direction of the nearest element within the cell size, and directions are averaged as lines.
 FibreGroup fibres_of_mask(const VolumeMesh& mesh, const PaintedMask& mask, double stiffness_Pa, std::string name);
+
+/// The mask as paint on a mesh, which need not be the one that was painted: the share of each cell that fibres_of_mask() makes muscle, and its
+/// mean line.
+CellPaint paint_of_mask(const VolumeMesh& mesh, const PaintedMask& mask);
 
 }  // namespace myo

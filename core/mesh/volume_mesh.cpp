@@ -87,6 +87,43 @@ CellFaces faces_of(CellType type) {
             }};
 }
 
+struct FaceKey {
+    std::array<int, 4> corners;  // ascending; -1 pads a triangle
+    int number;                  // cell * faces per cell + face
+};
+
+/// All faces of all cells, those of the same corners side by side.
+std::vector<FaceKey> sorted_faces(const VolumeMesh& mesh, const CellFaces& faces) {
+    assert(mesh.cells.rows() == nodes_per_cell(mesh.type) || mesh.cell_count() == 0);
+    std::vector<FaceKey> keys;
+    keys.reserve(static_cast<std::size_t>(mesh.cell_count() * faces.count));
+    for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+        for (int face = 0; face < faces.count; ++face) {
+            FaceKey key{{-1, -1, -1, -1}, cell * faces.count + face};
+            for (int i = 0; i < faces.corners; ++i) {
+                key.corners[static_cast<std::size_t>(i)] = mesh.cells(faces.node(face, i), cell);
+            }
+            std::sort(key.corners.begin(), key.corners.end());
+            keys.push_back(key);
+        }
+    }
+    std::sort(keys.begin(), keys.end(), [](const FaceKey& a, const FaceKey& b) {
+        return a.corners != b.corners ? a.corners < b.corners : a.number < b.number;
+    });
+    return keys;
+}
+
+/// Calls visit(first, end) for each run of equal faces.
+template <class Visit>
+void for_equal_faces(const std::vector<FaceKey>& keys, const Visit& visit) {
+    for (std::size_t first = 0; first < keys.size();) {
+        std::size_t end = first + 1;
+        while (end < keys.size() && keys[end].corners == keys[first].corners) ++end;
+        visit(first, end);
+        first = end;
+    }
+}
+
 }  // namespace
 
 int nodes_per_cell(CellType type) {
@@ -110,36 +147,12 @@ std::string to_string(CellType type) {
 }
 
 BoundaryFaces boundary_faces(const VolumeMesh& mesh) {
-    assert(mesh.cells.rows() == nodes_per_cell(mesh.type) || mesh.cell_count() == 0);
     const CellFaces faces = faces_of(mesh.type);
-
-    struct Key {
-        std::array<int, 4> corners;  // ascending; -1 pads a triangle
-        int number;                  // cell * faces per cell + face
-    };
-    std::vector<Key> keys;
-    keys.reserve(static_cast<std::size_t>(mesh.cell_count() * faces.count));
-    for (int cell = 0; cell < mesh.cell_count(); ++cell) {
-        for (int face = 0; face < faces.count; ++face) {
-            Key key{{-1, -1, -1, -1}, cell * faces.count + face};
-            for (int i = 0; i < faces.corners; ++i) {
-                key.corners[static_cast<std::size_t>(i)] = mesh.cells(faces.node(face, i), cell);
-            }
-            std::sort(key.corners.begin(), key.corners.end());
-            keys.push_back(key);
-        }
-    }
-    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-        return a.corners != b.corners ? a.corners < b.corners : a.number < b.number;
-    });
-
+    const std::vector<FaceKey> keys = sorted_faces(mesh, faces);
     std::vector<int> alone;
-    for (std::size_t i = 0; i < keys.size();) {
-        std::size_t end = i + 1;
-        while (end < keys.size() && keys[end].corners == keys[i].corners) ++end;
-        if (end == i + 1) alone.push_back(keys[i].number);
-        i = end;
-    }
+    for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
+        if (end == first + 1) alone.push_back(keys[first].number);
+    });
     std::sort(alone.begin(), alone.end());
 
     BoundaryFaces boundary;
@@ -154,6 +167,19 @@ BoundaryFaces boundary_faces(const VolumeMesh& mesh) {
         }
     }
     return boundary;
+}
+
+Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh) {
+    const CellFaces faces = faces_of(mesh.type);
+    const std::vector<FaceKey> keys = sorted_faces(mesh, faces);
+    std::vector<std::array<int, 2>> pairs;
+    for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
+        if (end == first + 2) pairs.push_back({keys[first].number / faces.count, keys[first + 1].number / faces.count});
+    });
+    std::sort(pairs.begin(), pairs.end());
+    Eigen::Matrix2Xi result(2, static_cast<Eigen::Index>(pairs.size()));
+    for (Eigen::Index k = 0; k < result.cols(); ++k) result.col(k) << pairs[static_cast<std::size_t>(k)][0], pairs[static_cast<std::size_t>(k)][1];
+    return result;
 }
 
 Eigen::VectorXd cell_volumes(const VolumeMesh& mesh) {

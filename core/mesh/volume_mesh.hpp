@@ -40,6 +40,9 @@ struct BoundaryFaces {
 /// Order: by the cell's number, then the face's number in the cell; deterministic.
 BoundaryFaces boundary_faces(const VolumeMesh& mesh);
 
+/// Pairs of cells that share a face, 2 x k, the lower number first, in ascending order.
+Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh);
+
 /// Volume of each cell [m3], by the element's own quadrature (exact for straight-sided tetrahedra and trilinear hexahedra).
 Eigen::VectorXd cell_volumes(const VolumeMesh& mesh);
 

@@ -24,7 +24,7 @@ const Box painted_box{{0.2, 0.0, 0.3}, {0.8, 0.4, 0.6}};
 
 /// The cells within the box, along x.
 PaintedMask boxed_mask(const VolumeMesh& mesh) {
-    return mask_of_cells(mesh, volume_fractions(mesh, painted_box), Vector3d::UnitX().replicate(1, mesh.cell_count()));
+    return mask_of_cells(mesh, {volume_fractions(mesh, painted_box), Vector3d::UnitX().replicate(1, mesh.cell_count())});
 }
 
 TEST(PaintedMask, OnItsOwnMeshIsWhatWasPainted) {
@@ -32,7 +32,7 @@ TEST(PaintedMask, OnItsOwnMeshIsWhatWasPainted) {
         const VolumeMesh mesh = type == CellType::hex8 ? mesh_of(type, {10, 8, 6}) : test::distorted_mesh(type, {4, 3, 3}, 0.1);
         VectorXd weights = volume_fractions(mesh, painted_box);
         Matrix3Xd directions = test::rough_field(mesh.cell_count(), 0.3).colwise().normalized();
-        const PaintedMask mask = mask_of_cells(mesh, weights, directions);
+        const PaintedMask mask = mask_of_cells(mesh, {weights, directions});
         const FibreGroup group = fibres_of_mask(mesh, mask, 2.0, "painted");
         EXPECT_NEAR(group.volume(), weights.dot(cell_volumes(mesh)), 1e-13) << to_string(type);
         for (const FibrePoint& point : group.points) {
@@ -88,7 +88,7 @@ TEST(PaintedMask, AveragesDirectionsAsLines) {
     const VolumeMesh fine = mesh_of(CellType::hex8, {10, 8, 6});
     Matrix3Xd directions = Vector3d(1, 1, 0).normalized().replicate(1, fine.cell_count());
     for (Eigen::Index c = 0; c < directions.cols(); c += 2) directions.col(c) *= -1.0;
-    const PaintedMask mask = mask_of_cells(fine, VectorXd::Ones(fine.cell_count()), directions);
+    const PaintedMask mask = mask_of_cells(fine, {VectorXd::Ones(fine.cell_count()), directions});
     for (const CellType type : all_cell_types) {
         const VolumeMesh coarse = mesh_of(type, {3, 2, 2});
         const FibreGroup group = fibres_of_mask(coarse, mask, 2.0, "lines");
@@ -103,7 +103,7 @@ TEST(PaintedMask, FileKeepsEveryDigit) {
     const test::Folder folder("painted_mask");
     const VolumeMesh mesh = test::distorted_mesh(CellType::tet4, {3, 3, 3}, 0.2);
     const VectorXd weights = volume_fractions(mesh, painted_box);
-    const PaintedMask mask = mask_of_cells(mesh, weights, test::rough_field(mesh.cell_count(), 0.1).colwise().normalized());
+    const PaintedMask mask = mask_of_cells(mesh, {weights, test::rough_field(mesh.cell_count(), 0.1).colwise().normalized()});
     ASSERT_TRUE(write_painted_mask(folder.path() / "deep" / "muscle.csv", mask));
     const Result<PaintedMask> read = read_painted_mask(folder.path() / "deep" / "muscle.csv");
     ASSERT_TRUE(read) << read.error().text();

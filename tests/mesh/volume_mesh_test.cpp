@@ -70,6 +70,22 @@ TEST(BoundaryFaces, MidNodesLieBetweenTheirCorners) {
     }
 }
 
+/// Every face is either on the boundary or between two cells.
+TEST(NeighbouringCells, ShareTheFacesThatAreNotOnTheBoundary) {
+    for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) {
+        const VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(test::unequal_box(), {4, 3, 2}) : tet_box_mesh(test::unequal_box(), {4, 3, 2}, type);
+        const Eigen::Matrix2Xi pairs = neighbouring_cells(mesh);
+        const Eigen::Index faces = type == CellType::hex8 ? 6 : 4;
+        EXPECT_EQ(2 * pairs.cols() + boundary_faces(mesh).count(), faces * mesh.cell_count());
+        for (Eigen::Index k = 0; k < pairs.cols(); ++k) {
+            ASSERT_LT(pairs(0, k), pairs(1, k));
+            int shared = 0;
+            for (const int n : mesh.cells.col(pairs(0, k))) shared += static_cast<int>((mesh.cells.col(pairs(1, k)).array() == n).count());
+            ASSERT_EQ(shared, type == CellType::hex8 ? 4 : type == CellType::tet4 ? 3 : 6);
+        }
+    }
+}
+
 TEST(CellVolumes, FillTheBoxAndArePositive) {
     const double volume = test::unequal_box().size().prod();
     for (const VolumeMesh& mesh : test::one_of_each()) {

@@ -44,7 +44,7 @@ protected:
 TEST_F(MuscleGroups, MaskIsTheBoxThatWasPainted) {
     const VolumeMesh mesh = box_hex_mesh(body, {10, 4, 3});
     const Box part{{0.01, 0, 0}, {0.09, 0.015, 0.03}};
-    ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(mesh, volume_fractions(mesh, part), Vector3d::UnitX().replicate(1, mesh.cell_count()))));
+    ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(mesh, {volume_fractions(mesh, part), Vector3d::UnitX().replicate(1, mesh.cell_count())})));
     const Result<std::vector<FibreGroup>> boxes = muscle_groups(experiment(box_part), on(mesh)), masks = muscle_groups(experiment("mask = \"left.csv\""), on(mesh));
     ASSERT_TRUE(boxes && masks);
     ASSERT_EQ(masks->size(), 2u);
@@ -84,7 +84,7 @@ TEST_F(MuscleGroups, MoveWithAMeshThatShrank) {
     mesh.shrunk_from = body;
     const VolumeMesh whole = box_hex_mesh(body, {10, 4, 3});
     const Box part{{0.01, 0, 0}, {0.09, 0.015, 0.03}};
-    ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(whole, volume_fractions(whole, part), Vector3d::UnitX().replicate(1, whole.cell_count()))));
+    ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(whole, {volume_fractions(whole, part), Vector3d::UnitX().replicate(1, whole.cell_count())})));
     const Result<std::vector<FibreGroup>> groups = muscle_groups(experiment("mask = \"left.csv\""), mesh);
     ASSERT_TRUE(groups) << groups.error().text();
     EXPECT_NEAR((*groups)[0].volume(), part.size().prod() / 8.0, 1e-15);

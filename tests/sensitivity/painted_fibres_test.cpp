@@ -23,7 +23,7 @@ Model painted_beam(ElementKind kind) {
     const Polyline arc{(Eigen::Matrix3Xd(3, 3) << 0.0, 0.05, 0.1, 0.005, 0.005, 0.02, 0.005, 0.008, 0.02).finished()};
     const Eigen::VectorXd weights = volume_fractions(mesh, Box{{0.01, 0, 0}, {0.08, 0.02, 0.03}});
     auto fibres = std::make_shared<std::vector<FibreGroup>>();
-    fibres->push_back(fibres_of_mask(mesh, mask_of_cells(mesh, weights, directions_along(mesh, arc)), 8e4, "painted"));
+    fibres->push_back(fibres_of_mask(mesh, mask_of_cells(mesh, {weights, directions_along(mesh, arc)}), 8e4, "painted"));
     fibres->push_back(fibres_along_line(mesh, arc, 0.006, 2e5, "line"));
     model.fibres = fibres;
     return model;
