@@ -6,6 +6,8 @@
 #include "base/stopwatch.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
+#include "project/muscle_groups.hpp"
+#include "project/study.hpp"
 
 namespace myo {
 namespace {
@@ -63,6 +65,11 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     model.density_kg_m3 = settings.density_kg_m3;
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
+    Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, *mesh);
+    if (!muscles) return muscles.error();
+    model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
+    model.activation.assign(experiment.muscles.size(), Signal::constant(1.0));
+    declare_activation(experiment, model.activation);
     SimulationOptions options;
     options.integrator = study.scheme();
     options.h_s = settings.time_step_s;

@@ -1,5 +1,8 @@
 #include "fibre/cell_paint.hpp"
 
+#include <Eigen/Cholesky>
+
+#include <algorithm>
 #include <cassert>
 #include <vector>
 
@@ -13,6 +16,27 @@ using Eigen::Index;
 
 CellPaint blank_paint(const VolumeMesh& mesh) {
     return {Eigen::VectorXd::Zero(mesh.cell_count()), Eigen::Matrix3Xd::Zero(3, mesh.cell_count())};
+}
+
+CellPaint paint_of_group(const VolumeMesh& mesh, const FibreGroup& group) {
+    assert(group.gradients.size() == group.points.size());
+    CellPaint paint = blank_paint(mesh);
+    std::vector<Eigen::Matrix3d> dyads(static_cast<std::size_t>(mesh.cell_count()), Eigen::Matrix3d::Zero());
+    for (std::size_t i = 0; i < group.points.size(); ++i) {
+        const FibrePoint& point = group.points[i];
+        const auto& gradient = group.gradients[i];
+        // shape = gradient m: of three unknowns many equations.
+        const Eigen::Vector3d line = (gradient.transpose() * gradient).ldlt().solve(gradient.transpose() * point.shape);
+        paint.weights(point.cell) += point.volume;
+        dyads[static_cast<std::size_t>(point.cell)] += point.volume * line * line.transpose();
+    }
+    const Eigen::VectorXd volumes_m3 = cell_volumes(mesh);
+    for (Index c = 0; c < paint.count(); ++c) {
+        if (!(paint.weights(c) > 0.0)) continue;
+        paint.weights(c) = std::min(1.0, paint.weights(c) / volumes_m3(c));
+        paint.directions.col(c) = mean_line(dyads[static_cast<std::size_t>(c)]);
+    }
+    return paint;
 }
 
 PaintedAmount amount_of(const CellPaint& paint, const Eigen::VectorXd& volumes_m3) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "fibre/fibre_group.hpp"
 #include "mesh/volume_mesh.hpp"
 
 namespace myo {
@@ -14,6 +15,9 @@ struct CellPaint {
     Eigen::Index count() const { return weights.size(); }
 };
 CellPaint blank_paint(const VolumeMesh& mesh);
+
+/// The share of each cell that fibres stand for, and their mean line there.
+CellPaint paint_of_group(const VolumeMesh& mesh, const FibreGroup& group);
 
 struct PaintedAmount {
     int cells = 0;                // with any paint

@@ -29,6 +29,8 @@ struct Signal {
     /// Times of two equal knots, also where their values are equal: the steps of a run, and with them its derivative, shall not
     /// depend on values.
     std::vector<double> jumps() const;
+
+    bool operator==(const Signal&) const = default;
 };
 
 /// The derivative with respect to the samples of Signal::held() from the one with respect to its knots.

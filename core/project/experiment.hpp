@@ -5,13 +5,16 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "effect/effect.hpp"
+#include "fibre/painted_mask.hpp"
 #include "fibre/polyline.hpp"
+#include "fibre/signal.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace myo {
@@ -51,10 +54,10 @@ struct MuscleBox {
     Eigen::Vector3d fibre;   // unit
 };
 
-/// Elements painted one by one, in a file of core/fibre/painted_mask.hpp.
+/// Elements painted one by one.
 struct MuscleMask {
-    std::filesystem::path file;             // resolved
-    std::optional<Eigen::Vector3d> fibre;   // unit; instead of the painted directions
+    std::variant<std::filesystem::path, std::shared_ptr<const PaintedMask>> painted;   // a file, resolved, or what it would hold; never null
+    std::optional<Eigen::Vector3d> fibre;                                             // unit; instead of the painted directions
 };
 
 /// All material within a radius of a line; fibres run along it.
@@ -68,6 +71,7 @@ struct MuscleDeclaration {
     std::variant<MuscleBox, MuscleMask, MuscleLine> part;
     double stiffness_Pa = 0.0;
     std::optional<FollowsDeclaration> follows;
+    std::optional<Signal> signal;   // a(t) in all trials, whatever these recorded
 };
 
 enum class RegistrationMethod { limited, rest_pose };

@@ -21,7 +21,8 @@ struct GroupOf {
         return fibres_in_box(mesh.mesh, box_on_mesh(mesh, part.box_m), part.fibre, muscle.stiffness_Pa, muscle.name);
     }
     Result<FibreGroup> operator()(const MuscleMask& part) const {
-        Result<PaintedMask> mask = read_painted_mask(part.file);
+        const auto* const file = std::get_if<std::filesystem::path>(&part.painted);
+        Result<PaintedMask> mask = file ? read_painted_mask(*file) : Result<PaintedMask>(*std::get<1>(part.painted));
         if (!mask) return mask.error();
         mask->centroids_m = points_on_mesh(mesh, std::move(mask->centroids_m));
         if (part.fibre) mask->directions.colwise() = *part.fibre;
@@ -42,7 +43,10 @@ Result<std::vector<FibreGroup>> muscle_groups(const Experiment& experiment, cons
         Result<FibreGroup> group = std::visit(GroupOf{muscle, mesh}, muscle.part);
         if (!group) return group.error();
         const std::string table = "muscle[" + std::to_string(i) + "].";
-        if (group->points.empty() && std::holds_alternative<MuscleMask>(muscle.part))
+        const auto* const mask = std::get_if<MuscleMask>(&muscle.part);
+        const auto* const painted = mask ? std::get_if<std::shared_ptr<const PaintedMask>>(&mask->painted) : nullptr;
+        const bool nowhere = painted && (*painted)->count() == 0;   // as a person may leave it for a while
+        if (group->points.empty() && mask && !nowhere)
             return declaration_error(experiment, table + "mask", "no element of the mesh lies where the mask is painted; is it of this body, in its rest frame, in metres?");
         if (group->points.empty() && std::holds_alternative<MuscleLine>(muscle.part))
             return declaration_error(experiment, table + "line_m", "no material of the body lies within radius_m of the line");

@@ -129,7 +129,8 @@ std::vector<fs::path> tables_read(const Experiment& experiment) {
         if (trial.actuation) files.push_back(*trial.actuation);
     }
     for (const MuscleDeclaration& muscle : experiment.muscles)
-        if (const auto* mask = std::get_if<MuscleMask>(&muscle.part)) files.push_back(mask->file);
+        if (const auto* mask = std::get_if<MuscleMask>(&muscle.part))
+            if (const auto* file = std::get_if<fs::path>(&mask->painted)) files.push_back(*file);
     return files;
 }
 

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.hpp"
+#include "measurement/actuation_csv.hpp"
 #include "project/read_experiment_tables.hpp"
 
 namespace myo {
@@ -41,11 +43,22 @@ std::variant<MuscleBox, MuscleMask, MuscleLine> read_part(const TomlReader& tabl
     return mask;
 }
 
+/// The muscle's column of an actuation file of its own.
+Signal read_signal(const TomlReader& table, const std::filesystem::path& folder, const std::string& name) {
+    const std::filesystem::path file = table.file("signal", folder);
+    const Result<ActuationTable> read = read_actuation_csv(file);
+    if (!read) table.fail("signal", read.error().text());
+    const auto column = std::find(read->muscles.begin(), read->muscles.end(), name);
+    if (column == read->muscles.end()) table.fail("signal", file.filename().string() + " has no column \"" + name + "\"");
+    const Eigen::VectorXd row = read->values.row(column - read->muscles.begin());
+    return {{read->time_s.begin(), read->time_s.end()}, {row.begin(), row.end()}};
+}
+
 }  // namespace
 
 std::vector<MuscleDeclaration> read_muscles(const TomlReader& document, const std::filesystem::path& folder) {
     std::vector<MuscleDeclaration> muscles;
-    for (const TomlReader& table : document.tables("muscle", {"name", "box_m", "mask", "line_m", "radius_m", "fibre", "stiffness_Pa", "follows"})) {
+    for (const TomlReader& table : document.tables("muscle", {"name", "box_m", "mask", "line_m", "radius_m", "fibre", "stiffness_Pa", "follows", "signal"})) {
         MuscleDeclaration muscle;
         muscle.name = table.name("name");
         if (muscle.name.find(',') != std::string::npos || muscle.name == "time_s")
@@ -56,6 +69,8 @@ std::vector<MuscleDeclaration> read_muscles(const TomlReader& document, const st
             const TomlReader follows = table.table("follows", {"muscle", "ratio"});
             muscle.follows = FollowsDeclaration{follows.text("muscle"), follows.number("ratio")};
         }
+        if (table.has("signal") && muscle.follows) table.fail("signal", "stands beside follows; a muscle has one of the two");
+        if (table.has("signal")) muscle.signal = read_signal(table, folder, muscle.name);
         muscles.push_back(muscle);
     }
     return muscles;

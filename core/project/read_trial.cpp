@@ -152,13 +152,16 @@ Result<ActuationTable> read_trial_actuation(const Experiment& experiment, const 
     const auto muscle_count = static_cast<Eigen::Index>(muscles.size());
     ActuationTable table;
     std::vector<std::string> recordable;   // neither followers nor stepped ones
+    const auto declared = [&](const std::string& name) {
+        return std::any_of(muscles.begin(), muscles.end(), [&](const MuscleDeclaration& muscle) { return muscle.name == name && muscle.signal; });
+    };
     const auto stepped = [&](const std::string& name) {
         return std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
                            [&](const ActuationStep& step) { return step.muscle == name; });
     };
     for (const MuscleDeclaration& muscle : muscles) {
         table.muscles.push_back(muscle.name);
-        if (!muscle.follows && !stepped(muscle.name)) recordable.push_back(muscle.name);
+        if (!muscle.follows && !muscle.signal && !stepped(muscle.name)) recordable.push_back(muscle.name);
     }
     if (!trial.actuation) {
         table.time_s = Eigen::VectorXd::Zero(1);
@@ -172,7 +175,7 @@ Result<ActuationTable> read_trial_actuation(const Experiment& experiment, const 
     if (!recorded) return Error{key + ": " + recorded.error().what, recorded.error().where};
     for (const std::string& warning : recorded->warnings) table.warnings.push_back(key + ": " + warning);
     for (const std::string& column : recorded->muscles) {
-        if (std::find(recordable.begin(), recordable.end(), column) != recordable.end()) continue;
+        if (declared(column) || std::find(recordable.begin(), recordable.end(), column) != recordable.end()) continue;
         std::string reason = "which is no declared muscle";
         for (const MuscleDeclaration& muscle : muscles)
             if (muscle.name == column)

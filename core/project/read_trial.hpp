@@ -30,8 +30,8 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
 Result<Recording> read_trial_recording(const Experiment& experiment, const TrialDeclaration& trial);
 
 /// The recorded signals of a trial, one row for each declared muscle in order; a follower's row is computed from the muscle
-/// it follows. Rows of muscles with an actuation_step, and all rows when there is no file, are 1 (passive): steps are
-/// added by who runs the trial, for their level may be unknown.
+/// it follows. Rows of muscles with an actuation_step or a signal of their own, and all rows when there is no file, are 1 (passive): these are
+/// added by who runs the trial, for levels of steps may be unknown.
 ///
 /// Errors: those of the reader, a column that is no declared muscle or one that follows or is stepped, a muscle missing.
 Result<ActuationTable> read_trial_actuation(const Experiment& experiment, const TrialDeclaration& trial);

@@ -55,10 +55,11 @@ Result<void> add_activation(const Experiment& experiment, const TrialDeclaration
     }
     for (const ActuationStep& step : declaration.actuation_steps)
         for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
-            if (experiment.muscles[m].name != step.muscle) continue;
+            if (experiment.muscles[m].name != step.muscle || experiment.muscles[m].signal) continue;
             trial.model.activation = with_level(experiment, trial.model.activation, m, step.level.value_or(1.0));
             if (!step.level) trial.free_levels.push_back(m);
         }
+    declare_activation(experiment, trial.model.activation);
     return {};
 }
 
@@ -133,6 +134,16 @@ std::vector<Signal> with_level(const Experiment& experiment, std::vector<Signal>
     for (std::size_t m = 0; m < leaders.size(); ++m)
         if (leaders[m].leader == leader) activation[m] = Signal::step(0.0, 1.0, 1.0 + leaders[m].factor * (level - 1.0));
     return activation;
+}
+
+void declare_activation(const Experiment& experiment, std::vector<Signal>& activation) {
+    const std::vector<MuscleLeader> leaders = muscle_leaders(experiment);
+    for (std::size_t m = 0; m < leaders.size(); ++m) {
+        const std::optional<Signal>& signal = experiment.muscles[leaders[m].leader].signal;
+        if (!signal) continue;
+        activation[m] = *signal;
+        for (double& a : activation[m].values) a = 1.0 + leaders[m].factor * (a - 1.0);
+    }
 }
 
 std::vector<Signal> level_tangent(const Experiment& experiment, std::size_t leader) {

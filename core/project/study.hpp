@@ -92,6 +92,9 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
 /// a - 1 of every muscle when `leader` steps to `level`: followers take their share.
 std::vector<Signal> with_level(const Experiment& experiment, std::vector<Signal> activation, std::size_t leader, double level);
 
+/// Puts the muscles' own signals in the place of recorded ones, and those of their followers.
+void declare_activation(const Experiment& experiment, std::vector<Signal>& activation);
+
 /// Derivative of with_level() with respect to the level: zero before the step.
 std::vector<Signal> level_tangent(const Experiment& experiment, std::size_t leader);
 

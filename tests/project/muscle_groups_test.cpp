@@ -12,6 +12,7 @@
 #include "project/good_experiment.hpp"
 #include "project/read_experiment.hpp"
 #include "project/read_trial.hpp"
+#include "project/study.hpp"
 
 namespace myo {
 namespace {
@@ -64,6 +65,45 @@ TEST_F(MuscleGroups, MaskIsTheBoxThatWasPainted) {
     }
     EXPECT_EQ(muscle_leaders(turned)[1].leader, 0u);
     EXPECT_EQ(muscle_leaders(turned)[1].factor, -0.5);
+}
+
+TEST_F(MuscleGroups, AMaskInMemoryIsThatOfItsFile) {
+    const VolumeMesh mesh = box_hex_mesh(body, {10, 4, 3});
+    const PaintedMask mask = mask_of_cells(mesh, {volume_fractions(mesh, {{0.02, 0, 0}, {0.07, 0.01, 0.03}}), Vector3d::UnitX().replicate(1, mesh.cell_count())});
+    Experiment e = experiment(box_part);
+    e.muscles[0].part = MuscleMask{std::make_shared<const PaintedMask>(mask), std::nullopt};
+    Result<std::vector<FibreGroup>> groups = muscle_groups(e, on(mesh));
+    ASSERT_TRUE(groups);
+    EXPECT_NEAR((*groups)[0].volume(), 0.05 * 0.01 * 0.03, 1e-15);
+    // As paint it is what it was made from.
+    const CellPaint paint = paint_of_group(mesh, (*groups)[0]);
+    EXPECT_LT((paint.weights - paint_of_mask(mesh, mask).weights).norm(), 1e-9);
+    for (Eigen::Index c = 0; c < paint.count(); ++c) EXPECT_NEAR(std::abs(paint.directions(0, c)), paint.weights(c) > 0.0 ? 1.0 : 0.0, 1e-12);
+    // Nothing painted yet is a muscle without fibres.
+    e.muscles[0].part = MuscleMask{std::make_shared<const PaintedMask>(), std::nullopt};
+    groups = muscle_groups(e, on(mesh));
+    ASSERT_TRUE(groups) << groups.error().text();
+    EXPECT_TRUE((*groups)[0].points.empty());
+}
+
+TEST_F(MuscleGroups, AMusclesOwnSignalIsReadAndItsFollowersTakeTheirShare) {
+    folder.write("bend.csv", "time_s,left\n0,1\n0.5,0.8\n");
+    const Experiment e = experiment(box_part + "\nsignal = \"bend.csv\"");
+    ASSERT_TRUE(e.muscles[0].signal);
+    std::vector<Signal> activation(2, Signal::constant(1.0));
+    declare_activation(e, activation);
+    EXPECT_DOUBLE_EQ(activation[0].value(0.25), 0.9);
+    EXPECT_DOUBLE_EQ(activation[1].value(0.25), 1.05) << "the antagonist has ratio -0.5";
+    // Whatever a trial recorded for it, or did not.
+    folder.write("signal.csv", "time_s,left\n0,0.5\n1,1.5\n");
+    const Result<ActuationTable> recorded = read_trial_actuation(e, e.trials.front());
+    ASSERT_TRUE(recorded) << recorded.error().text();
+    EXPECT_EQ(recorded->values.row(0).maxCoeff(), 1.0);
+    write_files(folder, replaced(good_toml, box_part, box_part + "\nsignal = \"other.csv\""));
+    folder.write("other.csv", "time_s,right\n0,1\n");
+    const Result<Experiment> bad = read_experiment(folder.path());
+    ASSERT_FALSE(bad);
+    EXPECT_THAT(bad.error().text(), HasSubstr("muscle[0].signal: other.csv has no column \"left\""));
 }
 
 TEST_F(MuscleGroups, LineHoldsItsCylinderOnEveryMesh) {
