@@ -61,6 +61,8 @@ int key_of(int key) {
         case 'x': return ImGuiKey_X;
         case 'y': return ImGuiKey_Y;
         case 'z': return ImGuiKey_Z;
+        case 'b': return key_b;
+        case 'e': return key_e;
         case 'f': return key_f;
         case 'o': return key_o;
         case 'r': return key_r;

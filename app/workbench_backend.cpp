@@ -19,6 +19,7 @@
 #include "loop/whole_diagnosis.hpp"
 #include "mesh_scene.hpp"
 #include "project/calibrate_study.hpp"
+#include "project/muscle_groups.hpp"
 #include "project/read_experiment.hpp"
 #include "project/readable_parameter.hpp"
 
@@ -61,12 +62,46 @@ StudySettings study_settings(const Settings& settings) {
     return result;
 }
 
+/// The muscles of the settings; where they leave something open, as the experiment has it.
+std::vector<MuscleDeclaration> declared_muscles(const Experiment& experiment, const Settings& settings) {
+    std::vector<MuscleDeclaration> muscles;
+    for (const Muscle& muscle : settings.muscles) {
+        MuscleDeclaration declared{muscle.name, MuscleMask{std::make_shared<const PaintedMask>(), std::nullopt}, 0.0, std::nullopt, std::nullopt};
+        for (const MuscleDeclaration& own : experiment.muscles)
+            if (own.name == muscle.declared) declared = own;
+        declared.stiffness_Pa = muscle.stiffness_Pa;
+        if (muscle.paint) declared.part = MuscleMask{muscle.paint, std::nullopt};
+        declared.follows.reset();
+        declared.signal.reset();
+        if (muscle.follows.empty()) declared.signal = muscle.signal;
+        else declared.follows = FollowsDeclaration{muscle.follows, muscle.ratio};
+        muscles.push_back(std::move(declared));
+    }
+    return muscles;
+}
+
+/// The experiment's own muscles, as they are shown before anything is changed.
+std::vector<Muscle> shown_muscles(const Experiment& experiment) {
+    std::vector<Muscle> muscles;
+    for (const MuscleDeclaration& declared : experiment.muscles) {
+        Muscle muscle;
+        muscle.name = muscle.declared = declared.name;
+        muscle.color = static_cast<int>(muscles.size());
+        muscle.stiffness_Pa = declared.stiffness_Pa;
+        muscle.signal = declared.signal;
+        if (declared.follows) muscle.follows = declared.follows->muscle, muscle.ratio = declared.follows->ratio;
+        muscles.push_back(std::move(muscle));
+    }
+    return muscles;
+}
+
 Experiment with_settings(Experiment experiment, const Settings& settings) {
     experiment.material.youngs_modulus_Pa = settings.youngs_modulus_Pa;
     experiment.material.poissons_ratio = settings.poissons_ratio;
     experiment.material.density_kg_m3 = settings.density_kg_m3;
     experiment.material.damping_s = settings.damping_s;
     for (const AddedEffect& effect : settings.effects) experiment.effects.push_back(declaration(effect));
+    experiment.muscles = declared_muscles(experiment, settings);
     return experiment;
 }
 
@@ -121,6 +156,7 @@ void fill_from_study(const Study& study, Scene& scene) {
     scene.settings.damping_s = study.trials.front().model.damping_s;
     scene.settings.integrator = to_string(study.settings.integrator);
     scene.settings.time_step_s = study.trials.front().options.h_s;
+    scene.settings.muscles = shown_muscles(experiment);
     scene.frequency_Hz = dominant_frequency(study);
     for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(parameter.parameter.name);
 }
@@ -226,13 +262,17 @@ public:
                        {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)), std::abs(quality.volume_error.value_or(0.0)) > 0.02},
                        {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1},
                        {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge)}};
+        const Result<std::vector<FibreGroup>> groups = muscle_groups(source.experiment, *made);
+        if (!groups) return groups.error();
+        for (const FibreGroup& group : *groups) body.muscles[group.name] = paint_of_group(made->mesh, group);
         for (const std::string& message : quality.messages) body.report.push_back({"Note", message, true});
         body.mesh = std::move(made->mesh);
         return body;
     }
 
     Result<RunResult> simulate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress) override {
-        if (source_of(scene).experiment.trials.empty()) return run_mesh_scene(source_of(scene).experiment, source_of(scene).surface, study_settings(settings), settings, progress);
+        if (source_of(scene).experiment.trials.empty())
+            return run_mesh_scene(with_settings(source_of(scene).experiment, settings), source_of(scene).surface, study_settings(settings), settings, progress);
         Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
         if (!study) return study.error();
         check_integration(*study);

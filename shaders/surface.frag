@@ -2,6 +2,7 @@
 in vec3 corner;
 in vec3 seen;
 in float level;
+flat in vec4 face_tint;
 uniform vec3 base_color;
 uniform vec4 edge_color;
 uniform float edge_width;                // pixels; 0 = none
@@ -19,6 +20,7 @@ void main() {
     float fill = 0.5 + 0.5 * normal.y;
     float facing = max(dot(normal, to_eye), 0.0);
     vec3 base = use_field == 1 ? texture(color_map, vec2(clamp(level, 0.0, 1.0), 0.5)).rgb : base_color;
+    base = mix(base, face_tint.rgb, face_tint.a);
     vec3 lit = base * (0.30 + 0.48 * diffuse + 0.16 * fill + 0.12 * facing);
 
     if (edge_width > 0.0) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "base/result.hpp"
 #include "commands/diagnosis_view.hpp"
 #include "commands/settings.hpp"
+#include "fibre/cell_paint.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
 
@@ -87,6 +89,7 @@ struct MeshedBody {
     BoundaryFaces boundary;
     double dofs = 0.0;
     std::vector<ReportLine> report;
+    std::map<std::string, CellPaint> muscles;     // where the experiment's own muscles are, by their names
     std::shared_ptr<const void> source;           // the backend's own
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,6 +26,10 @@ struct Diagnose {};
 struct ChooseCandidate { std::string key; };
 /// Takes the effects of a fitted row, and the values that were fitted with them, into the settings.
 struct AddEffect { std::string key; };
+struct ChooseMuscle { int muscle = 0; };
+/// New paint of a muscle on the body that is shown; one step for undo.
+struct Paint { int muscle = 0; std::shared_ptr<const CellPaint> paint; std::string what; };
+struct ChangeBrush { BrushSettings brush; };
 struct Cancel {};
 struct ChooseTrial { int trial = 0; };
 struct ChooseMarker { int marker = 0; };
@@ -42,7 +47,8 @@ namespace myo {
 
 using Command = std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo,
                              command::BuildMesh, command::Run, command::Calibrate, command::Diagnose,
-                             command::ChooseCandidate, command::AddEffect, command::Cancel, command::ChooseTrial,
+                             command::ChooseCandidate, command::AddEffect, command::ChooseMuscle,
+                             command::Paint, command::ChangeBrush, command::Cancel, command::ChooseTrial,
                              command::ChooseMarker, command::SetTime, command::Play, command::SetSpeed, command::ChangeView,
                              command::SetDampingFrequency, command::SetTheme, command::ClearLog>;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "commands/force_arrows.hpp"
+#include "commands/muscle_drawing.hpp"
 #include "viewport/scene_lines.hpp"
 
 namespace myo {
@@ -151,7 +152,7 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
     return motion;
 }
 
-DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion) {
+DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live) {
     DrawnScene drawn;
     if (!state.scene) return drawn;
     drawn.surface = motion.surface;
@@ -167,6 +168,7 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     if (state.view.clamp && state.scene->clamp_m) {
         for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
     }
+    add_muscles(drawn, state, theme, live);
     add_force_arrows(drawn, state, theme);
     add_markers(drawn, state, theme);
     return drawn;

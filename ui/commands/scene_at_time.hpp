@@ -32,7 +32,10 @@ struct MotionSummary {
 };
 MotionSummary summarize_motion(const WorkbenchState& state);
 
-/// The 3D picture of the state's trial at its time. `motion` is of the same scene, body, run and trial.
-DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion);
+/// The 3D picture of the state's trial at its time.
+///
+/// @param motion  of the same scene, body, run and trial
+/// @param live    paint of the chosen muscle while a stroke goes on; may be null
+DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live = nullptr);
 
 }  // namespace myo

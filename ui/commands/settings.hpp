@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "commands/muscle.hpp"
 #include "mesh/volume_mesh.hpp"
 
 namespace myo {
@@ -35,6 +36,7 @@ struct Settings {
     double time_step_s = 0.01;
     double velocity_force_1_s = 0.0;        // Lambda of f = Lambda M v
     std::vector<AddedEffect> effects;       // beside those that the experiment declares
+    std::vector<Muscle> muscles;            // names differ
 
     bool operator==(const Settings&) const = default;
 };
@@ -56,5 +58,7 @@ inline constexpr Limits damping_limits{0.0, 1.0};
 inline constexpr Limits time_step_limits{1e-5, 0.1};
 inline constexpr Limits spectral_radius_limits{0.0, 1.0};
 inline constexpr Limits velocity_force_limits{-100.0, 100.0};
+inline constexpr Limits muscle_stiffness_limits{1.0, 1e9};
+inline constexpr Limits muscle_ratio_limits{-10.0, 10.0};
 
 }  // namespace myo

@@ -26,6 +26,10 @@ Settings clamped(Settings s) {
     limit(s.time_step_s, time_step_limits);
     limit(s.velocity_force_1_s, velocity_force_limits);
     limit(s.spectral_radius, spectral_radius_limits);
+    for (Muscle& muscle : s.muscles) {
+        limit(muscle.stiffness_Pa, muscle_stiffness_limits);
+        limit(muscle.ratio, muscle_ratio_limits);
+    }
     return s;
 }
 
@@ -90,6 +94,9 @@ void Workbench::execute(const Command& asked) {
                        look_at_forces();
                    },
                    [&](const command::AddEffect& c) { add_effect(c.key); },
+                   [&](const command::ChooseMuscle& c) { state_.muscle = std::clamp(c.muscle, 0, std::max(0, static_cast<int>(state_.settings.muscles.size()) - 1)); },
+                   [&](const command::Paint& c) { paint(c); },
+                   [&](const command::ChangeBrush& c) { state_.brush = c.brush; },
                    [&](const command::Cancel&) {
                        if (job_) job_->cancel();
                    },
@@ -199,10 +206,14 @@ void Workbench::show_scene(Scene scene) {
     check_stability();
     state_.scene = std::make_shared<Scene>(std::move(scene));
     state_.body.reset();
+    state_.ground.reset();
     state_.run.reset();
     state_.calibration.reset();
     state_.diagnosis.reset();
     state_.candidate.clear();
+    state_.muscle = 0;
+    if (state_.scene->surface.vertices.cols() > 0) state_.brush = brush_for(bounding_box(state_.scene->surface.vertices).size());
+    place_muscles();
     undo_.clear();
     state_.can_undo = state_.can_redo = false;
     state_.playing = false;
@@ -236,6 +247,8 @@ void Workbench::change_settings(const command::ChangeSettings& change) {
 
 void Workbench::set_settings(const Settings& settings) {
     state_.settings = settings;
+    state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
+    place_muscles();
     check_stability();
     if (state_.scene) state_.prediction = backend_->predict(*state_.scene, settings);
 }
@@ -257,7 +270,9 @@ void Workbench::build_mesh(std::function<void()> then) {
     start("Mesh", [this, settings, scene, then = std::move(then)](const Progress& progress) -> Job::Completion {
         auto body = std::make_shared<Result<MeshedBody>>(backend_->mesh(*scene, settings, progress));
         const bool cancelled = progress.cancelled();
-        return [this, settings, body, cancelled, then] {
+        std::shared_ptr<const PaintGround> ground;
+        if (*body && !cancelled) ground = std::make_shared<const PaintGround>(scene->surface, (*body)->mesh);
+        return [this, settings, body, ground, cancelled, then] {
             if (cancelled) {
                 log(LogLevel::information, "Meshing cancelled.");
                 return;
@@ -268,6 +283,8 @@ void Workbench::build_mesh(std::function<void()> then) {
             }
             state_.body = std::make_shared<MeshedBody>(std::move(**body));
             state_.body_settings = settings;
+            state_.ground = ground;
+            place_muscles();
             // Frames of the old mesh cannot be shown on the new one.
             state_.run.reset();
             state_.calibration.reset();

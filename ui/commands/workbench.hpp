@@ -6,6 +6,7 @@
 
 #include "commands/backend.hpp"
 #include "commands/command.hpp"
+#include "commands/placed_paint.hpp"
 #include "commands/undo.hpp"
 #include "commands/workbench_state.hpp"
 
@@ -39,6 +40,9 @@ private:
     void look_at_forces();
     void take_live_diagnosis();
     void add_effect(const std::string& key);
+    void paint(const command::Paint& asked);
+    /// Puts the settings' muscles on the body.
+    void place_muscles();
     void change_settings(const command::ChangeSettings& change);
     void set_settings(const Settings& settings);
     void check_stability();
@@ -56,6 +60,7 @@ private:
     std::function<void()> wake_;
     WorkbenchState state_;
     UndoStack<Settings> undo_;
+    PlacedPaint placed_;
     // What a running diagnosis knows so far, on its way from its thread to the frame.
     struct LiveDiagnosis {
         std::mutex mutex;

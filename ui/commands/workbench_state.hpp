@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands/backend.hpp"
+#include "commands/brush_settings.hpp"
 #include "commands/job.hpp"
 #include "commands/settings.hpp"
 #include "platform/theme.hpp"
@@ -33,6 +34,7 @@ struct ViewOptions {
     bool labels = true;
     bool clamp = true;
     bool displacement = false;      // colour the body by displacement
+    bool fibres = true;             // muscles: colours and lines
     bool effect_force = true;       // arrows of the chosen effect's force, once there is a diagnosis
     double opacity = 1.0;
 
@@ -45,6 +47,8 @@ inline constexpr const char* diagnose_job = "Diagnose";
 struct WorkbenchState {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const MeshedBody> body;
+    std::shared_ptr<const PaintGround> ground;              // of `body`
+    std::vector<std::shared_ptr<const CellPaint>> paint;    // of the settings' muscles on `body`; null without one
     std::shared_ptr<const RunResult> run;
     std::shared_ptr<const CalibrationResult> calibration;   // the last one, while its run is shown
     std::shared_ptr<const DiagnosisView> diagnosis;         // the last one, or what is known of the running one
@@ -59,6 +63,8 @@ struct WorkbenchState {
 
     int trial = 0;
     int marker = 0;
+    int muscle = 0;                 // of the settings' muscles, the one that is edited
+    BrushSettings brush;
     double time_s = 0.0;
     bool playing = false;
     double speed = 1.0;             // of playing, against real time
@@ -90,6 +96,14 @@ struct WorkbenchState {
     const SceneTrial* scene_trial() const {
         return scene && trial >= 0 && trial < static_cast<int>(scene->trials.size()) ? &scene->trials[static_cast<std::size_t>(trial)]
                                                                                     : nullptr;
+    }
+    /// The muscle that is edited, or null.
+    const Muscle* chosen_muscle() const {
+        return muscle >= 0 && muscle < static_cast<int>(settings.muscles.size()) ? &settings.muscles[static_cast<std::size_t>(muscle)] : nullptr;
+    }
+    /// Its paint; null without body or muscle.
+    const CellPaint* chosen_paint() const {
+        return chosen_muscle() && static_cast<std::size_t>(muscle) < paint.size() ? paint[static_cast<std::size_t>(muscle)].get() : nullptr;
     }
     const SimulatedTrial* simulated_trial() const {
         return run && trial >= 0 && trial < static_cast<int>(run->trials.size()) ? &run->trials[static_cast<std::size_t>(trial)] : nullptr;

@@ -1,5 +1,6 @@
 #include "panels/body_panel.hpp"
 #include "panels/diagnose_panel.hpp"
+#include "panels/fibre_panel.hpp"
 #include "panels/log_panel.hpp"
 #include "panels/marker_panel.hpp"
 #include "panels/model_panel.hpp"
@@ -13,6 +14,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     const auto add = [&panels]<class T>(std::type_identity<T>) { panels.push_back(std::make_unique<T>()); };
     add(std::type_identity<BodyPanel>());
     add(std::type_identity<ModelPanel>());
+    add(std::type_identity<FibrePanel>());
     add(std::type_identity<RunPanel>());
     add(std::type_identity<MarkerPanel>());
     add(std::type_identity<DiagnosePanel>());

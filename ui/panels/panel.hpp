@@ -16,6 +16,7 @@ struct PanelContext {
     const Theme& theme;
     ItemRectangles& items;
     std::vector<Command>& commands;
+    const CellPaint* live_paint = nullptr;     // of the chosen muscle while a stroke goes on
 
     void emit(Command command) { commands.push_back(std::move(command)); }
 };

@@ -19,6 +19,7 @@ void draw_view_options(PanelContext& context) {
                                          {"Error lines", "view/errors", &ViewOptions::errors},
                                          {"Names", "view/labels", &ViewOptions::labels},
                                          {"Element edges", "view/edges", &ViewOptions::edges},
+                                         {"Muscles and fibres", "view/fibres", &ViewOptions::fibres},
                                          {"Force of the effect", "view/effect_force", &ViewOptions::effect_force},
                                          {"Displacement colours", "view/displacement", &ViewOptions::displacement},
                                          {"Clamp", "view/clamp", &ViewOptions::clamp},

@@ -96,7 +96,7 @@ bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit,
     const double lowest = field.limits.lowest / field.per_unit;
     const double highest = field.limits.highest / field.per_unit;
     const float speed = static_cast<float>(std::max(0.004 * std::abs(shown), field.smallest_step));
-    const std::string format = "%.5g" + (field.unit.empty() ? "" : " " + field.unit);
+    const std::string format = "%.5g" + (field.unit.empty() ? "" : " " + (field.unit == "%" ? "%%" : field.unit));
     bool changed = ImGui::DragScalar(("##" + field.name).c_str(), ImGuiDataType_Double, &shown, speed, &lowest, &highest,
                                      format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     context.items.mark(field.name);

@@ -24,6 +24,12 @@ void begin_part(const char* name, const Rectangle& place, ImGuiWindowFlags flags
     ImGui::Begin(name, nullptr, fixed_window | flags);
 }
 
+std::vector<int> muscle_looks(const std::vector<Muscle>& muscles) {
+    std::vector<int> colors;
+    for (const Muscle& muscle : muscles) colors.push_back(muscle.color);
+    return colors;
+}
+
 ViewColors view_colors(const Theme& theme) {
     const auto color = [](const ImVec4& c, float alpha = 1.0f) { return Color(c.x, c.y, c.z, alpha); };
     ViewColors colors;
@@ -205,7 +211,10 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PopStyleVar();
     const EmptyView empty{"Open an experiment folder or drop a mesh",
                           "Type a path on the left, choose from a list with Ctrl+O, or drop a folder or file on this window."};
-    draw_viewport(scene_, empty, context.theme, context.items, viewport_, context.state.view.labels);
+    const ToolTakes takes = [&](const Eigen::Vector2d& pixel) { return paint_.takes(context.state, scene_, viewport_, pixel); };
+    draw_viewport(scene_, empty, context.theme, context.items, viewport_, context.state.view.labels, takes);
+    paint_.update(context, scene_, viewport_);
+    context.live_paint = paint_.live();
     if (context.state.scene) {
         ImGui::SameLine();
         draw_view_options(context);
@@ -249,6 +258,13 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
     }
     if (pressed(ImGuiKey_Space)) context.emit(command::Play{!context.state.playing});
     if (pressed(key_f)) viewport_.fit_requested = true;
+    const auto toggle = [&](BrushTool tool) {
+        BrushSettings brush = context.state.brush;
+        brush.tool = brush.tool == tool ? BrushTool::none : tool;
+        if (context.state.chosen_muscle()) context.emit(command::ChangeBrush{brush});
+    };
+    if (pressed(key_b)) toggle(BrushTool::add);
+    if (pressed(key_e)) toggle(BrushTool::erase);
     const auto step = [&](double frames) {
         const SceneTrial* trial = context.state.scene_trial();
         if (!trial || trial->time_s.size() < 2) return;
@@ -261,7 +277,8 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
 
 void WorkbenchWindow::update_scene() {
     const WorkbenchState& state = workbench_->state();
-    const SceneKey key{state.scene, state.body, state.run, state.diagnosis, state.candidate, state.trial, state.time_s, state.view, interface_.theme().name};
+    const SceneKey key{state.scene, state.body, state.run, state.diagnosis, state.candidate, state.trial, state.time_s, state.view, state.paint, muscle_looks(state.settings.muscles),
+                       state.muscle, paint_.revision(), interface_.theme().name};
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
         viewport_.camera = turn_to(viewport_.camera, StandardView::oblique);
@@ -273,7 +290,7 @@ void WorkbenchWindow::update_scene() {
         if (viewport_.untouched) viewport_.fit_requested = true;
     }
     if (key.run != scene_key_.run && key.run) wanted_panel_ = "run";
-    scene_ = scene_at_time(state, interface_.theme(), motion_);
+    scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live());
     scene_key_ = key;
     ++revision_;
 }
@@ -308,7 +325,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     gl::Disable(GL_SCISSOR_TEST);
     gl::ClearColor(clear.x, clear.y, clear.z, 1.0f);
     gl::Clear(GL_COLOR_BUFFER_BIT);
-    const bool moving = viewport_.moving || state.playing;
+    const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
     if (viewport_.size().width > 1 && viewport_.size().height > 1) {
         const auto drawn = renderer_.update(scene_, revision_, view_colors(interface_.theme()), viewport_.camera, viewport_.size(),
                                             moving ? 0 : 4);

@@ -8,6 +8,7 @@
 #include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
 #include "panels/layout.hpp"
+#include "panels/paint_tool.hpp"
 #include "panels/panel.hpp"
 #include "platform/interface.hpp"
 #include "viewport/scene_renderer.hpp"
@@ -63,6 +64,10 @@ private:
         int trial = 0;
         double time_s = 0.0;
         ViewOptions view;
+        std::vector<std::shared_ptr<const CellPaint>> paint;
+        std::vector<int> muscle_colors;
+        int muscle = 0;
+        int stroke = 0;
         ThemeName theme = ThemeName::dark;
         bool operator==(const SceneKey&) const = default;
     };
@@ -76,6 +81,7 @@ private:
     float foot_height_ = 40.0f;     // of the rail's foot, as it was in the last frame
     Layout layout_;
     ViewportState viewport_;
+    PaintTool paint_;
     DrawnScene scene_;
     SceneKey scene_key_;
     MotionSummary motion_;

@@ -42,6 +42,10 @@ constexpr Swatch palette[] = {
     {&Theme::axis_z, 0x6aa9ff, 0x1864ab},
 };
 
+/// Okabe and Ito 2008, darker for a light ground; the last is between their yellow and green.
+constexpr unsigned muscle_colors_dark[] = {0xe8663c, 0x56b4e9, 0x1fb58a, 0xcc79a7, 0xe69f00, 0x5b8def, 0xf0e442, 0x9bc53d};
+constexpr unsigned muscle_colors_light[] = {0xd04a14, 0x2a8fca, 0x008f66, 0xb0578a, 0xc98600, 0x1f5fc4, 0xb8a800, 0x6f9420};
+
 }  // namespace
 
 Theme make_theme(ThemeName name, float scale) {
@@ -51,6 +55,7 @@ Theme make_theme(ThemeName name, float scale) {
     theme.scale = scale;
     theme.edge_strength = light ? 0.38f : 0.55f;
     for (const Swatch& swatch : palette) theme.*swatch.color = rgb(light ? swatch.light : swatch.dark);
+    for (std::size_t i = 0; i < theme.muscles.size(); ++i) theme.muscles[i] = rgb(light ? muscle_colors_light[i] : muscle_colors_dark[i]);
     return theme;
 }
 

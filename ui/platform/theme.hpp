@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <array>
+
 namespace myo {
 
 enum class ThemeName { dark, light };
@@ -33,6 +35,7 @@ struct Theme {
     ImVec4 grid;
     ImVec4 body;                   // surface without a field
     ImVec4 axis_x, axis_y, axis_z;
+    std::array<ImVec4, 8> muscles; // told apart by people who do not see all colours, too
 
     // Filled by load_fonts.
     ImFont* regular = nullptr;

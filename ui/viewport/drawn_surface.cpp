@@ -32,14 +32,18 @@ DrawnSurface drawn_surface(const SurfaceMesh& mesh) {
     return surface;
 }
 
-std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, const Eigen::VectorXd& values) {
+std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, const Eigen::VectorXd& values, const Eigen::Matrix4Xf& tints) {
     assert(values.size() == 0 || values.size() == positions.cols());
-    std::vector<float> data(surface.corners.size() * 4);
+    const auto corners_per_face = static_cast<std::size_t>(3 * surface.triangles_per_face());
+    assert(tints.cols() == 0 || static_cast<std::size_t>(tints.cols()) * corners_per_face == surface.corners.size());
+    std::vector<float> data(surface.corners.size() * surface_floats, 0.0f);
     for (std::size_t i = 0; i < surface.corners.size(); ++i) {
         const int node = surface.corners[i];
         assert(node >= 0 && node < positions.cols());
-        for (int k = 0; k < 3; ++k) data[4 * i + static_cast<std::size_t>(k)] = static_cast<float>(positions(k, node));
-        data[4 * i + 3] = values.size() > 0 ? static_cast<float>(values[node]) : 0.0f;
+        float* const vertex = &data[surface_floats * i];
+        for (int k = 0; k < 3; ++k) vertex[k] = static_cast<float>(positions(k, node));
+        if (values.size() > 0) vertex[3] = static_cast<float>(values[node]);
+        if (tints.cols() > 0) Eigen::Map<Eigen::Vector4f>(vertex + 4) = tints.col(static_cast<Eigen::Index>(i / corners_per_face));
     }
     return data;
 }

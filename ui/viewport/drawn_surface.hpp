@@ -20,12 +20,19 @@ struct DrawnSurface {
     bool closed = true;           // back faces are never seen
 
     std::size_t triangle_count() const { return corners.size() / 3; }
+    /// Of each face of the body.
+    int triangles_per_face() const { return face_nodes == 6 ? 4 : face_nodes - 2; }
 };
 
 DrawnSurface drawn_surface(const BoundaryFaces& faces);
 DrawnSurface drawn_surface(const SurfaceMesh& surface);
 
-/// x, y, z and value for each corner. values: per node, or empty for zero.
-std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, const Eigen::VectorXd& values);
+inline constexpr int surface_floats = 8;
+
+/// x, y, z, value and tint for each corner.
+///
+/// @param values  per node, or empty for zero
+/// @param tints   red, green, blue and share per face of the body, 4 x faces, or empty for none
+std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, const Eigen::VectorXd& values, const Eigen::Matrix4Xf& tints);
 
 }  // namespace myo

@@ -50,6 +50,7 @@ struct DrawnScene {
     std::shared_ptr<const DrawnSurface> surface;
     Eigen::Matrix3Xd positions;                           // of the nodes the surface refers to [m]
     std::optional<DrawnField> field;
+    Eigen::Matrix4Xf tints;                               // per face of the body: red, green, blue and the share of that colour; may be empty
     double body_opacity = 1.0;
     bool edges = true;
     bool grid = true;

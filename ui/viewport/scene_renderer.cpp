@@ -41,8 +41,9 @@ Result<SceneRenderer> SceneRenderer::make() {
         gl::BindBuffer(GL_ARRAY_BUFFER, p.buffer.name());
     };
     bind(renderer.surface_);
-    gl::attribute(0, 3, 4, 0);
-    gl::attribute(1, 1, 4, 3);
+    gl::attribute(0, 3, surface_floats, 0);
+    gl::attribute(1, 1, surface_floats, 3);
+    gl::attribute(2, 4, surface_floats, 4);
     bind(renderer.line_);
     gl::attribute(0, 3, segment_floats, 0, 1);
     gl::attribute(1, 3, segment_floats, 3, 1);
@@ -110,7 +111,7 @@ void SceneRenderer::upload_scene(const DrawnScene& scene) {
         const double span = scene.field->highest - scene.field->lowest;
         levels = (scene.field->values.array() - scene.field->lowest) / (span > 0.0 ? span : 1.0);
     }
-    gl::upload(surface_.buffer, surface_vertices(*scene.surface, scene.positions, levels));
+    gl::upload(surface_.buffer, surface_vertices(*scene.surface, scene.positions, levels, scene.tints));
 }
 
 void SceneRenderer::draw_surface(const DrawnScene& scene, const ViewColors& colors) const {

@@ -11,20 +11,22 @@
 namespace myo {
 namespace {
 
-void react_to_mouse(ViewportState& state, bool hovered, bool active) {
+void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolTakes& takes) {
     const ImGuiIO& io = ImGui::GetIO();
+    state.hovered = hovered;
+    state.mouse = {static_cast<double>(io.MousePos.x - state.pixels.lowest.x), static_cast<double>(io.MousePos.y - state.pixels.lowest.y)};
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.tool_held = takes && takes(state.mouse);
+    state.tool_held = state.tool_held && active && ImGui::IsMouseDown(ImGuiMouseButton_Left);
     const ViewSize size = state.size();
     const double dx = static_cast<double>(io.MouseDelta.x);
     const double dy = static_cast<double>(io.MouseDelta.y);
     const Camera before = state.camera;
-    if (active && (dx != 0.0 || dy != 0.0)) {
+    if (active && !state.tool_held && (dx != 0.0 || dy != 0.0)) {
         const bool turns = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift;
         state.camera = turns ? orbit(state.camera, dx, dy) : pan(state.camera, size, dx, dy);
     }
     if (hovered && io.MouseWheel != 0.0f) {
-        const Eigen::Vector2d cursor(static_cast<double>(io.MousePos.x - state.pixels.lowest.x),
-                                     static_cast<double>(io.MousePos.y - state.pixels.lowest.y));
-        state.camera = zoom(state.camera, size, std::pow(0.87, static_cast<double>(io.MouseWheel)), cursor);
+        state.camera = zoom(state.camera, size, std::pow(0.87, static_cast<double>(io.MouseWheel)), state.mouse);
     }
     state.moving = !(state.camera == before);
     state.untouched = state.untouched && !state.moving;
@@ -75,12 +77,12 @@ void draw_empty(ImDrawList& list, const Rectangle& view, const EmptyView& empty,
 }  // namespace
 
 void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme& theme, ItemRectangles& items,
-                   ViewportState& state, bool labels) {
+                   ViewportState& state, bool labels, const ToolTakes& takes) {
     const ImVec2 lowest = ImGui::GetWindowPos();
     const ImVec2 extent = ImGui::GetWindowSize();
     state.pixels = {{std::floor(lowest.x), std::floor(lowest.y)},
                     {std::floor(lowest.x + extent.x), std::floor(lowest.y + extent.y)}};
-    state.moving = false;
+    state.moving = state.hovered = false;
     if (state.size().width < 2 || state.size().height < 2) return;
     items.add("view", state.pixels);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -94,7 +96,7 @@ void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme&
     ImGui::InvisibleButton("view", extent,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
-    react_to_mouse(state, ImGui::IsItemHovered(), ImGui::IsItemActive());
+    react_to_mouse(state, ImGui::IsItemHovered(), ImGui::IsItemActive(), takes);
     draw_buttons(theme, items, state);
     if (state.fit_requested) {
         state.camera = fit(state.camera, state.size(), scene.reach);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "platform/item_rectangles.hpp"
@@ -15,6 +16,9 @@ struct ViewportState {
     bool fit_requested = true;     // show the whole scene in the next frame
     bool untouched = true;         // the person has not turned or moved it since all was shown
     bool moving = false;           // the camera moved in this frame: draw without multisampling
+    bool hovered = false;          // by the mouse, with nothing over it
+    bool tool_held = false;        // the left button is down for a tool, not for the view
+    Eigen::Vector2d mouse = Eigen::Vector2d::Zero();   // [pixels] from the upper left corner of the view
     Rectangle pixels;              // where the picture belongs in the window
 
     ViewSize size() const { return {static_cast<int>(pixels.width()), static_cast<int>(pixels.height())}; }
@@ -26,11 +30,14 @@ struct EmptyView {
     std::string hint;
 };
 
+/// Whether a press of the left button at these pixels of the view is for a tool.
+using ToolTakes = std::function<bool(const Eigen::Vector2d&)>;
+
 /// Everything of a 3D view but the picture itself: mouse, labels, axes, scale bar, legend, buttons. Fills the current ImGui
 /// window, which must have no background: the picture lies under it.
 ///
-/// Left drag turns, right or middle drag moves, wheel zooms towards the mouse; the buttons show all or look along an axis.
+/// Left drag turns, unless a tool takes it; right or middle drag moves, wheel zooms towards the mouse; the buttons show all or look along an axis.
 void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme& theme, ItemRectangles& items,
-                   ViewportState& state, bool labels);
+                   ViewportState& state, bool labels, const ToolTakes& takes);
 
 }  // namespace myo

@@ -1,0 +1,44 @@
+#include "commands/brush_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace myo {
+
+BrushSettings brush_for(const Eigen::Vector3d& size_m) {
+    BrushSettings brush;
+    // Whole half millimetres, as one would type them.
+    const auto rounded = [](double metres) { return std::max(1.0, std::round(metres / 5e-4)) * 5e-4; };
+    brush.radius_m = rounded(0.06 * size_m.norm());
+    brush.depth_m = rounded(0.4 * size_m.minCoeff());
+    return brush;
+}
+
+Eigen::Vector3d fixed_axis(BrushDirection direction, const PaintGround& ground) {
+    switch (direction) {
+        case BrushDirection::x: return Eigen::Vector3d::UnitX();
+        case BrushDirection::y: return Eigen::Vector3d::UnitY();
+        case BrushDirection::z: return Eigen::Vector3d::UnitZ();
+        case BrushDirection::stroke:
+        case BrushDirection::longest: break;
+    }
+    return ground.longest_axis;
+}
+
+Brush make_brush(const BrushSettings& settings, const PaintGround& ground, bool erase) {
+    Brush brush;
+    brush.radius_m = settings.radius_m;
+    brush.depth_m = settings.through ? std::numeric_limits<double>::infinity() : settings.depth_m;
+    brush.falloff = settings.falloff;
+    brush.strength = settings.strength;
+    brush.erase = erase;
+    if (settings.direction != BrushDirection::stroke) brush.axis = fixed_axis(settings.direction, ground);
+    if (settings.mirror != BrushMirror::none) {
+        const int axis = settings.mirror == BrushMirror::x ? 0 : settings.mirror == BrushMirror::y ? 1 : 2;
+        brush.mirror = MirrorPlane{ground.middle_m, Eigen::Vector3d::Unit(axis)};
+    }
+    return brush;
+}
+
+}  // namespace myo

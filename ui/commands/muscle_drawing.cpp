@@ -1,0 +1,108 @@
+#include "commands/muscle_drawing.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr float strongest_tint = 0.8f;
+constexpr double fibre_length = 0.7;        // of the distance between cells
+constexpr double lift = 0.04;               // of it, above the face
+constexpr std::size_t most_fibres = 4000;   // of a muscle: more are drawn one in so many
+constexpr float dark_fibre = 0.35f;         // on its own colour
+
+Eigen::Vector3f rgb(const ImVec4& c) { return {c.x, c.y, c.z}; }
+
+/// Columns of a matrix that belong to a cell or a face.
+Matrix3Xd nodes_of(const Matrix3Xd& positions, const Eigen::MatrixXi& nodes, Index column) { return positions(Eigen::all, nodes.col(column)); }
+
+/// Deformation gradient that fits a cell's nodes best.
+Matrix3d deformation(const Matrix3Xd& rest, const Matrix3Xd& now) {
+    const Matrix3Xd X = rest.colwise() - rest.rowwise().mean(), x = now.colwise() - now.rowwise().mean();
+    return x * X.transpose() * (X * X.transpose()).inverse();
+}
+
+/// Line through `middle` that ends with a gap.
+void append(std::vector<Vector3d>& points, const Vector3d& middle, const Vector3d& half) {
+    points.push_back(middle - half);
+    points.push_back(middle + half);
+    points.push_back(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+}
+
+DrawnLine lines_of(const std::vector<Vector3d>& points, const Eigen::Vector3f& color, double width) {
+    DrawnLine line;
+    line.points = Eigen::Map<const Matrix3Xd>(points.empty() ? nullptr : points.front().data(), 3, static_cast<Index>(points.size()));
+    line.color << color, 1.0f;
+    line.width = width;
+    return line;
+}
+
+/// Fibres of one muscle: those on the surface, and those inside.
+void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& paint, double spacing_m, const Eigen::Vector3f& color, double width) {
+    const BoundaryFaces& boundary = body.boundary;
+    const VolumeMesh& mesh = body.mesh;
+    std::vector<bool> at_surface(static_cast<std::size_t>(mesh.cell_count()), false);
+    std::vector<Index> faces, inside;
+    for (Index f = 0; f < boundary.count(); ++f) {
+        if (!(paint.weights(boundary.cell(f)) > 0.0)) continue;
+        at_surface[static_cast<std::size_t>(boundary.cell(f))] = true;
+        faces.push_back(f);
+    }
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+        if (paint.weights(c) > 0.0 && !at_surface[static_cast<std::size_t>(c)]) inside.push_back(c);
+    const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size()) / most_fibres);
+    const double half = 0.5 * fibre_length * spacing_m;
+    std::vector<Vector3d> on_surface, within;
+    for (std::size_t i = 0; i < faces.size(); i += stride) {
+        const Index cell = boundary.cell(faces[i]);
+        const Matrix3Xd corners = nodes_of(drawn.positions, boundary.nodes, faces[i]);
+        const Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
+        Vector3d along = deformation(nodes_of(mesh.nodes, mesh.cells, cell), nodes_of(drawn.positions, mesh.cells, cell)) * paint.directions.col(cell);
+        along -= along.dot(normal) * normal;
+        append(on_surface, corners.rowwise().mean() + lift * spacing_m * normal, half * along);
+    }
+    for (std::size_t i = 0; i < inside.size(); i += stride) {
+        const Matrix3Xd now = nodes_of(drawn.positions, mesh.cells, inside[i]);
+        append(within, now.rowwise().mean(), half * deformation(nodes_of(mesh.nodes, mesh.cells, inside[i]), now) * paint.directions.col(inside[i]));
+    }
+    if (!within.empty()) drawn.lines.push_back(lines_of(within, color, width));
+    if (!on_surface.empty()) drawn.lines.push_back(lines_of(on_surface, dark_fibre * color, width));
+}
+
+}  // namespace
+
+void add_muscles(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme, const CellPaint* live) {
+    if (!state.view.fibres || !state.body || !state.ground || state.paint.size() != state.settings.muscles.size()) return;
+    const BoundaryFaces& boundary = state.body->boundary;
+    Eigen::Matrix4Xf sums = Eigen::Matrix4Xf::Zero(4, boundary.count());
+    for (std::size_t m = 0; m < state.paint.size(); ++m) {
+        const bool chosen = static_cast<int>(m) == state.muscle;
+        const CellPaint& paint = chosen && live ? *live : *state.paint[m];
+        if (paint.count() != state.body->mesh.cell_count() || !(paint.weights.maxCoeff() > 0.0)) continue;
+        const Eigen::Vector3f color = rgb(theme.muscles[static_cast<std::size_t>(state.settings.muscles[m].color) % theme.muscles.size()]);
+        for (Index f = 0; f < boundary.count(); ++f) {
+            const auto weight = static_cast<float>(paint.weights(boundary.cell(f)));
+            sums.col(f) += weight * color.homogeneous();
+        }
+        add_fibres(drawn, *state.body, paint, state.ground->places.edge_m, color, chosen ? 2.2 : 1.4);
+    }
+    if (!(sums.row(3).maxCoeff() > 0.0f)) return;
+    for (auto tint : sums.colwise()) {
+        if (tint(3) > 0.0f) tint.head<3>() /= tint(3);
+        tint(3) = strongest_tint * std::min(1.0f, tint(3));
+    }
+    drawn.tints = std::move(sums);
+}
+
+}  // namespace myo

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "commands/workbench_state.hpp"
+#include "viewport/scene.hpp"
+
+namespace myo {
+
+/// Colours the faces of painted cells and draws their fibres, on the surface where cells have a face there, else inside.
+///
+/// @param live  paint of the chosen muscle while a stroke goes on; null: as it is in the state
+void add_muscles(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme, const CellPaint* live);
+
+}  // namespace myo

@@ -1,0 +1,45 @@
+#include "commands/paint_ground.hpp"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+#include "fibre/direction_field.hpp"
+#include "mesh/face_shape.hpp"
+
+namespace myo {
+namespace {
+
+Eigen::Matrix3d corners(const SurfaceMesh& surface, int triangle) { return surface.vertices(Eigen::all, surface.triangles.col(triangle)); }
+
+std::vector<Box> boxes_of(const SurfaceMesh& surface) {
+    std::vector<Box> boxes;
+    for (int t = 0; t < static_cast<int>(surface.triangles.cols()); ++t) boxes.push_back(bounding_box(corners(surface, t)));
+    return boxes;
+}
+
+}  // namespace
+
+PaintGround::PaintGround(const SurfaceMesh& body_surface, const VolumeMesh& mesh)
+    : places(cell_places(mesh)),
+      neighbours(neighbouring_cells(mesh)),
+      volumes_m3(cell_volumes(mesh)),
+      longest_axis(directions_along_longest_axis(mesh).col(0)),
+      surface(body_surface),
+      triangles(boxes_of(body_surface)) {
+    const Box bounds = bounding_box(mesh.nodes);
+    middle_m = 0.5 * (bounds.lowest + bounds.highest);
+}
+
+Eigen::Vector3d outward_at(const PaintGround& ground, const Eigen::Vector3d& position_m) {
+    const auto squared_distance = [&](int t) {
+        const Eigen::Matrix3Xd X = corners(ground.surface, t);
+        return (X * face_shape(3, closest_face_parameters(X, position_m)) - position_m).squaredNorm();
+    };
+    const int nearest = ground.triangles.nearest(position_m, squared_distance);
+    if (nearest < 0) return Eigen::Vector3d::UnitZ();
+    const Eigen::Matrix3d X = corners(ground.surface, nearest);
+    return (X.col(1) - X.col(0)).cross(X.col(2) - X.col(0)).normalized();
+}
+
+}  // namespace myo

@@ -1,0 +1,24 @@
+#include "commands/workbench.hpp"
+
+// Muscles of the workbench: where they are on the body, and what strokes change.
+
+namespace myo {
+
+void Workbench::paint(const command::Paint& asked) {
+    const auto index = static_cast<std::size_t>(asked.muscle);
+    if (!state_.body || !asked.paint || asked.muscle < 0 || index >= state_.settings.muscles.size()) return;
+    if (asked.paint->count() != state_.body->mesh.cell_count()) return;   // of a mesh that is gone
+    const auto mask = std::make_shared<const PaintedMask>(mask_of_cells(state_.body->mesh, *asked.paint));
+    placed_.remember(state_.body, mask, asked.paint);
+    Settings settings = state_.settings;
+    settings.muscles[index].paint = mask;
+    change_settings({settings, asked.what, false});
+}
+
+void Workbench::place_muscles() {
+    state_.paint.clear();
+    if (!state_.body) return;
+    for (const Muscle& muscle : state_.settings.muscles) state_.paint.push_back(placed_.of(muscle, state_.body));
+}
+
+}  // namespace myo

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "panels/widgets.hpp"
+
+namespace myo {
+
+/// The muscles of the body, and the brush that paints them.
+class FibrePanel : public Panel {
+public:
+    std::string name() const override { return "fibres"; }
+    std::string title() const override;
+    PanelPlace place() const override { return PanelPlace::rail; }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_list(PanelContext& context);
+    void draw_muscle(PanelContext& context);
+    void draw_name(PanelContext& context);
+    void draw_link(PanelContext& context);
+    void draw_paint_actions(PanelContext& context);
+    void draw_brush(PanelContext& context);
+
+    OpenEdit edit_;
+    std::string typed_name_;
+    bool typing_ = false;
+};
+
+/// A muscle that is not painted yet: a free name and colour, as stiff as the body, with a contraction of a fifth in half a second to begin with.
+Muscle new_muscle(const Settings& settings);
+
+}  // namespace myo

@@ -1,0 +1,124 @@
+#include "panels/paint_tool.hpp"
+
+#include <imgui.h>
+
+#include <Eigen/Geometry>
+
+#include <numbers>
+#include <vector>
+
+namespace myo {
+namespace {
+
+/// Points of a stroke are at least so far apart, in radii: shorter ways have the hand's tremor for a direction.
+constexpr double closest_points = 0.08;
+
+bool can_paint(const WorkbenchState& state) {
+    return state.brush.tool != BrushTool::none && state.ground && state.chosen_paint();
+}
+
+bool erases(const BrushSettings& brush) { return (brush.tool == BrushTool::erase) != ImGui::GetIO().KeyCtrl; }
+
+/// Rest to deformed at a triangle, in its plane.
+Eigen::Matrix3d frame_of(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, int triangle) {
+    const auto corner = [&](int k) { return Eigen::Vector3d(positions.col(surface.corners[static_cast<std::size_t>(3 * triangle + k)])); };
+    Eigen::Matrix3d frame;
+    frame.col(0) = corner(1) - corner(0);
+    frame.col(1) = corner(2) - corner(0);
+    frame.col(2) = frame.col(0).cross(frame.col(1)).normalized();
+    return frame;
+}
+
+}  // namespace
+
+std::optional<SurfaceHit> PaintTool::hit_at(const WorkbenchState& state, const DrawnScene& scene, const ViewportState& view, const Eigen::Vector2d& pixel) {
+    if (!state.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count()) return std::nullopt;
+    return pick_surface(*scene.surface, scene.positions, ray_through(view.camera, view.size(), pixel));
+}
+
+bool PaintTool::takes(const WorkbenchState& state, const DrawnScene& scene, const ViewportState& view, const Eigen::Vector2d& pixel) const {
+    return can_paint(state) && !ImGui::GetIO().KeyShift && hit_at(state, scene, view, pixel).has_value();
+}
+
+void PaintTool::drop() {
+    stroke_.reset();
+    ground_.reset();
+    handed_over_ = false;
+    if (live_) ++revision_;
+    live_.reset();
+}
+
+void PaintTool::press(PanelContext& context, const Touch& touch) {
+    const WorkbenchState& state = context.state;
+    if (state.brush.tool != BrushTool::fill) {
+        drop();
+        ground_ = state.ground;
+        stroke_ = std::make_unique<Stroke>(ground_->places, make_brush(state.brush, *ground_, erases(state.brush)));
+        return;
+    }
+    const Eigen::Index face = touch.hit.triangle / drawn_surface(state.body->boundary).triangles_per_face();
+    CellPaint paint = filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours, state.body->boundary.cell(face),
+                             fixed_axis(state.brush.direction, *state.ground));
+    context.emit(command::Paint{state.muscle, std::make_shared<const CellPaint>(std::move(paint)), "fill"});
+}
+
+void PaintTool::go_on(const WorkbenchState& state, const Touch& touch) {
+    if (live_ && (touch.rest_m - last_).norm() < closest_points * state.brush.radius_m) return;
+    last_ = touch.rest_m;
+    stroke_->add(touch.rest_m, touch.outward);
+    live_ = stroke_->over(*state.chosen_paint(), fixed_axis(state.brush.direction, *ground_));
+    ++revision_;
+}
+
+void PaintTool::update(PanelContext& context, const DrawnScene& scene, const ViewportState& view) {
+    const WorkbenchState& state = context.state;
+    // What was handed over is in the state by now.
+    if (handed_over_ || !can_paint(state) || (stroke_ && ground_ != state.ground) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) drop();
+    const bool held = view.tool_held && can_paint(state), pressed = held && !was_held_;
+    was_held_ = held;
+    std::optional<Touch> touch;
+    if (can_paint(state) && (view.hovered || held))
+        if (const auto hit = hit_at(state, scene, view, view.mouse)) {
+            const Eigen::Vector3d rest = hit->place(*scene.surface, state.body->mesh.nodes);
+            touch = Touch{*hit, rest, outward_at(*state.ground, rest)};
+        }
+    if (touch) draw_ring(context, scene, view, *touch);
+    if (pressed && touch) press(context, *touch);
+    if (!stroke_) return;
+    if (held && touch) go_on(state, *touch);
+    if (held) return;
+    context.emit(command::Paint{state.muscle, std::make_shared<const CellPaint>(*live_), "stroke"});
+    stroke_.reset();
+    handed_over_ = true;
+}
+
+void PaintTool::draw_ring(const PanelContext& context, const DrawnScene& scene, const ViewportState& view, const Touch& touch) const {
+    const WorkbenchState& state = context.state;
+    const Eigen::Matrix3d at_rest = frame_of(*scene.surface, state.body->mesh.nodes, touch.hit.triangle);
+    const Eigen::Matrix3d deformation = frame_of(*scene.surface, scene.positions, touch.hit.triangle) * at_rest.inverse();
+    const Eigen::Vector3d middle = touch.hit.place(*scene.surface, scene.positions);
+    const Eigen::Vector3d u = touch.outward.unitOrthogonal(), v = touch.outward.cross(u);
+    constexpr int points = 48;
+    const auto ring = [&](double radius) {
+        std::vector<ImVec2> pixels;
+        for (int i = 0; i < points; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / points;
+            const auto seen = project(view.camera, view.size(), middle + deformation * (radius * (std::cos(angle) * u + std::sin(angle) * v)));
+            if (!seen) return;
+            pixels.push_back({view.pixels.lowest.x + static_cast<float>(seen->x()), view.pixels.lowest.y + static_cast<float>(seen->y())});
+        }
+        const Theme& theme = context.theme;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec4 color = erases(state.brush) && state.brush.tool != BrushTool::fill
+                                 ? theme.failure
+                                 : theme.muscles[static_cast<std::size_t>(state.chosen_muscle()->color) % theme.muscles.size()];
+        // Dark below light: seen on any ground.
+        list.AddPolyline(pixels.data(), points, IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed, 3.5f * theme.scale);
+        list.AddPolyline(pixels.data(), points, packed(color), ImDrawFlags_Closed, 1.8f * theme.scale);
+    };
+    if (state.brush.tool == BrushTool::fill) return ring(0.25 * state.ground->places.edge_m);
+    ring(state.brush.radius_m);
+    if (state.brush.falloff > 0.0 && state.brush.falloff < 1.0) ring((1.0 - state.brush.falloff) * state.brush.radius_m);
+}
+
+}  // namespace myo
