@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "dynamics/numerical_damping.hpp"
 #include "material/catalogue.hpp"
+#include "measurement/actuation_csv.hpp"
 #include "measurement/rigid_motion.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
@@ -143,8 +144,9 @@ void fill_from_study(const Study& study, Scene& scene) {
     const Experiment& experiment = study.experiment;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) scene.markers.push_back({marker.name, marker.rest_m});
     for (const StudyTrial& trial : study.trials) {
-        SceneTrial shown{trial.name, trial.role == TrialRole::fit ? "fit" : "validate", trial.measured.time_s, {}};
+        SceneTrial shown{trial.name, trial.role == TrialRole::fit ? "fit" : "validate", trial.measured.time_s, {}, {}};
         for (std::size_t m = 0; m < scene.markers.size(); ++m) shown.measured.push_back(shown_measurement(study, trial, m));
+        for (std::size_t m = 0; m < experiment.muscles.size(); ++m) shown.activation[experiment.muscles[m].name] = trial.model.activation[m];
         scene.trials.push_back(std::move(shown));
     }
     scene.settings.element = study.mesh.mesh.type;
@@ -237,6 +239,25 @@ public:
     }
 
     bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && !is_experiment(path); }
+
+    Result<Signal> read_signal(const fs::path& path, const std::string& muscle) const override {
+        const Result<ActuationTable> table = read_actuation_csv(path);
+        if (!table) return table.error();
+        auto column = std::find(table->muscles.begin(), table->muscles.end(), muscle);
+        if (column == table->muscles.end() && table->muscles.size() == 1) column = table->muscles.begin();
+        if (column == table->muscles.end()) return Error{"has no column \"" + muscle + "\", only " + join(table->muscles), path.string()};
+        const Eigen::VectorXd row = table->values.row(column - table->muscles.begin());
+        return Signal{{table->time_s.begin(), table->time_s.end()}, {row.begin(), row.end()}};
+    }
+
+    Result<void> write_signal(const fs::path& path, const std::string& muscle, const Signal& signal) const override {
+        ActuationTable table;
+        table.muscles = {muscle};
+        const auto knots = static_cast<Eigen::Index>(signal.times_s.size());
+        table.time_s = Eigen::Map<const Eigen::VectorXd>(signal.times_s.data(), knots);
+        table.values = Eigen::Map<const Eigen::RowVectorXd>(signal.values.data(), knots);
+        return write_actuation_csv(path, table);
+    }
 
     Result<Scene> open(const fs::path& path, std::optional<double> metres_per_unit, const Progress& progress) override {
         return is_experiment(path) ? open_experiment(path, progress) : open_mesh(path, metres_per_unit);

@@ -68,6 +68,17 @@ std::vector<Choice> SwingingBeam::integrators() const {
             {"generalized_alpha", "Generalised-\xce\xb1", "Second order, damping by choice.", {}, {}, true}};
 }
 
+Result<Signal> SwingingBeam::read_signal(const std::filesystem::path& path, const std::string&) const {
+    const auto known = signals.find(path);
+    if (known == signals.end()) return Error{"no such file", path.string()};
+    return known->second;
+}
+
+Result<void> SwingingBeam::write_signal(const std::filesystem::path& path, const std::string&, const Signal& signal) const {
+    signals[path] = signal;
+    return {};
+}
+
 Result<Scene> SwingingBeam::open(const std::filesystem::path& path, std::optional<double> metres_per_unit, const Progress&) {
     Scene scene;
     scene.path = path;

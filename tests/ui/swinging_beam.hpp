@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
+#include <map>
 
 #include "commands/backend.hpp"
 
@@ -18,6 +20,8 @@ public:
     std::vector<Choice> materials() const override;
     std::vector<Choice> integrators() const override;
     bool needs_unit(const std::filesystem::path& path) const override { return path.extension() == ".stl"; }
+    Result<Signal> read_signal(const std::filesystem::path& path, const std::string& muscle) const override;
+    Result<void> write_signal(const std::filesystem::path& path, const std::string& muscle, const Signal& signal) const override;
     Result<Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit, const Progress& progress) override;
     MeshPrediction predict(const Scene& scene, const Settings& settings) const override;
     Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override;
@@ -30,6 +34,8 @@ public:
 
     /// The diagnosis goes no further than its first ranking while this holds, unless it is cancelled.
     std::atomic<bool> hold_diagnosis = false;
+    /// Files of signals.
+    mutable std::map<std::filesystem::path, Signal> signals;
     /// It finds no effect that explains, and a force instead.
     std::atomic<bool> unexplained = false;
 };

@@ -51,6 +51,7 @@ struct SceneTrial {
     std::string role;                             // "fit" or "validate"
     Eigen::VectorXd time_s;                       // T
     std::vector<Eigen::Matrix3Xd> measured;       // per marker of the scene, 3 x T [m], NaN = occluded
+    std::map<std::string, Signal> activation = {};   // a(t) of the experiment's own muscles, by their names
 };
 
 /// What was opened: a body, how it is held, and its measurements. A plain mesh has no markers and no trials.
@@ -160,6 +161,11 @@ public:
     /// Cancelled, it gives the best values so far; an error when there are none yet.
     virtual Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                                 const Progress& progress) = 0;
+
+    /// The column of a muscle in a file of signals, `time_s,<muscle>,...`; a file of one column may have any name (quick).
+    virtual Result<Signal> read_signal(const std::filesystem::path& path, const std::string& muscle) const = 0;
+    /// Writes the same form (quick).
+    virtual Result<void> write_signal(const std::filesystem::path& path, const std::string& muscle, const Signal& signal) const = 0;
 
     /// What the model lacks. `live` gets what is known so far after every stage, from the calling thread; may be empty. Cancelled, it
     /// gives that, too.

@@ -29,6 +29,8 @@ struct AddEffect { std::string key; };
 struct ChooseMuscle { int muscle = 0; };
 /// New paint of a muscle on the body that is shown; one step for undo.
 struct Paint { int muscle = 0; std::shared_ptr<const CellPaint> paint; std::string what; };
+struct ImportSignal { int muscle = 0; std::filesystem::path path; };
+struct ExportSignal { std::string muscle; Signal signal; std::filesystem::path path; };
 struct ChangeBrush { BrushSettings brush; };
 struct Cancel {};
 struct ChooseTrial { int trial = 0; };
@@ -48,7 +50,7 @@ namespace myo {
 using Command = std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo,
                              command::BuildMesh, command::Run, command::Calibrate, command::Diagnose,
                              command::ChooseCandidate, command::AddEffect, command::ChooseMuscle,
-                             command::Paint, command::ChangeBrush, command::Cancel, command::ChooseTrial,
+                             command::Paint, command::ImportSignal, command::ExportSignal, command::ChangeBrush, command::Cancel, command::ChooseTrial,
                              command::ChooseMarker, command::SetTime, command::Play, command::SetSpeed, command::ChangeView,
                              command::SetDampingFrequency, command::SetTheme, command::ClearLog>;
 

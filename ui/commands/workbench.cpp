@@ -96,6 +96,8 @@ void Workbench::execute(const Command& asked) {
                    [&](const command::AddEffect& c) { add_effect(c.key); },
                    [&](const command::ChooseMuscle& c) { state_.muscle = std::clamp(c.muscle, 0, std::max(0, static_cast<int>(state_.settings.muscles.size()) - 1)); },
                    [&](const command::Paint& c) { paint(c); },
+                   [&](const command::ImportSignal& c) { import_signal(c); },
+                   [&](const command::ExportSignal& c) { export_signal(c); },
                    [&](const command::ChangeBrush& c) { state_.brush = c.brush; },
                    [&](const command::Cancel&) {
                        if (job_) job_->cancel();

@@ -41,6 +41,8 @@ private:
     void take_live_diagnosis();
     void add_effect(const std::string& key);
     void paint(const command::Paint& asked);
+    void import_signal(const command::ImportSignal& asked);
+    void export_signal(const command::ExportSignal& asked);
     /// Puts the settings' muscles on the body.
     void place_muscles();
     void change_settings(const command::ChangeSettings& change);

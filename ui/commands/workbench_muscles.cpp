@@ -15,6 +15,23 @@ void Workbench::paint(const command::Paint& asked) {
     change_settings({settings, asked.what, false});
 }
 
+void Workbench::import_signal(const command::ImportSignal& asked) {
+    const auto index = static_cast<std::size_t>(asked.muscle);
+    if (asked.muscle < 0 || index >= state_.settings.muscles.size()) return;
+    const Result<Signal> signal = backend_->read_signal(asked.path, state_.settings.muscles[index].name);
+    if (!signal) return log_failure(signal.error(), "Cannot import the signal");
+    Settings settings = state_.settings;
+    settings.muscles[index].signal = *signal;
+    change_settings({settings, "import signal", false});
+    log(LogLevel::done, "Signal of " + settings.muscles[index].name + " read from " + asked.path.string() + ".");
+}
+
+void Workbench::export_signal(const command::ExportSignal& asked) {
+    const Result<void> written = backend_->write_signal(asked.path, asked.muscle, asked.signal);
+    if (!written) return log_failure(written.error(), "Cannot export the signal");
+    log(LogLevel::done, "Signal of " + asked.muscle + " written to " + asked.path.string() + ".");
+}
+
 void Workbench::place_muscles() {
     state_.paint.clear();
     if (!state_.body) return;

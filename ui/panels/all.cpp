@@ -6,6 +6,7 @@
 #include "panels/model_panel.hpp"
 #include "panels/panel.hpp"
 #include "panels/run_panel.hpp"
+#include "panels/signal_panel.hpp"
 
 namespace myo {
 
@@ -17,6 +18,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<FibrePanel>());
     add(std::type_identity<RunPanel>());
     add(std::type_identity<MarkerPanel>());
+    add(std::type_identity<SignalPanel>());
     add(std::type_identity<DiagnosePanel>());
     add(std::type_identity<LogPanel>());
     return panels;

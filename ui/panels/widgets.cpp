@@ -131,6 +131,15 @@ bool choice_row(PanelContext& context, const std::string& label, const std::stri
     return changed;
 }
 
+bool begin_popup_above(const Theme& theme, const char* name, float width) {
+    const ImVec2 above{ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y - 4.0f * theme.scale};
+    ImGui::SetNextWindowPos(above, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowSize({width * theme.scale, 0.0f});
+    if (!ImGui::BeginPopup(name)) return false;
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    return true;
+}
+
 std::string with_separators(double count) {
     std::string digits = std::to_string(static_cast<long long>(std::llround(count)));
     for (std::size_t i = digits.size(); i > 3 && digits[i - 4] != '-';) {

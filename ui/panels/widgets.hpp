@@ -52,6 +52,10 @@ bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit,
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<Choice>& choices, std::string& id);
 
+/// A popup that stands on the last item, as parts at the foot of the window need; Esc closes it. False when it is not open; else to be ended with
+/// ImGui::EndPopup().
+bool begin_popup_above(const Theme& theme, const char* name, float width);
+
 /// "12,345"
 std::string with_separators(double count);
 

@@ -36,6 +36,7 @@ inline constexpr const char* plus = "\xef\x81\xa7";           // f067
 inline constexpr const char* brush = "\xef\x87\xbc";          // f1fc
 inline constexpr const char* eraser = "\xef\x84\xad";         // f12d
 inline constexpr const char* drop = "\xef\x81\x83";           // f043
+inline constexpr const char* bolt = "\xef\x83\xa7";           // f0e7
 inline constexpr const char* hand = "\xef\x89\x95";           // f255
 inline constexpr const char* remove = "\xef\x80\x8d";         // f00d
 }  // namespace icon

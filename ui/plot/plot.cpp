@@ -40,6 +40,12 @@ Range all_y(const Plot& plot, const HiddenSeries& hidden) {
         starts.push_back(&zero);
         counts.push_back(1);
     }
+    if (plot.y_least) {
+        for (const double* const end : {&plot.y_least->lowest, &plot.y_least->highest}) {
+            starts.push_back(end);
+            counts.push_back(1);
+        }
+    }
     return padded(range_of(starts, counts), 0.08);
 }
 
@@ -147,11 +153,13 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
     items.mark(plot.id);
     const bool hovered = ImGui::IsItemHovered();
     const bool active = ImGui::IsItemActive();
-    result.cursor = react_to_left_button(plot, area, active, 6.0f * theme.scale, x_axis, state);
+    result.hovered = hovered;
+    result.active = active;
+    if (!plot.editable) result.cursor = react_to_left_button(plot, area, active, 6.0f * theme.scale, x_axis, state);
     react_to_box(list, area, theme, hovered, x_axis, state);
     if (hovered) {
         react_to_zoom(area, x_axis, state);
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        if (!plot.editable && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
             x_axis.range.reset();
             state.y.reset();
         }

@@ -36,6 +36,8 @@ struct Plot {
     std::optional<double> mark;    // vertical line that stays, as the start of motion
     bool legend = false;
     bool zero_line = false;        // y = 0 drawn, and always inside the range
+    std::optional<Range> y_least;  // always inside the range
+    bool editable = false;         // the left button is for whoever draws over it
 };
 
 /// The x range of plots that belong together; empty = all data.
@@ -63,6 +65,8 @@ struct PlotArea {
 struct PlotResult {
     PlotArea area;
     std::optional<double> cursor;  // where it was dragged to
+    bool hovered = false;          // by the mouse, with nothing over it
+    bool active = false;           // a button is down that went down over it
 };
 
 /// Space between a plot's left edge and its drawing area [pixels]: equal for all, so that linked plots align.
@@ -71,7 +75,7 @@ float plot_margin_left(const Theme& theme);
 /// Draws a plot of the given size at ImGui's cursor and reacts to the mouse.
 ///
 /// Wheel: zoom in x about the mouse (with Shift in y); left drag: pan, or move the cursor line when it is grabbed; click: cursor
-/// goes there; right drag: zoom to a box; double click: all data again.
+/// goes there; right drag: zoom to a box; double click: all data again. Left button and double click do nothing in an editable one.
 PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, ItemRectangles& items, LinkedAxis& x_axis,
                      PlotState& state, HiddenSeries& hidden);
 

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "panels/signal_panel.hpp"
+#include "ui/driver.hpp"
+
+namespace myo {
+namespace {
+
+using test::Driver;
+
+TEST(SignalShapes, AreWhatTheirNamesSay) {
+    SignalRecipe recipe;
+    recipe.level = 0.7;
+    recipe.start_s = 0.5;
+    recipe.rise_s = 1.0;
+    EXPECT_DOUBLE_EQ(make_signal(recipe).value(1.0), 0.85);
+    EXPECT_EQ(make_signal(recipe).value(0.4), 1.0);
+    EXPECT_EQ(make_signal(recipe).value(9.0), 0.7);
+    recipe.shape = SignalShape::step;
+    EXPECT_EQ(make_signal(recipe).value(0.5), 1.0);
+    EXPECT_EQ(make_signal(recipe).value(0.502), 0.7);
+    recipe.shape = SignalShape::constant;
+    EXPECT_EQ(make_signal(recipe).value(-3.0), 0.7);
+    recipe.shape = SignalShape::sine;
+    recipe.frequency_Hz = 3.0;
+    const Signal sine = make_signal(recipe);
+    for (double t = 0.5; t < 2.0; t += 0.013) EXPECT_NEAR(sine.value(t), 1.0 - 0.15 * (1.0 - std::cos(6.0 * std::numbers::pi * (t - 0.5))), 0.3 * 0.005) << t;
+    for (std::size_t k = 1; k < sine.times_s.size(); ++k) EXPECT_GT(sine.times_s[k], sine.times_s[k - 1]);
+}
+
+TEST(SignalShapes, KnotsStayInOrder) {
+    const Signal signal{{0.0, 1.0, 2.0}, {1.0, 0.8, 1.0}};
+    EXPECT_NEAR(with_knot_moved(signal, 1, 5.0, 0.7).times_s[1], 2.0, 1.01e-4);
+    EXPECT_NEAR(with_knot_moved(signal, 1, -5.0, 0.7).times_s[1], 0.0, 1.01e-4);
+    const Signal added = with_knot_added(signal, 1.5, 0.6);
+    EXPECT_EQ(added.times_s, (std::vector<double>{0.0, 1.0, 1.5, 2.0}));
+    EXPECT_EQ(added.values[2], 0.6);
+    EXPECT_EQ(with_knot_added(signal, 1.0, 0.6), signal) << "two knots at one time would be a jump";
+    EXPECT_EQ(with_knot_removed(added, 2), signal);
+    EXPECT_EQ(with_knot_removed(Signal::constant(1.0), 0), Signal::constant(1.0));
+}
+
+class SignalPanelTest : public testing::Test {
+protected:
+    void SetUp() override {
+        driver.open_beam();
+        driver.window->show_panel("fibres");
+        driver.settle();
+        driver.click("fibres/add");
+        driver.window->show_panel("signals");
+        driver.settle();
+    }
+    const Signal& signal() const { return *driver.state().settings.muscles[0].signal; }
+
+    Driver driver{1280, 900};
+};
+
+TEST_F(SignalPanelTest, AKnotIsDraggedInOneStepOfUndo) {
+    const Signal before = signal();
+    ASSERT_EQ(before.times_s.size(), 2u);
+    const ImVec2 knot = driver.item("signals/knot/1").center();
+    driver.drag(knot, {knot.x + 80.0f, knot.y - 30.0f});
+    EXPECT_GT(signal().times_s[1], before.times_s[1] + 0.05);
+    EXPECT_GT(signal().values[1], before.values[1] + 0.01);
+    EXPECT_EQ(signal().values[0], before.values[0]);
+    driver.key(ImGuiKey_Z, {.ctrl = true});
+    EXPECT_EQ(signal(), before);
+}
+
+TEST_F(SignalPanelTest, ADoubleClickAddsAKnotAndARightClickTakesIt) {
+    const ImVec2 knot = driver.item("signals/knot/1").center();
+    const ImVec2 place{knot.x + 150.0f, knot.y - 20.0f};
+    driver.window->input().push(MouseMoved{place.x, place.y});
+    for (const bool down : {true, false, true, false}) driver.window->input().push(MouseButton{0, down, {}});
+    driver.settle();
+    ASSERT_EQ(signal().times_s.size(), 3u);
+    EXPECT_GT(signal().times_s[2], signal().times_s[1]);
+    driver.click("signals/knot/2", 1);
+    EXPECT_EQ(signal().times_s.size(), 2u);
+}
+
+TEST_F(SignalPanelTest, GeneratesASine) {
+    driver.click("signals/generate");
+    driver.click("signals/shape");
+    driver.click("signals/shape/sine");
+    driver.click("signals/use");
+    EXPECT_EQ(signal().times_s.size(), 65u);   // two swings
+    EXPECT_NEAR(*std::min_element(signal().values.begin(), signal().values.end()), 0.8, 1e-12);
+}
+
+TEST_F(SignalPanelTest, GoesToAFileAndBack) {
+    const Signal before = signal();
+    driver.workbench->execute(command::ExportSignal{"muscle 1", before, "/signals/one.csv"});
+    driver.click("signals/generate");
+    driver.click("signals/use");
+    driver.workbench->execute(command::ImportSignal{0, "/signals/one.csv"});
+    EXPECT_EQ(signal(), before);
+    driver.workbench->execute(command::ImportSignal{0, "/signals/none.csv"});
+    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    EXPECT_EQ(signal(), before);
+}
+
+TEST_F(SignalPanelTest, AnAntagonistFollows) {
+    driver.workbench->execute(command::ChangeSettings{driver.state().settings, "", false});
+    Settings settings = driver.state().settings;
+    Muscle other = settings.muscles[0];
+    other.name = "other";
+    other.follows = "muscle 1";
+    other.ratio = -0.5;
+    settings.muscles.push_back(other);
+    driver.workbench->execute(command::ChangeSettings{settings, "two", false});
+    const Signal follower = signal_of(driver.state(), driver.state().settings.muscles[1]);
+    EXPECT_DOUBLE_EQ(follower.value(10.0), 1.1) << "half as far the other way as 0.8";
+    driver.workbench->execute(command::ChooseMuscle{1});
+    driver.settle();
+    EXPECT_FALSE(driver.has("signals/generate")) << "it has no signal of its own to edit";
+}
+
+}  // namespace
+}  // namespace myo

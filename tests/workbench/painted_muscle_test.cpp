@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "ui/driver.hpp"
+#include "workbench_backend.hpp"
+
+namespace myo {
+namespace {
+
+using test::Driver;
+
+double last_height_m(const Driver& driver) {
+    const Eigen::Matrix3Xd& tip = driver.state().run->trials.front().markers.front();
+    return tip(2, tip.cols() - 1);
+}
+
+void run(Driver& driver) {
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job(120));
+    ASSERT_TRUE(driver.state().run) << driver.state().log.back().text;
+    EXPECT_TRUE(driver.state().run->problem.empty()) << driver.state().run->problem;
+}
+
+/// The whole path by hand: a muscle painted along the top of the beam lifts its tip, and one that extends there lowers it.
+TEST(PaintedMuscle, BendsTheBeamToItsSide) {
+    Driver driver(make_core_backend(), 1280, 900);
+    driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    Settings coarse = driver.state().settings;
+    coarse.resolution_m = 0.01;
+    driver.workbench->execute(command::ChangeSettings{coarse, "resolution"});
+    driver.workbench->execute(command::BuildMesh{});
+    ASSERT_TRUE(driver.wait_for_job(60));
+    ASSERT_NO_FATAL_FAILURE(run(driver));
+    const double passive = last_height_m(driver);
+
+    driver.workbench->execute(command::SetTime{0.0});
+    driver.window->show_panel("fibres");
+    driver.settle();
+    driver.click("fibres/add");
+    driver.key(key_b);
+    for (const double y : {0.005, 0.015, 0.025}) driver.drag(test::pixel_of(driver, {0.02, y, 0.02}), test::pixel_of(driver, {0.1, y, 0.02}));
+    const PaintedAmount amount = amount_of(*driver.state().chosen_paint(), driver.state().ground->volumes_m3);
+    EXPECT_NEAR(amount.volume_m3, 0.09 * 0.03 * 0.01, 0.25 * 0.09 * 0.03 * 0.01) << "the upper layer below the strokes";
+    ASSERT_NO_FATAL_FAILURE(run(driver));
+    EXPECT_GT(last_height_m(driver), passive + 0.005);
+
+    driver.window->show_panel("fibres");
+    driver.settle();
+    driver.click("fibres/action");
+    driver.click("fibres/action/extends");
+    EXPECT_DOUBLE_EQ(driver.state().chosen_muscle()->signal->values.back(), 1.2);
+    ASSERT_NO_FATAL_FAILURE(run(driver));
+    EXPECT_LT(last_height_m(driver), passive - 0.002);
+}
+
+}  // namespace
+}  // namespace myo

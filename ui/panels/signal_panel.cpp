@@ -1,0 +1,261 @@
+#include "panels/signal_panel.hpp"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "platform/fonts.hpp"
+
+namespace myo {
+namespace {
+
+/// How near to a knot the mouse has to be to take it [pixels at scale 1].
+constexpr float reach = 9.0f;
+constexpr Range least_range{0.9, 1.1};
+
+const std::vector<Choice>& shape_choices() {
+    static const std::vector<Choice> choices{{"constant", "Constant", "The same value at all times."},
+                                             {"step", "Step", "Passive, then the level, within a millisecond."},
+                                             {"ramp", "Ramp", "Passive, then evenly to the level, where it stays."},
+                                             {"sine", "Sine", "Swings between passive and the level."}};
+    return choices;
+}
+
+void give_signal(PanelContext& context, std::optional<Signal> signal, const std::string& what, bool goes_on) {
+    Settings settings = context.state.settings;
+    settings.muscles[static_cast<std::size_t>(context.state.muscle)].signal = std::move(signal);
+    context.emit(command::ChangeSettings{std::move(settings), what, goes_on});
+}
+
+/// The curve over a span of time, constant beyond its knots.
+PlotSeries series_of(const std::string& name, const Signal& signal, const Range& span, const ImVec4& color) {
+    std::vector<double> x = signal.times_s, y = signal.values;
+    if (span.lowest < x.front()) x.insert(x.begin(), span.lowest), y.insert(y.begin(), y.front());
+    if (span.highest > x.back()) x.push_back(span.highest), y.push_back(y.back());
+    const auto count = static_cast<Eigen::Index>(x.size());
+    return {name, Eigen::Map<const Eigen::VectorXd>(x.data(), count), Eigen::Map<const Eigen::VectorXd>(y.data(), count), color, false};
+}
+
+ImVec2 pixel_of(const PlotArea& area, double time_s, double value) {
+    const auto wide = [](float v) { return static_cast<double>(v); };
+    return {static_cast<float>(to_pixel(area.x, time_s, wide(area.pixels.lowest.x), wide(area.pixels.highest.x))),
+            static_cast<float>(to_pixel(area.y, value, wide(area.pixels.highest.y), wide(area.pixels.lowest.y)))};
+}
+
+}  // namespace
+
+Signal signal_of(const WorkbenchState& state, const Muscle& muscle) {
+    if (!muscle.follows.empty()) {
+        for (const Muscle& other : state.settings.muscles) {
+            if (other.name != muscle.follows || !other.follows.empty()) continue;
+            Signal signal = signal_of(state, other);
+            for (double& a : signal.values) a = 1.0 + muscle.ratio * (a - 1.0);
+            return signal;
+        }
+        return Signal::constant(1.0);
+    }
+    if (muscle.signal) return *muscle.signal;
+    const SceneTrial* const trial = state.scene_trial();
+    const auto recorded = trial ? trial->activation.find(muscle.declared) : decltype(trial->activation.end()){};
+    return trial && recorded != trial->activation.end() ? recorded->second : Signal::constant(1.0);
+}
+
+std::string SignalPanel::title() const { return std::string(icon::bolt) + "  Signals"; }
+
+void SignalPanel::draw(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    if (!state.chosen_muscle()) {
+        muted_text(context.theme, "Signals of muscles are drawn here. Add a muscle under Fibres to begin.");
+        return;
+    }
+    if (followed_ != state.chosen_muscle()->name) {
+        followed_ = state.chosen_muscle()->name;
+        plot_ = {};
+        grabbed_.reset();
+    }
+    draw_head(context);
+    draw_curve(context);
+}
+
+void SignalPanel::draw_head(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Muscle& muscle = *state.chosen_muscle();
+    const float s = context.theme.scale;
+    ImGui::SetNextItemWidth(200.0f * s);
+    const bool open = ImGui::BeginCombo("##muscle", muscle.name.c_str());
+    context.items.mark("signals/muscle");
+    if (open) {
+        for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
+            const std::string& name = state.settings.muscles[static_cast<std::size_t>(m)].name;
+            if (ImGui::Selectable(name.c_str(), m == state.muscle)) context.emit(command::ChooseMuscle{m});
+            context.items.mark("signals/muscle/" + name);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    if (!muscle.follows.empty()) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(context.theme.muted, "follows %s: a \xe2\x88\x92 1 is %s times its own", muscle.follows.c_str(), plain_label(muscle.ratio, 3).c_str());
+        return;
+    }
+    draw_generator(context);
+    ImGui::SameLine();
+    draw_file(context);
+    ImGui::SameLine();
+    if (ImGui::Button("Fit")) {
+        time_.range.reset();
+        plot_ = {};
+    }
+    context.items.mark("signals/fit");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the whole signal");
+    if (muscle.declared.empty()) return;
+    ImGui::SameLine();
+    if (muscle.signal) {
+        if (ImGui::Button("As recorded")) give_signal(context, std::nullopt, "signal as recorded", false);
+        context.items.mark("signals/recorded");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Take each trial's own signal again");
+    } else {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(context.theme.muted, "as the trial recorded it; an edit replaces it in all trials");
+    }
+}
+
+void SignalPanel::draw_generator(PanelContext& context) {
+    const Muscle& muscle = *context.state.chosen_muscle();
+    if (ImGui::Button("Generate")) ImGui::OpenPopup("generate");
+    context.items.mark("signals/generate");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("A constant, a step, a ramp or a sine");
+    if (!begin_popup_above(context.theme, "generate", 320.0f)) return;
+    if (recipe_muscle_ != muscle.name || (recipe_.level > 1.0) != muscle.extends) {
+        recipe_muscle_ = muscle.name;
+        recipe_.level = muscle.extends ? 1.2 : 0.8;
+    }
+    std::string shape = shape_choices()[static_cast<std::size_t>(recipe_.shape)].id;
+    if (choice_row(context, "Shape", "signals/shape", "Form of the signal.", shape_choices(), shape))
+        for (std::size_t i = 0; i < shape_choices().size(); ++i)
+            if (shape_choices()[i].id == shape) recipe_.shape = static_cast<SignalShape>(i);
+    bool ignored = false;
+    const auto number = [&](const NumberField& field, double& value) { number_row(context, field, edit_, value, ignored); };
+    number({"Level a", "signals/level", "", "Length that the fibres want, over their length at rest.", 1.0, {0.05, 5.0}, 0.005}, recipe_.level);
+    if (recipe_.shape != SignalShape::constant) number({"Start", "signals/start", "s", "Passive before.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.start_s);
+    if (recipe_.shape == SignalShape::ramp) number({"Rise", "signals/rise", "s", "Time from passive to the level.", 1.0, {1e-3, 1e3}, 0.01}, recipe_.rise_s);
+    if (recipe_.shape == SignalShape::sine) {
+        number({"Frequency", "signals/frequency", "Hz", "Swings per second.", 1.0, {0.01, 100.0}, 0.01}, recipe_.frequency_Hz);
+        number({"End", "signals/end", "s", "It stops there.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.end_s);
+    }
+    // A sine of many thousand knots is no curve to edit.
+    const bool fits = recipe_.shape != SignalShape::sine || (recipe_.end_s > recipe_.start_s && (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
+    if (!fits) notice(context.theme, LogLevel::warning, "The end must come after the start, by no more than 200 swings.");
+    ImGui::BeginDisabled(!fits);
+    if (primary_button(context.theme, "Use it", {-1.0f, 0.0f})) {
+        give_signal(context, make_signal(recipe_), "generated signal", false);
+        plot_ = {};
+        ImGui::CloseCurrentPopup();
+    }
+    context.items.mark("signals/use");
+    ImGui::EndDisabled();
+    ImGui::EndPopup();
+}
+
+void SignalPanel::draw_file(PanelContext& context) {
+    const Muscle& muscle = *context.state.chosen_muscle();
+    if (ImGui::Button("CSV")) {
+        if (path_.empty()) path_ = (context.state.scene->path.has_extension() ? context.state.scene->path.parent_path() : context.state.scene->path) / (muscle.name + ".csv");
+        ImGui::OpenPopup("signal file");
+    }
+    context.items.mark("signals/file");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Read or write a file time_s,%s", muscle.name.c_str());
+    if (!begin_popup_above(context.theme, "signal file", 480.0f)) return;
+    muted_text(context.theme, "A table time_s," + muscle.name + ": linear between its rows, constant outside.");
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputTextWithHint("##signal path", "file.csv", &path_);
+    context.items.mark("signals/path");
+    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::BeginDisabled(path_.empty());
+    if (ImGui::Button("Import", {half, 0.0f})) {
+        context.emit(command::ImportSignal{context.state.muscle, path_});
+        ImGui::CloseCurrentPopup();
+    }
+    context.items.mark("signals/import");
+    ImGui::SameLine();
+    if (ImGui::Button("Export", {half, 0.0f})) {
+        context.emit(command::ExportSignal{muscle.name, signal_of(context.state, muscle), path_});
+        ImGui::CloseCurrentPopup();
+    }
+    context.items.mark("signals/export");
+    ImGui::EndDisabled();
+    ImGui::EndPopup();
+}
+
+void SignalPanel::draw_curve(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const Muscle& muscle = *state.chosen_muscle();
+    const Signal signal = signal_of(state, muscle);
+    const std::array<double, 2> trial = time_span(state);
+    const Range span{std::min(trial[0], signal.times_s.front()), std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
+    Plot plot;
+    plot.id = "plot/signal";
+    plot.title = "target stretch a";
+    plot.y_unit = "";
+    plot.cursor = state.time_s;
+    plot.legend = state.settings.muscles.size() > 1;
+    plot.y_least = least_range;
+    plot.editable = muscle.follows.empty();
+    const auto color = [&](const Muscle& m) { return theme.muscles[static_cast<std::size_t>(m.color) % theme.muscles.size()]; };
+    for (const Muscle& other : state.settings.muscles) {
+        if (other.name == muscle.name) continue;
+        ImVec4 faint = color(other);
+        faint.w = 0.45f;
+        plot.series.push_back(series_of(other.name, signal_of(state, other), span, faint));
+    }
+    plot.series.push_back(series_of(muscle.name, signal, span, color(muscle)));
+    const PlotResult drawn = draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_, plot_, hidden_);
+    if (!plot.editable) {
+        if (drawn.cursor) context.emit(command::SetTime{*drawn.cursor});
+        return;
+    }
+    edit_knots(context, signal, drawn);
+}
+
+void SignalPanel::edit_knots(PanelContext& context, const Signal& signal, const PlotResult& drawn) {
+    const PlotArea& area = drawn.area;
+    if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) return;
+    const Theme& theme = context.theme;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    std::optional<std::size_t> near;
+    float nearest = reach * theme.scale;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::PushClipRect({area.pixels.lowest.x - 6.0f, area.pixels.lowest.y - 6.0f}, {area.pixels.highest.x + 6.0f, area.pixels.highest.y + 6.0f}, true);
+    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
+        const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
+        const float distance = std::hypot(p.x - mouse.x, p.y - mouse.y);
+        if (drawn.hovered && distance < nearest) nearest = distance, near = k;
+        const bool held = grabbed_ && *grabbed_ == k;
+        list.AddCircleFilled(p, (held ? 6.0f : 4.5f) * theme.scale, packed(theme.background), 20);
+        list.AddCircle(p, (held ? 6.0f : 4.5f) * theme.scale, packed(theme.text), 20, 1.6f * theme.scale);
+        context.items.add("signals/knot/" + std::to_string(k), {{p.x - 4.0f, p.y - 4.0f}, {p.x + 4.0f, p.y + 4.0f}});
+    }
+    ImGui::PopClipRect();
+    const auto wide = [](float v) { return static_cast<double>(v); };
+    const double time = from_pixel(area.x, wide(mouse.x), wide(area.pixels.lowest.x), wide(area.pixels.highest.x));
+    const double value = from_pixel(area.y, wide(mouse.y), wide(area.pixels.highest.y), wide(area.pixels.lowest.y));
+    if (!drawn.active) grabbed_.reset();
+    if (drawn.hovered && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        grabbed_ = near;
+        moved_ = false;
+    }
+    const ImVec2 by = ImGui::GetIO().MouseDelta;
+    if (grabbed_ && *grabbed_ < signal.times_s.size() && (by.x != 0.0f || by.y != 0.0f)) {
+        give_signal(context, with_knot_moved(signal, *grabbed_, time, std::clamp(value, 0.05, 5.0)), "knot of a signal", moved_);
+        moved_ = true;
+    } else if (drawn.hovered && !near && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        give_signal(context, with_knot_added(signal, time, std::clamp(value, 0.05, 5.0)), "knot of a signal", false);
+    } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+        give_signal(context, with_knot_removed(signal, *near), "knot of a signal", false);
+    }
+}
+
+}  // namespace myo

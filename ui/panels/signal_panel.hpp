@@ -1,0 +1,39 @@
+#pragma once
+
+#include "commands/signal_shapes.hpp"
+#include "panels/widgets.hpp"
+#include "plot/plot.hpp"
+
+namespace myo {
+
+/// The signal a(t) of the chosen muscle, as a curve whose knots are dragged: double click adds one, a right click takes one away.
+class SignalPanel : public Panel {
+public:
+    std::string name() const override { return "signals"; }
+    std::string title() const override;
+    PanelPlace place() const override { return PanelPlace::strip; }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_head(PanelContext& context);
+    void draw_generator(PanelContext& context);
+    void draw_file(PanelContext& context);
+    void draw_curve(PanelContext& context);
+    void edit_knots(PanelContext& context, const Signal& signal, const PlotResult& plot);
+
+    SignalRecipe recipe_;
+    std::string recipe_muscle_;               // whose sense the recipe's level has
+    std::string path_;
+    OpenEdit edit_;
+    LinkedAxis time_;
+    PlotState plot_;
+    HiddenSeries hidden_;
+    std::optional<std::size_t> grabbed_;      // knot that is dragged
+    bool moved_ = false;                      // it was moved since it was grabbed
+    std::string followed_;                    // muscle that the zoom belongs to
+};
+
+/// a(t) of a muscle in a trial: its own, its partner's share, what the trial recorded, or passive.
+Signal signal_of(const WorkbenchState& state, const Muscle& muscle);
+
+}  // namespace myo
