@@ -13,6 +13,8 @@ namespace {
 
 /// Systematic residuals below this share of the noise are nobody's concern: two simulators of one model differ by as much.
 constexpr double least_systematic = 0.3;
+/// Where little is left of the mesh's error after extrapolation, it may really be twice as much, up to this [noise levels].
+constexpr double rough = 2.0, most_rough = 0.8;
 /// A mesh whose error is larger excuses nothing: it has to be refined.
 constexpr double most_allowed = 1.0;
 /// What a fit leaves may be so many times what is left of the mesh's error: that was extrapolated.
@@ -101,7 +103,10 @@ void order_pairs(Diagnosis& d) {
     std::stable_sort(d.pairs.begin(), d.pairs.end(), [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
 }
 
-double numerical_allowance(const FitData& data, const NumericalError& numerics) { return std::max(least_systematic, numerical_doubt(data, numerics)); }
+double numerical_allowance(const FitData& data, const NumericalError& numerics) {
+    const double doubt = numerical_doubt(data, numerics);
+    return std::max({least_systematic, doubt, std::min(most_rough, rough * doubt)});
+}
 
 bool modulus_at_bound(const JointFit& fit) {
     return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {

@@ -59,6 +59,18 @@ TEST(Verdict, IsNoneWhereNothingNeedsExplaining) {
     EXPECT_EQ(d.verdict.kind, VerdictKind::none);
 }
 
+/// An error that was extrapolated may really be twice as large.
+TEST(Verdict, TwiceWhatTheMeshMayLeaveIsNoMissingEffect) {
+    for (const double doubt : {0.1, 0.3}) {
+        Diagnosis d = with_candidate(0.1);
+        d.declared = fit_that_leaves(0.55);
+        d.declared.tests.variance.p = 0.0;
+        d.numerics.left_rms_m = doubt * noise_m;
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, doubt > 0.2 ? VerdictKind::none : VerdictKind::effects) << doubt;
+    }
+}
+
 /// A mesh whose doubt is as large as the noise does not make an explanation of what takes away a tenth.
 TEST(Verdict, WhatLeavesNearlyAllExplainsNothing) {
     Diagnosis d = with_candidate(1.25);
