@@ -430,12 +430,12 @@ private:
         result_.before = scored(result_.declared.fit.values, result_.numerics.shift, before);
         const Effort& effort = result_.verdict.kind == VerdictKind::effects ? last_effort : attempt_effort;
         if (!result_.augmented.numerics && !settle(result_.augmented, "last fit", effort, effect_settled)) return;
-        result_.data.shift = result_.augmented.numerics->shift;
         foretell_error(result_.augmented);
+        result_.data.shift = result_.augmented.numerics->shift;
         if (result_.verdict.kind == VerdictKind::effects) result_.verdict.effects = result_.augmented.fit.effects;
         result_.after = result_.verdict.kind == VerdictKind::none
                             ? result_.before
-                            : scored(result_.augmented.fit.values, result_.data.shift, fitted_predictions(study_, all, result_.augmented.fit.values, progress_));
+                            : scored(result_.augmented.fit.values, result_.augmented.numerics->shift, fitted_predictions(study_, all, result_.augmented.fit.values, progress_));
     }
 
     Study study_;
