@@ -56,6 +56,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     for (const Vector3d& point : spread_surface_points(site, 4)) {
         EffectProbe probe;
+        probe.amount = "stiffness_N_m";
         probe.joined = joined;
         const SurfacePlace place = surface_place(*site.body, point);
         for (const Vector3d& d : directions()) {

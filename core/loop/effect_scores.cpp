@@ -57,14 +57,15 @@ constexpr double far_beyond = 2.0;
 /// A probe is another start than a modest amount where that is this many times as much, or the reciprocal.
 constexpr double another_start = 2.0;
 
-/// How far a probe may be multiplied: amounts keep their sign and bounds.
+/// How far a probe may be multiplied: amounts keep their bounds, and their sign unless columns add up to something of either.
 struct Range {
     double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
 };
 Range multiples_of(const Probe& probe) {
-    if (probe.probe.joined) return {};
+    if (probe.probe.amount.empty()) return {};
     const EffectParameterEntry& entry = *probe.effect->parameter(probe.probe.amount);
     const double amount = amount_of(probe.probe);
+    if (probe.probe.joined) return {-entry.highest / std::abs(amount), entry.highest / std::abs(amount)};
     if (entry.lowest < 0.0) return {entry.lowest / std::abs(amount), entry.highest / std::abs(amount)};
     return {0.0, probe.probe.reciprocal ? amount / entry.lowest : entry.highest / amount};
 }
@@ -100,6 +101,19 @@ std::vector<EffectScore::Start> starts_away(const Probe& probe, const JointFit& 
     return starts;
 }
 
+/// Of the largest column of a probe: columns far smaller say little of how much there is of them.
+constexpr double hardly_seen = 0.05;
+
+/// The last columns of A, those of a probe of several, with a row each that draws them to zero: a direction that is hardly seen (along a thin
+/// plate) shall not come out as the main one.
+MatrixXd with_damped_columns(const MatrixXd& A, const MatrixXd& S) {
+    if (S.cols() < 2) return A;
+    MatrixXd damped = MatrixXd::Zero(A.rows() + S.cols(), A.cols());
+    damped.topRows(A.rows()) = A;
+    damped.bottomRightCorner(S.cols(), S.cols()).diagonal().setConstant(hardly_seen * S.colwise().norm().maxCoeff());
+    return damped;
+}
+
 /// The fit's parameters and the candidate together take the best step within their bounds: a modulus at the edge of its tolerance does not
 /// stand in for what is missing.
 void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& outside, const FitData& data, const JointFit& fit, const OwnSteps& own,
@@ -110,6 +124,7 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
     if (!probe.probe.joined) score.probed = probe.probe.columns.front();
     MatrixXd A(S.rows(), fit.jacobian.cols() + S.cols());
     A << fit.jacobian, S;
+    const MatrixXd damped = with_damped_columns(A, S);
     const Range range = multiples_of(probe);
     VectorXd lower(A.cols()), upper(A.cols());
     lower.head(own.lower.size()) = own.lower;
@@ -120,7 +135,9 @@ void finish(const Probe& probe, const NuisanceSpace& nuisance, const VectorXd& o
         lower(own.lower.size() + c) = std::max(range.lowest, -most);
         upper(own.upper.size() + c) = std::min(range.highest, most);
     }
-    const VectorXd step = bounded_step(A, fit.residual, lower, upper), multiples = step.tail(S.cols());
+    VectorXd residual = VectorXd::Zero(damped.rows());
+    residual.head(A.rows()) = fit.residual;
+    const VectorXd step = bounded_step(damped, residual, lower, upper), multiples = step.tail(S.cols());
     score.best.step = step.head(own.lower.size());
     const double squares = (fit.residual + A * step).squaredNorm();
     const bool possible = probe.probe.joined ? multiples.allFinite() : scaled(*probe.effect, probe.probe, multiples(0), score.best.effect);
