@@ -30,12 +30,11 @@ double Brush::weight(double distance_m) const {
     return strength * s * s * (3.0 - 2.0 * s);
 }
 
-CellPlaces cell_places(const VolumeMesh& mesh) {
+CellPlaces cell_places(const VolumeMesh& mesh, const Eigen::Matrix2Xi& neighbours) {
     CellPlaces places;
     places.centre_m.resize(3, mesh.cell_count());
     const CellPart whole = whole_cell(mesh.type);
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) places.centre_m.col(c) = place_of(mesh, c, whole).centre_m;
-    const Eigen::Matrix2Xi neighbours = neighbouring_cells(mesh);
     for (const auto pair : neighbours.colwise()) places.edge_m += (places.centre_m.col(pair(0)) - places.centre_m.col(pair(1))).norm();
     if (neighbours.cols() > 0) places.edge_m /= static_cast<double>(neighbours.cols());
     return places;

@@ -34,7 +34,8 @@ struct CellPlaces {
     Eigen::Matrix3Xd centre_m;   // 3 x cells
     double edge_m = 0.0;         // mean distance from a cell to its neighbours
 };
-CellPlaces cell_places(const VolumeMesh& mesh);
+/// @param neighbours  as neighbouring_cells() gives them, 2 x k
+CellPlaces cell_places(const VolumeMesh& mesh, const Eigen::Matrix2Xi& neighbours);
 
 /// A stroke over the surface, point by point as the hand moves; the places stay with the caller. What it has done does not depend on how
 /// often it was asked.

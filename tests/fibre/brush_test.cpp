@@ -43,7 +43,7 @@ TEST(Stroke, PaintsAChannel) {
     double worst = 0.0;
     for (const CellType type : all_cell_types) {
         const VolumeMesh mesh = mesh_of(type, type == CellType::hex8 ? Eigen::Vector3i(40, 40, 40) : Eigen::Vector3i(20, 20, 20));
-        const CellPlaces places = cell_places(mesh);
+        const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
         const CellPaint paint = painted(mesh, stroke_over_top(places, brush, 12, straight));
         const double volume = amount_of(paint, cell_volumes(mesh)).volume_m3;
         worst = std::max(worst, std::abs(volume / expected - 1.0));
@@ -64,7 +64,7 @@ TEST(Stroke, FollowsTheHand) {
     brush.radius_m = 0.1;
     brush.depth_m = 0.2;
     const VolumeMesh mesh = mesh_of(CellType::hex8, {24, 24, 8});
-    const CellPlaces places = cell_places(mesh);
+    const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
     const CellPaint many = painted(mesh, stroke_over_top(places, brush, 400, circle)), few = painted(mesh, stroke_over_top(places, brush, 60, circle));
     double worst = 0.0, worst_between = 0.0;
     int differing = 0;
@@ -83,7 +83,7 @@ TEST(Stroke, FollowsTheHand) {
 
 TEST(Stroke, MirrorsFallsOffAndErases) {
     const VolumeMesh mesh = mesh_of(CellType::hex8, {20, 20, 5});
-    const CellPlaces places = cell_places(mesh);
+    const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
     Brush brush;
     brush.radius_m = 0.2;
     brush.depth_m = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ TEST(Stroke, MirrorsFallsOffAndErases) {
 /// A single touch turns no fibres; without paint it takes the direction that it is given, and an axis is always taken.
 TEST(Stroke, ATouchHasNoDirectionOfItsOwn) {
     const VolumeMesh mesh = mesh_of(CellType::hex8, {10, 10, 4});
-    const CellPlaces places = cell_places(mesh);
+    const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
     Brush brush;
     brush.radius_m = 0.2;
     const auto middle = [](double) { return Vector3d(0.5, 0.5, 1.0); };

@@ -104,7 +104,6 @@ TEST_F(SignalPanelTest, GoesToAFileAndBack) {
 }
 
 TEST_F(SignalPanelTest, AnAntagonistFollows) {
-    driver.workbench->execute(command::ChangeSettings{driver.state().settings, "", false});
     Settings settings = driver.state().settings;
     Muscle other = settings.muscles[0];
     other.name = "other";

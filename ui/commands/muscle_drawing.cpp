@@ -61,7 +61,7 @@ void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& pain
     }
     for (Index c = 0; c < mesh.cell_count(); ++c)
         if (paint.weights(c) > 0.0 && !at_surface[static_cast<std::size_t>(c)]) inside.push_back(c);
-    const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size()) / most_fibres);
+    const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size() + most_fibres - 1) / most_fibres);
     const double half = 0.5 * fibre_length * spacing_m;
     std::vector<Vector3d> on_surface, within;
     for (std::size_t i = 0; i < faces.size(); i += stride) {
@@ -90,7 +90,7 @@ void add_muscles(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
         const bool chosen = static_cast<int>(m) == state.muscle;
         const CellPaint& paint = chosen && live ? *live : *state.paint[m];
         if (paint.count() != state.body->mesh.cell_count() || !(paint.weights.maxCoeff() > 0.0)) continue;
-        const Eigen::Vector3f color = rgb(theme.muscles[static_cast<std::size_t>(state.settings.muscles[m].color) % theme.muscles.size()]);
+        const Eigen::Vector3f color = rgb(theme.muscle(state.settings.muscles[m].color));
         for (Index f = 0; f < boundary.count(); ++f) {
             const auto weight = static_cast<float>(paint.weights(boundary.cell(f)));
             sums.col(f) += weight * color.homogeneous();

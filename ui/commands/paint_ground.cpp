@@ -21,8 +21,8 @@ std::vector<Box> boxes_of(const SurfaceMesh& surface) {
 }  // namespace
 
 PaintGround::PaintGround(const SurfaceMesh& body_surface, const VolumeMesh& mesh)
-    : places(cell_places(mesh)),
-      neighbours(neighbouring_cells(mesh)),
+    : neighbours(neighbouring_cells(mesh)),
+      places(cell_places(mesh, neighbours)),
       volumes_m3(cell_volumes(mesh)),
       longest_axis(directions_along_longest_axis(mesh).col(0)),
       surface(body_surface),

@@ -11,8 +11,8 @@ namespace myo {
 struct PaintGround {
     PaintGround(const SurfaceMesh& body_surface, const VolumeMesh& mesh);
 
-    CellPlaces places;
     Eigen::Matrix2Xi neighbours;        // of cells, 2 x k
+    CellPlaces places;
     Eigen::VectorXd volumes_m3;         // of cells
     Eigen::Vector3d longest_axis;       // of the body, unit
     Eigen::Vector3d middle_m;           // of its bounding box

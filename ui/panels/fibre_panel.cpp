@@ -22,8 +22,6 @@ std::string amount_label(const PaintedAmount& amount) {
     return with_separators(amount.cells) + (amount.cells == 1 ? " element, " : " elements, ") + value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3";
 }
 
-ImVec4 color_of(const Theme& theme, const Muscle& muscle) { return theme.muscles[static_cast<std::size_t>(muscle.color) % theme.muscles.size()]; }
-
 void change(PanelContext& context, const std::string& what, bool goes_on, const std::function<void(Muscle&)>& edit) {
     Settings settings = context.state.settings;
     edit(settings.muscles[static_cast<std::size_t>(context.state.muscle)]);
@@ -69,7 +67,8 @@ Muscle new_muscle(const Settings& settings) {
         muscle.name = "muscle " + std::to_string(i);
         if (!is_taken(settings, muscle.name)) break;
     }
-    muscle.color = static_cast<int>(settings.muscles.size());
+    const auto used = [&](const Muscle& other) { return other.color == muscle.color; };
+    while (std::any_of(settings.muscles.begin(), settings.muscles.end(), used)) ++muscle.color;
     muscle.stiffness_Pa = settings.youngs_modulus_Pa;
     muscle.signal = Signal{{0.0, 0.5}, {1.0, 0.8}};
     return muscle;
@@ -99,7 +98,7 @@ void FibrePanel::draw_list(PanelContext& context) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable(("        " + muscle.name).c_str(), m == state.muscle)) context.emit(command::ChooseMuscle{m});
         context.items.mark("fibres/muscle/" + muscle.name);
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f}, {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f}, packed(color_of(theme, muscle)),
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f}, {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f}, packed(theme.muscle(muscle.color)),
                                                   3.0f * theme.scale);
         if (static_cast<std::size_t>(m) < state.paint.size() && state.ground) {
             const CellPaint& paint = m == state.muscle && context.live_paint ? *context.live_paint : *state.paint[static_cast<std::size_t>(m)];

@@ -53,11 +53,11 @@ void PaintTool::press(PanelContext& context, const Touch& touch) {
     if (state.brush.tool != BrushTool::fill) {
         drop();
         ground_ = state.ground;
+        muscle_ = state.muscle;
         stroke_ = std::make_unique<Stroke>(ground_->places, make_brush(state.brush, *ground_, erases(state.brush)));
         return;
     }
-    const Eigen::Index face = touch.hit.triangle / drawn_surface(state.body->boundary).triangles_per_face();
-    CellPaint paint = filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours, state.body->boundary.cell(face),
+    CellPaint paint = filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours, state.body->boundary.cell(touch.face),
                              fixed_axis(state.brush.direction, *state.ground));
     context.emit(command::Paint{state.muscle, std::make_shared<const CellPaint>(std::move(paint)), "fill"});
 }
@@ -73,14 +73,14 @@ void PaintTool::go_on(const WorkbenchState& state, const Touch& touch) {
 void PaintTool::update(PanelContext& context, const DrawnScene& scene, const ViewportState& view) {
     const WorkbenchState& state = context.state;
     // What was handed over is in the state by now.
-    if (handed_over_ || !can_paint(state) || (stroke_ && ground_ != state.ground) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) drop();
+    if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) drop();
     const bool held = view.tool_held && can_paint(state), pressed = held && !was_held_;
     was_held_ = held;
     std::optional<Touch> touch;
     if (can_paint(state) && (view.hovered || held))
         if (const auto hit = hit_at(state, scene, view, view.mouse)) {
             const Eigen::Vector3d rest = hit->place(*scene.surface, state.body->mesh.nodes);
-            touch = Touch{*hit, rest, outward_at(*state.ground, rest)};
+            touch = Touch{*hit, hit->triangle / scene.surface->triangles_per_face(), rest, outward_at(*state.ground, rest)};
         }
     if (touch) draw_ring(context, scene, view, *touch);
     if (pressed && touch) press(context, *touch);
@@ -111,7 +111,7 @@ void PaintTool::draw_ring(const PanelContext& context, const DrawnScene& scene, 
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec4 color = erases(state.brush) && state.brush.tool != BrushTool::fill
                                  ? theme.failure
-                                 : theme.muscles[static_cast<std::size_t>(state.chosen_muscle()->color) % theme.muscles.size()];
+                                 : theme.muscle(state.chosen_muscle()->color);
         // Dark below light: seen on any ground.
         list.AddPolyline(pixels.data(), points, IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed, 3.5f * theme.scale);
         list.AddPolyline(pixels.data(), points, packed(color), ImDrawFlags_Closed, 1.8f * theme.scale);

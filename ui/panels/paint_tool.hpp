@@ -28,6 +28,7 @@ private:
     /// A place on the body below the mouse.
     struct Touch {
         SurfaceHit hit;
+        int face = 0;                // of the body's boundary
         Eigen::Vector3d rest_m;      // at rest
         Eigen::Vector3d outward;     // there
     };
@@ -41,6 +42,7 @@ private:
     bool was_held_ = false;
     bool handed_over_ = false;                    // the stroke, in the last frame
     std::shared_ptr<const PaintGround> ground_;   // of the stroke
+    int muscle_ = 0;                              // of the stroke
     std::unique_ptr<Stroke> stroke_;
     Eigen::Vector3d last_ = Eigen::Vector3d::Zero();   // place of its last point at rest [m]
     std::optional<CellPaint> live_;

@@ -204,14 +204,13 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.legend = state.settings.muscles.size() > 1;
     plot.y_least = least_range;
     plot.editable = muscle.follows.empty();
-    const auto color = [&](const Muscle& m) { return theme.muscles[static_cast<std::size_t>(m.color) % theme.muscles.size()]; };
     for (const Muscle& other : state.settings.muscles) {
         if (other.name == muscle.name) continue;
-        ImVec4 faint = color(other);
+        ImVec4 faint = theme.muscle(other.color);
         faint.w = 0.45f;
         plot.series.push_back(series_of(other.name, signal_of(state, other), span, faint));
     }
-    plot.series.push_back(series_of(muscle.name, signal, span, color(muscle)));
+    plot.series.push_back(series_of(muscle.name, signal, span, theme.muscle(muscle.color)));
     const PlotResult drawn = draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_, plot_, hidden_);
     if (!plot.editable) {
         if (drawn.cursor) context.emit(command::SetTime{*drawn.cursor});

@@ -36,6 +36,7 @@ struct Theme {
     ImVec4 body;                   // surface without a field
     ImVec4 axis_x, axis_y, axis_z;
     std::array<ImVec4, 8> muscles; // told apart by people who do not see all colours, too
+    const ImVec4& muscle(int color) const { return muscles[static_cast<std::size_t>(color) % muscles.size()]; }
 
     // Filled by load_fonts.
     ImFont* regular = nullptr;
