@@ -87,6 +87,7 @@ private:
         }
         fit_.log.push_back(line);
         report(0.0);
+        if (options_.evaluated) options_.evaluated(fit_);
     }
 
     void report(double share) const {

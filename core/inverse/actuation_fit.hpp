@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,11 +47,15 @@ struct ActuationIterate {
     double seconds = 0.0;            // of the evaluation
 };
 
+struct ActuationFit;
+
 struct ActuationFitOptions {
     int max_evaluations = 100;
     /// Of the loss in an iteration, below which it has converged. A thirtieth of it lowered the rms error of a noisy trace by 0.15 %,
     /// for a third as many evaluations again.
     double relative_decrease = 3e-4;
+    /// Gets what is known after every evaluation, on the search's thread. May be empty.
+    std::function<void(const ActuationFit&)> evaluated = {};
 };
 
 struct ActuationFit {

@@ -58,15 +58,34 @@ struct KeptPredictions {
     std::vector<TrialPrediction> first, best;
     double least_cost = std::numeric_limits<double>::infinity();
 
-    void offer(std::vector<TrialPrediction> predictions, double cost, bool as_declared) {
+    /// Whether these are the best so far.
+    bool offer(std::vector<TrialPrediction> predictions, double cost, bool as_declared) {
         if (first.empty() && as_declared)
             for (const TrialPrediction& prediction : predictions) first.push_back(markers_only(prediction));
-        if (!(cost < least_cost)) return;
+        if (!(cost < least_cost)) return false;
         least_cost = cost;
         for (TrialPrediction& prediction : predictions) prediction.tangents.clear();
         best = std::move(predictions);
+        return true;
     }
 };
+
+/// Tells whoever listens of an evaluation.
+void tell(const CalibrationSettings& settings, const std::vector<StudyParameter>& parameters, const StudyValues& values, const ResidualEvaluation& evaluation,
+          double rms_m, const std::vector<TrialPrediction>* best) {
+    if (!settings.evaluated) return;
+    constexpr double infinity = std::numeric_limits<double>::infinity(), unknown = std::numeric_limits<double>::quiet_NaN();
+    if (!evaluation.ok) return settings.evaluated({values, infinity, unknown, unknown, nullptr});
+    Eigen::VectorXd gradient = evaluation.jacobian.transpose() * evaluation.residuals;
+    for (std::size_t p = 0; p < parameters.size(); ++p) gradient(static_cast<Eigen::Index>(p)) *= parameters[p].parameter.scale;
+    settings.evaluated({values, 0.5 * evaluation.residuals.squaredNorm(), rms_m, gradient.norm(), best});
+}
+
+double rms_of(const std::vector<TrialPrediction>& predictions) {
+    std::vector<Matrix3Xd> all;
+    for (const TrialPrediction& prediction : predictions) all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
+    return rms(all);
+}
 
 /// The runs before and after: the fit trials as the fit has run them, all others run now. Cancelled, nothing is run.
 void set_runs(const Study& study, const StudyValues& declared, const StudyValues& fitted, KeptPredictions kept, const Progress& progress,
@@ -179,7 +198,9 @@ Calibration calibrate_study(const Study& study, const CalibrationSettings& setti
         const StudyValues values = values_at(p);
         std::vector<TrialPrediction> predictions = predict_trials_with(study, values, fit_trials, inner, result.parameters);
         ResidualEvaluation evaluation = weighted_residuals(study, fit_trials, predictions, result.parameters.size());
-        if (evaluation.ok) kept.offer(std::move(predictions), evaluation.residuals.squaredNorm(), is_declared(p));
+        const double rms_m = settings.evaluated && evaluation.ok ? rms_of(predictions) : 0.0;
+        const bool best = evaluation.ok && kept.offer(std::move(predictions), evaluation.residuals.squaredNorm(), is_declared(p));
+        tell(settings, result.parameters, values, evaluation, rms_m, best ? &kept.best : nullptr);
         return evaluation;
     };
     std::mt19937_64 random(settings.seed);

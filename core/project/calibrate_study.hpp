@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,12 +12,24 @@
 
 namespace myo {
 
+/// One evaluation of a calibration, while it goes on.
+struct CalibrationStep {
+    const StudyValues& values;
+    double cost;                   // |r|^2 / 2, residuals in units of the noise; infinite where the model could not be run
+    double rms_m;                  // over the compared coordinates of the fit trials; NaN likewise
+    double gradient_norm;          // |J'r| of the parameters, each in its scale; NaN likewise
+    /// Where it is the best so far: of the fit trials, in their order, with their traces. Else null.
+    const std::vector<TrialPrediction>* best;
+};
+
 struct CalibrationSettings {
     /// Which material parameters are moved (youngs_modulus, damping); empty: what the experiment says.
     std::vector<std::string> names;
     std::map<std::string, double> from;   // where the first start begins, by parameter; absent: as declared
     int starts = 1;                       // the others are random, see calibrate_study()
     std::uint64_t seed = 1;
+    /// Gets every evaluation, on the caller's thread. May be empty.
+    std::function<void(const CalibrationStep&)> evaluated = {};
 };
 
 /// How one of several starts ended.

@@ -130,7 +130,10 @@ Optimization optimize_study(const Study& study, const ActuationProblem& problem,
             const std::string words = settings.starts > 1 ? "start " + std::to_string(s + 1) + " of " + std::to_string(settings.starts) + "  " : "";
             progress.report({event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
         });
-        ActuationFit fit = fit_actuation(problem, s == 0 ? start : random_values(problem.sought, random), {settings.max_evaluations}, inner);
+        ActuationFitOptions options;
+        options.max_evaluations = settings.max_evaluations;
+        options.evaluated = settings.evaluated;
+        ActuationFit fit = fit_actuation(problem, s == 0 ? start : random_values(problem.sought, random), options, inner);
         done += static_cast<double>(fit.log.size());
         result.starts.push_back({fit.status, fit.message, fit.first.loss_m2, fit.best.loss_m2, static_cast<int>(fit.log.size())});
         if (fit.usable() && !first.ok()) first = fit.first;

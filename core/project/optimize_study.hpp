@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct OptimizeSettings {
     int max_evaluations = 100;              // of each start
     int starts = 1;                         // the first is the given one, the others are random levels
     std::uint64_t seed = 1;
+    /// Gets what is known after every evaluation of the running start, on the caller's thread. May be empty.
+    std::function<void(const ActuationFit&)> evaluated = {};
 };
 
 /// Root mean square of the markers' noise [m].
