@@ -8,7 +8,7 @@
 #include "exit_status.hpp"
 #include "options.hpp"
 #include "panels/screenshot.hpp"
-#include "workbench_backend.hpp"
+#include "backend/workbench_backend.hpp"
 
 namespace myo {
 namespace {
@@ -16,6 +16,8 @@ namespace {
 struct ScreenshotCall {
     ScreenshotOptions picture;
     std::filesystem::path out;
+    std::string theme = "dark";
+    int percent = 100;
     bool as_opened = false;
     bool quiet = false;
     bool json_progress = false;
@@ -34,12 +36,13 @@ void parse_size(const std::string& text, ScreenshotOptions& picture) {
 
 int screenshot_command(const ScreenshotCall& call) {
     Console console(call.quiet, call.json_progress);
-    if (call.picture.open.empty()) return console.refuse({"name an experiment folder or a mesh", ""});
     if (call.out.empty()) return console.refuse({"name the picture to write", "--out"});
     if (call.out.extension() != ".png") return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
     const Progress progress = console.progress();
     ScreenshotOptions picture = call.picture;
-    picture.run = !call.as_opened && !call.picture.calibrate;
+    picture.run = !call.as_opened && !call.picture.calibrate && !call.picture.optimize;
+    picture.theme = call.theme == "light" ? ThemeName::light : ThemeName::dark;
+    picture.scale = 0.01f * static_cast<float>(call.percent);
     const Result<Image> image = draw_screenshot(make_core_backend(), picture, progress);
     if (progress.cancelled()) {
         console.complain("stopped; nothing was written");
@@ -55,17 +58,20 @@ int screenshot_command(const ScreenshotCall& call) {
 
 std::function<int()> declare_screenshot(CLI::App& app) {
     const auto call = std::make_shared<ScreenshotCall>();
-    app.add_option("FILE", call->picture.open, "experiment folder or mesh")->type_name("");
+    app.add_option("FILE", call->picture.open, "experiment folder, mesh or project (default: the start page)")->type_name("");
     app.add_option("--out", call->out, "picture to write")->type_name("X.png");
     app.add_option_function<std::string>("--size", [call](const std::string& text) { parse_size(text, call->picture); },
                                          "width and height in pixels (default 1600x900)")
         ->type_name("WxH");
-    app.add_option("--panel", call->picture.panel, "panel to bring to the front")->type_name("NAME");
+    app.add_option("--panel", call->picture.panels, "panels to bring to the front, at the side and below the view")->delimiter(',')->type_name("A,B");
+    app.add_option("--theme", call->theme, "dark or light (default: dark)")->check(CLI::IsMember({"dark", "light"}))->type_name("NAME");
+    app.add_option("--scale", call->percent, "size of text and controls, 75 to 250 (default: 100)")->check(CLI::Range(75, 250))->type_name("PERCENT");
     app.add_option("--trial", call->picture.trial, "trial to show")->type_name("NAME");
     app.add_option("--marker", call->picture.marker, "marker to plot")->type_name("NAME");
     add_optional_number(app, "--time", call->picture.time_s, "time to show [s] (default: the end of the trial)")->type_name("SECONDS");
     add_unit(app, call->picture.metres_per_unit);
     app.add_flag("--calibrate", call->picture.calibrate, "calibrate before drawing, instead of a plain run");
+    app.add_flag("--optimize", call->picture.optimize, "look for the muscles' signals before drawing, instead of a plain run");
     app.add_flag("--diagnose", call->picture.diagnose, "diagnose, too: for the panel diagnose");
     app.add_flag("--as-opened", call->as_opened, "draw without running anything");
     app.add_flag("--quiet", call->quiet, "print errors only");

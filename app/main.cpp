@@ -19,7 +19,7 @@
 #include "options.hpp"
 #include "solver/sparse_cholesky.hpp"
 #include "window_glfw.hpp"
-#include "workbench_backend.hpp"
+#include "backend/workbench_backend.hpp"
 
 namespace myo {
 namespace {

@@ -11,11 +11,14 @@
 #include <string>
 #include <utility>
 
+#include "backend/user_files.hpp"
 #include "panels/workbench_window.hpp"
 #include "platform/gl.hpp"
 
 namespace myo {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 // GLFW reports what went wrong through a callback without context; only the last sentence matters.
 std::string& last_glfw_error() {
@@ -23,17 +26,17 @@ std::string& last_glfw_error() {
     return text;
 }
 
-struct Library {
+struct GlfwLibrary {
     bool ready = false;
-    Library() {
+    GlfwLibrary() {
         glfwSetErrorCallback([](int, const char* text) { last_glfw_error() = text; });
         ready = glfwInit() == GLFW_TRUE;
     }
-    ~Library() {
+    ~GlfwLibrary() {
         if (ready) glfwTerminate();
     }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
 };
 
 struct DestroyWindow {
@@ -62,10 +65,24 @@ int key_of(int key) {
         case 'y': return ImGuiKey_Y;
         case 'z': return ImGuiKey_Z;
         case 'b': return key_b;
+        case 'd': return key_d;
         case 'e': return key_e;
         case 'f': return key_f;
+        case 'k': return key_k;
+        case 'm': return key_m;
         case 'o': return key_o;
+        case 'p': return key_p;
+        case 'q': return key_q;
         case 'r': return key_r;
+        case 's': return key_s;
+        case '0': return key_0;
+        case '1': return key_1;
+        case '2': return key_2;
+        case '3': return key_3;
+        case '4': return key_4;
+        case '+':
+        case '=': return key_plus;
+        case '-': return key_minus;
         default: return -1;
     }
 }
@@ -145,11 +162,63 @@ private:
     ImGuiMouseCursor shown_ = ImGuiMouseCursor_Arrow;
 };
 
+/// Keeps a copy of unsaved work for recovery, and preferences as they are now.
+class Keeper {
+public:
+    explicit Keeper(Workbench& workbench) : workbench_(workbench), preferences_(workbench.state().preferences) {}
+
+    void tick(Clock::time_point now) {
+        if (now - last_ < std::chrono::seconds(60)) return;
+        last_ = now;
+        if (const auto file = recovery_file(); !file.empty()) workbench_.autosave(file);
+        keep_preferences();
+    }
+
+    void end() {
+        keep_preferences();
+        std::error_code ignored;
+        if (const auto file = recovery_file(); !file.empty()) {
+            std::filesystem::remove(file, ignored);
+            std::filesystem::remove_all(std::filesystem::path(file).replace_extension(".files"), ignored);
+        }
+    }
+
+private:
+    void keep_preferences() {
+        const Preferences& now = workbench_.state().preferences;
+        const auto file = preferences_file();
+        if (file.empty() || now == preferences_) return;
+        preferences_ = now;
+        if (const Result<void> written = write_preferences(file, now); !written)
+            workbench_.execute(command::Tell{LogLevel::warning, "Preferences cannot be kept: " + written.error().text()});
+    }
+
+    Workbench& workbench_;
+    Preferences preferences_;
+    Clock::time_point last_ = Clock::now();
+};
+
+void take_up(Workbench& workbench) {
+    if (const auto file = preferences_file(); !file.empty()) {
+        if (const Result<Preferences> kept = read_preferences(file)) workbench.execute(command::UsePreferences{*kept});
+        else workbench.execute(command::Tell{LogLevel::warning, "Preferences are left aside: " + kept.error().text()});
+    }
+    if (const auto file = recovery_file(); !file.empty()) workbench.execute(command::OfferRecovery{found_recoveries(file.parent_path())});
+}
+
 Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindow& view) {
-    using Clock = std::chrono::steady_clock;
     Pointers pointers;
+    Keeper keeper(workbench);
     auto last = Clock::now();
-    while (glfwWindowShouldClose(window) == GLFW_FALSE) {
+    while (!workbench.state().quit) {
+        keeper.tick(Clock::now());
+        if (glfwWindowShouldClose(window) == GLFW_TRUE) {
+            // What is unsaved is asked for first.
+            glfwSetWindowShouldClose(window, GLFW_FALSE);
+            workbench.execute(command::Quit{});
+            view.wake();
+            continue;
+        }
         const bool busy = workbench.state().busy();
         if (view.must_draw()) {
             glfwPollEvents();
@@ -173,13 +242,14 @@ Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindo
         pointers.apply(window);
         glfwSwapBuffers(window);
     }
+    keeper.end();
     return {};
 }
 
 }  // namespace
 
 Result<void> run_window(std::shared_ptr<Backend> backend, const WindowOptions& options) {
-    const Library library;
+    const GlfwLibrary library;
     if (!library.ready) {
         return Error{"cannot open a window: " + last_glfw_error() + ". Without a display, use the subcommands (myoloop --help).", ""};
     }
@@ -198,7 +268,8 @@ Result<void> run_window(std::shared_ptr<Backend> backend, const WindowOptions& o
     float across = 1.0f;
     float down = 1.0f;
     glfwGetWindowContentScale(window.get(), &across, &down);
-    workbench.execute(command::SetTheme{ThemeName::dark, options.scale.value_or(across)});
+    take_up(workbench);
+    if (const Preferences& kept = workbench.state().preferences; options.scale || !(kept.scale > 0.0f)) workbench.execute(command::SetTheme{kept.theme, options.scale.value_or(across)});
     auto view = WorkbenchWindow::make(workbench);
     if (!view) return view.error();
     glfwSetWindowUserPointer(window.get(), &*view);

@@ -8,11 +8,12 @@ sanitize=$root/build-sanitize
 both=$root/build-both
 jobs=2
 
-# The modules that hold the arithmetic and read meshes and traces, without long simulations and what is built on them.
-sanitized=(base solver diagnosis mesh fem material fibre model measurement report)
+# The modules that hold the arithmetic and read meshes and traces, without long simulations and what is built on them; and the
+# workbench under random input.
+sanitized=(base solver diagnosis mesh fem material fibre model measurement report random_input)
 
 export OPENBLAS_NUM_THREADS=1
-# Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks. Mesa does, hence no window here.
+# Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks; Mesa's are named in tests/ui.
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1
 export UBSAN_OPTIONS=print_stacktrace=1
 

@@ -28,7 +28,8 @@ TEST(Window, OpensDrawsResizesRunsAndCloses) {
     const auto display = VirtualDisplay::start(folder.path(), 1600, 1000);
     if (!display) GTEST_SKIP() << "skipped: no Xvfb";
     Companion program({std::string(MYOLOOP_BINARY_DIR) + "/myoloop", std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam"},
-                      folder.path() / "out", folder.path() / "err", {"DISPLAY=" + display->name(), "WAYLAND_DISPLAY=", "LIBGL_ALWAYS_SOFTWARE=1"});
+                      folder.path() / "out", folder.path() / "err", {"DISPLAY=" + display->name(), "WAYLAND_DISPLAY=", "LIBGL_ALWAYS_SOFTWARE=1", "XDG_CONFIG_HOME=" + (folder.path() / "config").string(),
+                       "XDG_STATE_HOME=" + (folder.path() / "state").string()});
     const auto said = [&] { return content_of(folder.path() / "out") + content_of(folder.path() / "err"); };
 
     unsigned long window = 0;

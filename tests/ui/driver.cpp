@@ -49,7 +49,12 @@ bool Driver::wait_for_job(int seconds) {
 }
 
 Rectangle Driver::item(const std::string& name) {
-    const auto found = window->items().find(name);
+    auto found = window->items().find(name);
+    // As a person would, look through the steps.
+    for (std::size_t i = 0; i < all_steps.size() && !found && has(std::string("step/") + step_id(all_steps[i])); ++i) {
+        click(std::string("step/") + step_id(all_steps[i]));
+        found = window->items().find(name);
+    }
     EXPECT_TRUE(found) << "no item " << name << " is shown";
     return found.value_or(Rectangle{});
 }

@@ -24,7 +24,7 @@ public:
     /// Frames until no job runs; false after that many seconds.
     bool wait_for_job(int seconds = 20);
 
-    /// Asserts (gtest) that the item is there.
+    /// Looks through the steps for an item that is not shown. Asserts (gtest) that it is there.
     Rectangle item(const std::string& name);
     bool has(const std::string& name) { return window->items().find(name).has_value(); }
 

@@ -152,11 +152,23 @@ Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& b
     return result;
 }
 
-Result<CalibrationResult> SwingingBeam::calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
-                                                  const Progress& progress) {
+Result<SearchResult> SwingingBeam::calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) {
     const auto before = simulate(scene, body, settings, progress);
     if (!before) return before.error();
-    CalibrationResult result;
+    if (live) {
+        SearchView view;
+        view.log = {{4.0, before->rms_m, 2.0}};
+        view.parameters = {{"E", "kPa", settings.youngs_modulus_Pa / 1e3, settings.youngs_modulus_Pa / 1e3, std::numeric_limits<double>::quiet_NaN()}};
+        view.settings = settings;
+        view.best = std::make_shared<const RunResult>(*before);
+        live(std::make_shared<const SearchView>(view));
+    }
+    while (hold_search && !progress.cancelled()) {
+        progress.report({"calibrate", 1.0, 60.0, "evaluations", "held"});
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    SearchResult result;
+    result.title = "Calibrated";
     result.settings = settings;
     result.settings.youngs_modulus_Pa = measured_modulus;
     result.settings.damping_s = 3.1e-3;
@@ -169,6 +181,51 @@ Result<CalibrationResult> SwingingBeam::calibrate(const Scene& scene, const Mesh
     result.parameters = {{"E", "kPa", settings.youngs_modulus_Pa / 1e3, measured_modulus / 1e3, 0.42},
                          {"Damping \xcf\x84", "ms", settings.damping_s * 1e3, 3.1, 0.05}};
     return result;
+}
+
+Result<SearchResult> SwingingBeam::optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
+                                            const LiveSearch& live) {
+    SearchView view;
+    view.loss_unit = "mm\xc2\xb2";
+    SearchResult result;
+    result.title = "Optimised";
+    for (int k = 0; k < 5 && !progress.cancelled(); ++k) {
+        auto run = simulate(scene, body, settings, progress);
+        if (!run) break;
+        result.settings = settings;
+        result.settings.muscles.front().signal = Signal{{0.0, 1.0}, {1.0, 1.0 - 0.05 * k}};
+        result.run = *run;
+        view.log.push_back({10.0 / (k + 1), 1e-3 / (k + 1), 1.0 / (k + 1)});
+        view.parameters = {{settings.muscles.front().name + ", least a", "", 1.0, 1.0 - 0.05 * k, std::numeric_limits<double>::quiet_NaN()}};
+        view.settings = result.settings;
+        view.best = std::make_shared<const RunResult>(*run);
+        if (live) live(std::make_shared<const SearchView>(view));
+        progress.report({"optimize", k + 1.0, static_cast<double>(request.max_evaluations), "evaluations", request.trial});
+    }
+    if (view.log.empty()) return Error{"stopped before the first evaluation", ""};
+    result.evaluations = static_cast<int>(view.log.size());
+    result.parameters = view.parameters;
+    result.rms_before_m = 1e-3;
+    result.rms_after_m = view.log.back().rms_m;
+    result.stopped = progress.cancelled();
+    return result;
+}
+
+Result<Project> SwingingBeam::read_project(const std::filesystem::path& file) const {
+    const auto found = projects.find(file);
+    if (found == projects.end()) return Error{"file not found", file.string()};
+    return found->second;
+}
+
+Result<void> SwingingBeam::write_project(const std::filesystem::path& file, const Project& project) const {
+    if (file.parent_path() == "/forbidden") return Error{"cannot be written", file.string()};
+    projects[file] = project;
+    return {};
+}
+
+Result<std::vector<std::string>> SwingingBeam::write_report(const std::filesystem::path& folder, const Scene&, const RunResult&, const SearchResult*, const DiagnosisView*) const {
+    reports.push_back(folder);
+    return std::vector<std::string>{"trial.csv"};
 }
 
 namespace {

@@ -26,16 +26,31 @@ public:
     MeshPrediction predict(const Scene& scene, const Settings& settings) const override;
     Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override;
     Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress) override;
-    Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
-                                        const Progress& progress) override;
+    Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) override;
+    /// Goes through some levels of the first muscle; the last is the best.
+    Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
+                                  const LiveSearch& live) override;
+    std::vector<Example> examples() const override { return {{"/beam", "Swinging beam", "A beam that swings."}}; }
+    std::string version() const override { return "0"; }
+    std::vector<Library> libraries() const override { return {{"Eigen", "3.4", "MPL 2"}}; }
+    std::vector<ReportLine> preview(const std::filesystem::path& path) const override { return {{"Path", path.string()}}; }
+    /// Projects are kept in memory; the file itself holds nothing.
+    Result<Project> read_project(const std::filesystem::path& file) const override;
+    Result<void> write_project(const std::filesystem::path& file, const Project& project) const override;
+    Result<std::vector<std::string>> write_report(const std::filesystem::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
+                                                  const DiagnosisView* diagnosis) const override;
     /// A diagnosis as the core might make it of the beam, nothing in it computed: linear drag takes away most of the residual in z.
     Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress,
                                    const LiveDiagnosis& live) override;
 
+    /// A calibration goes no further than its first evaluation while this holds, unless it is cancelled.
+    std::atomic<bool> hold_search = false;
     /// The diagnosis goes no further than its first ranking while this holds, unless it is cancelled.
     std::atomic<bool> hold_diagnosis = false;
     /// Files of signals.
     mutable std::map<std::filesystem::path, Signal> signals;
+    mutable std::map<std::filesystem::path, Project> projects;
+    mutable std::vector<std::filesystem::path> reports;
     /// It finds no effect that explains, and a force instead.
     std::atomic<bool> unexplained = false;
 };

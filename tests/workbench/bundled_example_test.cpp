@@ -4,7 +4,7 @@
 
 #include "commands/scene_at_time.hpp"
 #include "ui/driver.hpp"
-#include "workbench_backend.hpp"
+#include "backend/workbench_backend.hpp"
 
 namespace myo {
 namespace {
@@ -91,15 +91,15 @@ TEST(BundledExample, CancelsACalibrationThatHasNoValuesYet) {
     Driver driver(make_core_backend(), 1280, 800);
     ASSERT_NO_FATAL_FAILURE(cancel_calibration_at(driver, 0.0));
     EXPECT_FALSE(driver.state().run);
-    EXPECT_FALSE(driver.state().calibration);
+    EXPECT_FALSE(driver.state().found);
     EXPECT_EQ(driver.state().log.back().level, LogLevel::information);
 }
 
 TEST(BundledExample, KeepsTheBestValuesOfACancelledCalibration) {
     Driver driver(make_core_backend(), 1280, 800);
     ASSERT_NO_FATAL_FAILURE(cancel_calibration_at(driver, 2.5));
-    ASSERT_TRUE(driver.state().calibration) << driver.state().log.back().text;
-    const CalibrationResult& kept = *driver.state().calibration;
+    ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;
+    const SearchResult& kept = *driver.state().found;
     EXPECT_TRUE(kept.stopped);
     EXPECT_GE(kept.evaluations, 2);
     EXPECT_LE(kept.rms_after_m, kept.rms_before_m);

@@ -5,7 +5,7 @@
 #include "commands/force_arrows.hpp"
 #include "loop/swung_beam.hpp"
 #include "ui/driver.hpp"
-#include "workbench_backend.hpp"
+#include "backend/workbench_backend.hpp"
 
 namespace myo {
 namespace {

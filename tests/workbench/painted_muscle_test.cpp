@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ui/driver.hpp"
-#include "workbench_backend.hpp"
+#include "backend/workbench_backend.hpp"
 
 namespace myo {
 namespace {

@@ -13,6 +13,9 @@
 #include "base/progress.hpp"
 #include "base/result.hpp"
 #include "commands/diagnosis_view.hpp"
+#include "commands/project.hpp"
+#include "commands/run_result.hpp"
+#include "commands/search_result.hpp"
 #include "commands/settings.hpp"
 #include "fibre/cell_paint.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -61,6 +64,7 @@ struct Scene {
     std::string description;
     SurfaceMesh surface;                          // may be empty
     std::optional<Box> clamp_m;
+    Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();
     std::vector<SceneMarker> markers;
     std::vector<SceneTrial> trials;
     Settings settings;                            // declared or default values
@@ -94,43 +98,18 @@ struct MeshedBody {
     std::shared_ptr<const void> source;           // the backend's own
 };
 
-/// One simulated trial; frames may be coarser than the measurement.
-struct SimulatedTrial {
-    std::string name;                             // of the SceneTrial
-    Eigen::VectorXd frame_time_s;                 // F
-    std::vector<Eigen::Matrix3Xd> frames;         // F node positions, 3 x n [m]
-    std::vector<Eigen::Matrix3Xd> markers;        // per marker of the scene, 3 x T at the trial's time_s [m]
-    std::vector<double> marker_rms_m;             // per marker, NaN without measurement
-    double rms_m = 0.0;                           // NaN without measurement
+/// An example that comes with the program.
+struct Example {
+    std::filesystem::path path;
+    std::string name;
+    std::string description;
 };
 
-struct RunResult {
-    std::vector<SimulatedTrial> trials;
-    double rms_m = 0.0;                           // over all measured coordinates of all trials; NaN without any
-    double seconds = 0.0;                         // wall time
-    std::string problem;                          // what went wrong on the way; empty = nothing
-    std::vector<std::string> warnings;            // of its time step
-};
-
-/// A calibrated parameter in the unit it is shown in.
-struct ParameterRow {
-    std::string name;                             // "Young's modulus E"
-    std::string unit;                             // "kPa"
-    double start = 0.0;
-    double value = 0.0;
-    double deviation = 0.0;                       // one standard deviation; NaN = unknown
-};
-
-struct CalibrationResult {
-    std::vector<ParameterRow> parameters;
-    double rms_before_m = 0.0;
-    double rms_after_m = 0.0;
-    int evaluations = 0;
-    Settings settings;                            // with the calibrated values
-    RunResult run;                                // with the calibrated values
-    bool stopped = false;                         // by the user: these are the best values up to then
-    std::string problem;
-    std::vector<std::string> warnings;            // what a person should know before trusting the values
+/// A part of the program that others have written.
+struct Library {
+    std::string name;
+    std::string version;
+    std::string licence;
 };
 
 /// Does the work. Its functions are called from a background thread, one at a time, except those marked quick, which the
@@ -141,6 +120,17 @@ public:
 
     virtual std::vector<Choice> materials() const = 0;      // quick
     virtual std::vector<Choice> integrators() const = 0;    // quick
+
+    virtual std::vector<Example> examples() const = 0;      // quick
+    virtual std::string version() const = 0;                // quick, of the program
+    virtual std::vector<Library> libraries() const = 0;     // quick
+
+    /// What is known of a file before it is opened: "Name", "Trials", ...; empty when nothing (quick).
+    virtual std::vector<ReportLine> preview(const std::filesystem::path& path) const = 0;
+
+    virtual Result<Project> read_project(const std::filesystem::path& file) const = 0;
+    /// Masks of painted muscles go into files beside it, in `<name>.files`.
+    virtual Result<void> write_project(const std::filesystem::path& file, const Project& project) const = 0;
 
     /// Whether the numbers in this file have a unit that only a person knows (quick).
     virtual bool needs_unit(const std::filesystem::path& path) const = 0;
@@ -158,14 +148,23 @@ public:
     virtual Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                        const Progress& progress) = 0;
 
+    /// `live` gets what a search knows after its evaluations, from the calling thread; may be empty.
+    using LiveSearch = std::function<void(std::shared_ptr<const SearchView>)>;
     /// Cancelled, it gives the best values so far; an error when there are none yet.
-    virtual Result<CalibrationResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
-                                                const Progress& progress) = 0;
+    virtual Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress,
+                                           const LiveSearch& live) = 0;
+    /// Signals of the muscles with which the markers of a trial follow their traces. Cancelled likewise.
+    virtual Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request,
+                                          const Progress& progress, const LiveSearch& live) = 0;
 
     /// The column of a muscle in a file of signals, `time_s,<muscle>,...`; a file of one column may have any name (quick).
     virtual Result<Signal> read_signal(const std::filesystem::path& path, const std::string& muscle) const = 0;
     /// Writes the same form (quick).
     virtual Result<void> write_signal(const std::filesystem::path& path, const std::string& muscle, const Signal& signal) const = 0;
+
+    /// Writes simulated markers, and the pages of a search and a diagnosis where there are some (null: none), into a folder; the files' names. Short.
+    virtual Result<std::vector<std::string>> write_report(const std::filesystem::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
+                                                          const DiagnosisView* diagnosis) const = 0;
 
     /// What the model lacks. `live` gets what is known so far after every stage, from the calling thread; may be empty. Cancelled, it
     /// gives that, too.

@@ -28,8 +28,10 @@ Eigen::Vector3d fixed_axis(BrushDirection direction, const PaintGround& ground) 
 
 Brush make_brush(const BrushSettings& settings, const PaintGround& ground, bool erase) {
     Brush brush;
-    brush.radius_m = settings.radius_m;
-    brush.depth_m = settings.through ? std::numeric_limits<double>::infinity() : settings.depth_m;
+    // A cell is painted by its middle: of a coarse mesh, a small brush still reaches those it is held over.
+    const double least_m = 0.6 * ground.places.edge_m;
+    brush.radius_m = std::max(settings.radius_m, least_m);
+    brush.depth_m = settings.through ? std::numeric_limits<double>::infinity() : std::max(settings.depth_m, least_m);
     brush.falloff = settings.falloff;
     brush.strength = settings.strength;
     brush.erase = erase;

@@ -21,6 +21,8 @@ struct Redo {};
 struct BuildMesh {};
 struct Run {};
 struct Calibrate {};
+struct ChangeOptimize { OptimizeRequest request; };
+struct Optimize {};
 struct Diagnose {};
 /// A row of the diagnosis, by its key.
 struct ChooseCandidate { std::string key; };
@@ -32,7 +34,26 @@ struct Paint { int muscle = 0; std::shared_ptr<const CellPaint> paint; std::stri
 struct ImportSignal { int muscle = 0; std::filesystem::path path; };
 struct ExportSignal { std::string muscle; Signal signal; std::filesystem::path path; };
 struct ChangeBrush { BrushSettings brush; };
+/// Of the running job.
 struct Cancel {};
+struct Pause { bool paused = true; };
+/// A job that waits, by its id.
+struct Unqueue { int id = 0; };
+/// An ended job, by its id: its settings and what it brought are shown again; its markers are drawn beside the shown run's; it is forgotten.
+struct RestoreRecord { int id = 0; };
+struct CompareRecord { int id = 0; bool compared = true; };
+struct ForgetRecord { int id = 0; };
+/// Into the project's file; asks where when there is none.
+struct Save {};
+struct SaveAs { std::filesystem::path file; };
+struct AskWhereToSave { bool asks = true; };   // false: the person gave it up
+enum class UnsavedAnswer { save, discard, cancel };
+struct AnswerUnsaved { UnsavedAnswer answer = UnsavedAnswer::cancel; };
+/// A project of a session that did not end well: to be opened, or all of them to be thrown away.
+struct OfferRecovery { std::vector<std::filesystem::path> files; };
+struct Recover { std::filesystem::path file; };
+struct DiscardRecovery {};
+struct Quit {};
 struct ChooseTrial { int trial = 0; };
 struct ChooseMarker { int marker = 0; };
 struct SetTime { double time_s = 0.0; };
@@ -41,17 +62,24 @@ struct SetSpeed { double speed = 1.0; };
 struct ChangeView { ViewOptions view; };
 struct SetDampingFrequency { double frequency_Hz = 5.0; };
 struct SetTheme { ThemeName theme = ThemeName::dark; float scale = 1.0f; };
+struct SetLayout { LayoutSizes layout; };
+struct Bookmark { std::filesystem::path folder; bool kept = true; };
+struct UsePreferences { Preferences preferences; };
 struct ClearLog {};
+struct Tell { LogLevel level = LogLevel::information; std::string text; };
+/// Pages and tables of what was found, into a folder.
+struct WriteReport { std::filesystem::path folder; };
 
 }  // namespace myo::command
 
 namespace myo {
 
-using Command = std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo,
-                             command::BuildMesh, command::Run, command::Calibrate, command::Diagnose,
-                             command::ChooseCandidate, command::AddEffect, command::ChooseMuscle,
-                             command::Paint, command::ImportSignal, command::ExportSignal, command::ChangeBrush, command::Cancel, command::ChooseTrial,
-                             command::ChooseMarker, command::SetTime, command::Play, command::SetSpeed, command::ChangeView,
-                             command::SetDampingFrequency, command::SetTheme, command::ClearLog>;
+using Command =
+    std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo, command::BuildMesh, command::Run, command::Calibrate, command::ChangeOptimize,
+                 command::Optimize, command::Diagnose, command::ChooseCandidate, command::AddEffect, command::ChooseMuscle, command::Paint, command::ImportSignal, command::ExportSignal,
+                 command::ChangeBrush, command::Cancel, command::Pause, command::Unqueue, command::RestoreRecord, command::CompareRecord, command::ForgetRecord, command::Save, command::SaveAs,
+                 command::AskWhereToSave, command::AnswerUnsaved, command::OfferRecovery, command::Recover, command::DiscardRecovery, command::Quit, command::ChooseTrial, command::ChooseMarker,
+                 command::SetTime, command::Play, command::SetSpeed, command::ChangeView, command::SetDampingFrequency, command::SetTheme, command::SetLayout, command::Bookmark,
+                 command::UsePreferences, command::ClearLog, command::Tell, command::WriteReport>;
 
 }  // namespace myo

@@ -75,6 +75,7 @@ struct DiagnosisView {
     ForceCourses missing_force;
     Eigen::VectorXi patch_of_node;                // n nodes of the body that was diagnosed; empty before there are forces
     int patches = 0;
+    std::shared_ptr<const void> page;             // about it, for the report: the backend's own; may be null
     int worst_trial = 0, worst_marker = 0, worst_axis = 0;   // where the declared model is furthest off
 
     /// The row with this key, or null.

@@ -17,6 +17,8 @@ struct JobView {
     double elapsed_s = 0.0;
     std::optional<double> remaining_s;   // empty while it cannot be told, and where each stage counts anew
     bool cancelling = false;
+    bool paused = false;
+    bool searches = false;               // for values: what it knows so far is shown
 
     /// Done part, 0 to 1; 0 when the total is unknown.
     double fraction() const {
@@ -26,6 +28,12 @@ struct JobView {
 
 /// Time left when `fraction` took `elapsed` seconds: linear, and only once it means something (2 % and half a second).
 std::optional<double> remaining_time(double fraction, double elapsed_s);
+
+/// How a job counts, and what it is.
+struct JobKind {
+    bool staged = false;     // its progress counts anew in every stage
+    bool searches = false;
+};
 
 /// Long work on its own thread, which hands its result over when asked at the start of a frame.
 ///
@@ -37,13 +45,14 @@ public:
     using Work = std::function<Completion(const Progress&)>;
 
     /// @param wake  called from the work's thread when there is something new to draw; may be empty
-    /// @param staged  its progress counts anew in every stage
-    Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake, bool staged = false);
+    Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake, JobKind kind = {});
     ~Job();
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
     void cancel();
+    /// The work waits at its next report of progress until it goes on or is cancelled; its time stands still.
+    void pause(bool paused);
     JobView view() const;
 
     /// The completion, once, when the work is done.

@@ -61,4 +61,7 @@ inline constexpr Limits velocity_force_limits{-100.0, 100.0};
 inline constexpr Limits muscle_stiffness_limits{1.0, 1e9};
 inline constexpr Limits muscle_ratio_limits{-10.0, 10.0};
 
+/// Every number brought back into its range.
+Settings within_limits(Settings settings);
+
 }  // namespace myo

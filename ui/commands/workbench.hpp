@@ -1,24 +1,29 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 
 #include "commands/backend.hpp"
 #include "commands/command.hpp"
+#include "commands/live_value.hpp"
 #include "commands/placed_paint.hpp"
 #include "commands/undo.hpp"
 #include "commands/workbench_state.hpp"
 
 namespace myo {
 
-/// The workbench without its looks: carries out commands, runs jobs, holds the state.
+/// The workbench without its looks: carries out commands, runs jobs one after the other, holds the state.
+///
+/// A job works on the settings as they were when it was asked for. What it brings is shown when it ends, but the settings are changed by it
+/// only where nobody has changed them meanwhile.
 class Workbench {
 public:
     /// @param wake  called from another thread when there is something new to show; may be empty
     explicit Workbench(std::shared_ptr<Backend> backend, std::function<void()> wake = {});
 
     const WorkbenchState& state() const { return state_; }
+    const Backend& backend() const { return *backend_; }
     void execute(const Command& command);
 
     /// To be called at the start of each frame: takes results of jobs and moves the time of a playing trial.
@@ -28,33 +33,82 @@ public:
     /// Something changes by itself, so frames must go on.
     bool animating() const { return state_.playing; }
 
+    /// Writes unsaved work into a file from which it can be recovered, where it has changed since the last call; removes the file where all is
+    /// saved. A failure is logged once.
+    void autosave(const std::filesystem::path& file);
+
 private:
+    /// A job that was asked for.
+    struct Task {
+        int id = 0;
+        std::string name;
+        std::string clock;
+        Settings settings;
+        std::shared_ptr<const Scene> scene;
+        std::function<void()> begin;
+    };
+
+    // workbench_jobs.cpp
+    void request(const std::string& name, std::function<void()> begin);
+    void begin(Task task);
+    void begin_next();
+    /// The work of the task that has begun.
+    void start(const std::string& name, Job::Work work, JobKind kind = {});
+    /// Meshes the body for the task, unless it is, and goes on.
+    void with_body(std::function<void()> then);
+    bool may_compute();
+    void end_task(JobOutcome outcome, const std::string& summary, JobRecord with = {});
+    void restore(int id);
+    void forget(int id);
+    void update_queue();
+
+    // workbench_scene.cpp
     void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
-    void show_scene(Scene scene);
+    void show_scene(Scene scene, std::optional<double> metres_per_unit);
+    void show_project(const std::filesystem::path& file, Project project, Scene scene);
     void build_mesh(std::function<void()> then);
+
+    // workbench_project.cpp
+    Project project() const;
+    void save();
+    void save_as(std::filesystem::path file);
+    void answer_unsaved(command::UnsavedAnswer answer);
+    void go_on_with_pending();
+    void quit();
+    void write_report(const std::filesystem::path& folder);
+    void remember_recent(const std::filesystem::path& path);
+    void recover(const std::filesystem::path& file);
+    void discard_recovery();
+    void forget_recovered();
+
+    // workbench_search.cpp
     void run();
     void calibrate();
+    void optimize();
+    using Search = std::function<Result<SearchResult>(const Progress&, const Backend::LiveSearch&)>;
+    void search(const std::string& verb, Search search);
+    void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
+    void show_found(const std::string& verb, SearchResult result);
+
+    // workbench_diagnosis.cpp
     void diagnose();
     void show_diagnosis(DiagnosisView diagnosis);
     /// Moves the time to where the chosen row's force can be seen, unless the motion plays.
     void look_at_forces();
-    void take_live_diagnosis();
     void add_effect(const std::string& key);
+
+    // workbench_muscles.cpp
     void paint(const command::Paint& asked);
     void import_signal(const command::ImportSignal& asked);
     void export_signal(const command::ExportSignal& asked);
     /// Puts the settings' muscles on the body.
     void place_muscles();
+
     void change_settings(const command::ChangeSettings& change);
     void set_settings(const Settings& settings);
     void check_stability();
     void choose_trial(int trial);
-    void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
-    void show_calibration(CalibrationResult result);
-    void start(const std::string& name, Job::Work work, bool staged = false);
-    /// Says why a job cannot be started now, in the log; false then.
-    bool may_start();
-    bool may_compute();
+    void take_live();
     void log(LogLevel level, const std::string& text);
     void log_failure(const Error& error, const std::string& what);
 
@@ -63,13 +117,15 @@ private:
     WorkbenchState state_;
     UndoStack<Settings> undo_;
     PlacedPaint placed_;
-    // What a running diagnosis knows so far, on its way from its thread to the frame.
-    struct LiveDiagnosis {
-        std::mutex mutex;
-        std::shared_ptr<const DiagnosisView> latest;
-    };
-    std::shared_ptr<LiveDiagnosis> live_;
-    std::unique_ptr<Job> job_;     // last member: its thread ends before anything it uses
+    std::deque<Task> queue_;
+    std::optional<Task> task_;                  // that runs
+    int next_id_ = 1;
+    std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;
+    std::shared_ptr<LiveValue<SearchView>> live_search_;
+    Settings autosaved_;                        // as they are in the file of recovery
+    bool autosave_failed_ = false;
+    std::filesystem::path recovered_;           // file from which the shown project was recovered; to be removed once it is saved
+    std::unique_ptr<Job> job_;                  // last member: its thread ends before anything it uses
 };
 
 }  // namespace myo

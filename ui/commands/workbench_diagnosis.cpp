@@ -14,50 +14,42 @@ void Workbench::diagnose() {
         log(LogLevel::warning, "Nothing to diagnose: the experiment has no trial of role fit with measured markers.");
         return;
     }
-    if (!state_.mesh_is_current()) {
-        build_mesh([this] { diagnose(); });
-        return;
-    }
-    const Settings settings = state_.settings;
-    const auto scene = state_.scene;
-    const auto body = state_.body;
-    state_.diagnosis.reset();
-    state_.candidate.clear();
-    state_.diagnosis_settings = settings;
-    live_ = std::make_shared<LiveDiagnosis>();
-    const auto live = live_;
-    start(
-        diagnose_job,
-        [this, settings, scene, body, live](const Progress& progress) -> Job::Completion {
-            const auto show = [live](std::shared_ptr<const DiagnosisView> view) {
-                const std::lock_guard lock(live->mutex);
-                live->latest = std::move(view);
-            };
-            auto result = std::make_shared<Result<DiagnosisView>>(backend_->diagnose(*scene, *body, settings, progress, show));
-            const bool cancelled = progress.cancelled();
-            return [this, result, cancelled] {
-                if (*result) show_diagnosis(std::move(**result));
-                else if (cancelled) log(LogLevel::information, "Diagnosis cancelled before it knew anything.");
-                else log_failure(result->error(), "Diagnosis failed");
-            };
-        },
-        true);
-}
-
-void Workbench::take_live_diagnosis() {
-    if (!live_) return;
-    const std::lock_guard lock(live_->mutex);
-    if (live_->latest) state_.diagnosis = std::move(live_->latest);
-    live_->latest.reset();
+    request(diagnose_job, [this] {
+        with_body([this] {
+            state_.diagnosis.reset();
+            state_.candidate.clear();
+            state_.diagnosis_settings = task_->settings;
+            live_diagnosis_ = std::make_shared<LiveValue<DiagnosisView>>();
+            start(
+                diagnose_job,
+                [this, settings = task_->settings, scene = task_->scene, body = state_.body, live = live_diagnosis_](const Progress& progress) -> Job::Completion {
+                    const auto show = [live](std::shared_ptr<const DiagnosisView> view) { live->set(std::move(view)); };
+                    auto result = std::make_shared<Result<DiagnosisView>>(backend_->diagnose(*scene, *body, settings, progress, show));
+                    const bool cancelled = progress.cancelled();
+                    return [this, result, cancelled] {
+                        live_diagnosis_.reset();
+                        if (*result) return show_diagnosis(std::move(**result));
+                        if (cancelled) log(LogLevel::information, "Diagnosis cancelled before it knew anything.");
+                        else log_failure(result->error(), "Diagnosis failed");
+                        end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed, cancelled ? "cancelled" : result->error().text());
+                    };
+                },
+                {true, false});
+        });
+    });
 }
 
 void Workbench::show_diagnosis(DiagnosisView diagnosis) {
-    live_.reset();
     state_.diagnosis = std::make_shared<const DiagnosisView>(std::move(diagnosis));
     const DiagnosisView& d = *state_.diagnosis;
     if (d.stopped) log(LogLevel::information, "Diagnosis cancelled; what it knew by then is shown, without a verdict.");
     else log(LogLevel::done, "Diagnosed in " + value_label(d.seconds, 3) + " s: " + d.headline + ", confidence " + value_label(100.0 * d.confidence, 2) + " %.");
     for (const std::string& note : d.notes) log(LogLevel::information, note);
+    JobRecord record;
+    record.seconds = d.seconds;
+    record.settings = task_->settings;
+    record.diagnosis = state_.diagnosis;
+    end_task(d.stopped ? JobOutcome::stopped : JobOutcome::done, d.stopped ? "stopped without a verdict" : d.headline, std::move(record));
     look_at_forces();
 }
 

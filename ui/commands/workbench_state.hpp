@@ -11,8 +11,9 @@
 #include "commands/backend.hpp"
 #include "commands/brush_settings.hpp"
 #include "commands/job.hpp"
+#include "commands/job_record.hpp"
+#include "commands/preferences.hpp"
 #include "commands/settings.hpp"
-#include "platform/theme.hpp"
 
 namespace myo {
 
@@ -23,25 +24,14 @@ struct LogLine {
     std::string text;
 };
 
-/// What the 3D view shows.
-struct ViewOptions {
-    bool edges = true;
-    bool grid = true;
-    bool measured = true;
-    bool simulated = true;
-    bool trails = true;
-    bool errors = true;             // lines from simulated to measured
-    bool labels = true;
-    bool clamp = true;
-    bool displacement = false;      // colour the body by displacement
-    bool fibres = true;             // muscles: colours and lines
-    bool effect_force = true;       // arrows of the chosen effect's force, once there is a diagnosis
-    double opacity = 1.0;
-
-    bool operator==(const ViewOptions&) const = default;
-};
-
 inline constexpr const char* diagnose_job = "Diagnose";
+
+/// What waits until a person has said what is to become of unsaved changes.
+struct PendingAction {
+    bool quit = false;                                       // else to open this
+    std::filesystem::path open;
+    std::optional<double> metres_per_unit;
+};
 
 /// Everything the panels show. Panels read it and emit commands; only Workbench changes it.
 struct WorkbenchState {
@@ -50,16 +40,22 @@ struct WorkbenchState {
     std::shared_ptr<const PaintGround> ground;              // of `body`
     std::vector<std::shared_ptr<const CellPaint>> paint;    // of the settings' muscles on `body`; null without one
     std::shared_ptr<const RunResult> run;
-    std::shared_ptr<const CalibrationResult> calibration;   // the last one, while its run is shown
+    std::shared_ptr<const SearchResult> found;              // by the last search, while its run is shown
+    std::shared_ptr<const SearchView> search;               // the running search, or the last one
     std::shared_ptr<const DiagnosisView> diagnosis;         // the last one, or what is known of the running one
     std::string candidate;          // key of its chosen row; empty = that of the verdict
     Settings settings;
+    Settings saved_settings;        // as they are in the file
+    std::filesystem::path project;  // its file; empty: never saved
+    std::optional<double> metres_per_unit;   // of the mesh file that was opened
     Settings diagnosis_settings;    // with which `diagnosis` was started
     Settings body_settings;         // with which `body` was meshed
     Settings run_settings;          // with which `run` was made
     MeshPrediction prediction;
     std::vector<Choice> materials;
     std::vector<Choice> integrators;
+    std::vector<Example> examples;
+    OptimizeRequest optimize;       // of the next search for signals; its trial is the shown one
 
     int trial = 0;
     int marker = 0;
@@ -72,16 +68,23 @@ struct WorkbenchState {
     std::optional<double> critical_velocity_force_1_s;   // at that frequency; only while there is a positive velocity force
 
     ViewOptions view;
-    ThemeName theme = ThemeName::dark;
-    float scale = 1.0f;
+    Preferences preferences;
 
     std::vector<LogLine> log;
     std::optional<JobView> job;
+    std::vector<QueuedJob> queue;                         // in the order in which they will run
+    std::vector<JobRecord> history;                       // the newest last
     std::optional<std::filesystem::path> unit_question;   // a mesh file waits for its unit
+    std::optional<PendingAction> pending;                 // waits for an answer about unsaved changes
+    bool asks_where_to_save = false;
+    std::vector<std::filesystem::path> recovered;         // projects of a session that did not end well, to be taken up or thrown away
+    bool quit = false;                                    // the window shall close
     bool can_undo = false;
     bool can_redo = false;
 
     bool busy() const { return job.has_value(); }
+    bool unsaved() const { return scene && !(settings == saved_settings); }
+    float scale() const { return preferences.scale > 0.0f ? preferences.scale : 1.0f; }
     bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
     bool run_is_current() const { return run && settings == run_settings; }
     bool is_unstable() const { return critical_velocity_force_1_s && settings.velocity_force_1_s > *critical_velocity_force_1_s; }
@@ -90,8 +93,8 @@ struct WorkbenchState {
     const DiagnosisRow* diagnosis_row() const;
     /// The chosen integrator, or null.
     const Choice* integrator() const {
-        const auto found = std::find_if(integrators.begin(), integrators.end(), [&](const Choice& c) { return c.id == settings.integrator; });
-        return found != integrators.end() ? &*found : nullptr;
+        const auto chosen = std::find_if(integrators.begin(), integrators.end(), [&](const Choice& c) { return c.id == settings.integrator; });
+        return chosen != integrators.end() ? &*chosen : nullptr;
     }
     const SceneTrial* scene_trial() const {
         return scene && trial >= 0 && trial < static_cast<int>(scene->trials.size()) ? &scene->trials[static_cast<std::size_t>(trial)]
@@ -105,8 +108,17 @@ struct WorkbenchState {
     const CellPaint* chosen_paint() const {
         return chosen_muscle() && static_cast<std::size_t>(muscle) < paint.size() ? paint[static_cast<std::size_t>(muscle)].get() : nullptr;
     }
-    const SimulatedTrial* simulated_trial() const {
-        return run && trial >= 0 && trial < static_cast<int>(run->trials.size()) ? &run->trials[static_cast<std::size_t>(trial)] : nullptr;
+    /// What is shown of the body's motion: the best iterate of a running search, else the last run; null without either.
+    std::shared_ptr<const RunResult> shown_run() const { return searching() && search && search->best ? search->best : run; }
+    bool searching() const { return job && job->searches; }
+    const SimulatedTrial* simulated_trial() const { return trial_of(shown_run().get()); }
+    /// The shown trial in a run of the same scene, or null.
+    const SimulatedTrial* trial_of(const RunResult* result) const {
+        return result && trial >= 0 && trial < static_cast<int>(result->trials.size()) ? &result->trials[static_cast<std::size_t>(trial)] : nullptr;
+    }
+    const JobRecord* record(int id) const {
+        const auto entry = std::find_if(history.begin(), history.end(), [&](const JobRecord& r) { return r.id == id; });
+        return entry != history.end() ? &*entry : nullptr;
     }
 };
 

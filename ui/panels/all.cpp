@@ -1,12 +1,20 @@
 #include "panels/body_panel.hpp"
 #include "panels/diagnose_panel.hpp"
 #include "panels/fibre_panel.hpp"
+#include "panels/fit_panel.hpp"
+#include "panels/jobs_panel.hpp"
 #include "panels/log_panel.hpp"
 #include "panels/marker_panel.hpp"
-#include "panels/model_panel.hpp"
+#include "panels/material_panel.hpp"
+#include "panels/measure_panel.hpp"
+#include "panels/mesh_panel.hpp"
 #include "panels/panel.hpp"
+#include "panels/report_panel.hpp"
 #include "panels/run_panel.hpp"
+#include "panels/search_panel.hpp"
 #include "panels/signal_panel.hpp"
+#include "panels/time_panel.hpp"
+#include "panels/verdict_panel.hpp"
 
 namespace myo {
 
@@ -14,12 +22,20 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     std::vector<std::unique_ptr<Panel>> panels;
     const auto add = [&panels]<class T>(std::type_identity<T>) { panels.push_back(std::make_unique<T>()); };
     add(std::type_identity<BodyPanel>());
-    add(std::type_identity<ModelPanel>());
+    add(std::type_identity<MeshPanel>());
+    add(std::type_identity<MaterialPanel>());
     add(std::type_identity<FibrePanel>());
+    add(std::type_identity<TimePanel>());
     add(std::type_identity<RunPanel>());
+    add(std::type_identity<MeasurePanel>());
+    add(std::type_identity<FitPanel>());
+    add(std::type_identity<VerdictPanel>());
+    add(std::type_identity<ReportPanel>());
     add(std::type_identity<MarkerPanel>());
     add(std::type_identity<SignalPanel>());
+    add(std::type_identity<SearchPanel>());
     add(std::type_identity<DiagnosePanel>());
+    add(std::type_identity<JobsPanel>());
     add(std::type_identity<LogPanel>());
     return panels;
 }

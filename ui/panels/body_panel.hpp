@@ -2,28 +2,21 @@
 
 #include <string>
 
-#include "panels/file_browser.hpp"
-#include "panels/widgets.hpp"
+#include "panels/panel.hpp"
 
 namespace myo {
 
-/// Opens a body and sets how it is meshed.
+/// Opens a body, and says what it is.
 class BodyPanel : public Panel {
 public:
     std::string name() const override { return "body"; }
-    std::string title() const override;
-    PanelPlace place() const override { return PanelPlace::rail; }
+    std::string title() const override { return "Body"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<Step> step() const override { return Step::body; }
     void draw(PanelContext& context) override;
 
 private:
-    void draw_open(PanelContext& context);
-    void draw_mesh_settings(PanelContext& context);
-    void draw_report(PanelContext& context);
-    void ask_unit(PanelContext& context);
-
     std::string path_;
-    FileBrowser browser_;
-    OpenEdit edit_;
     std::shared_ptr<const Scene> scene_;
 };
 

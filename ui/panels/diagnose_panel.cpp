@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "panels/run_panel.hpp"
+#include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
@@ -17,85 +17,6 @@ namespace {
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 constexpr const char* times = "\xc3\x97";
 constexpr const char* dash = "\xe2\x80\x93";
-
-/// As much of a text as passes, with an ellipsis where some is left out.
-template <class Fits>
-std::string shortened(const std::string& text, const Fits& fits) {
-    if (text.empty() || fits(text)) return text;
-    const auto cut = [&](std::size_t length) {
-        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80) --length;   // not within a character
-        return text.substr(0, length) + "\xe2\x80\xa6";
-    };
-    std::size_t shortest = 0, longest = text.size() - 1;
-    while (shortest < longest) {
-        const std::size_t middle = (shortest + longest + 1) / 2;
-        if (fits(cut(middle))) shortest = middle;
-        else longest = middle - 1;
-    }
-    return shortest > 0 ? cut(shortest) : std::string();
-}
-
-std::string elided(const std::string& text, float width) {
-    return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; });
-}
-
-/// The same for text that wraps.
-std::string elided_lines(const std::string& text, float width, int lines) {
-    const float height = (static_cast<float>(lines) + 0.5f) * ImGui::GetTextLineHeight();
-    return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y <= height; });
-}
-
-void tooltip(const Theme& theme, const std::string& text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(420.0f * theme.scale);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
-
-void number_cell(const Theme& theme, const std::string& text, const ImVec4* color = nullptr) {
-    ImGui::TableNextColumn();
-    const float space = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    if (space > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + space);
-    ImGui::TextColored(color ? *color : theme.text, "%s", text.c_str());
-}
-
-/// A cell that may be narrower than its text; the whole is shown on hovering.
-void text_cell(const Theme& theme, const std::string& text, const ImVec4& color) {
-    ImGui::TableNextColumn();
-    const std::string shown = elided(text, ImGui::GetContentRegionAvail().x);
-    ImGui::TextColored(color, "%s", shown.c_str());
-    if (shown != text) tooltip(theme, text);
-}
-
-struct Heading {
-    std::string title;
-    std::string tip;
-    bool number = false;
-};
-
-/// A column of numbers, as wide as its heading.
-void number_column(const Theme& theme, const Heading& heading) {
-    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, heading.title.c_str()).x;
-    ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed, std::ceil(std::max(width, 40.0f * theme.scale)) + 2.0f);
-}
-
-void heading_row(const Theme& theme, const std::vector<Heading>& headings) {
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    ImGui::PushFont(theme.small);
-    for (const Heading& heading : headings) {
-        if (heading.number) number_cell(theme, heading.title, &theme.muted);
-        else {
-            ImGui::TableNextColumn();
-            ImGui::TextColored(theme.muted, "%s", heading.title.c_str());
-        }
-        ImGui::PushFont(theme.regular);
-        tooltip(theme, heading.tip);
-        ImGui::PopFont();
-    }
-    ImGui::PopFont();
-}
 
 std::string percent(double share) { return std::isfinite(share) ? value_label(100.0 * share, 3) : dash; }
 
@@ -121,15 +42,6 @@ bool is_in_model(const WorkbenchState& state, const DiagnosisRow& row) { return 
 std::string lower_first(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
     return text;
-}
-
-/// A button that is one of several to choose from.
-bool tab(const Theme& theme, const char* label, bool chosen) {
-    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.raised : theme.panel);
-    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.text : theme.muted);
-    const bool pressed = ImGui::Button(label);
-    ImGui::PopStyleColor(2);
-    return pressed;
 }
 
 }  // namespace
@@ -205,11 +117,9 @@ void DiagnosePanel::draw_head(PanelContext& context) {
         ImGui::TextUnformatted(elided(job.cancelling ? "Stopping" : stage_words(job), ImGui::GetContentRegionAvail().x).c_str());
         return;
     }
-    ImGui::BeginDisabled(state.busy());
     const std::string label = std::string(icon::stethoscope) + "  Diagnose";
     if (state.diagnosis ? ImGui::Button(label.c_str(), button) : primary_button(theme, label, button)) context.emit(command::Diagnose{});
     context.items.mark("diagnose/diagnose");
-    ImGui::EndDisabled();
     if (!state.diagnosis) return;
     const DiagnosisView& d = *state.diagnosis;
     const DiagnosisRow* const row = state.diagnosis_row();
@@ -238,7 +148,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     if (!add.empty()) {
         ImGui::SameLine();
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - add_width));
-        ImGui::BeginDisabled(state.busy() || is_in_model(state, *row));
+        ImGui::BeginDisabled(is_in_model(state, *row));
         if (primary_button(theme, add, {add_width, 0.0f})) context.emit(command::AddEffect{row->key});
         context.items.mark("diagnose/add");
         ImGui::EndDisabled();

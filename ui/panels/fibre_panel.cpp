@@ -74,8 +74,6 @@ Muscle new_muscle(const Settings& settings) {
     return muscle;
 }
 
-std::string FibrePanel::title() const { return std::string(icon::brush) + "  Fibres"; }
-
 void FibrePanel::draw(PanelContext& context) {
     const WorkbenchState& state = context.state;
     if (!state.scene) {

@@ -8,8 +8,9 @@ namespace myo {
 class FibrePanel : public Panel {
 public:
     std::string name() const override { return "fibres"; }
-    std::string title() const override;
-    PanelPlace place() const override { return PanelPlace::rail; }
+    std::string title() const override { return "Fibres"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<Step> step() const override { return Step::fibres; }
     void draw(PanelContext& context) override;
 
 private:

@@ -1,19 +1,16 @@
 #pragma once
 
+#include "commands/preferences.hpp"
 #include "platform/item_rectangles.hpp"
 
 namespace myo {
 
-/// Sizes a person has dragged, in units of the UI scale.
-struct LayoutSizes {
-    float rail = 336.0f;
-    float strip = 288.0f;
-};
-
 /// Where the parts of the window are [pixels].
 struct Layout {
     Rectangle bar;        // top
-    Rectangle rail;       // left
+    Rectangle steps;      // far left
+    bool narrow = false;  // the steps have room for their icons only
+    Rectangle rail;       // the side: panels of the chosen step
     Rectangle view;
     Rectangle timeline;
     Rectangle strip;      // bottom

@@ -110,6 +110,12 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
         plot.series.push_back({"simulated", trial.time_s, predicted, theme.simulated, false});
         strip.series.push_back({"simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure, false});
     }
+    for (std::size_t k = 0; k < state.history.size(); ++k) {
+        const JobRecord& record = state.history[k];
+        const SimulatedTrial* const other = record.compared && record.run != state.run ? state.trial_of(record.run.get()) : nullptr;
+        if (!other || m >= other->markers.size() || other->markers[m].cols() != trial.time_s.size()) continue;
+        plot.series.push_back({record.name + " " + record.clock, trial.time_s, 1e3 * other->markers[m].row(axis).transpose(), theme.muscle(static_cast<int>(k)), false});
+    }
     plot.x_axis = !compare;
     const float residual_height = compare ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
     const PlotResult main = draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_, main_[a], hidden_);

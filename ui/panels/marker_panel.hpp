@@ -13,6 +13,7 @@ public:
     std::string name() const override { return "markers"; }
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
+    std::optional<Step> step() const override { return Step::measure; }
     void draw(PanelContext& context) override;
 
 private:

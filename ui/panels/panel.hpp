@@ -1,14 +1,43 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "commands/command.hpp"
+#include "commands/workflow.hpp"
 #include "platform/item_rectangles.hpp"
 #include "platform/theme.hpp"
 
 namespace myo {
+
+struct PanelContext;
+
+/// A file or folder to be chosen.
+struct FileDialog {
+    std::string title;                        // "Open an experiment folder, a mesh or a project"
+    std::string button;                       // "Open"
+    std::vector<std::string> endings;         // of the files that are listed, in small letters; empty: all
+    bool experiments = false;                 // folders with an experiment.toml can be chosen
+    bool folders = false;                     // any folder can be chosen
+    std::filesystem::path start;              // a folder, or a file in it; empty: the working folder
+    std::string new_name;                     // of a file to be written; empty: one that exists is chosen
+    std::function<void(PanelContext&, const std::filesystem::path&)> chosen;
+    std::function<void(PanelContext&)> given_up = {};
+};
+
+/// What a panel asks of the window itself.
+struct WindowRequests {
+    std::optional<FileDialog> file;
+    std::optional<Step> step;                 // to be shown
+    std::string panel;                        // to be brought to the front, by its name
+    std::filesystem::path picture;            // the 3D view is written there
+    bool fit = false;                         // the whole motion shall be in view
+    bool palette = false;
+    bool about = false;
+};
 
 /// What a panel gets each frame: a view of the workbench, and a list to put commands into.
 struct PanelContext {
@@ -16,12 +45,14 @@ struct PanelContext {
     const Theme& theme;
     ItemRectangles& items;
     std::vector<Command>& commands;
+    const Backend& backend;                    // its quick functions only
+    WindowRequests& window;
     const CellPaint* live_paint = nullptr;     // of the chosen muscle while a stroke goes on
 
     void emit(Command command) { commands.push_back(std::move(command)); }
 };
 
-enum class PanelPlace { rail, strip };   // left of the view, below it
+enum class PanelPlace { side, strip };   // left of the view, below it
 
 /// One part of the workbench. It may keep how it looks (a text being typed, a zoom), nothing else.
 class Panel {
@@ -30,6 +61,8 @@ public:
     virtual std::string name() const = 0;      // one word, also used by the command line
     virtual std::string title() const = 0;     // may start with an icon
     virtual PanelPlace place() const = 0;
+    /// At the side: the step under which it is found. In the strip: the step that brings it to the front, if any.
+    virtual std::optional<Step> step() const { return std::nullopt; }
     virtual void draw(PanelContext& context) = 0;
 };
 

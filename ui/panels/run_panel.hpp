@@ -4,23 +4,20 @@
 
 namespace myo {
 
-/// Shows what a simulation or calibration gave.
+/// Shows what the last run gave.
 class RunPanel : public Panel {
 public:
     std::string name() const override { return "run"; }
-    std::string title() const override;
-    PanelPlace place() const override { return PanelPlace::rail; }
+    std::string title() const override { return "Result"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<Step> step() const override { return Step::run; }
     void draw(PanelContext& context) override;
 
 private:
-    void draw_calibration(PanelContext& context);
     void draw_errors(PanelContext& context);
 };
 
-/// Buttons that start and stop work, with its progress; always in sight at the foot of the rail.
+/// Buttons that start and stop work, with its progress; always in sight at the foot of the side.
 void draw_run_controls(PanelContext& context);
-
-/// "42 s", "3 min 5 s", "1 h 2 min"
-std::string duration_label(double seconds);
 
 }  // namespace myo

@@ -67,9 +67,8 @@ Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const Screenshot
     workbench.execute(command::SetTheme{options.theme, options.scale});
     auto window = WorkbenchWindow::make(workbench);
     if (!window) return window.error();
-    if (!options.panel.empty() && !window->show_panel(options.panel)) {
-        return Error{"there is no panel \"" + options.panel + "\"; there is " + join(window->panel_names()), ""};
-    }
+    for (const std::string& panel : options.panels)
+        if (!window->show_panel(panel)) return Error{"there is no panel \"" + panel + "\"; there is " + join(window->panel_names()), ""};
     if (!options.open.empty()) {
         workbench.execute(command::Open{options.open, options.metres_per_unit});
         if (workbench.state().unit_question) {
@@ -77,20 +76,20 @@ Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const Screenshot
         }
         if (const auto opened = wait_for_jobs(workbench, progress); !opened) return opened.error();
     }
+    if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     if (workbench.state().scene && workbench.state().scene->cannot_run.empty()) {
         if (options.calibrate) workbench.execute(command::Calibrate{});
+        else if (options.optimize) workbench.execute(command::Optimize{});
         else if (options.run) workbench.execute(command::Run{});
         if (const auto ran = wait_for_jobs(workbench, progress); !ran) return ran.error();
         if (options.diagnose) workbench.execute(command::Diagnose{});
         if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
-    if (!options.panel.empty()) window->show_panel(options.panel);
+    for (const std::string& panel : options.panels) window->show_panel(panel);
     // Sizes of texts are known from the second frame on, scrolling from the third.
-    for (int frame = 0; frame < 5; ++frame) {
+    for (int frame = 0; frame < 5; ++frame)
         if (const auto drawn = window->draw_frame(options.width, options.height, 0.02); !drawn) return drawn.error();
-        if (frame == 1 && !options.panel.empty()) window->show_panel(options.panel);
-    }
     return read_frame(options.width, options.height);
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
@@ -18,11 +19,12 @@ struct ScreenshotOptions {
     std::optional<double> metres_per_unit;   // of a mesh file without unit
     int width = 1600;                        // [pixels]
     int height = 900;
-    std::string panel;                       // brought to the front; empty = as it starts
+    std::vector<std::string> panels;         // brought to the front; empty = as it starts
     std::string trial;                       // shown; empty = the first, or that of a diagnosis
     std::string marker;                      // plotted; likewise
     bool run = true;                         // simulate before drawing, where possible
     bool calibrate = false;                  // calibrate instead
+    bool optimize = false;                   // look for the muscles' signals instead
     bool diagnose = false;                   // diagnose besides, and show where the declared model is furthest off
     std::optional<double> time_s;            // shown; empty = the end of the trial
     ThemeName theme = ThemeName::dark;

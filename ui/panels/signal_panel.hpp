@@ -12,6 +12,7 @@ public:
     std::string name() const override { return "signals"; }
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
+    std::optional<Step> step() const override { return Step::fibres; }
     void draw(PanelContext& context) override;
 
 private:

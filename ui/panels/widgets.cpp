@@ -6,22 +6,53 @@
 #include <cmath>
 
 #include "platform/fonts.hpp"
+#include "plot/ticks.hpp"
 
 namespace myo {
 namespace {
 
 float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax().x); }
 
-void tooltip(const Theme& theme, const std::string& tip) {
-    if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+}  // namespace
+
+void tooltip(const Theme& theme, const std::string& text, float width) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(340.0f * theme.scale);
-    ImGui::TextUnformatted(tip.c_str());
+    ImGui::PushTextWrapPos(width * theme.scale);
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
-}  // namespace
+bool tab(const Theme& theme, const char* label, bool chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.raised : theme.panel);
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.text : theme.muted);
+    const bool pressed = ImGui::Button(label);
+    ImGui::PopStyleColor(2);
+    return pressed;
+}
+
+void right_aligned(const std::string& text) {
+    const float space = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    if (space > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + space);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void heading(const Theme& theme, const std::string& text) {
+    ImGui::Spacing();
+    ImGui::PushFont(theme.strong);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+}
+
+std::string millimetres(double metres) { return value_label(1e3 * metres, 3); }
+
+std::string duration_label(double seconds) {
+    const long whole = std::lround(std::max(0.0, seconds));
+    if (whole < 60) return std::to_string(whole) + " s";
+    if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+}
 
 void row_label(const Theme& theme, const std::string& label, const std::string& tip) {
     ImGui::AlignTextToFramePadding();
@@ -129,6 +160,14 @@ bool choice_row(PanelContext& context, const std::string& label, const std::stri
     }
     ImGui::EndCombo();
     return changed;
+}
+
+bool begin_dialog(const Theme& theme, const char* title, float width) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(width * theme.scale, display.x - 40.0f), 0.0f});
+    return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
 }
 
 bool begin_popup_above(const Theme& theme, const char* name, float width) {

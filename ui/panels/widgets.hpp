@@ -7,7 +7,21 @@
 
 namespace myo {
 
-// Rows of the rail: a label on the left, the value on the right, all aligned.
+/// Words about the last item while the mouse is over it; `width` in units of the scale.
+void tooltip(const Theme& theme, const std::string& text, float width = 380.0f);
+
+/// A button that is one of several to choose from.
+bool tab(const Theme& theme, const char* label, bool chosen);
+
+void right_aligned(const std::string& text);
+void heading(const Theme& theme, const std::string& text);
+
+/// "1.23", of metres in millimetres.
+std::string millimetres(double metres);
+/// "42 s", "3 min 5 s", "1 h 2 min"
+std::string duration_label(double seconds);
+
+// Rows of the side: a label on the left, the value on the right, all aligned.
 
 /// Label in the left column; leaves the cursor at the right one with the remaining width set for the next item.
 void row_label(const Theme& theme, const std::string& label, const std::string& tip = {});
@@ -51,6 +65,10 @@ bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit,
 /// A list; true when another entry was chosen.
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<Choice>& choices, std::string& id);
+
+/// A question in the middle of the window that wants an answer before anything else, `width` in units of the scale. False when it is not drawn; else to
+/// be ended with ImGui::EndPopup().
+bool begin_dialog(const Theme& theme, const char* title, float width);
 
 /// A popup that stands on the last item, as parts at the foot of the window need; Esc closes it. False when it is not open; else to be ended with
 /// ImGui::EndPopup().

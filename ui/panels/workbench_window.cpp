@@ -5,11 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/file_dialogs.hpp"
+#include "panels/menu_bar.hpp"
+#include "panels/questions.hpp"
 #include "panels/run_panel.hpp"
+#include "panels/start_page.hpp"
+#include "panels/step_rail.hpp"
 #include "panels/timeline.hpp"
 #include "panels/view_options.hpp"
 #include "panels/widgets.hpp"
-#include "platform/fonts.hpp"
+#include "platform/image.hpp"
 
 namespace myo {
 namespace {
@@ -44,7 +49,7 @@ ViewColors view_colors(const Theme& theme) {
 }  // namespace
 
 Result<WorkbenchWindow> WorkbenchWindow::make(Workbench& workbench) {
-    auto interface = Interface::make(workbench.state().theme, workbench.state().scale);
+    auto interface = Interface::make(workbench.state().preferences.theme, workbench.state().scale());
     if (!interface) return interface.error();
     auto renderer = SceneRenderer::make();
     if (!renderer) return renderer.error();
@@ -59,11 +64,18 @@ Result<WorkbenchWindow> WorkbenchWindow::make(Workbench& workbench) {
     return window;
 }
 
+void WorkbenchWindow::show_step(Step step) {
+    step_ = step;
+    for (const auto& panel : panels_)
+        if (panel->place() == PanelPlace::strip && panel->step() == step) strip_panel_ = panel->name();
+    wake();
+}
+
 bool WorkbenchWindow::show_panel(const std::string& name) {
     for (const auto& panel : panels_) {
         if (panel->name() != name) continue;
-        wanted_panel_ = name;
         if (panel->place() == PanelPlace::strip) strip_panel_ = name;
+        else step_ = *panel->step();
         wake();
         return true;
     }
@@ -81,98 +93,28 @@ bool WorkbenchWindow::must_draw() const {
     return pacer_.must_draw(workbench_->animating() || was_moving_);
 }
 
-void WorkbenchWindow::draw_bar(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    begin_part("##bar", layout_.bar, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::SetCursorPosY(0.5f * (layout_.bar.height() - ImGui::GetFrameHeight()));
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(theme.strong);
-    ImGui::TextColored(theme.accent, "Myoloop");
-    ImGui::PopFont();
-    ImGui::SameLine(0.0f, 16.0f * theme.scale);
-    const auto tip = [](const char* text) {
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-    };
-    ImGui::BeginDisabled(!state.can_undo);
-    if (ImGui::Button(icon::undo)) context.emit(command::Undo{});
-    context.items.mark("bar/undo");
-    tip("Undo the last change of a setting (Ctrl+Z)");
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    ImGui::BeginDisabled(!state.can_redo);
-    if (ImGui::Button(icon::redo)) context.emit(command::Redo{});
-    context.items.mark("bar/redo");
-    tip("Redo (Ctrl+Y)");
-    ImGui::EndDisabled();
-
-    const bool dark = state.theme == ThemeName::dark;
-    const float theme_width = 72.0f * theme.scale;
-    const float scale_width = 84.0f * theme.scale;
-    const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float right = layout_.bar.width() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width - spacing;
-    ImGui::SameLine(0.0f, 24.0f * theme.scale);
-    // The last message, in what room there is.
-    if (!state.log.empty()) {
-        const LogLine& line = state.log.back();
-        const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::PushClipRect(at, {right - 16.0f * theme.scale, layout_.bar.highest.y}, true);
-        ImGui::PushStyleColor(ImGuiCol_Text, colors[static_cast<int>(line.level)]);
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(line.text.c_str());
-        ImGui::PopStyleColor();
-        ImGui::PopClipRect();
-        ImGui::SameLine();
-    }
-    ImGui::SetCursorPosX(right);
-    ImGui::SetNextItemWidth(scale_width);
-    if (ImGui::BeginCombo("##scale", (std::to_string(std::lround(100.0f * state.scale)) + " %").c_str())) {
-        for (const int percent : {75, 100, 125, 150, 200}) {
-            const bool chosen = std::lround(100.0f * state.scale) == percent;
-            if (ImGui::Selectable((std::to_string(percent) + " %").c_str(), chosen)) {
-                context.emit(command::SetTheme{state.theme, 0.01f * static_cast<float>(percent)});
-            }
-            context.items.mark("bar/scale/" + std::to_string(percent));
-        }
-        ImGui::EndCombo();
-    }
-    context.items.mark("bar/scale");
-    tip("Size of text and controls");
-    ImGui::SameLine();
-    if (ImGui::Button(dark ? "Light" : "Dark", {theme_width, 0.0f})) {
-        context.emit(command::SetTheme{dark ? ThemeName::light : ThemeName::dark, state.scale});
-    }
-    context.items.mark("bar/theme");
-    tip("Light or dark colours");
+void WorkbenchWindow::draw_side(PanelContext& context) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 8.0f * context.theme.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f * context.theme.scale));
+    begin_part("##steps", layout_.steps, ImGuiWindowFlags_NoScrollbar);
+    draw_step_rail(context, step_, layout_.narrow);
     ImGui::End();
-}
-
-void WorkbenchWindow::draw_rail(PanelContext& context) {
-    begin_part("##rail", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(2);
+    begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     // The buttons that start and stop work stay in sight at the foot; the rest scrolls above them.
-    ImGui::BeginChild("##scrolling", {0.0f, -(foot_height_ + padding.y)});
+    ImGui::BeginChild((std::string("##scrolling ") + step_id(step_)).c_str(), {0.0f, -(foot_height_ + padding.y)});
+    draw_step_head(context, step_);
+    bool first = true;
     for (const auto& panel : panels_) {
-        if (panel->place() != PanelPlace::rail) continue;
-        const bool wanted = panel->name() == wanted_panel_;
-        if (wanted) ImGui::SetNextItemOpen(true);
-        ImGui::PushFont(context.theme.strong);
-        ImGui::PushStyleColor(ImGuiCol_Header, context.theme.panel);
-        ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
-        const bool open = ImGui::CollapsingHeader((panel->title() + "##" + panel->name()).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
-        ImGui::PopStyleVar();
-        ImGui::PopStyleColor();
-        ImGui::PopFont();
+        if (panel->place() != PanelPlace::side || panel->step() != step_) continue;
+        if (!first) ImGui::Dummy({0.0f, 6.0f * context.theme.scale});
+        first = false;
+        heading(context.theme, panel->title());
         context.items.mark("panel/" + panel->name());
-        if (wanted) ImGui::SetScrollHereY(0.0f);
-        if (open) {
-            ImGui::PushID(panel->name().c_str());
-            panel->draw(context);
-            ImGui::PopID();
-            ImGui::Dummy({0.0f, 4.0f * context.theme.scale});
-        }
-        ImGui::Separator();
+        ImGui::PushID(panel->name().c_str());
+        panel->draw(context);
+        ImGui::PopID();
     }
     ImGui::EndChild();
     const float foot_top = ImGui::GetCursorPosY();
@@ -183,6 +125,11 @@ void WorkbenchWindow::draw_rail(PanelContext& context) {
 
 void WorkbenchWindow::draw_strip(PanelContext& context) {
     begin_part("##strip", layout_.strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const auto width_of = [](const std::string& label) { return ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x; };
+    float all = 0.0f;
+    for (const auto& panel : panels_)
+        if (panel->place() == PanelPlace::strip) all += width_of(panel->title());
+    const bool icons = all > ImGui::GetContentRegionAvail().x;   // of all but the one in front, where there is no room for names
     bool first = true;
     Panel* front = nullptr;
     for (const auto& panel : panels_) {
@@ -191,11 +138,10 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
         first = false;
         const bool chosen = panel->name() == strip_panel_;
         if (chosen) front = panel.get();
-        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? context.theme.raised : context.theme.panel);
-        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? context.theme.text : context.theme.muted);
-        if (ImGui::Button(panel->title().c_str())) strip_panel_ = panel->name();
-        ImGui::PopStyleColor(2);
+        const std::string title = panel->title(), label = icons && !chosen ? title.substr(0, title.find(' ')) : title;
+        if (tab(context.theme, (label + "##" + panel->name()).c_str(), chosen)) strip_panel_ = panel->name();
         context.items.mark("panel/" + panel->name());
+        if (label != title) tooltip(context.theme, title);
     }
     if (front != nullptr) {
         ImGui::BeginChild(front->name().c_str());
@@ -209,20 +155,22 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     begin_part("##view", layout_.view, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const EmptyView empty{"Open an experiment folder or drop a mesh",
-                          "Type a path on the left, choose from a list with Ctrl+O, or drop a folder or file on this window."};
+    if (!context.state.scene) {
+        draw_start_page(context);
+        ImGui::End();
+        return;
+    }
     const ToolTakes takes = [&](const Eigen::Vector2d& pixel) { return paint_.takes(context.state, scene_, viewport_, pixel); };
-    draw_viewport(scene_, empty, context.theme, context.items, viewport_, context.state.view.labels, takes);
+    draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
     paint_.update(context, scene_, viewport_);
     context.live_paint = paint_.live();
-    if (context.state.scene) {
-        ImGui::SameLine();
-        draw_view_options(context);
-    }
+    ImGui::SameLine();
+    draw_view_options(context);
     ImGui::End();
 }
 
-void WorkbenchWindow::draw_edges() {
+void WorkbenchWindow::draw_edges(PanelContext& context) {
+    LayoutSizes sizes = context.state.preferences.layout;
     const auto edge = [&](const char* name, const Rectangle& place, bool vertical, float& size, float direction) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
@@ -240,31 +188,16 @@ void WorkbenchWindow::draw_edges() {
         }
         ImGui::End();
     };
-    edge("##rail_edge", layout_.rail_edge, true, sizes_.rail, 1.0f);
-    edge("##strip_edge", layout_.strip_edge, false, sizes_.strip, -1.0f);
-    sizes_.rail = std::clamp(sizes_.rail, 240.0f, 1200.0f);
-    sizes_.strip = std::clamp(sizes_.strip, 80.0f, 1200.0f);
+    edge("##rail_edge", layout_.rail_edge, true, sizes.rail, 1.0f);
+    edge("##strip_edge", layout_.strip_edge, false, sizes.strip, -1.0f);
+    sizes.rail = std::clamp(sizes.rail, 240.0f, 1200.0f);
+    sizes.strip = std::clamp(sizes.strip, 80.0f, 1200.0f);
+    if (!(sizes == context.state.preferences.layout)) context.emit(command::SetLayout{sizes});
 }
 
 void WorkbenchWindow::react_to_keys(PanelContext& context) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
-    const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
-    if (io.KeyCtrl) {
-        if (pressed(ImGuiKey_Z)) context.emit(io.KeyShift ? Command(command::Redo{}) : Command(command::Undo{}));
-        if (pressed(ImGuiKey_Y)) context.emit(command::Redo{});
-        if (pressed(key_r)) context.emit(command::Run{});
-        return;
-    }
-    if (pressed(ImGuiKey_Space)) context.emit(command::Play{!context.state.playing});
-    if (pressed(key_f)) viewport_.fit_requested = true;
-    const auto toggle = [&](BrushTool tool) {
-        BrushSettings brush = context.state.brush;
-        brush.tool = brush.tool == tool ? BrushTool::none : tool;
-        if (context.state.chosen_muscle()) context.emit(command::ChangeBrush{brush});
-    };
-    if (pressed(key_b)) toggle(BrushTool::add);
-    if (pressed(key_e)) toggle(BrushTool::erase);
+    react_to_shortcuts(context, viewport_);
+    if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
     const auto step = [&](double frames) {
         const SceneTrial* trial = context.state.scene_trial();
         if (!trial || trial->time_s.size() < 2) return;
@@ -277,7 +210,7 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
 
 void WorkbenchWindow::update_scene() {
     const WorkbenchState& state = workbench_->state();
-    const SceneKey key{state.scene, state.body, state.run, state.diagnosis, state.candidate, state.trial, state.time_s, state.view, state.paint, muscle_looks(state.settings.muscles),
+    const SceneKey key{state.scene, state.body, state.shown_run(), state.diagnosis, state.candidate, state.trial, state.time_s, state.view, state.paint, muscle_looks(state.settings.muscles),
                        state.muscle, paint_.revision(), interface_.theme().name};
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
@@ -289,10 +222,53 @@ void WorkbenchWindow::update_scene() {
         // Until a person chooses another view, all of the motion stays in sight.
         if (viewport_.untouched) viewport_.fit_requested = true;
     }
-    if (key.run != scene_key_.run && key.run) wanted_panel_ = "run";
     scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live());
     scene_key_ = key;
     ++revision_;
+}
+
+void WorkbenchWindow::draw_parts(PanelContext& context) {
+    constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    draw_view(context);
+    begin_part("##bar", layout_.bar, still);
+    draw_menu_bar(context, viewport_);
+    ImGui::End();
+    draw_side(context);
+    begin_part("##timeline", layout_.timeline, still);
+    ImGui::SetCursorPosY(0.5f * (layout_.timeline.height() - ImGui::GetFrameHeight()));
+    draw_timeline(context);
+    ImGui::End();
+    draw_strip(context);
+    draw_edges(context);
+    // Dialogs belong to no part.
+    begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}}, still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+    draw_questions(context);
+    browser_.draw(context);
+    palette_.draw(context, viewport_);
+    draw_about(context, about_);
+    ImGui::End();
+    react_to_keys(context);
+}
+
+void WorkbenchWindow::follow(WindowRequests& requests) {
+    const WorkbenchState& state = workbench_->state();
+    if (!requests.file && state.asks_where_to_save && !asked_where_) requests.file = save_dialog(state);
+    asked_where_ = state.asks_where_to_save;
+    if (requests.file) browser_.open(std::move(*requests.file));
+    if (requests.step) show_step(*requests.step);
+    if (!requests.panel.empty()) show_panel(requests.panel);
+    if (requests.palette) palette_.open();
+    if (requests.about) about_ = true;
+    if (requests.fit) viewport_.fit_requested = true;
+    if (!requests.picture.empty()) picture_ = requests.picture;
+}
+
+void WorkbenchWindow::write_picture() {
+    if (picture_.empty()) return;
+    const Result<void> written = write_png(renderer_.read(), picture_);
+    workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + picture_.string() + "."}
+                                : command::Tell{LogLevel::failure, "Cannot write the picture: " + written.error().text()});
+    picture_.clear();
 }
 
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
@@ -300,24 +276,16 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     seconds = std::clamp(seconds, 0.0, 0.25);
     workbench_->advance(seconds);
     const WorkbenchState& state = workbench_->state();
-    interface_.set_theme(state.theme, state.scale);
+    interface_.set_theme(state.preferences.theme, state.scale());
     interface_.begin_frame(width, height, static_cast<float>(seconds));
     update_scene();
-    layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale, sizes_);
+    layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale, state.preferences.layout);
 
     std::vector<Command> commands;
-    PanelContext context{state, interface_.theme(), interface_.items(), commands};
-    draw_view(context);
-    draw_bar(context);
-    draw_rail(context);
-    begin_part("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::SetCursorPosY(0.5f * (layout_.timeline.height() - ImGui::GetFrameHeight()));
-    draw_timeline(context);
-    ImGui::End();
-    draw_strip(context);
-    draw_edges();
-    react_to_keys(context);
-    wanted_panel_.clear();
+    WindowRequests requests;
+    PanelContext context{state, interface_.theme(), interface_.items(), commands, workbench_->backend(), requests};
+    draw_parts(context);
+    follow(requests);
     interface_.end_frame();
 
     const ImVec4 clear = interface_.theme().background;
@@ -326,10 +294,11 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     gl::ClearColor(clear.x, clear.y, clear.z, 1.0f);
     gl::Clear(GL_COLOR_BUFFER_BIT);
     const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
-    if (viewport_.size().width > 1 && viewport_.size().height > 1) {
+    if (state.scene && viewport_.size().width > 1 && viewport_.size().height > 1) {
         const auto drawn = renderer_.update(scene_, revision_, view_colors(interface_.theme()), viewport_.camera, viewport_.size(),
                                             moving ? 0 : 4);
         if (!drawn) return drawn;
+        if (!moving) write_picture();
         renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x), height - static_cast<int>(viewport_.pixels.highest.y));
     }
     interface_.draw();

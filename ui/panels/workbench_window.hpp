@@ -7,8 +7,10 @@
 
 #include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
+#include "panels/file_browser.hpp"
 #include "panels/layout.hpp"
 #include "panels/paint_tool.hpp"
+#include "panels/palette.hpp"
 #include "panels/panel.hpp"
 #include "platform/interface.hpp"
 #include "viewport/scene_renderer.hpp"
@@ -35,6 +37,9 @@ public:
     void wake() { pacer_.event_arrived(); }
 
     void open(const std::filesystem::path& path) { workbench_->execute(command::Open{path, std::nullopt}); }
+    /// Shows a step at the side, and what belongs to it below the view.
+    void show_step(Step step);
+    Step step() const { return step_; }
     /// Brings a panel to the front, by its name; false when there is none.
     bool show_panel(const std::string& name);
     std::vector<std::string> panel_names() const;
@@ -46,13 +51,16 @@ public:
     int scene_draw_count() const { return renderer_.draw_count(); }
 
 private:
-    void draw_bar(PanelContext& context);
-    void draw_rail(PanelContext& context);
+    void draw_side(PanelContext& context);
     void draw_strip(PanelContext& context);
     void draw_view(PanelContext& context);
-    void draw_edges();
+    void draw_edges(PanelContext& context);
+    void draw_parts(PanelContext& context);
     void react_to_keys(PanelContext& context);
+    void follow(WindowRequests& requests);
     void update_scene();
+    /// Writes the 3D view, where that was asked for.
+    void write_picture();
 
     // What the drawn scene was made from.
     struct SceneKey {
@@ -77,7 +85,12 @@ private:
     SceneRenderer renderer_;
     FramePacer pacer_;
     std::vector<std::unique_ptr<Panel>> panels_;
-    LayoutSizes sizes_;
+    Step step_ = Step::body;
+    FileBrowser browser_;
+    Palette palette_;
+    bool about_ = false;
+    bool asked_where_ = false;        // to save: the dialog was opened
+    std::filesystem::path picture_;   // to be written after the next drawing of the view
     float foot_height_ = 40.0f;     // of the rail's foot, as it was in the last frame
     Layout layout_;
     ViewportState viewport_;
@@ -87,7 +100,6 @@ private:
     MotionSummary motion_;
     std::uint64_t revision_ = 1;
     std::string strip_panel_;       // in front
-    std::string wanted_panel_;      // to bring to the front in the next frame
     bool was_moving_ = false;
 };
 

@@ -8,7 +8,7 @@
 namespace myo {
 
 /// Keys that Dear ImGui 1.86 has no name for, numbered after its own.
-enum ExtraKey { key_b = ImGuiKey_COUNT, key_e, key_f, key_o, key_r, key_1, key_2, key_3, key_4, key_count };
+enum ExtraKey { key_b = ImGuiKey_COUNT, key_d, key_e, key_f, key_k, key_m, key_o, key_p, key_q, key_r, key_s, key_0, key_1, key_2, key_3, key_4, key_plus, key_minus, key_count };
 
 struct Modifiers {
     bool ctrl = false;

@@ -17,13 +17,15 @@ CameraAxes camera_axes(const Camera& c) {
     return axes;
 }
 
+double eye_distance(const Camera& c) { return c.orthographic ? c.distance + 6.0 * c.scene_radius : c.distance; }
+
 Eigen::Matrix4d view_matrix(const Camera& c) {
     const CameraAxes axes = camera_axes(c);
     Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
     view.block<1, 3>(0, 0) = axes.right.transpose();
     view.block<1, 3>(1, 0) = axes.up.transpose();
     view.block<1, 3>(2, 0) = axes.back.transpose();
-    view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * (c.target + c.distance * axes.back);
+    view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * (c.target + eye_distance(c) * axes.back);
     return view;
 }
 
@@ -32,6 +34,15 @@ Eigen::Matrix4d projection_matrix(const Camera& c, const ViewSize& size) {
     const double far = c.distance + 6.0 * c.scene_radius;
     const double f = 1.0 / std::tan(0.5 * c.field_of_view);
     Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
+    if (c.orthographic) {
+        const double depth = eye_distance(c) + 6.0 * c.scene_radius;   // from the eye on
+        projection(1, 1) = f / c.distance;
+        projection(0, 0) = projection(1, 1) / size.aspect();
+        projection(2, 2) = -2.0 / depth;
+        projection(2, 3) = -1.0;
+        projection(3, 3) = 1.0;
+        return projection;
+    }
     projection(0, 0) = f / size.aspect();
     projection(1, 1) = f;
     projection(2, 2) = (far + near) / (near - far);

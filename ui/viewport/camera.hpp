@@ -16,6 +16,7 @@ struct Camera {
     double pitch = 0.4;              // of the eye above the horizon
     double field_of_view = 0.5;      // vertical
     double scene_radius = 1.0;       // sets the clipping planes
+    bool orthographic = false;       // parallel projection; lengths at the target as in the perspective one
 
     bool operator==(const Camera&) const = default;
 };
@@ -37,8 +38,11 @@ struct CameraAxes {
 };
 CameraAxes camera_axes(const Camera& camera);
 
+/// From the eye to the target [m]. Of a parallel projection the eye stands back far enough to have all in front of it.
+double eye_distance(const Camera& camera);
+
 Eigen::Matrix4d view_matrix(const Camera& camera);
-/// OpenGL's perspective: depth -1 to 1.
+/// OpenGL's, depth -1 to 1.
 Eigen::Matrix4d projection_matrix(const Camera& camera, const ViewSize& size);
 
 /// Where a world point falls: x, y in pixels from the upper left corner of the view, z the distance before the eye [m]. Empty

@@ -14,6 +14,7 @@ Ray ray_through(const Camera& camera, const ViewSize& size, const Eigen::Vector2
     const double scale = metres_per_pixel(camera, size);
     const Eigen::Vector2d from_middle = pixel - 0.5 * Eigen::Vector2d(size.width, size.height);
     const Vector3d aside = scale * (from_middle.x() * axes.right - from_middle.y() * axes.up);
+    if (camera.orthographic) return {camera.target + aside + eye_distance(camera) * axes.back, -axes.back};
     const Vector3d eye = camera.target + camera.distance * axes.back;
     return {eye, (camera.target + aside - eye).normalized()};
 }

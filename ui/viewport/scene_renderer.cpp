@@ -202,6 +202,14 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     return {};
 }
 
+Image SceneRenderer::read() const {
+    gl::BindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.name());
+    Image image = read_frame(picture_.width, picture_.height);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;   // the backdrop may be clear
+    return image;
+}
+
 void SceneRenderer::blit_to_window(int x, int y) const {
     if (picture_.width > 0) gl::blit(picture_, 0, x, y);
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "platform/gl_objects.hpp"
+#include "platform/image.hpp"
 #include "viewport/camera.hpp"
 #include "viewport/scene.hpp"
 
@@ -19,6 +20,9 @@ public:
     /// Error: the driver refuses the size.
     Result<void> update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors, const Camera& camera,
                         const ViewSize& size, int samples);
+
+    /// The picture as it was drawn last.
+    Image read() const;
 
     /// Copies the picture into the default framebuffer, lower left corner at (x, y).
     void blit_to_window(int x, int y) const;

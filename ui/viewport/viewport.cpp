@@ -62,21 +62,9 @@ void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& stat
     ImGui::PopStyleVar();
 }
 
-void draw_empty(ImDrawList& list, const Rectangle& view, const EmptyView& empty, const Theme& theme) {
-    const auto centered = [&](ImFont* font, float size, float y, const ImVec4& color, const std::string& text) {
-        const float wrap = view.width() - 64.0f * theme.scale;
-        const ImVec2 extent = font->CalcTextSizeA(size, 1e6f, wrap, text.c_str());
-        list.AddText(font, size, {view.center().x - 0.5f * extent.x, y}, packed(color), text.c_str(), nullptr, wrap);
-    };
-    const float y = view.center().y;
-    centered(theme.regular, theme.regular->FontSize * 2.4f, y - 84.0f * theme.scale, theme.accent, icon::cube);
-    centered(theme.strong, theme.strong->FontSize, y - 24.0f * theme.scale, theme.text, empty.title);
-    centered(theme.regular, theme.regular->FontSize, y + 4.0f * theme.scale, theme.muted, empty.hint);
-}
-
 }  // namespace
 
-void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme& theme, ItemRectangles& items,
+void draw_viewport(const DrawnScene& scene, const Theme& theme, ItemRectangles& items,
                    ViewportState& state, bool labels, const ToolTakes& takes) {
     const ImVec2 lowest = ImGui::GetWindowPos();
     const ImVec2 extent = ImGui::GetWindowSize();
@@ -87,10 +75,7 @@ void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme&
     items.add("view", state.pixels);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool nothing = !scene.surface && scene.markers.empty();
-    if (nothing) {
-        draw_empty(list, state.pixels, empty, theme);
-        return;
-    }
+    if (nothing) return;
     ImGui::SetCursorScreenPos(state.pixels.lowest);
     ImGui::SetItemAllowOverlap();
     ImGui::InvisibleButton("view", extent,

@@ -24,12 +24,6 @@ struct ViewportState {
     ViewSize size() const { return {static_cast<int>(pixels.width()), static_cast<int>(pixels.height())}; }
 };
 
-/// Text for a view that has nothing to show.
-struct EmptyView {
-    std::string title;
-    std::string hint;
-};
-
 /// Whether a press of the left button at these pixels of the view is for a tool.
 using ToolTakes = std::function<bool(const Eigen::Vector2d&)>;
 
@@ -37,7 +31,7 @@ using ToolTakes = std::function<bool(const Eigen::Vector2d&)>;
 /// window, which must have no background: the picture lies under it.
 ///
 /// Left drag turns, unless a tool takes it; right or middle drag moves, wheel zooms towards the mouse; the buttons show all or look along an axis.
-void draw_viewport(const DrawnScene& scene, const EmptyView& empty, const Theme& theme, ItemRectangles& items,
+void draw_viewport(const DrawnScene& scene, const Theme& theme, ItemRectangles& items,
                    ViewportState& state, bool labels, const ToolTakes& takes);
 
 }  // namespace myo

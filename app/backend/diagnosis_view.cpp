@@ -1,4 +1,4 @@
-#include "diagnosis_view.hpp"
+#include "backend/diagnosis_view.hpp"
 
 #include <algorithm>
 #include <cassert>

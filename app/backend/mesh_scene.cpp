@@ -1,4 +1,4 @@
-#include "mesh_scene.hpp"
+#include "backend/mesh_scene.hpp"
 
 #include <cmath>
 #include <limits>

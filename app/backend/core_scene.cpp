@@ -1,0 +1,189 @@
+#include "backend/core_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "backend/diagnosis_view.hpp"
+#include "backend/mesh_scene.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "mesh/surface_check.hpp"
+#include "mesh/surface_reader.hpp"
+#include "mesh/surface_topology.hpp"
+#include "project/read_experiment.hpp"
+
+namespace myo {
+
+namespace fs = std::filesystem;
+using Eigen::Matrix3Xd;
+
+namespace {
+
+/// The muscles of the settings; where they leave something open, as the experiment has it.
+std::vector<MuscleDeclaration> declared_muscles(const Experiment& experiment, const Settings& settings) {
+    std::vector<MuscleDeclaration> muscles;
+    for (const Muscle& muscle : settings.muscles) {
+        MuscleDeclaration declared{muscle.name, MuscleMask{std::make_shared<const PaintedMask>(), std::nullopt}, 0.0, std::nullopt, std::nullopt};
+        for (const MuscleDeclaration& own : experiment.muscles)
+            if (own.name == muscle.declared) declared = own;
+        declared.stiffness_Pa = muscle.stiffness_Pa;
+        if (muscle.paint) declared.part = MuscleMask{muscle.paint, std::nullopt};
+        declared.follows.reset();
+        declared.signal.reset();
+        if (muscle.follows.empty()) declared.signal = muscle.signal;
+        else declared.follows = FollowsDeclaration{muscle.follows, muscle.ratio};
+        muscles.push_back(std::move(declared));
+    }
+    return muscles;
+}
+
+/// The experiment's own muscles, as they are shown before anything is changed.
+std::vector<Muscle> shown_muscles(const Experiment& experiment) {
+    std::vector<Muscle> muscles;
+    for (const MuscleDeclaration& declared : experiment.muscles) {
+        Muscle muscle;
+        muscle.name = muscle.declared = declared.name;
+        muscle.color = static_cast<int>(muscles.size());
+        muscle.stiffness_Pa = declared.stiffness_Pa;
+        muscle.signal = declared.signal;
+        if (declared.follows) muscle.follows = declared.follows->muscle, muscle.ratio = declared.follows->ratio;
+        muscles.push_back(std::move(muscle));
+    }
+    return muscles;
+}
+
+/// Where displacements are compared, both curves start from the declared rest position.
+Matrix3Xd shown_measurement(const Study& study, const StudyTrial& trial, std::size_t marker) {
+    Matrix3Xd shown = trial.measured.tracks[marker];
+    if (!trial.reference_m.empty())
+        shown.colwise() += Eigen::Vector3d(study.experiment.markers.on_body[marker].rest_m - trial.reference_m[marker]);
+    return shown;
+}
+
+/// Frequency of the largest measured motion about where it comes to rest [Hz], from its zero crossings; 0 when it does not cross.
+double dominant_frequency(const Study& study) {
+    double largest = 0.0, frequency = 0.0;
+    for (const StudyTrial& trial : study.trials)
+        for (const Matrix3Xd& track : trial.measured.tracks)
+            for (int axis = 0; axis < 3; ++axis) {
+                const Eigen::Index samples = track.cols(), tail = std::max<Eigen::Index>(1, samples / 5);
+                const double rest = track.row(axis).tail(tail).mean();
+                double sum = 0.0, first = 0.0, last = 0.0;
+                int crossings = 0;
+                for (Eigen::Index t = trial.first_sample + 1; t < samples; ++t) {
+                    const double a = track(axis, t - 1) - rest, b = track(axis, t) - rest;
+                    if (!std::isfinite(a * b)) continue;
+                    sum += b * b;
+                    if (a * b >= 0.0) continue;
+                    last = trial.measured.time_s(t - 1) + (trial.measured.time_s(t) - trial.measured.time_s(t - 1)) * a / (a - b);
+                    if (crossings++ == 0) first = last;
+                    if (crossings == 9) break;   // later ones may be noise
+                }
+                if (sum <= largest || crossings < 3) continue;
+                largest = sum;
+                frequency = (crossings - 1) / (2.0 * (last - first));
+            }
+    return frequency;
+}
+
+void fill_from_study(const Study& study, Scene& scene) {
+    const Experiment& experiment = study.experiment;
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) scene.markers.push_back({marker.name, marker.rest_m});
+    for (const StudyTrial& trial : study.trials) {
+        SceneTrial shown{trial.name, trial.role == TrialRole::fit ? "fit" : "validate", trial.measured.time_s, {}, {}};
+        for (std::size_t m = 0; m < scene.markers.size(); ++m) shown.measured.push_back(shown_measurement(study, trial, m));
+        for (std::size_t m = 0; m < experiment.muscles.size(); ++m) shown.activation[experiment.muscles[m].name] = trial.model.activation[m];
+        scene.trials.push_back(std::move(shown));
+    }
+    scene.settings.element = study.mesh.mesh.type;
+    scene.settings.resolution_m = study.mesh.resolution_m;
+    scene.settings.material = experiment.material.model;
+    scene.settings.youngs_modulus_Pa = experiment.material.youngs_modulus_Pa;
+    scene.settings.poissons_ratio = experiment.material.poissons_ratio;
+    scene.settings.density_kg_m3 = experiment.material.density_kg_m3;
+    scene.settings.damping_s = study.trials.front().model.damping_s;
+    scene.settings.integrator = to_string(study.settings.integrator);
+    scene.settings.time_step_s = study.trials.front().options.h_s;
+    scene.settings.muscles = shown_muscles(experiment);
+    scene.frequency_Hz = dominant_frequency(study);
+    for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(parameter.parameter.name);
+}
+
+}  // namespace
+
+bool is_experiment(const fs::path& path) {
+    std::error_code code;
+    return fs::is_directory(path, code) || path.extension() == ".toml";
+}
+
+const SceneSource& source_of(const Scene& scene) { return *std::static_pointer_cast<const SceneSource>(scene.source); }
+
+MeshRequest mesh_request(const Settings& settings) { return {default_element(settings.element), settings.resolution_m}; }
+
+StudySettings study_settings(const Settings& settings) {
+    StudySettings result;
+    result.mesh = mesh_request(settings);
+    parse_integrator(settings.integrator, result.integrator);
+    result.spectral_radius = settings.spectral_radius;
+    result.h_s = settings.time_step_s;
+    result.material = settings.material;
+    result.velocity_force_1_s = settings.velocity_force_1_s;
+    result.threads = hardware_threads();
+    return result;
+}
+
+Experiment with_settings(Experiment experiment, const Settings& settings) {
+    experiment.material.youngs_modulus_Pa = settings.youngs_modulus_Pa;
+    experiment.material.poissons_ratio = settings.poissons_ratio;
+    experiment.material.density_kg_m3 = settings.density_kg_m3;
+    experiment.material.damping_s = settings.damping_s;
+    for (const AddedEffect& effect : settings.effects) experiment.effects.push_back(declaration(effect));
+    experiment.muscles = declared_muscles(experiment, settings);
+    return experiment;
+}
+
+Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
+    const Result<Experiment> experiment = read_experiment(path);
+    if (!experiment) return experiment.error();
+    StudySettings settings;
+    settings.threads = hardware_threads();
+    const Result<Study> study = prepare_study(*experiment, settings, progress);
+    if (!study) return study.error();
+    Scene scene;
+    scene.path = path;
+    scene.name = experiment->name;
+    scene.description = experiment->description;
+    scene.surface = study->surface;
+    scene.clamp_m = experiment->clamp_box_m;
+    scene.gravity_m_s2 = experiment->gravity_m_s2;
+    scene.warnings = study->warnings;
+    fill_from_study(*study, scene);
+    scene.source = std::make_shared<const SceneSource>(SceneSource{*experiment, study->surface});
+    return scene;
+}
+
+Result<Scene> open_mesh(const fs::path& path, std::optional<double> metres_per_unit) {
+    if (!metres_per_unit) return Error{"the file does not say its unit; choose m or mm", path.string()};
+    const Result<SurfaceMesh> read = read_surface(path, *metres_per_unit);
+    if (!read) return read.error();
+    const SurfaceMesh surface = weld(*read);
+    const SurfaceReport report = check_surface(surface);
+    if (const Result<void> size = check_plausible_size(report.size); !size) return Error{size.error().what, path.string()};
+    if (!report.closed) return Error{"the surface is not closed: " + join(report.messages), path.string()};
+    Scene scene;
+    scene.path = path;
+    scene.name = path.stem().string();
+    scene.surface = report.outward ? surface : flipped(surface);
+    scene.warnings = report.messages;
+    const Experiment experiment = mesh_scene_experiment(scene.surface, scene.name);
+    scene.description = experiment.description;
+    scene.clamp_m = experiment.clamp_box_m;
+    scene.gravity_m_s2 = experiment.gravity_m_s2;
+    scene.trials.push_back(mesh_scene_trial());
+    scene.settings = mesh_scene_settings(experiment, scene.surface);
+    scene.source = std::make_shared<const SceneSource>(SceneSource{experiment, scene.surface});
+    return scene;
+}
+
+}  // namespace myo

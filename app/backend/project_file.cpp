@@ -1,0 +1,270 @@
+#include "backend/project_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <set>
+#include <system_error>
+
+#include "base/files.hpp"
+#include "commands/settings.hpp"
+#include "fibre/painted_mask.hpp"
+#include "project/toml_reader.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string schema = "myoloop-project/1";
+
+struct ViewSwitch {
+    const char* key;
+    bool ViewOptions::* value;
+};
+constexpr ViewSwitch view_switches[] = {{"edges", &ViewOptions::edges},       {"grid", &ViewOptions::grid},     {"measured", &ViewOptions::measured}, {"simulated", &ViewOptions::simulated},
+                                        {"trails", &ViewOptions::trails},     {"errors", &ViewOptions::errors}, {"labels", &ViewOptions::labels},     {"clamp", &ViewOptions::clamp},
+                                        {"displacement", &ViewOptions::displacement}, {"fibres", &ViewOptions::fibres}, {"effect_force", &ViewOptions::effect_force}};
+
+/// The shortest text that reads as the same number.
+std::string number(double value) {
+    char text[40];
+    const auto [end, code] = std::to_chars(text, text + sizeof text, value);
+    std::string result(text, end);
+    return result.find_first_of(".en") == std::string::npos ? result + ".0" : result;   // TOML tells 3 from 3.0
+}
+
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        char escaped[8];
+        if (c == '"' || c == '\\') result += std::string("\\") + c;
+        else if (static_cast<unsigned char>(c) < 0x20) std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c)), result += escaped;
+        else result += c;
+    }
+    return result + "\"";
+}
+
+template <class Items, class Text>
+std::string list(const Items& items, const Text& text) {
+    std::string result;
+    for (const auto& item : items) result += (result.empty() ? "" : ", ") + text(item);
+    return "[" + result + "]";
+}
+
+std::string effect_value(const AddedEffect::Value& value) {
+    if (const auto* const one = std::get_if<double>(&value)) return number(*one);
+    if (const auto* const word = std::get_if<std::string>(&value)) return quoted(*word);
+    if (const auto* const words = std::get_if<std::vector<std::string>>(&value)) return list(*words, quoted);
+    return list(std::get<std::vector<double>>(value), number);
+}
+
+/// Named after its content, so that it never changes.
+std::string mask_name(const std::string& muscle, const PaintedMask& mask) {
+    std::size_t hash = 1469598103934665603u;   // FNV-1a
+    const auto mix = [&](const double* numbers, Eigen::Index count) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(numbers);
+        for (std::size_t i = 0; i < sizeof(double) * static_cast<std::size_t>(count); ++i) hash = (hash ^ bytes[i]) * 1099511628211u;
+    };
+    mix(&mask.cell_size_m, 1);
+    mix(mask.centroids_m.data(), mask.centroids_m.size());
+    mix(mask.weights.data(), mask.weights.size());
+    mix(mask.directions.data(), mask.directions.size());
+    std::string name = muscle;
+    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    char text[20];
+    std::snprintf(text, sizeof text, "%016zx", hash);
+    return name + "-" + text + ".csv";
+}
+
+/// A path as seen from a folder, where it lies near; else whole.
+std::string seen_from(const fs::path& path, const fs::path& folder) {
+    std::error_code ignored;
+    const fs::path near = fs::weakly_canonical(path, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
+    const auto ups = std::count(near.begin(), near.end(), "..");
+    return near.empty() || ups > 3 ? path.generic_string() : near.generic_string();
+}
+
+std::string settings_text(const Settings& s) {
+    std::string text = "\n[mesh]\nelement = " + quoted(to_string(s.element)) + "\nresolution_m = " + number(s.resolution_m) + "\n";
+    text += "\n[material]\nmodel = " + quoted(s.material) + "\nyoungs_modulus_Pa = " + number(s.youngs_modulus_Pa) + "\npoissons_ratio = " + number(s.poissons_ratio) +
+            "\ndensity_kg_m3 = " + number(s.density_kg_m3) + "\ndamping_s = " + number(s.damping_s) + "\n";
+    text += "\n[time]\nintegrator = " + quoted(s.integrator) + "\nstep_s = " + number(s.time_step_s) + "\nspectral_radius = " + number(s.spectral_radius) +
+            "\nvelocity_force_1_s = " + number(s.velocity_force_1_s) + "\n";
+    for (const AddedEffect& effect : s.effects) {
+        text += "\n[[effect]]\nid = " + quoted(effect.id) + "\nname = " + quoted(effect.name) + "\nvalue = " + quoted(effect.value) + "\n[effect.parameters]\n";
+        for (const auto& [name, value] : effect.parameters) text += quoted(name) + " = " + effect_value(value) + "\n";
+    }
+    return text;
+}
+
+std::string muscle_text(const Muscle& m, const std::string& mask) {
+    std::string text = "\n[[muscle]]\nname = " + quoted(m.name) + "\n";
+    if (!m.declared.empty()) text += "declared = " + quoted(m.declared) + "\n";
+    text += "color = " + std::to_string(m.color) + "\nstiffness_Pa = " + number(m.stiffness_Pa) + "\nextends = " + (m.extends ? "true" : "false") + "\n";
+    if (!m.follows.empty()) text += "follows = { muscle = " + quoted(m.follows) + ", ratio = " + number(m.ratio) + " }\n";
+    if (!mask.empty()) text += "mask = " + quoted(mask) + "\n";
+    if (m.signal) text += "signal = { time_s = " + list(m.signal->times_s, number) + ", a = " + list(m.signal->values, number) + " }\n";
+    return text;
+}
+
+std::vector<double> numbers_of(const TomlReader& table, const std::string& key, const TomlValue& holder) {
+    const TomlValue* const array = holder.find(key);
+    if (array == nullptr || array->kind != TomlValue::Kind::array) table.fail(key, "must be an array of numbers");
+    std::vector<double> numbers;
+    for (const TomlValue& item : array->items) {
+        if (item.kind != TomlValue::Kind::number || !std::isfinite(item.number)) table.fail(key, "must hold finite numbers only");
+        numbers.push_back(item.number);
+    }
+    return numbers;
+}
+
+Signal read_signal(const TomlReader& muscle, const TomlValue& value) {
+    const TomlReader table = muscle.table("signal", {"time_s", "a"});
+    const Signal signal{numbers_of(table, "time_s", value), numbers_of(table, "a", value)};
+    if (signal.times_s.empty() || signal.times_s.size() != signal.values.size()) table.fail("a", "must hold one value for each of time_s");
+    if (!std::is_sorted(signal.times_s.begin(), signal.times_s.end())) table.fail("time_s", "must ascend");
+    return signal;
+}
+
+std::vector<Muscle> read_project_muscles(const TomlReader& document, const TomlValue& root, const fs::path& folder) {
+    std::vector<Muscle> muscles;
+    const TomlValue* const entries = root.find("muscle");
+    for (const TomlReader& table : document.tables("muscle", {"name", "declared", "color", "stiffness_Pa", "extends", "follows", "mask", "signal"})) {
+        Muscle muscle;
+        muscle.name = table.name("name");
+        if (std::any_of(muscles.begin(), muscles.end(), [&](const Muscle& other) { return other.name == muscle.name; })) table.fail("name", "is that of another muscle, too");
+        muscle.declared = table.text_or("declared", "");
+        muscle.color = static_cast<int>(table.number_or("color", 0.0, between(0.0, 1000.0)));
+        muscle.stiffness_Pa = table.number("stiffness_Pa", between(muscle_stiffness_limits.lowest, muscle_stiffness_limits.highest));
+        muscle.extends = table.boolean_or("extends", false);
+        if (table.has("follows")) {
+            const TomlReader follows = table.table("follows", {"muscle", "ratio"});
+            muscle.follows = follows.text("muscle");
+            muscle.ratio = follows.number("ratio", between(muscle_ratio_limits.lowest, muscle_ratio_limits.highest));
+        }
+        if (table.has("mask")) {
+            const Result<PaintedMask> mask = read_painted_mask(table.file("mask", folder));
+            if (!mask) table.fail("mask", mask.error().text());
+            muscle.paint = std::make_shared<const PaintedMask>(*mask);
+        }
+        if (table.has("signal")) muscle.signal = read_signal(table, *entries->items[muscles.size()].find("signal"));
+        muscles.push_back(std::move(muscle));
+    }
+    for (const Muscle& muscle : muscles) {
+        if (muscle.follows.empty()) continue;
+        const auto leads = [&](const Muscle& other) { return other.name == muscle.follows && other.follows.empty(); };
+        if (std::none_of(muscles.begin(), muscles.end(), leads)) document.fail("muscle", "\"" + muscle.name + "\" follows \"" + muscle.follows + "\", which has no signal of its own");
+    }
+    return muscles;
+}
+
+std::vector<AddedEffect> read_project_effects(const TomlReader& document, const TomlValue& root) {
+    std::vector<AddedEffect> effects;
+    const TomlValue* const entries = root.find("effect");
+    for (const TomlReader& table : document.tables("effect", {"id", "name", "value", "parameters"})) {
+        AddedEffect effect{table.text("id"), {}, table.text("name"), table.text("value")};
+        const TomlReader named = table.table_of_names("parameters");
+        const TomlValue& parameters = *entries->items[effects.size()].find("parameters");
+        for (std::size_t k = 0; k < parameters.keys.size(); ++k) {
+            const TomlValue& value = parameters.items[k];
+            AddedEffect::Value& slot = effect.parameters[parameters.keys[k]];
+            const bool words = value.kind == TomlValue::Kind::array && !value.items.empty() && value.items.front().kind == TomlValue::Kind::text;
+            if (value.kind == TomlValue::Kind::number) slot = value.number;
+            else if (value.kind == TomlValue::Kind::text) slot = value.text;
+            else if (words) slot = named.texts(parameters.keys[k]);
+            else slot = numbers_of(named, parameters.keys[k], parameters);
+        }
+        effects.push_back(std::move(effect));
+    }
+    return effects;
+}
+
+Settings read_settings(const TomlReader& document, const TomlValue& root, const fs::path& folder) {
+    const auto within = [](const Limits& limits) { return between(limits.lowest, limits.highest); };
+    Settings s;
+    const TomlReader mesh = document.table("mesh", {"element", "resolution_m"});
+    s.element = mesh.choice<CellType>("element", {{"hex8", CellType::hex8}, {"tet4", CellType::tet4}, {"tet10", CellType::tet10}});
+    s.resolution_m = mesh.number("resolution_m", positive());
+    const TomlReader material = document.table("material", {"model", "youngs_modulus_Pa", "poissons_ratio", "density_kg_m3", "damping_s"});
+    s.material = material.text("model");
+    s.youngs_modulus_Pa = material.number("youngs_modulus_Pa", within(youngs_modulus_limits));
+    s.poissons_ratio = material.number("poissons_ratio", within(poissons_ratio_limits));
+    s.density_kg_m3 = material.number("density_kg_m3", within(density_limits));
+    s.damping_s = material.number("damping_s", within(damping_limits));
+    const TomlReader time = document.table("time", {"integrator", "step_s", "spectral_radius", "velocity_force_1_s"});
+    s.integrator = time.text("integrator");
+    s.time_step_s = time.number("step_s", within(time_step_limits));
+    s.spectral_radius = time.number_or("spectral_radius", s.spectral_radius, within(spectral_radius_limits));
+    s.velocity_force_1_s = time.number_or("velocity_force_1_s", 0.0, within(velocity_force_limits));
+    s.muscles = read_project_muscles(document, root, folder);
+    s.effects = read_project_effects(document, root);
+    return s;
+}
+
+Project read_document(const TomlValue& root, const fs::path& file) {
+    if (const TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
+        throw TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"", named ? named->where : file.string()}};
+    const TomlReader document(root, "", {"schema", "source", "metres_per_unit", "trial", "mesh", "material", "time", "view", "muscle", "effect"});
+    Project project;
+    std::error_code ignored;
+    const fs::path source = document.text("source");
+    project.source = source.is_absolute() ? source : (file.parent_path() / source).lexically_normal();
+    if (!fs::exists(project.source, ignored)) document.fail("source", "\"" + project.source.string() + "\" is not there");
+    if (project.source.filename().empty()) project.source = project.source.parent_path();
+    project.metres_per_unit = document.optional_number("metres_per_unit", positive());
+    project.trial = document.text_or("trial", "");
+    project.settings = read_settings(document, root, file.parent_path());
+    if (!document.has("view")) return project;
+    std::vector<std::string> keys{"opacity"};
+    for (const ViewSwitch& each : view_switches) keys.emplace_back(each.key);
+    const TomlReader view = document.table("view", keys);
+    for (const ViewSwitch& each : view_switches) project.view.*each.value = view.boolean_or(each.key, project.view.*each.value);
+    project.view.opacity = view.number_or("opacity", 1.0, between(0.0, 1.0));
+    return project;
+}
+
+}  // namespace
+
+Result<void> write_project_file(const fs::path& file, const Project& project) {
+    std::error_code ignored;
+    const fs::path folder = fs::absolute(file, ignored).parent_path();
+    const fs::path files = fs::path(file).replace_extension(".files");
+    std::string text = "# A project of Myoloop: what was set, painted and drawn on an experiment or a mesh.\nschema = " + quoted(schema) + "\nsource = " + quoted(seen_from(project.source, folder)) + "\n";
+    if (project.metres_per_unit) text += "metres_per_unit = " + number(*project.metres_per_unit) + "\n";
+    if (!project.trial.empty()) text += "trial = " + quoted(project.trial) + "\n";
+    text += settings_text(project.settings);
+    std::set<std::string> used;
+    for (const Muscle& muscle : project.settings.muscles) {
+        std::string mask;
+        if (muscle.paint && muscle.paint->count() > 0) {
+            const std::string name = mask_name(muscle.name, *muscle.paint);
+            if (!fs::exists(files / name, ignored))
+                if (const Result<void> written = write_painted_mask(files / name, *muscle.paint); !written) return written;
+            used.insert(name);
+            mask = files.filename().string() + "/" + name;
+        }
+        text += muscle_text(muscle, mask);
+    }
+    text += "\n[view]\n";
+    for (const ViewSwitch& each : view_switches) text += std::string(each.key) + " = " + (project.view.*each.value ? "true" : "false") + "\n";
+    text += "opacity = " + number(project.view.opacity) + "\n";
+    if (const Result<void> written = write_file(file, text); !written) return written;
+    // Masks of earlier saves are no longer named by anything.
+    if (!fs::is_directory(files, ignored)) return {};
+    for (const fs::directory_entry& entry : fs::directory_iterator(files, ignored))
+        if (entry.path().extension() == ".csv" && !used.contains(entry.path().filename().string())) fs::remove(entry.path(), ignored);
+    return {};
+}
+
+Result<Project> read_project_file(const fs::path& file) {
+    const Result<TomlValue> document = read_toml(file);
+    if (!document) return document.error();
+    try {
+        return read_document(*document, fs::absolute(file));
+    } catch (const TomlFailure& failure) {
+        return failure.error;
+    }
+}
+
+}  // namespace myo

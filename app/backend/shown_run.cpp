@@ -1,0 +1,60 @@
+#include "backend/shown_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measurement/rigid_motion.hpp"
+
+namespace myo {
+
+using Eigen::Matrix3Xd;
+
+namespace {
+
+/// Frames of a trace up to `end_s`, thinned so that a long run of a large body stays within some 200 MB. Runs go on past the data
+/// as far as the start may be shifted; body and markers are shown together.
+void add_frames(const Trace& trace, double end_s, SimulatedTrial& shown) {
+    const double bytes = 24.0 * static_cast<double>(trace.positions.front().cols() * static_cast<Eigen::Index>(trace.positions.size()));
+    const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(bytes / 2e8)));
+    std::vector<double> times;
+    for (std::size_t k = 0; k < trace.positions.size(); k += stride) {
+        if (k > 0 && trace.times_s[k] > end_s * (1.0 + 1e-9)) break;
+        times.push_back(trace.times_s[k]);
+        shown.frames.push_back(trace.positions[k]);
+    }
+    shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Eigen::Index>(times.size()));
+}
+
+}  // namespace
+
+RunResult shown_run(const Study& study, const StudyRun& run) {
+    RunResult result;
+    result.seconds = run.seconds;
+    result.problem = run.failure;
+    if (study.integration) result.warnings = study.integration->warnings;
+    std::vector<Matrix3Xd> all;
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const TrialPrediction& prediction = run.predictions[t];
+        SimulatedTrial shown;
+        shown.name = study.trials[t].name;
+        const Eigen::VectorXd& sampled = study.trials[t].measured.time_s;
+        if (!prediction.trace.positions.empty())
+            add_frames(prediction.trace, sampled.size() > 0 ? sampled(sampled.size() - 1) : prediction.trace.times_s.back(), shown);
+        for (std::size_t m = 0; m < study.marker_names.size() && prediction.ok(); ++m) {
+            // The prediction in the form in which it is compared: measurement plus residual, but without the gaps.
+            Matrix3Xd track = small_rotation(run.values.rotation_rad) * prediction.positions_m[m];
+            track.colwise() += run.values.translation_m;
+            if (!study.trials[t].reference_m.empty())
+                track.colwise() += Eigen::Vector3d(study.experiment.markers.on_body[m].rest_m - prediction.start_m[m]);
+            shown.markers.push_back(std::move(track));
+            shown.marker_rms_m.push_back(rms({prediction.residual_m[m]}));
+        }
+        shown.rms_m = rms(prediction.residual_m);
+        all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
+        result.trials.push_back(std::move(shown));
+    }
+    result.rms_m = rms(all);
+    return result;
+}
+
+}  // namespace myo

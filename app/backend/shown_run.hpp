@@ -1,0 +1,11 @@
+#pragma once
+
+#include "commands/run_result.hpp"
+#include "project/run_study.hpp"
+
+namespace myo {
+
+/// A run as the workbench shows it. Frames are thinned so that a long run of a large body stays within some 200 MB a trial.
+RunResult shown_run(const Study& study, const StudyRun& run);
+
+}  // namespace myo

@@ -1,0 +1,108 @@
+#include "backend/user_files.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "commands/project.hpp"
+#include "project/toml_reader.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string recovery_stem = "unsaved-";
+
+fs::path folder_of(const char* variable, const char* below_home) {
+    const char* const named = std::getenv(variable);
+    if (named && *named) return fs::path(named) / "myoloop";
+    const char* const home = std::getenv("HOME");
+    return home && *home ? fs::path(home) / below_home / "myoloop" : fs::path();
+}
+
+std::string quoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text)
+        if (c != '\'') result += c;
+    return result + "'";   // a literal string of TOML; a path with that sign in it is not kept
+}
+
+std::string list(const std::vector<fs::path>& paths) {
+    std::string text;
+    for (const fs::path& path : paths)
+        if (path.string().find_first_of("'\n") == std::string::npos) text += "\n    " + quoted(path.string()) + ",";
+    return "[" + text + (text.empty() ? "]" : "\n]");
+}
+
+Preferences read_document(const TomlValue& root) {
+    const TomlReader document(root, "", {"theme", "scale", "side_width", "strip_height", "recent", "bookmarks"});
+    Preferences p;
+    if (document.has("theme")) p.theme = document.choice<ThemeName>("theme", {{"dark", ThemeName::dark}, {"light", ThemeName::light}});
+    p.scale = static_cast<float>(document.number_or("scale", 0.0, between(0.0, static_cast<double>(greatest_scale))));
+    p.layout.rail = static_cast<float>(document.number_or("side_width", static_cast<double>(p.layout.rail), between(100.0, 4000.0)));
+    p.layout.strip = static_cast<float>(document.number_or("strip_height", static_cast<double>(p.layout.strip), between(50.0, 4000.0)));
+    if (document.has("recent"))
+        for (const std::string& path : document.texts("recent")) p.recent.emplace_back(path);
+    if (document.has("bookmarks"))
+        for (const std::string& path : document.texts("bookmarks")) p.bookmarks.emplace_back(path);
+    std::error_code ignored;
+    std::erase_if(p.recent, [&](const fs::path& path) { return !fs::exists(path, ignored); });
+    return p;
+}
+
+bool is_alive(long process) { return process > 0 && (kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM); }
+
+}  // namespace
+
+fs::path preferences_file() {
+    const fs::path folder = folder_of("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "preferences.toml";
+}
+
+Result<Preferences> read_preferences(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return Preferences{};
+    const Result<TomlValue> document = read_toml(file);
+    if (!document) return document.error();
+    try {
+        return read_document(*document);
+    } catch (const TomlFailure& failure) {
+        return failure.error;
+    }
+}
+
+Result<void> write_preferences(const fs::path& file, const Preferences& p) {
+    return write_file(file, std::string("theme = ") + (p.theme == ThemeName::dark ? "'dark'" : "'light'") + "\nscale = " + format_number(static_cast<double>(p.scale), 6) +
+                                "\nside_width = " + format_number(static_cast<double>(p.layout.rail), 6) + "\nstrip_height = " + format_number(static_cast<double>(p.layout.strip), 6) +
+                                "\nrecent = " + list(p.recent) + "\nbookmarks = " + list(p.bookmarks) + "\n");
+}
+
+fs::path recovery_file() {
+    const fs::path folder = folder_of("XDG_STATE_HOME", ".local/state");
+    return folder.empty() ? folder : folder / (recovery_stem + std::to_string(getpid()) + project_ending);
+}
+
+std::vector<fs::path> found_recoveries(const fs::path& folder) {
+    std::vector<std::pair<fs::file_time_type, fs::path>> found;
+    std::error_code ignored;
+    for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored)) {
+        const std::string stem = it->path().stem().string();
+        if (!is_project(it->path()) || stem.rfind(recovery_stem, 0) != 0) continue;
+        if (is_alive(std::atol(stem.c_str() + recovery_stem.size()))) continue;
+        std::error_code other;
+        found.emplace_back(fs::last_write_time(it->path(), other), it->path());
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<fs::path> files;
+    for (auto& [time, path] : found) files.push_back(std::move(path));
+    return files;
+}
+
+}  // namespace myo

@@ -1,0 +1,207 @@
+#include "backend/workbench_backend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "backend/core_scene.hpp"
+#include "backend/core_search.hpp"
+#include "backend/diagnosis_view.hpp"
+#include "backend/examples.hpp"
+#include "backend/mesh_scene.hpp"
+#include "backend/project_file.hpp"
+#include "backend/shown_run.hpp"
+#include "base/text.hpp"
+#include "dynamics/numerical_damping.hpp"
+#include "library_versions.hpp"
+#include "loop/diagnosis_report.hpp"
+#include "loop/whole_diagnosis.hpp"
+#include "material/catalogue.hpp"
+#include "measurement/actuation_csv.hpp"
+#include "measurement/trace_csv.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/region.hpp"
+#include "project/muscle_groups.hpp"
+#include "project/output_files.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+class CoreBackend final : public Backend {
+public:
+    std::vector<Choice> materials() const override {
+        std::vector<Choice> list;
+        const std::map<std::string, std::string> labels = {{"neo_hookean", "Neo-Hookean"},
+                                                           {"corotational", "Corotational"},
+                                                           {"projective_corotational", "Projective corotational (as published)"},
+                                                           {"st_venant_kirchhoff", "St. Venant–Kirchhoff"}};
+        for (const MaterialPointer& law : material_catalogue())
+            list.push_back({law->id(), labels.count(law->id()) > 0 ? labels.at(law->id()) : law->id(), law->formula()});
+        return list;
+    }
+
+    std::vector<Choice> integrators() const override {
+        const auto entry = [](Integrator integrator, const char* label, const char* explanation) {
+            const auto damping = [integrator](double omega, const Settings& s) {
+                const TimeScheme scheme{integrator, s.spectral_radius};
+                return omega > 0.0 ? std::max(0.0, discrete_vibration(scheme, {omega}, s.time_step_s).damping_ratio) : 0.0;   // rounding
+            };
+            const auto critical = [integrator](double omega, const Settings& s) {
+                return critical_velocity_force({integrator, s.spectral_radius}, omega, s.time_step_s, 0.5 * s.damping_s * omega);
+            };
+            return Choice{to_string(integrator), label, explanation, damping, critical, integrator == Integrator::generalized_alpha};
+        };
+        return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data"),
+                entry(Integrator::implicit_euler, "Implicit Euler", "First order, as in the paper: damps by itself"),
+                entry(Integrator::bdf2, "BDF2", "Second order, one solve a step, damps more than TR-BDF2"),
+                entry(Integrator::generalized_alpha, "Generalised-α", "Second order, one solve a step, damping by choice of ρ∞"),
+                entry(Integrator::trapezoidal, "Trapezoidal", "Second order, no damping at all: large motions may become unstable")};
+    }
+
+    std::vector<Example> examples() const override { return bundled_examples(); }
+    std::string version() const override { return MYOLOOP_VERSION; }
+    std::vector<Library> libraries() const override {
+        std::vector<Library> list;
+        for (const LibraryVersion& library : library_versions) list.push_back({library.name, library.version, library.licence});
+        return list;
+    }
+    std::vector<ReportLine> preview(const fs::path& path) const override { return preview_of(path); }
+    Result<Project> read_project(const fs::path& file) const override { return read_project_file(file); }
+    Result<void> write_project(const fs::path& file, const Project& project) const override { return write_project_file(file, project); }
+
+    bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && !is_experiment(path); }
+
+    Result<Signal> read_signal(const fs::path& path, const std::string& muscle) const override {
+        const Result<ActuationTable> table = read_actuation_csv(path);
+        if (!table) return table.error();
+        auto column = std::find(table->muscles.begin(), table->muscles.end(), muscle);
+        if (column == table->muscles.end() && table->muscles.size() == 1) column = table->muscles.begin();
+        if (column == table->muscles.end()) return Error{"has no column \"" + muscle + "\", only " + join(table->muscles), path.string()};
+        const Eigen::VectorXd row = table->values.row(column - table->muscles.begin());
+        return Signal{{table->time_s.begin(), table->time_s.end()}, {row.begin(), row.end()}};
+    }
+
+    Result<void> write_signal(const fs::path& path, const std::string& muscle, const Signal& signal) const override {
+        ActuationTable table;
+        table.muscles = {muscle};
+        const auto knots = static_cast<Eigen::Index>(signal.times_s.size());
+        table.time_s = Eigen::Map<const Eigen::VectorXd>(signal.times_s.data(), knots);
+        table.values = Eigen::Map<const Eigen::RowVectorXd>(signal.values.data(), knots);
+        return write_actuation_csv(path, table);
+    }
+
+    Result<Scene> open(const fs::path& path, std::optional<double> metres_per_unit, const Progress& progress) override {
+        return is_experiment(path) ? open_experiment(path, progress) : open_mesh(path, metres_per_unit);
+    }
+
+    MeshPrediction predict(const Scene& scene, const Settings& settings) const override {
+        if (scene.surface.triangles.cols() == 0) return {};
+        const CountEstimate estimate = estimate_counts(scene.surface, settings.element, settings.resolution_m);
+        return {estimate.cells, estimate.dofs, estimate.exact};
+    }
+
+    Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override {
+        const SceneSource& source = source_of(scene);
+        Result<StudyMesh> made = mesh_body(source.surface, mesh_request(settings), {held_part(source.experiment.clamp_box_m, bounding_box(source.surface.vertices))}, progress);
+        if (!made) return made.error();
+        const QualityReport quality = mesh_quality(made->mesh, &source.surface);
+        MeshedBody body;
+        body.boundary = boundary_faces(made->mesh);
+        body.dofs = static_cast<double>(quality.dofs);
+        body.report = {{"Elements", std::to_string(quality.cells)},
+                       {"Degrees of freedom", std::to_string(quality.dofs)},
+                       {"Volume", formatted("%.4g cm³", 1e6 * quality.volume)},
+                       {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)), std::abs(quality.volume_error.value_or(0.0)) > 0.02},
+                       {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1},
+                       {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge)}};
+        const Result<std::vector<FibreGroup>> groups = muscle_groups(source.experiment, *made);
+        if (!groups) return groups.error();
+        for (const FibreGroup& group : *groups) body.muscles[group.name] = paint_of_group(made->mesh, group);
+        for (const std::string& message : quality.messages) body.report.push_back({"Note", message, true});
+        body.mesh = std::move(made->mesh);
+        return body;
+    }
+
+    Result<RunResult> simulate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress) override {
+        if (source_of(scene).experiment.trials.empty())
+            return run_mesh_scene(with_settings(source_of(scene).experiment, settings), source_of(scene).surface, study_settings(settings), settings, progress);
+        Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
+        if (!study) return study.error();
+        check_integration(*study);
+        return shown_run(*study, run_study(*study, with_predicted_levels(*study, declared_values(*study)), progress));
+    }
+
+    Result<SearchResult> calibrate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress, const LiveSearch& live) override {
+        return calibrate_scene(scene, settings, progress, live);
+    }
+
+    Result<SearchResult> optimize(const Scene& scene, const MeshedBody&, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
+                                  const LiveSearch& live) override {
+        return optimize_scene(scene, settings, request, progress, live);
+    }
+
+    Result<std::vector<std::string>> write_report(const fs::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
+                                                  const DiagnosisView* diagnosis) const override {
+        if (const Result<void> ready = prepare_output_folder(folder, source_of(scene).experiment); !ready) return ready.error();
+        std::vector<std::string> files, names, trials;
+        for (const SceneMarker& marker : scene.markers) names.push_back(marker.name);
+        for (const SceneTrial& trial : scene.trials) trials.push_back(trial.name);
+        trials = trial_file_names(trials);
+        for (std::size_t t = 0; t < run.trials.size() && t < scene.trials.size(); ++t) {
+            if (names.empty() || run.trials[t].markers.size() != names.size()) continue;
+            files.push_back(trials[t] + ".csv");
+            Recording simulated;
+            simulated.labels = names;
+            simulated.time_s = scene.trials[t].time_s;
+            simulated.tracks = run.trials[t].markers;
+            if (const Result<void> written = write_trace_csv(folder / files.back(), simulated); !written) return written.error();
+        }
+        const auto page = [&](const char* name, const std::shared_ptr<const void>& content) -> Result<void> {
+            if (!content) return {};
+            files.emplace_back(name);
+            return write_html(folder / name, *std::static_pointer_cast<const HtmlReport>(content));
+        };
+        if (found)
+            if (const Result<void> written = page("fit.html", found->page); !written) return written.error();
+        if (diagnosis)
+            if (const Result<void> written = page("diagnosis.html", diagnosis->page); !written) return written.error();
+        return files;
+    }
+
+    Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress, const LiveDiagnosis& live) override {
+        StudySettings chosen = study_settings(settings);
+        // Steps that nobody changed are the diagnosis' to choose.
+        if (settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
+        const Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), chosen, progress);
+        if (!study) return study.error();
+        const DiagnosisSource source{*study, source_of(scene).experiment.effects.size(), settings};
+        const auto show = [&](const Diagnosis& known) {
+            if (live) live(std::make_shared<const DiagnosisView>(diagnosis_view(source, known)));
+        };
+        const Diagnosis d = whole_diagnosis(*study, {}, progress, show);
+        if (!d.failure.empty()) return Error{d.failure, ""};
+        if (!d.declared.usable()) return Error{"stopped before the declared fit", ""};
+        progress.report({"forces of the effects", 0.0, 1.0, "stage", {}});
+        DiagnosisView view = diagnosis_view(source, d);
+        if (d.complete()) {
+            add_forces(source, d, view);
+            view.page = std::make_shared<const HtmlReport>(diagnosis_report(*study, d, {MYOLOOP_VERSION, {"workbench"}}));
+        }
+        return view;
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<Backend> make_core_backend() { return std::make_shared<CoreBackend>(); }
+
+}  // namespace myo

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include "commands/marker_errors.hpp"
+#include "ui/driver.hpp"
+
+namespace myo {
+namespace {
+
+using test::Driver;
+
+StepState state_of(const Driver& driver, Step step) { return step_status(driver.state(), step).state; }
+
+TEST(Workflow, StepsSayWhatIsMissingStaleAndDone) {
+    Driver driver;
+    EXPECT_EQ(state_of(driver, Step::body), StepState::missing);
+    EXPECT_EQ(state_of(driver, Step::run), StepState::missing);
+    EXPECT_EQ(next_step(driver.state()), Step::body);
+    driver.open_beam();
+    EXPECT_EQ(state_of(driver, Step::body), StepState::done);
+    EXPECT_EQ(state_of(driver, Step::mesh), StepState::done);
+    EXPECT_EQ(state_of(driver, Step::fibres), StepState::ready);
+    EXPECT_EQ(state_of(driver, Step::run), StepState::ready);
+    EXPECT_EQ(state_of(driver, Step::report), StepState::missing);
+    driver.click("run/calibrate");
+    ASSERT_TRUE(driver.wait_for_job());
+    for (const Step step : {Step::run, Step::measure, Step::fit}) EXPECT_EQ(state_of(driver, step), StepState::done) << step_id(step);
+    driver.workbench->execute(command::Diagnose{});
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(state_of(driver, Step::diagnose), StepState::done);
+    driver.click("diagnose/add");
+    EXPECT_EQ(state_of(driver, Step::diagnose), StepState::done) << "an effect it found is no reason to ask again";
+    EXPECT_EQ(state_of(driver, Step::run), StepState::stale);
+    Settings finer = driver.state().settings;
+    finer.resolution_m *= 0.5;
+    driver.workbench->execute(command::ChangeSettings{finer, "test", false});
+    for (const Step step : {Step::mesh, Step::run, Step::measure, Step::fit, Step::diagnose, Step::report}) EXPECT_EQ(state_of(driver, step), StepState::stale) << step_id(step);
+    EXPECT_EQ(next_step(driver.state()), Step::mesh);
+}
+
+TEST(Workflow, EachStepShowsItsPanelsAndWhatBelongsToItBelow) {
+    Driver driver;
+    driver.open_beam();
+    for (const auto& [step, panel, below] : {std::tuple{"mesh", "body/element", ""}, {"material", "model/density", ""}, {"fibres", "fibres/add", "signals"}, {"run", "model/time_step", ""},
+                                             {"measure", "measure/marker/middle", "markers"}, {"fit", "fit/calibrate", "search"}, {"diagnose", "panel/verdict", "diagnose"}}) {
+        driver.click(std::string("step/") + step);
+        EXPECT_TRUE(driver.has(panel)) << step;
+        EXPECT_TRUE(driver.has("step/next")) << step;
+        if (*below) {
+            EXPECT_TRUE(driver.has(std::string("panel/") + below)) << step;
+        }
+    }
+    driver.click("step/fibres");
+    EXPECT_FALSE(driver.has("model/density"));
+}
+
+TEST(Workflow, WritesAReport) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    driver.click("step/report");
+    const auto folder = std::filesystem::temp_directory_path() / "myoloop_report_test";
+    std::filesystem::remove_all(folder);
+    driver.click("report/folder");
+    driver.key(ImGuiKey_A, {.ctrl = true});
+    driver.type(folder.string());
+    driver.key(ImGuiKey_Tab);
+    driver.click("report/write");
+    driver.settle();
+    ASSERT_EQ(driver.backend->reports.size(), 1u);
+    EXPECT_EQ(driver.backend->reports.front(), folder);
+    EXPECT_TRUE(std::filesystem::exists(folder / "picture.png"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST(MarkerErrors, AreThoseOfTheDefinition) {
+    Scene scene;
+    scene.markers = {{"a", {}}, {"b", {}}};
+    SceneTrial trial{"t", "fit", Eigen::Vector4d(-1.0, 0.0, 1.0, 2.0), {Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xd::Zero(3, 4)}};
+    trial.measured[1].col(2).setConstant(std::numeric_limits<double>::quiet_NaN());
+    SimulatedTrial simulated;
+    simulated.markers = {Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xd::Zero(3, 4)};
+    simulated.markers[0].row(0) << 9.0, 1e-3, 2e-3, 3e-3;   // before the start it does not count
+    simulated.markers[0].row(2) << 9.0, 0.0, -4e-3, 0.0;
+    const std::vector<MarkerError> errors = marker_errors(scene, trial, &simulated);
+    ASSERT_EQ(errors.size(), 2u);
+    EXPECT_NEAR(errors[0].rms_m, std::sqrt((1.0 + 4.0 + 9.0 + 16.0) / 9.0) * 1e-3, 1e-12);
+    EXPECT_NEAR(errors[0].largest_m, std::sqrt(20.0) * 1e-3, 1e-12);
+    EXPECT_NEAR(errors[0].bias_m.x(), 2e-3, 1e-12);
+    EXPECT_NEAR(errors[0].rms_axis_m.z(), 4e-3 / std::sqrt(3.0), 1e-12);
+    EXPECT_NEAR(errors[1].seen, 2.0 / 3.0, 1e-12);
+    EXPECT_EQ(errors[1].rms_m, 0.0);
+    EXPECT_TRUE(std::isnan(marker_errors(scene, trial, nullptr)[0].rms_m));
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+
+#include "backend/project_file.hpp"
+#include "backend/user_files.hpp"
+#include "base/files.hpp"
+#include "support/folder.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Numbers that take all their digits, names that need care.
+Project some_project(const fs::path& source) {
+    Project project;
+    project.source = source;
+    project.metres_per_unit = 1e-3;
+    project.trial = "a \"quoted\" name";
+    project.view.grid = false;
+    project.view.opacity = 0.3;
+    Settings& s = project.settings;
+    s.element = CellType::tet10;
+    s.resolution_m = 0.1 / 3.0;
+    s.material = "neo_hookean";
+    s.integrator = "tr_bdf2";
+    s.youngs_modulus_Pa = 1e5 / 7.0 * 3.0;
+    s.velocity_force_1_s = -0.125;
+    s.effects = {{"wild_effect", {{"coefficient", 1.0 / 3.0}, {"direction", std::vector<double>{0.0, 1e-17, 1.0}}, {"marker", std::string("tip")}, {"list", std::vector<std::string>{"a", "b"}}}, "Wild effect", "1 ± 2"}};
+    PaintedMask mask;
+    mask.cell_size_m = 0.004;
+    mask.centroids_m.resize(3, 2);
+    mask.centroids_m << 0.001, 0.005, 0.0, 0.0, 0.002, 0.002;
+    mask.weights = Eigen::Vector2d(1.0, 0.0);
+    mask.directions = Eigen::Matrix3Xd::Zero(3, 2);
+    mask.directions.row(0).setOnes();
+    Muscle upper{"upper / left", "", 3, 1.25e5, true, "", -1.0, std::make_shared<const PaintedMask>(mask), Signal{{0.0, 0.5, 0.5}, {1.0, 0.8, 1.0}}};
+    Muscle lower{"lower", "", 1, 8e4, false, "upper / left", -0.5, nullptr, std::nullopt};
+    s.muscles = {upper, lower};
+    return project;
+}
+
+TEST(ProjectFile, BringsBackAllThatWasWritten) {
+    const test::Folder folder("project_file");
+    folder.write("body.stl", "solid");
+    const Project written = some_project(folder.path() / "body.stl");
+    const fs::path file = folder.path() / "deep" / "arm.myoloop";
+    ASSERT_TRUE(write_project_file(file, written));
+    const Result<Project> read = read_project_file(file);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->settings.muscles.size(), 2u);
+    const PaintedMask &mask = *written.settings.muscles[0].paint, &again = *read->settings.muscles[0].paint;
+    EXPECT_EQ(again.count(), 2);
+    EXPECT_NEAR((again.centroids_m - mask.centroids_m).norm(), 0.0, 1e-9);
+    Project same = *read;
+    same.settings.muscles[0].paint = written.settings.muscles[0].paint;
+    EXPECT_EQ(same, written);
+    EXPECT_FALSE(fs::exists(file.string() + ".tmp"));
+}
+
+TEST(ProjectFile, KeepsNoMaskThatNothingNames) {
+    const test::Folder folder("project_masks");
+    folder.write("body.stl", "solid");
+    Project project = some_project(folder.path() / "body.stl");
+    const fs::path file = folder.path() / "arm.myoloop";
+    const auto masks = [&] { return std::distance(fs::directory_iterator(folder.path() / "arm.files"), fs::directory_iterator()); };
+    ASSERT_TRUE(write_project_file(file, project));
+    EXPECT_EQ(masks(), 1);
+    PaintedMask other = *project.settings.muscles[0].paint;
+    other.weights(0) = 0.5;
+    project.settings.muscles[0].paint = std::make_shared<const PaintedMask>(other);
+    ASSERT_TRUE(write_project_file(file, project));
+    EXPECT_EQ(masks(), 1);
+    EXPECT_DOUBLE_EQ(read_project_file(file)->settings.muscles[0].paint->weights(0), 0.5);
+}
+
+TEST(ProjectFile, MayMoveWithItsExperiment) {
+    const test::Folder folder("project_moves");
+    folder.write("body.stl", "solid");
+    fs::create_directories(folder.path() / "a" / "data");
+    fs::copy_file(folder.path() / "body.stl", folder.path() / "a" / "data" / "body.stl");
+    ASSERT_TRUE(write_project_file(folder.path() / "a" / "p.myoloop", some_project(folder.path() / "a" / "data" / "body.stl")));
+    fs::rename(folder.path() / "a", folder.path() / "b");
+    const Result<Project> read = read_project_file(folder.path() / "b" / "p.myoloop");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->source, fs::weakly_canonical(folder.path() / "b" / "data" / "body.stl"));
+}
+
+TEST(ProjectFile, SaysWhereItIsBroken) {
+    const test::Folder folder("project_broken");
+    folder.write("body.stl", "solid");
+    const fs::path file = folder.path() / "arm.myoloop";
+    ASSERT_TRUE(write_project_file(file, some_project(folder.path() / "body.stl")));
+    const std::string good = *read_file(file);
+    struct Fault {
+        std::string part, instead, told;
+    };
+    for (const Fault& fault : {Fault{"step_s", "stepp_s", "stepp_s"}, {"myoloop-project/1", "experiment/1", "schema"}, {"\"tet10\"", "\"hex20\"", "element"}, {"body.stl", "gone.stl", "source"},
+                               {"lower", "upper / left", "name"}, {"poissons_ratio = 0.49", "poissons_ratio = 0.7", "poissons_ratio"}, {"time_s = [0.0, 0.5, 0.5]", "time_s = [0.5, 0.0, 0.5]", "ascend"},
+                               {"follows = { muscle = \"upper / left\"", "follows = { muscle = \"nobody\"", "nobody"}, {".csv\"", ".gone\"", "mask"}, {"[material]", "[material", "arm.myoloop"}}) {
+        std::string text = good;
+        const std::size_t at = text.find(fault.part);
+        ASSERT_NE(at, std::string::npos) << fault.part;
+        folder.write("arm.myoloop", text.replace(at, fault.part.size(), fault.instead));
+        const Result<Project> read = read_project_file(file);
+        ASSERT_FALSE(read) << fault.instead;
+        EXPECT_NE(read.error().text().find(fault.told), std::string::npos) << read.error().text();
+    }
+}
+
+TEST(UserFiles, PreferencesComeBackAndBrokenOnesAreTold) {
+    const test::Folder folder("preferences");
+    const fs::path file = folder.path() / "preferences.toml";
+    EXPECT_EQ(*read_preferences(file), Preferences{});
+    Preferences p;
+    p.theme = ThemeName::light;
+    p.scale = 1.5f;
+    p.layout = {400.0f, 200.0f};
+    p.recent = {folder.path()};
+    p.bookmarks = {folder.path(), "/elsewhere"};
+    ASSERT_TRUE(write_preferences(file, p));
+    EXPECT_EQ(*read_preferences(file), p);
+    p.recent.emplace_back(folder.path() / "gone");
+    ASSERT_TRUE(write_preferences(file, p));
+    EXPECT_EQ(read_preferences(file)->recent.size(), 1u) << "what is no longer there is not offered";
+    folder.write("preferences.toml", "theme = 'pink'\n");
+    EXPECT_FALSE(read_preferences(file));
+}
+
+TEST(UserFiles, FindsUnsavedWorkOfProcessesThatAreGone) {
+    const test::Folder folder("recoveries");
+    folder.write("unsaved-999999999.myoloop", "");
+    folder.write("unsaved-1.myoloop", "");   // of a process that lives
+    folder.write("other.myoloop", "");
+    const std::vector<fs::path> found = found_recoveries(folder.path());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].stem(), "unsaved-999999999");
+    EXPECT_TRUE(found_recoveries(folder.path() / "nowhere").empty());
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,42 @@
+#include "commands/marker_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace myo {
+
+std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& trial, const SimulatedTrial* simulated) {
+    std::vector<MarkerError> errors;
+    for (std::size_t m = 0; m < scene.markers.size() && m < trial.measured.size(); ++m) {
+        MarkerError error;
+        error.name = scene.markers[m].name;
+        const Eigen::Matrix3Xd& measured = trial.measured[m];
+        const bool predicted = simulated && m < simulated->markers.size() && simulated->markers[m].cols() == measured.cols();
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero(), squares = Eigen::Vector3d::Zero();
+        double largest = 0.0;
+        int seen = 0, count = 0, samples = 0;
+        for (Eigen::Index t = 0; t < measured.cols(); ++t) {
+            if (trial.time_s(t) < 0.0) continue;
+            ++samples;
+            if (!measured.col(t).allFinite()) continue;
+            ++seen;
+            if (!predicted || !simulated->markers[m].col(t).allFinite()) continue;
+            const Eigen::Vector3d difference = simulated->markers[m].col(t) - measured.col(t);
+            sum += difference;
+            squares += difference.cwiseAbs2();
+            largest = std::max(largest, difference.norm());
+            ++count;
+        }
+        if (samples > 0) error.seen = static_cast<double>(seen) / samples;
+        if (count > 0) {
+            error.rms_axis_m = (squares / count).cwiseSqrt();
+            error.rms_m = std::sqrt(squares.sum() / (3.0 * count));
+            error.bias_m = sum / count;
+            error.largest_m = largest;
+        }
+        errors.push_back(error);
+    }
+    return errors;
+}
+
+}  // namespace myo

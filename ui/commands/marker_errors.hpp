@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "commands/backend.hpp"
+
+namespace myo {
+
+/// How a marker's simulated way differs from the measured one. NaN where nothing can be compared.
+struct MarkerError {
+    std::string name;
+    double rms_m = std::numeric_limits<double>::quiet_NaN();       // over all three coordinates
+    double largest_m = std::numeric_limits<double>::quiet_NaN();   // distance
+    Eigen::Vector3d rms_axis_m = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    Eigen::Vector3d bias_m = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());   // mean of simulated less measured
+    double seen = 0.0;                                             // share of the samples in which the marker was measured
+};
+
+/// From the start of the motion (t = 0) on, per marker of the scene.
+/// @param simulated  of the same trial; null: only what was seen is told
+std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& trial, const SimulatedTrial* simulated);
+
+}  // namespace myo

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace myo {
+
+/// One simulated trial; frames may be coarser than the measurement.
+struct SimulatedTrial {
+    std::string name;                             // of the SceneTrial
+    Eigen::VectorXd frame_time_s;                 // F
+    std::vector<Eigen::Matrix3Xd> frames;         // F node positions, 3 x n [m]
+    std::vector<Eigen::Matrix3Xd> markers;        // per marker of the scene, 3 x T at the trial's time_s [m]
+    std::vector<double> marker_rms_m;             // per marker, NaN without measurement
+    double rms_m = 0.0;                           // NaN without measurement
+};
+
+struct RunResult {
+    std::vector<SimulatedTrial> trials;           // of the scene, in its order
+    double rms_m = 0.0;                           // over all measured coordinates of all trials; NaN without any
+    double seconds = 0.0;                         // wall time
+    std::string problem;                          // what went wrong on the way; empty = nothing
+    std::vector<std::string> warnings;            // of its time step
+};
+
+}  // namespace myo

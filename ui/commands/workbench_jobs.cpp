@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include "commands/workbench.hpp"
+
+// Jobs of the workbench: one runs, others wait, those that have ended are remembered.
+
+namespace myo {
+namespace {
+
+constexpr std::size_t most_records = 60;
+constexpr double most_bytes = 1.5e9;   // of the frames that records keep
+
+std::string clock_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char text[16];
+    std::strftime(text, sizeof text, "%H:%M:%S", &local);
+    return text;
+}
+
+double bytes_of(const RunResult& run) {
+    double bytes = 0.0;
+    for (const SimulatedTrial& trial : run.trials)
+        for (const Eigen::Matrix3Xd& frame : trial.frames) bytes += 8.0 * static_cast<double>(frame.size());
+    return bytes;
+}
+
+/// Gives up the motion of the oldest records where all together hold too much; their settings stay.
+void save_memory(std::vector<JobRecord>& history) {
+    if (history.size() > most_records) history.erase(history.begin());
+    double bytes = 0.0;
+    for (auto record = history.rbegin(); record != history.rend(); ++record) {
+        if (record->run) bytes += bytes_of(*record->run);
+        if (bytes <= most_bytes || record == history.rbegin()) continue;
+        record->run.reset();
+        record->found.reset();
+        record->search.reset();
+        record->compared = false;
+    }
+}
+
+}  // namespace
+
+bool Workbench::may_compute() {
+    if (!state_.scene) {
+        log(LogLevel::warning, "Open an experiment folder first.");
+        return false;
+    }
+    if (!state_.scene->cannot_run.empty()) {
+        log(LogLevel::warning, state_.scene->cannot_run);
+        return false;
+    }
+    return true;
+}
+
+void Workbench::request(const std::string& name, std::function<void()> begin_work) {
+    Task task{next_id_++, name, "", state_.settings, state_.scene, std::move(begin_work)};
+    if (!task_) return begin(std::move(task));
+    log(LogLevel::information, name + " waits until " + task_->name + " has ended.");
+    queue_.push_back(std::move(task));
+    update_queue();
+}
+
+void Workbench::begin(Task task) {
+    task.clock = clock_now();
+    task_ = std::move(task);
+    // The function may replace the task it belongs to.
+    const std::function<void()> work = task_->begin;
+    work();
+    if (!job_) begin_next();
+}
+
+void Workbench::begin_next() {
+    task_.reset();
+    if (queue_.empty()) return;
+    Task next = std::move(queue_.front());
+    queue_.pop_front();
+    update_queue();
+    begin(std::move(next));
+}
+
+void Workbench::update_queue() {
+    state_.queue.clear();
+    for (const Task& task : queue_) state_.queue.push_back({task.id, task.name});
+}
+
+void Workbench::start(const std::string& name, Job::Work work, JobKind kind) {
+    const auto failed = [this, name](const std::string& what) -> Job::Completion {
+        return [this, name, what] {
+            log(LogLevel::failure, name + " stopped: " + what);
+            end_task(JobOutcome::failed, what);
+        };
+    };
+    job_ = std::make_unique<Job>(name, std::move(work), failed, wake_, kind);
+    state_.job = job_->view();
+}
+
+void Workbench::with_body(std::function<void()> then) {
+    if (state_.body && same_mesh(task_->settings, state_.body_settings)) then();
+    else build_mesh(std::move(then));
+}
+
+void Workbench::end_task(JobOutcome outcome, const std::string& summary, JobRecord with) {
+    if (!task_) return;
+    with.id = task_->id;
+    with.name = task_->name;
+    with.clock = task_->clock;
+    with.outcome = outcome;
+    with.summary = summary;
+    if (!with.run && !with.diagnosis) with.settings = task_->settings;
+    with.on = {state_.body, state_.ground, state_.body_settings};
+    state_.history.push_back(std::move(with));
+    save_memory(state_.history);
+}
+
+void Workbench::restore(int id) {
+    const JobRecord* const found = state_.record(id);
+    if (!found || !found->can_be_restored()) return;
+    const JobRecord record = *found;
+    if (!(record.settings == state_.settings)) undo_.record(state_.settings, "restore", false);
+    state_.body = record.on.body;
+    state_.ground = record.on.ground;
+    state_.body_settings = record.on.settings;
+    state_.run.reset();
+    state_.found.reset();
+    set_settings(record.settings);
+    if (record.run) show_run(record.run, record.settings);
+    state_.found = record.found;
+    if (record.search && !state_.searching()) state_.search = record.search;
+    if (record.diagnosis && !state_.diagnosing()) {
+        state_.diagnosis = record.diagnosis;
+        state_.diagnosis_settings = record.settings;
+    }
+    log(LogLevel::information, record.name + " of " + record.clock + " is shown again, with its settings.");
+}
+
+void Workbench::forget(int id) {
+    std::erase_if(state_.history, [&](const JobRecord& record) { return record.id == id; });
+}
+
+}  // namespace myo

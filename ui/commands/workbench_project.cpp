@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <system_error>
+
+#include "commands/workbench.hpp"
+
+// The workbench's project: saved, taken up again, never lost.
+
+namespace myo {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void remove_project(const fs::path& file) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    fs::remove_all(fs::path(file).replace_extension(".files"), ignored);
+}
+
+}  // namespace
+
+Project Workbench::project() const {
+    std::error_code ignored;
+    return {fs::absolute(state_.scene->path, ignored), state_.metres_per_unit, state_.settings, state_.view, state_.scene_trial() ? state_.scene_trial()->name : ""};
+}
+
+void Workbench::save() {
+    if (!state_.scene) return;
+    if (state_.project.empty()) state_.asks_where_to_save = true;
+    else save_as(state_.project);
+}
+
+void Workbench::save_as(fs::path file) {
+    state_.asks_where_to_save = false;
+    if (!state_.scene) return;
+    if (!is_project(file)) file += project_ending;
+    const Result<void> written = backend_->write_project(file, project());
+    if (!written) {
+        state_.pending.reset();
+        return log_failure(written.error(), "Cannot save");
+    }
+    state_.project = file;
+    state_.saved_settings = state_.settings;
+    remember_recent(file);
+    log(LogLevel::done, "Saved " + file.string() + ".");
+    forget_recovered();
+    go_on_with_pending();
+}
+
+void Workbench::answer_unsaved(command::UnsavedAnswer answer) {
+    if (!state_.pending) return;
+    if (answer == command::UnsavedAnswer::cancel) state_.pending.reset();
+    else if (answer == command::UnsavedAnswer::save) save();
+    else {
+        state_.saved_settings = state_.settings;
+        forget_recovered();
+        go_on_with_pending();
+    }
+}
+
+void Workbench::forget_recovered() {
+    if (!recovered_.empty()) remove_project(recovered_);
+    recovered_.clear();
+}
+
+void Workbench::go_on_with_pending() {
+    if (!state_.pending) return;
+    const PendingAction action = *state_.pending;
+    state_.pending.reset();
+    if (action.quit) quit();
+    else open(action.open, action.metres_per_unit);
+}
+
+void Workbench::quit() {
+    if (state_.unsaved()) {
+        state_.pending = PendingAction{true, {}, {}};
+        return;
+    }
+    if (job_) job_->cancel();
+    state_.quit = true;
+}
+
+void Workbench::write_report(const fs::path& folder) {
+    if (!state_.scene || !state_.run) return log(LogLevel::warning, "There is nothing to report before a run.");
+    const auto written = backend_->write_report(folder, *state_.scene, *state_.run, state_.found.get(), state_.diagnosis.get());
+    if (!written) return log_failure(written.error(), "Cannot write the report");
+    log(LogLevel::done, "Report written to " + folder.string() + ": " + std::to_string(written->size()) + (written->size() == 1 ? " file." : " files."));
+}
+
+void Workbench::remember_recent(const fs::path& path) {
+    std::error_code ignored;
+    const fs::path whole = fs::absolute(path, ignored).lexically_normal();
+    auto& recent = state_.preferences.recent;
+    std::erase(recent, whole);
+    recent.insert(recent.begin(), whole);
+    if (recent.size() > most_recent) recent.resize(most_recent);
+}
+
+void Workbench::autosave(const fs::path& file) {
+    std::error_code ignored;
+    if (!state_.unsaved()) return remove_project(file);
+    if (state_.settings == autosaved_ && fs::exists(file, ignored)) return;
+    const Result<void> written = backend_->write_project(file, project());
+    if (written) autosaved_ = state_.settings;
+    else if (!autosave_failed_) log_failure(written.error(), "Cannot keep a copy for recovery");
+    autosave_failed_ = !written;
+}
+
+void Workbench::recover(const fs::path& file) {
+    std::erase(state_.recovered, file);
+    if (task_) return;
+    recovered_ = file;
+    request("Recover", [this, file] {
+        start(task_->name, [this, file](const Progress& progress) -> Job::Completion {
+            auto project = std::make_shared<Result<Project>>(backend_->read_project(file));
+            auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
+            if (*project) *scene = backend_->open((*project)->source, (*project)->metres_per_unit, progress);
+            else *scene = project->error();
+            return [this, project, scene] {
+                if (!*scene) return log_failure(scene->error(), "Cannot recover");
+                show_project({}, std::move(**project), std::move(**scene));
+                // It is saved nowhere else.
+                state_.saved_settings = state_.scene->settings;
+                log(LogLevel::done, "Unsaved work was recovered. Save it to keep it.");
+                build_mesh({});
+            };
+        });
+    });
+}
+
+void Workbench::discard_recovery() {
+    for (const fs::path& file : state_.recovered) remove_project(file);
+    state_.recovered.clear();
+}
+
+}  // namespace myo

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <utility>
+
+#include "commands/workbench.hpp"
+
+// What the workbench works on: an experiment, a mesh or a project is opened, and its body meshed.
+
+namespace myo {
+
+void Workbench::open(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
+    if (task_) {
+        log(LogLevel::warning, "\"" + task_->name + "\" is still running. Cancel it before another file is opened.");
+        return;
+    }
+    if (state_.unsaved()) {
+        state_.pending = PendingAction{false, path, metres_per_unit};
+        return;
+    }
+    if (!is_project(path) && !metres_per_unit && backend_->needs_unit(path)) {
+        state_.unit_question = path;
+        return;
+    }
+    request("Open " + path.filename().string(), [this, path, metres_per_unit] {
+        start(task_->name, [this, path, metres_per_unit](const Progress& progress) -> Job::Completion {
+            auto project = std::make_shared<std::optional<Project>>();
+            auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
+            if (is_project(path)) {
+                Result<Project> read = backend_->read_project(path);
+                if (read) {
+                    *project = std::move(*read);
+                    *scene = backend_->open((*project)->source, (*project)->metres_per_unit, progress);
+                } else {
+                    *scene = read.error();
+                }
+            } else {
+                *scene = backend_->open(path, metres_per_unit, progress);
+            }
+            return [this, path, metres_per_unit, project, scene] {
+                if (!*scene) {
+                    log_failure(scene->error(), "Cannot open");
+                    return;
+                }
+                if (*project) show_project(path, std::move(**project), std::move(**scene));
+                else show_scene(std::move(**scene), metres_per_unit);
+                remember_recent(path);
+                build_mesh({});
+            };
+        });
+    });
+}
+
+void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
+    state_.settings = state_.saved_settings = autosaved_ = within_limits(scene.settings);
+    state_.project.clear();
+    state_.metres_per_unit = metres_per_unit;
+    if (scene.frequency_Hz > 0.0) state_.damping_frequency_Hz = scene.frequency_Hz;
+    check_stability();
+    state_.scene = std::make_shared<Scene>(std::move(scene));
+    if (task_) task_->scene = state_.scene, task_->settings = state_.settings;
+    state_.body.reset();
+    state_.ground.reset();
+    state_.run.reset();
+    state_.found.reset();
+    state_.search.reset();
+    state_.diagnosis.reset();
+    state_.history.clear();
+    state_.candidate.clear();
+    state_.muscle = 0;
+    if (state_.scene->surface.vertices.cols() > 0) state_.brush = brush_for(bounding_box(state_.scene->surface.vertices).size());
+    place_muscles();
+    undo_.clear();
+    state_.can_undo = state_.can_redo = false;
+    state_.playing = false;
+    state_.marker = 0;
+    choose_trial(0);
+    state_.prediction = backend_->predict(*state_.scene, state_.settings);
+    const auto counted = [](std::size_t count, const std::string& what) {
+        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    };
+    const bool measured = !state_.scene->trials.empty();
+    log(LogLevel::done, "Opened " + state_.scene->name + (measured ? ": " + counted(state_.scene->trials.size(), "trial") + ", " +
+                                                                         counted(state_.scene->markers.size(), "marker") + "." : "."));
+    for (const std::string& warning : state_.scene->warnings) log(LogLevel::warning, warning);
+}
+
+void Workbench::show_project(const std::filesystem::path& file, Project project, Scene scene) {
+    // The experiment may have changed since the project was saved.
+    for (Muscle& muscle : project.settings.muscles) {
+        const auto& declared = scene.settings.muscles;
+        const bool known = std::any_of(declared.begin(), declared.end(), [&](const Muscle& own) { return own.name == muscle.declared; });
+        if (muscle.declared.empty() || known) continue;
+        log(LogLevel::warning, "The experiment no longer has the muscle " + muscle.declared + "; the project keeps it as one of its own" + (muscle.paint ? "." : ", without paint."));
+        muscle.declared.clear();
+    }
+    show_scene(std::move(scene), project.metres_per_unit);
+    state_.project = file;
+    state_.view = project.view;
+    set_settings(project.settings);
+    state_.saved_settings = autosaved_ = state_.settings;
+    if (task_) task_->settings = state_.settings;
+    for (std::size_t t = 0; t < state_.scene->trials.size(); ++t)
+        if (state_.scene->trials[t].name == project.trial) choose_trial(static_cast<int>(t));
+}
+
+void Workbench::build_mesh(std::function<void()> then) {
+    const Settings settings = task_->settings;
+    const auto scene = task_->scene;
+    start("Mesh", [this, settings, scene, then = std::move(then)](const Progress& progress) -> Job::Completion {
+        auto body = std::make_shared<Result<MeshedBody>>(backend_->mesh(*scene, settings, progress));
+        const bool cancelled = progress.cancelled();
+        std::shared_ptr<const PaintGround> ground;
+        if (*body && !cancelled) ground = std::make_shared<const PaintGround>(scene->surface, (*body)->mesh);
+        return [this, settings, body, ground, cancelled, then] {
+            if (cancelled) {
+                log(LogLevel::information, "Meshing cancelled.");
+                end_task(JobOutcome::stopped, "meshing cancelled");
+                return;
+            }
+            if (!*body) {
+                log_failure(body->error(), "Cannot mesh");
+                end_task(JobOutcome::failed, body->error().text());
+                return;
+            }
+            state_.body = std::make_shared<MeshedBody>(std::move(**body));
+            state_.body_settings = settings;
+            state_.ground = ground;
+            place_muscles();
+            // Frames of the old mesh cannot be shown on the new one.
+            state_.run.reset();
+            state_.found.reset();
+            for (const ReportLine& line : state_.body->report) {
+                if (line.warning) log(LogLevel::warning, line.label + ": " + line.value);
+            }
+            if (then) then();
+            else if (task_->name == "Mesh") end_task(JobOutcome::done, std::to_string(state_.body->mesh.cell_count()) + " " + to_string(settings.element));
+        };
+    });
+}
+
+}  // namespace myo

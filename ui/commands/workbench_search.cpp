@@ -1,0 +1,139 @@
+#include <cmath>
+#include <utility>
+
+#include "commands/workbench.hpp"
+#include "plot/ticks.hpp"
+
+// Runs of the workbench, and searches for values and signals with which they follow the measurement.
+
+namespace myo {
+namespace {
+
+std::string millimetres(double metres) { return value_label(1e3 * metres, 3) + " mm"; }
+
+}  // namespace
+
+void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings& settings) {
+    state_.run = std::move(result);
+    state_.run_settings = settings;
+    const auto span = time_span(state_);
+    state_.time_s = std::clamp(state_.time_s, span[0], span[1]);
+    if (!state_.run->problem.empty()) log(LogLevel::warning, state_.run->problem);
+    for (const std::string& warning : state_.run->warnings) log(LogLevel::warning, warning);
+}
+
+void Workbench::run() {
+    if (!may_compute()) return;
+    const auto simulate = [this] {
+        start(task_->name, [this, settings = task_->settings, scene = task_->scene, body = state_.body](const Progress& progress) -> Job::Completion {
+            auto result = std::make_shared<Result<RunResult>>(backend_->simulate(*scene, *body, settings, progress));
+            const bool cancelled = progress.cancelled();
+            return [this, settings, result, cancelled] {
+                if (cancelled) {
+                    log(LogLevel::information, "Simulation cancelled.");
+                    end_task(JobOutcome::stopped, "cancelled");
+                } else if (!*result) {
+                    log_failure(result->error(), "Simulation failed");
+                    end_task(JobOutcome::failed, result->error().text());
+                } else {
+                    const double seconds = (*result)->seconds, rms = (*result)->rms_m;
+                    state_.found.reset();
+                    show_run(std::make_shared<RunResult>(std::move(**result)), settings);
+                    const std::string error = std::isfinite(rms) ? "rms error " + millimetres(rms) : "";
+                    log(LogLevel::done, "Simulated in " + value_label(seconds, 3) + " s" + (error.empty() ? "." : ", " + error + "."));
+                    JobRecord record;
+                    record.seconds = seconds;
+                    record.settings = settings;
+                    record.run = state_.run;
+                    end_task(JobOutcome::done, error, std::move(record));
+                }
+            };
+        });
+    };
+    request("Simulate", [this, simulate] { with_body(simulate); });
+}
+
+void Workbench::search(const std::string& verb, Search find) {
+    state_.search.reset();
+    live_search_ = std::make_shared<LiveValue<SearchView>>();
+    const auto live = live_search_;
+    start(
+        task_->name,
+        [this, verb, find = std::move(find), live](const Progress& progress) -> Job::Completion {
+            const auto show = [live](std::shared_ptr<const SearchView> view) { live->set(std::move(view)); };
+            auto result = std::make_shared<Result<SearchResult>>(find(progress, show));
+            const bool cancelled = progress.cancelled();
+            return [this, verb, result, cancelled] {
+                take_live();
+                live_search_.reset();
+                if (*result) return show_found(verb, std::move(**result));
+                if (cancelled) log(LogLevel::information, task_->name + " cancelled before it had any values; the settings are unchanged.");
+                else log_failure(result->error(), task_->name + " failed");
+                end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed, cancelled ? "cancelled" : result->error().text());
+            };
+        },
+        {false, true});
+}
+
+void Workbench::calibrate() {
+    if (!may_compute()) return;
+    if (state_.scene->calibrated.empty()) {
+        log(LogLevel::warning, "Nothing to calibrate: the experiment has no measured trial or declares every value as known.");
+        return;
+    }
+    request("Calibrate", [this] {
+        with_body([this] {
+            search("Calibrated", [this, settings = task_->settings, scene = task_->scene, body = state_.body](const Progress& progress, const Backend::LiveSearch& live) {
+                return backend_->calibrate(*scene, *body, settings, progress, live);
+            });
+        });
+    });
+}
+
+void Workbench::optimize() {
+    if (!may_compute()) return;
+    const SceneTrial* const trial = state_.scene_trial();
+    if (state_.settings.muscles.empty() || !trial || trial->measured.empty()) {
+        log(LogLevel::warning, state_.settings.muscles.empty() ? "Nothing to optimise: add a muscle and paint it first."
+                                                               : "Nothing to optimise: the shown trial has no measured markers to follow.");
+        return;
+    }
+    OptimizeRequest request_of = state_.optimize;
+    request_of.trial = trial->name;
+    request("Optimise", [this, request_of] {
+        with_body([this, request_of] {
+            search("Optimised", [this, request_of, settings = task_->settings, scene = task_->scene, body = state_.body](const Progress& progress, const Backend::LiveSearch& live) {
+                return backend_->optimize(*scene, *body, settings, request_of, progress, live);
+            });
+        });
+    });
+}
+
+void Workbench::show_found(const std::string& verb, SearchResult result) {
+    state_.found = std::make_shared<SearchResult>(std::move(result));
+    const SearchResult& found = *state_.found;
+    const bool untouched = state_.settings == task_->settings;
+    if (untouched) {
+        undo_.record(state_.settings, verb, false);
+        state_.can_undo = true;
+        state_.can_redo = false;
+        set_settings(found.settings);
+    }
+    show_run(std::shared_ptr<const RunResult>(state_.found, &found.run), found.settings);
+    if (!found.problem.empty()) log(LogLevel::warning, found.problem);
+    const std::string errors = "rms error " + millimetres(found.rms_before_m) + " before, " + millimetres(found.rms_after_m) + " after, " +
+                               std::to_string(found.evaluations) + (found.evaluations == 1 ? " evaluation." : " evaluations.");
+    if (found.stopped) log(LogLevel::warning, task_->name + " stopped; the best values so far are kept: " + errors);
+    else log(LogLevel::done, verb + ": " + errors);
+    if (!untouched) log(LogLevel::information, "The settings were changed meanwhile and stay as they are; Restore in Jobs takes over what was found.");
+    for (const std::string& warning : found.warnings) log(LogLevel::warning, warning);
+    JobRecord record;
+    record.seconds = found.run.seconds;
+    record.settings = found.settings;
+    record.run = state_.run;
+    record.found = state_.found;
+    record.search = state_.search;
+    end_task(found.stopped ? JobOutcome::stopped : JobOutcome::done, "rms error " + millimetres(found.rms_before_m) + " \xe2\x86\x92 " + millimetres(found.rms_after_m), std::move(record));
+}
+
+}  // namespace myo

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "panels/widgets.hpp"
+
+namespace myo {
+
+/// Searches: values of the model from measured motion, and signals of muscles that make the markers follow a trial.
+class FitPanel : public Panel {
+public:
+    std::string name() const override { return "fit"; }
+    std::string title() const override { return "Fit"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<Step> step() const override { return Step::fit; }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_calibrate(PanelContext& context);
+    void draw_optimize(PanelContext& context);
+    void draw_found(PanelContext& context);
+
+    OpenEdit edit_;
+};
+
+}  // namespace myo

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+/// The running job, those that wait, and those that have ended, with what they brought.
+class JobsPanel : public Panel {
+public:
+    std::string name() const override { return "jobs"; }
+    std::string title() const override;
+    PanelPlace place() const override { return PanelPlace::strip; }
+    void draw(PanelContext& context) override;
+};
+
+}  // namespace myo

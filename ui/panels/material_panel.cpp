@@ -1,0 +1,74 @@
+#include "panels/material_panel.hpp"
+
+#include <imgui.h>
+
+#include "panels/setting_rows.hpp"
+#include "platform/fonts.hpp"
+#include "plot/ticks.hpp"
+
+namespace myo {
+namespace {
+
+const std::vector<SettingField>& material_fields() {
+    static const std::vector<SettingField> fields{
+        {{"E", "model/youngs_modulus", "kPa", "Young's modulus E. Shear modulus \xce\xbc = E / (2 (1 + \xce\xbd)), bulk modulus E / (3 (1 \xe2\x88\x92 2\xce\xbd)).",
+          1e3, youngs_modulus_limits, 0.1}, &Settings::youngs_modulus_Pa},
+        {{"\xce\xbd", "model/poissons_ratio", "", "Poisson's ratio \xce\xbd; silicone is nearly incompressible, \xce\xbd \xe2\x89\x88 0.49 to 0.499.",
+          1.0, poissons_ratio_limits, 1e-4}, &Settings::poissons_ratio},
+        {{"\xcf\x81", "model/density", "kg/m\xc2\xb3", "Density \xcf\x81.", 1.0, density_limits, 1.0}, &Settings::density_kg_m3},
+        {{"Damping \xcf\x84", "model/damping", "ms", "Kelvin\xe2\x80\x93Voigt time \xcf\x84: stress S = 2 \xcf\x84 \xce\xbc dev(dE/dt). A vibration of angular "
+          "frequency \xcf\x89 has the damping ratio \xce\xb6 = \xcf\x84 \xcf\x89 / 2.", 1e-3, damping_limits, 0.01}, &Settings::damping_s}};
+    return fields;
+}
+
+std::string place_label(const Eigen::Vector3d& p) { return plain_label(1e3 * p.x(), 4) + ", " + plain_label(1e3 * p.y(), 4) + ", " + plain_label(1e3 * p.z(), 4); }
+
+}  // namespace
+
+void MaterialPanel::draw(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    setting_choice(context, "Material", "model/material", "Elastic energy.", state.materials, &Settings::material);
+    setting_rows(context, material_fields(), edit_);
+    if (!state.scene) return;
+    heading(context.theme, "Support");
+    if (state.scene->clamp_m) {
+        text_row(context.theme, "Held inside", place_label(state.scene->clamp_m->lowest) + "\nto " + place_label(state.scene->clamp_m->highest) + " mm");
+        tooltip(context.theme, "What lies in this box does not move. It is drawn in the view.");
+    } else {
+        muted_text(context.theme, "Nothing holds the body.");
+    }
+    const double g = state.scene->gravity_m_s2.norm();
+    text_row(context.theme, "Gravity", g > 0.0 ? plain_label(state.scene->gravity_m_s2.x(), 3) + ", " + plain_label(state.scene->gravity_m_s2.y(), 3) + ", " +
+                                                     plain_label(state.scene->gravity_m_s2.z(), 3) + " m/s\xc2\xb2"
+                                               : std::string("none"));
+    draw_effects(context);
+}
+
+void MaterialPanel::draw_effects(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    if (state.settings.effects.empty()) return;
+    heading(context.theme, "Added effects");
+    for (std::size_t i = 0; i < state.settings.effects.size(); ++i) {
+        const AddedEffect& effect = state.settings.effects[i];
+        ImGui::PushID(static_cast<int>(i));
+        const float button = ImGui::GetFrameHeight();
+        row_label(context.theme, effect.name, "An effect that was added to the experiment's own model.");
+        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+        ImGui::PushTextWrapPos(right - button - ImGui::GetStyle().ItemSpacing.x);
+        ImGui::TextUnformatted(effect.value.c_str());
+        ImGui::PopTextWrapPos();
+        context.items.mark("model/effect/" + effect.id);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(right - button);
+        if (ImGui::Button(icon::remove, {button, 0.0f})) {
+            Settings settings = state.settings;
+            settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(i));
+            context.emit(command::ChangeSettings{settings, "effects", false});
+        }
+        context.items.mark("model/remove/" + effect.id);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Take it out of the model");
+        ImGui::PopID();
+    }
+}
+
+}  // namespace myo

@@ -1,0 +1,132 @@
+#include "panels/menu_bar.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "panels/tables.hpp"
+#include "panels/widgets.hpp"
+#include "platform/fonts.hpp"
+
+namespace myo {
+namespace {
+
+constexpr std::array<const char*, 5> menus{"File", "Edit", "View", "Run", "Help"};
+
+std::string lower(std::string text) {
+    text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+void draw_recent(PanelContext& context) {
+    const auto& recent = context.state.preferences.recent;
+    if (recent.empty() || !ImGui::BeginMenu("Open lately")) return;
+    for (const std::filesystem::path& path : recent)
+        if (ImGui::MenuItem(path.string().c_str())) context.emit(command::Open{path, std::nullopt});
+    ImGui::EndMenu();
+}
+
+void draw_menu(PanelContext& context, ViewportState& viewport, const std::string& menu) {
+    for (const Action& action : all_actions()) {
+        if (action.menu != menu) continue;
+        if (action.separated) ImGui::Separator();
+        const bool enabled = !action.enabled || action.enabled(context.state), checked = action.checked && action.checked(context.state);
+        if (ImGui::MenuItem(action.label.c_str(), action.shortcut.label[0] ? action.shortcut.label : nullptr, checked, enabled)) action.perform(context, viewport);
+        context.items.mark("menu/" + action.id);
+        if (action.id == "file.open") draw_recent(context);
+    }
+}
+
+void draw_menus(PanelContext& context, ViewportState& viewport) {
+    const Theme& theme = context.theme;
+    const auto id = [](const char* menu) { return std::string("menu ") + menu; };
+    const bool any_open = std::any_of(menus.begin(), menus.end(), [&](const char* menu) { return ImGui::IsPopupOpen(id(menu).c_str()); });
+    ImGui::PushStyleColor(ImGuiCol_Button, theme.panel);
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
+    for (const char* menu : menus) {
+        if (menu != menus.front()) ImGui::SameLine(0.0f, 2.0f * theme.scale);
+        const bool pressed = ImGui::Button(menu);
+        context.items.mark("menu/" + lower(menu));
+        const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 2.0f * theme.scale};
+        // With one menu open, the mouse goes from one to the next.
+        const bool passes = any_open && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup) && !ImGui::IsPopupOpen(id(menu).c_str());
+        if (pressed || passes) ImGui::OpenPopup(id(menu).c_str());
+        ImGui::SetNextWindowPos(below);
+        ImGui::SetNextWindowSize({260.0f * theme.scale, 0.0f});
+        if (ImGui::BeginPopup(id(menu).c_str())) {
+            draw_menu(context, viewport, menu);
+            if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+            ImGui::EndPopup();
+        }
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+void draw_message(PanelContext& context, float right) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    if (state.log.empty()) return;
+    const LogLine& line = state.log.back();
+    const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
+    ImGui::AlignTextToFramePadding();
+    const float room = right - 16.0f * theme.scale - ImGui::GetCursorPosX();
+    if (room < 40.0f * theme.scale) return;
+    ImGui::TextColored(colors[static_cast<int>(line.level)], "%s", elided(line.text, room).c_str());
+    context.items.mark("bar/message");
+    tooltip(theme, line.text);
+    if (ImGui::IsItemClicked()) context.window.panel = "messages";
+    ImGui::SameLine();
+}
+
+}  // namespace
+
+void draw_menu_bar(PanelContext& context, ViewportState& viewport) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    ImGui::SetCursorPosY(0.5f * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(theme.strong);
+    ImGui::TextColored(theme.accent, "Myoloop");
+    ImGui::PopFont();
+    ImGui::SameLine(0.0f, 12.0f * theme.scale);
+    draw_menus(context, viewport);
+    ImGui::SameLine(0.0f, 12.0f * theme.scale);
+    const auto button = [&](const char* sign, const char* item, const char* tip, bool enabled, const Command& asked) {
+        ImGui::BeginDisabled(!enabled);
+        if (ImGui::Button(sign)) context.emit(asked);
+        context.items.mark(item);
+        ImGui::EndDisabled();
+        tooltip(theme, tip);
+        ImGui::SameLine();
+    };
+    button(icon::save, "bar/save", state.unsaved() ? "Save the project (Ctrl+S); it has changes" : "Save the project (Ctrl+S)", state.scene != nullptr, command::Save{});
+    button(icon::undo, "bar/undo", "Undo the last change (Ctrl+Z)", state.can_undo, command::Undo{});
+    button(icon::redo, "bar/redo", "Redo (Ctrl+Y)", state.can_redo, command::Redo{});
+
+    const bool dark = state.preferences.theme == ThemeName::dark;
+    const float theme_width = 72.0f * theme.scale, scale_width = 84.0f * theme.scale, spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width - spacing;
+    draw_message(context, right);
+    ImGui::SetCursorPosX(right);
+    ImGui::SetNextItemWidth(scale_width);
+    if (ImGui::BeginCombo("##scale", (std::to_string(std::lround(100.0f * state.scale())) + " %").c_str())) {
+        for (const int percent : {75, 100, 125, 150, 200, 250}) {
+            const bool chosen = std::lround(100.0f * state.scale()) == percent;
+            if (ImGui::Selectable((std::to_string(percent) + " %").c_str(), chosen)) context.emit(command::SetTheme{state.preferences.theme, 0.01f * static_cast<float>(percent)});
+            context.items.mark("bar/scale/" + std::to_string(percent));
+        }
+        ImGui::EndCombo();
+    }
+    context.items.mark("bar/scale");
+    tooltip(theme, "Size of text and controls");
+    ImGui::SameLine();
+    if (ImGui::Button(dark ? "Light" : "Dark", {theme_width, 0.0f})) context.emit(command::SetTheme{dark ? ThemeName::light : ThemeName::dark, state.scale()});
+    context.items.mark("bar/theme");
+    tooltip(theme, "Light or dark colours");
+}
+
+}  // namespace myo

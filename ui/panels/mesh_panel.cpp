@@ -1,0 +1,85 @@
+#include "panels/mesh_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "commands/body_size.hpp"
+#include "platform/fonts.hpp"
+#include "plot/ticks.hpp"
+
+namespace myo {
+namespace {
+
+const std::vector<Choice>& element_choices() {
+    static const std::vector<Choice> choices{
+        {"hex8", "Hexahedra (hex8)", "Bricks of 8 nodes on a regular grid. Robust for any closed surface; curved sides become steps."},
+        {"tet4", "Tetrahedra (tet4)", "Linear tetrahedra that follow the surface. Far too stiff for nearly incompressible material: "
+                                      "for comparison only."},
+        {"tet10", "Tetrahedra (tet10)", "Quadratic tetrahedra that follow the surface; accurate on coarse meshes."}};
+    return choices;
+}
+
+CellType cell_type(const std::string& id) {
+    if (id == "tet4") return CellType::tet4;
+    return id == "tet10" ? CellType::tet10 : CellType::hex8;
+}
+
+}  // namespace
+
+void MeshPanel::draw(PanelContext& context) {
+    if (!context.state.scene) return muted_text(context.theme, "A body is divided into finite elements here. Open one first.");
+    draw_mesh_settings(context);
+    draw_report(context);
+}
+
+void MeshPanel::draw_mesh_settings(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    std::string element = to_string(state.settings.element);
+    if (choice_row(context, "Elements", "body/element", "Shape of the finite elements.", element_choices(), element)) {
+        Settings settings = state.settings;
+        settings.element = cell_type(element);
+        context.emit(command::ChangeSettings{settings, "element", false});
+    }
+    row_label(theme, "Edge length", "Edge length aimed at; the cells adapt so that the body's size is met exactly.");
+    double shown = 1e3 * state.settings.resolution_m;
+    const double longest = 1e3 * std::max(body_size(state).maxCoeff(), 1e-3);
+    const double lowest = longest / 120.0;
+    const double highest = longest / 3.0;
+    const bool changed = ImGui::SliderScalar("##resolution", ImGuiDataType_Double, &shown, &lowest, &highest, "%.3g mm",
+                                             ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    context.items.mark("body/resolution");
+    const bool goes_on = edit_.goes_on("resolution", changed);
+    if (changed) {
+        Settings settings = state.settings;
+        settings.resolution_m = 1e-3 * shown;
+        context.emit(command::ChangeSettings{settings, "resolution", goes_on});
+    }
+    // Counted once the mesh is there, estimated before.
+    const bool built = state.mesh_is_current();
+    const double elements = built ? static_cast<double>(state.body->mesh.cell_count()) : state.prediction.elements;
+    const double dofs = built ? state.body->dofs : state.prediction.dofs;
+    const std::string about = built || state.prediction.exact ? "" : "\xe2\x89\x88 ";
+    const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;
+    text_row(theme, "Elements, DOF", about + with_separators(elements) + ", " + about + with_separators(dofs), color);
+    if (!state.mesh_is_current()) {
+        if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(command::BuildMesh{});
+        context.items.mark("body/build");
+    }
+}
+
+void MeshPanel::draw_report(PanelContext& context) {
+    if (!context.state.body) return;
+    const MeshedBody& body = *context.state.body;
+    heading(context.theme, "Mesh report");
+    context.items.mark("body/report");
+    text_row(context.theme, "Elements", with_separators(static_cast<double>(body.mesh.cell_count())) + " " + to_string(body.mesh.type));
+    text_row(context.theme, "Nodes", with_separators(static_cast<double>(body.mesh.node_count())));
+    text_row(context.theme, "DOF", with_separators(body.dofs));
+    for (const ReportLine& line : body.report) {
+        text_row(context.theme, line.label, line.value, line.warning ? &context.theme.warning : nullptr);
+    }
+}
+
+}  // namespace myo

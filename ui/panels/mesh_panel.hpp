@@ -1,0 +1,23 @@
+#pragma once
+
+#include "panels/widgets.hpp"
+
+namespace myo {
+
+/// Sets how the body is divided into elements, and says what came out.
+class MeshPanel : public Panel {
+public:
+    std::string name() const override { return "mesh"; }
+    std::string title() const override { return "Mesh"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<Step> step() const override { return Step::mesh; }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_mesh_settings(PanelContext& context);
+    void draw_report(PanelContext& context);
+
+    OpenEdit edit_;
+};
+
+}  // namespace myo

@@ -1,0 +1,89 @@
+#include "panels/questions.hpp"
+
+#include <imgui.h>
+
+#include "panels/widgets.hpp"
+
+namespace myo {
+namespace {
+
+/// One of several buttons side by side.
+class ButtonRow {
+public:
+    ButtonRow(PanelContext& context, int count) : context_(context), width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) / static_cast<float>(count)) {}
+
+    bool add(const char* label, const char* item, bool primary = false) {
+        if (!first_) ImGui::SameLine();
+        first_ = false;
+        const bool pressed = primary ? primary_button(context_.theme, label, {width_, 0.0f}) : ImGui::Button(label, {width_, 0.0f});
+        context_.items.mark(item);
+        return pressed;
+    }
+
+private:
+    PanelContext& context_;
+    float width_;
+    bool first_ = true;
+};
+
+void ask_unit(PanelContext& context) {
+    if (!begin_dialog(context.theme, "Unit of the file", 400.0f)) return;
+    ImGui::TextWrapped("%s does not say in which unit its numbers are. Which one is it?", context.state.unit_question->filename().string().c_str());
+    ImGui::Spacing();
+    std::optional<command::AnswerUnit> answer;
+    ButtonRow row(context, 3);
+    if (row.add("Cancel", "unit/cancel")) answer = command::AnswerUnit{};
+    if (row.add("Metres", "unit/m")) answer = command::AnswerUnit{1.0};
+    if (row.add("Millimetres", "unit/mm", true)) answer = command::AnswerUnit{1e-3};
+    if (answer) {
+        context.emit(*answer);
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+void ask_unsaved(PanelContext& context) {
+    if (!begin_dialog(context.theme, "Unsaved changes", 440.0f)) return;
+    const std::string name = context.state.project.empty() ? context.state.scene->name : context.state.project.filename().string();
+    ImGui::TextWrapped("%s has changes that are not saved.", name.c_str());
+    ImGui::Spacing();
+    std::optional<command::UnsavedAnswer> answer;
+    ButtonRow row(context, 3);
+    if (row.add("Cancel", "unsaved/cancel")) answer = command::UnsavedAnswer::cancel;
+    if (row.add("Don't save", "unsaved/discard")) answer = command::UnsavedAnswer::discard;
+    if (row.add("Save", "unsaved/save", true)) answer = command::UnsavedAnswer::save;
+    if (answer) {
+        context.emit(command::AnswerUnsaved{*answer});
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+void ask_recovery(PanelContext& context) {
+    if (!begin_dialog(context.theme, "Unsaved work was found", 480.0f)) return;
+    ImGui::TextWrapped("Myoloop did not end well the last time. Work that was not saved can be taken up again.");
+    ImGui::Spacing();
+    bool decided = false;
+    ButtonRow row(context, 2);
+    if (row.add("Throw it away", "recovery/discard")) {
+        context.emit(command::DiscardRecovery{});
+        decided = true;
+    }
+    if (row.add("Take it up", "recovery/recover", true)) {
+        context.emit(command::Recover{context.state.recovered.back()});
+        decided = true;
+    }
+    if (decided) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+void draw_questions(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    if (state.unit_question) ask_unit(context);
+    else if (state.pending && !state.asks_where_to_save) ask_unsaved(context);
+    else if (!state.recovered.empty() && !state.scene && !state.busy()) ask_recovery(context);
+}
+
+}  // namespace myo

@@ -1,0 +1,64 @@
+#include "panels/report_panel.hpp"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <filesystem>
+
+#include "panels/widgets.hpp"
+#include "platform/fonts.hpp"
+
+namespace myo {
+namespace {
+
+/// Beside the project, else below the working folder: results must not lie among measurements.
+std::string proposed_folder(const WorkbenchState& state) {
+    std::error_code ignored;
+    const std::filesystem::path home = state.project.empty() ? std::filesystem::current_path(ignored) / "out" : state.project.parent_path();
+    const std::filesystem::path& named = state.project.empty() ? state.scene->path : state.project;
+    const std::string name = named.stem().empty() ? named.parent_path().filename().string() : named.stem().string();
+    return (home / (name + " report")).string();
+}
+
+}  // namespace
+
+void ReportPanel::draw(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    if (!state.scene || !state.run) return muted_text(theme, "Run, calibrate or diagnose first: then pages, tables and a picture of it can be written.");
+    if (scene_ != state.scene) folder_ = proposed_folder(state);
+    scene_ = state.scene;
+    muted_text(theme, "Folder");
+    const float button = ImGui::GetFrameHeight() + 8.0f * theme.scale;
+    ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
+    ImGui::InputText("##folder", &folder_);
+    context.items.mark("report/folder");
+    ImGui::SameLine();
+    if (ImGui::Button(icon::folder, {button, 0.0f})) {
+        FileDialog dialog;
+        dialog.title = "Folder for the report";
+        dialog.button = "Choose";
+        dialog.folders = true;
+        dialog.start = std::filesystem::path(folder_).parent_path();
+        dialog.chosen = [this](PanelContext&, const std::filesystem::path& path) { folder_ = path.string(); };
+        context.window.file = std::move(dialog);
+    }
+    context.items.mark("report/browse");
+    ImGui::Spacing();
+    muted_text(theme, "What will be written");
+    const auto row = [&](bool there, const std::string& file, const std::string& what) { notice(theme, there ? LogLevel::done : LogLevel::information, file + ": " + what); };
+    row(true, "<trial>.csv", "simulated markers of the shown run");
+    row(true, "picture.png", "the 3D view as it is now");
+    row(state.found && state.found->page, "fit.html", state.found ? "the last calibration or optimisation" : "comes with a calibration or an optimisation");
+    row(state.diagnosis && state.diagnosis->page, "diagnosis.html", state.diagnosis ? "the last diagnosis" : "comes with a diagnosis");
+    ImGui::Spacing();
+    ImGui::BeginDisabled(folder_.empty());
+    if (primary_button(theme, "Write the report", {-1.0f, 0.0f})) {
+        context.emit(command::WriteReport{folder_});
+        context.window.picture = std::filesystem::path(folder_) / "picture.png";
+    }
+    context.items.mark("report/write");
+    ImGui::EndDisabled();
+}
+
+}  // namespace myo

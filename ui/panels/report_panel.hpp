@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+/// Writes what was found into a folder: pages, tables, a picture.
+class ReportPanel : public Panel {
+public:
+    std::string name() const override { return "report"; }
+    std::string title() const override { return "Report"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<Step> step() const override { return Step::report; }
+    void draw(PanelContext& context) override;
+
+private:
+    std::string folder_;
+    std::shared_ptr<const Scene> scene_;   // for which the folder was proposed
+};
+
+}  // namespace myo

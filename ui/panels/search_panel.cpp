@@ -1,0 +1,87 @@
+#include "panels/search_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/tables.hpp"
+#include "panels/widgets.hpp"
+#include "platform/fonts.hpp"
+
+namespace myo {
+
+std::string SearchPanel::title() const { return std::string(icon::line_chart) + "  Search"; }
+
+void SearchPanel::draw_values(PanelContext& context) {
+    const SearchView& search = *context.state.search;
+    const Theme& theme = context.theme;
+    const int runs = static_cast<int>(search.log.size());
+    ImGui::PushFont(theme.strong);
+    ImGui::TextUnformatted((std::to_string(runs) + (runs == 1 ? " evaluation" : " evaluations")).c_str());
+    ImGui::PopFont();
+    context.items.mark("search/evaluations");
+    const std::vector<Heading> headings{{"Value", ""}, {"Start", "", true}, {"Best so far", "", true}, {"Unit", ""}};
+    if (!ImGui::BeginTable("values", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    number_column(theme, headings[1]);
+    number_column(theme, headings[2]);
+    ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("kg/m3").x);
+    heading_row(theme, headings);
+    for (const ParameterRow& row : search.parameters) {
+        ImGui::TableNextRow();
+        text_cell(theme, row.name, theme.text);
+        number_cell(theme, plain_label(row.start, 4));
+        number_cell(theme, plain_label(row.value, 4));
+        text_cell(theme, row.unit, theme.muted);
+    }
+    ImGui::EndTable();
+}
+
+void SearchPanel::draw(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    if (!state.search || state.search->log.empty()) {
+        muted_text(theme, state.searching() ? "The first evaluation is on its way." : "Calibrate and Optimise show here how the error falls, and with which values.");
+        return;
+    }
+    const SearchView& search = *state.search;
+    const ImVec2 space = ImGui::GetContentRegionAvail();
+    const float values_width = std::floor(std::min(0.3f * space.x, 380.0f * theme.scale));
+    ImGui::BeginChild("values", {values_width, 0.0f});
+    draw_values(context);
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginChild("curves");
+    const auto count = static_cast<Eigen::Index>(search.log.size());
+    const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count));
+    Eigen::VectorXd rms(count), loss(count), gradient(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const SearchPoint& point = search.log[static_cast<std::size_t>(i)];
+        rms(i) = 1e3 * point.rms_m;
+        loss(i) = point.loss > 0.0 ? std::log10(point.loss) : std::nan("");
+        gradient(i) = point.gradient_norm > 0.0 ? std::log10(point.gradient_norm) : std::nan("");
+    }
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 size{std::floor((room.x - 8.0f * theme.scale) / 3.0f), room.y};
+    const auto curve = [&](const char* id, const std::string& title, const Eigen::VectorXd& values, const ImVec4& color, PlotState& plot_state) {
+        Plot plot;
+        plot.id = id;
+        plot.title = title;
+        plot.x_unit = "";
+        plot.y_unit = "";
+        plot.series.push_back({"line", number, values, color, false});
+        plot.series.push_back({"dots", number, values, color, true});
+        draw_plot(plot, size, theme, context.items, evaluations_, plot_state, hidden_);
+    };
+    const std::string unit = search.loss_unit.empty() ? "" : " [" + search.loss_unit + "]";
+    curve("search/rms", "rms error [mm]", rms, theme.simulated, error_);
+    ImGui::SameLine(0.0f, 4.0f * theme.scale);
+    curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit, loss, theme.accent, loss_);
+    ImGui::SameLine(0.0f, 4.0f * theme.scale);
+    curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit, gradient, theme.force, gradient_);
+    ImGui::EndChild();
+}
+
+}  // namespace myo

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "panels/panel.hpp"
+#include "plot/plot.hpp"
+
+namespace myo {
+
+/// A search while it runs, and after: its parameters, how the loss fell and the gradient with it.
+class SearchPanel : public Panel {
+public:
+    std::string name() const override { return "search"; }
+    std::string title() const override;
+    PanelPlace place() const override { return PanelPlace::strip; }
+    std::optional<Step> step() const override { return Step::fit; }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_values(PanelContext& context);
+
+    LinkedAxis evaluations_;
+    PlotState error_, loss_, gradient_;
+    HiddenSeries hidden_;
+};
+
+}  // namespace myo

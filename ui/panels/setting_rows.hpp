@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "panels/widgets.hpp"
+
+namespace myo {
+
+/// A number of the settings and how it is edited.
+struct SettingField {
+    NumberField field;
+    double Settings::* value;
+};
+/// A row for each; a change becomes a command.
+void setting_rows(PanelContext& context, const std::vector<SettingField>& fields, OpenEdit& edit);
+
+/// A list for one of the settings' ids.
+void setting_choice(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip, const std::vector<Choice>& choices,
+                    std::string Settings::* id);
+
+}  // namespace myo

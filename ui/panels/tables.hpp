@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "platform/theme.hpp"
+
+// Cells and headings of tables, and texts that fit into them.
+
+namespace myo {
+
+/// As much of a text as fits, with an ellipsis where some is left out.
+std::string elided(const std::string& text, float width);
+/// The same for text that wraps.
+std::string elided_lines(const std::string& text, float width, int lines);
+
+/// Right-aligned.
+void number_cell(const Theme& theme, const std::string& text, const ImVec4* color = nullptr);
+/// A cell that may be narrower than its text; the whole is shown on hovering.
+void text_cell(const Theme& theme, const std::string& text, const ImVec4& color);
+
+struct Heading {
+    std::string title;
+    std::string tip;
+    bool number = false;
+};
+/// A column of numbers, as wide as its heading.
+void number_column(const Theme& theme, const Heading& heading);
+void heading_row(const Theme& theme, const std::vector<Heading>& headings);
+
+}  // namespace myo

@@ -1,0 +1,39 @@
+#include "panels/verdict_panel.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "panels/widgets.hpp"
+#include "platform/fonts.hpp"
+#include "plot/ticks.hpp"
+
+namespace myo {
+
+void VerdictPanel::draw(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    if (!state.scene || !can_be_diagnosed(*state.scene))
+        return muted_text(theme, "A diagnosis compares the simulation with measured markers and tries every known effect on what is left. It needs an experiment folder with a trial of role fit.");
+    if (state.diagnosing()) return muted_text(theme, "The diagnosis is running; its ranking grows below the view.");
+    if (!state.diagnosis) return muted_text(theme, "Start it below the view. It fits the declared values first, tests whether more than noise is left, then tries every effect of the catalogue.");
+    const DiagnosisView& d = *state.diagnosis;
+    const LogLevel level = !d.complete ? LogLevel::information : d.verdict == DiagnosisVerdict::none ? LogLevel::done : LogLevel::warning;
+    notice(theme, level, d.complete ? d.headline + "." : "It was cancelled before a verdict; what was known by then is shown.");
+    context.items.mark("verdict/headline");
+    if (!d.complete) return;
+    text_row(theme, "Confidence", value_label(100.0 * d.confidence, 2) + " %");
+    text_row(theme, "Noise", millimetres(d.noise_m) + " mm");
+    if (!d.because.empty()) muted_text(theme, d.because);
+    for (const std::string& each : d.confounded) notice(theme, LogLevel::information, "Not to be told apart here: " + each + ".");
+    const DiagnosisRow* const row = state.diagnosis_row();
+    if (!row) return;
+    heading(theme, "Errors with " + row->name);
+    for (std::size_t t = 0; t < d.trials.size(); ++t) {
+        const double after = t < row->after_m.size() ? row->after_m[t] : std::nan("");
+        text_row(theme, d.trials[t].name, millimetres(d.trials[t].before_m) + " \xe2\x86\x92 " + millimetres(after) + " mm" + (d.trials[t].fitted ? "" : ", predicted"),
+                 after < d.trials[t].before_m ? &theme.success : nullptr);
+    }
+}
+
+}  // namespace myo

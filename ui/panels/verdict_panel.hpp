@@ -1,0 +1,17 @@
+#pragma once
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+/// The verdict of the diagnosis in words; the ranking is below the view.
+class VerdictPanel : public Panel {
+public:
+    std::string name() const override { return "verdict"; }
+    std::string title() const override { return "What the model lacks"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<Step> step() const override { return Step::diagnose; }
+    void draw(PanelContext& context) override;
+};
+
+}  // namespace myo
