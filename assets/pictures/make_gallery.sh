@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Draws the workbench's steps with the program as it is built: the pictures of the README.
+# Use: make_gallery.sh [FOLDER]   default: this script's own folder. --all adds both themes and 200 % of every step, to be looked at.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+myoloop=$here/../../build/bin/myoloop
+examples=$here/../examples
+all=false
+[[ ${1:-} == --all ]] && { all=true; shift; }
+out=${1:-$here}
+mkdir -p "$out"
+
+shot() {   # NAME ARGUMENTS...
+    local name=$1
+    shift
+    "$myoloop" screenshot "$@" --quiet --out "$out/$name.png"
+    $all || return 0
+    "$myoloop" screenshot "$@" --quiet --theme light --out "$out/$name-light.png"
+    "$myoloop" screenshot "$@" --quiet --scale 200 --out "$out/$name-200.png"
+    "$myoloop" screenshot "$@" --quiet --theme light --scale 200 --out "$out/$name-light-200.png"
+}
+
+shot start
+shot body "$examples/silicone_beam" --as-opened --panel body
+shot mesh "$examples/fish_tail" --as-opened --panel mesh
+shot material "$examples/silicone_beam" --as-opened --panel material
+shot fibres "$examples/soft_arm" --panel fibres,signals --trial lift --time 0.5
+shot run "$examples/soft_arm" --panel run --trial lift --time 0.5
+shot measure "$examples/silicone_beam" --panel measure --time 0.2
+shot fit "$examples/silicone_beam" --calibrate --panel fit,search --time 0.2
+shot optimise "$examples/soft_arm" --optimize --trial reach --panel fit,signals --time 0.5
+shot report "$examples/silicone_beam" --panel report,jobs --time 0.2
