@@ -12,6 +12,7 @@
 #include "mesh/surface_reader.hpp"
 #include "mesh/surface_topology.hpp"
 #include "project/read_experiment.hpp"
+#include "project/readable_parameter.hpp"
 
 namespace myo {
 
@@ -107,7 +108,7 @@ void fill_from_study(const Study& study, Scene& scene) {
     scene.settings.time_step_s = study.trials.front().options.h_s;
     scene.settings.muscles = shown_muscles(experiment);
     scene.frequency_Hz = dominant_frequency(study);
-    for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(parameter.parameter.name);
+    for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(readable_parameter(parameter, study).name);
 }
 
 }  // namespace

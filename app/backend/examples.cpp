@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <system_error>
 
 #include "backend/core_scene.hpp"
@@ -50,16 +51,21 @@ std::vector<Example> bundled_examples() {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     std::vector<Example> examples;
+    std::map<fs::path, std::size_t> trials;
     for (const fs::path& folder : {program / "../../assets/examples", program / "../share/myoloop/examples"}) {
         for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored)) {
             const fs::path home = fs::weakly_canonical(it->path(), ignored);
             if (!fs::is_regular_file(home / "experiment.toml", ignored)) continue;
-            if (const Result<Experiment> experiment = read_experiment(home)) examples.push_back({home, experiment->name, experiment->description});
+            const Result<Experiment> experiment = read_experiment(home);
+            if (!experiment) continue;
+            examples.push_back({home, experiment->name, experiment->description});
+            trials[home] = experiment->trials.size();
         }
         ignored.clear();
         if (!examples.empty()) break;
     }
-    std::sort(examples.begin(), examples.end(), [](const Example& a, const Example& b) { return a.path < b.path; });
+    // What has most to look at comes first.
+    std::sort(examples.begin(), examples.end(), [&](const Example& a, const Example& b) { return trials[a.path] != trials[b.path] ? trials[a.path] > trials[b.path] : a.path < b.path; });
     return examples;
 }
 

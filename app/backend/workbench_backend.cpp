@@ -117,9 +117,7 @@ public:
         MeshedBody body;
         body.boundary = boundary_faces(made->mesh);
         body.dofs = static_cast<double>(quality.dofs);
-        body.report = {{"Elements", std::to_string(quality.cells)},
-                       {"Degrees of freedom", std::to_string(quality.dofs)},
-                       {"Volume", formatted("%.4g cm³", 1e6 * quality.volume)},
+        body.report = {{"Volume", formatted("%.4g cm³", 1e6 * quality.volume)},
                        {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)), std::abs(quality.volume_error.value_or(0.0)) > 0.02},
                        {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1},
                        {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge)}};

@@ -3,7 +3,7 @@
 # Use: make_gallery.sh [FOLDER]   default: this script's own folder. --all adds both themes and 200 % of every step, to be looked at.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-myoloop=$here/../../build/bin/myoloop
+myoloop=${MYOLOOP:-$here/../../build/bin/myoloop}
 examples=$here/../examples
 all=false
 [[ ${1:-} == --all ]] && { all=true; shift; }

@@ -7,7 +7,9 @@
 
 namespace myo {
 
-void Workbench::open(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
+void Workbench::open(const std::filesystem::path& given, std::optional<double> metres_per_unit) {
+    std::filesystem::path path = given.lexically_normal();
+    if (!path.has_filename()) path = path.parent_path();   // "folder/"
     if (task_) {
         log(LogLevel::warning, "\"" + task_->name + "\" is still running. Cancel it before another file is opened.");
         return;

@@ -22,6 +22,7 @@ void BodyPanel::draw(PanelContext& context) {
     if (ImGui::InputTextWithHint("##path", "Experiment, mesh or project", &path_, ImGuiInputTextFlags_EnterReturnsTrue) && !path_.empty())
         context.emit(command::Open{path_, std::nullopt});
     context.items.mark("body/path");
+    if (!path_.empty()) tooltip(theme, path_);
     ImGui::SameLine();
     if (ImGui::Button(icon::folder, {button, 0.0f})) context.window.file = open_dialog(path_.empty() && state.scene ? state.scene->path : std::filesystem::path(path_));
     context.items.mark("body/browse");

@@ -13,7 +13,7 @@ namespace myo {
 
 std::string SearchPanel::title() const { return std::string(icon::line_chart) + "  Search"; }
 
-void SearchPanel::draw_values(PanelContext& context) {
+void SearchPanel::draw_values(PanelContext& context, bool starts) {
     const SearchView& search = *context.state.search;
     const Theme& theme = context.theme;
     const int runs = static_cast<int>(search.log.size());
@@ -21,18 +21,18 @@ void SearchPanel::draw_values(PanelContext& context) {
     ImGui::TextUnformatted((std::to_string(runs) + (runs == 1 ? " evaluation" : " evaluations")).c_str());
     ImGui::PopFont();
     context.items.mark("search/evaluations");
-    const std::vector<Heading> headings{{"Value", ""}, {"Start", "", true}, {"Best so far", "", true}, {"Unit", ""}};
-    if (!ImGui::BeginTable("values", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY)) return;
+    std::vector<Heading> headings{{"Value", ""}, {"Best so far", "", true}, {"Unit", ""}};
+    if (starts) headings.insert(headings.begin() + 1, {"Start", "", true});
+    if (!ImGui::BeginTable("values", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    number_column(theme, headings[1]);
-    number_column(theme, headings[2]);
+    for (std::size_t k = 1; k + 1 < headings.size(); ++k) number_column(theme, headings[k]);
     ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("kg/m3").x);
     heading_row(theme, headings);
     for (const ParameterRow& row : search.parameters) {
         ImGui::TableNextRow();
         text_cell(theme, row.name, theme.text);
-        number_cell(theme, plain_label(row.start, 4));
+        if (starts) number_cell(theme, plain_label(row.start, 4));
         number_cell(theme, plain_label(row.value, 4));
         text_cell(theme, row.unit, theme.muted);
     }
@@ -48,12 +48,16 @@ void SearchPanel::draw(PanelContext& context) {
     }
     const SearchView& search = *state.search;
     const ImVec2 space = ImGui::GetContentRegionAvail();
-    const float values_width = std::floor(std::min(0.3f * space.x, 380.0f * theme.scale));
+    // In a narrow strip the start values and the later curves give way.
+    const float s = theme.scale;
+    const bool wide = space.x > 620.0f * s;
+    const float values_width = std::floor(std::max(wide ? 280.0f * s : 220.0f * s, std::min(0.3f * space.x, 380.0f * s)));
+    const int curves = std::clamp(static_cast<int>((space.x - values_width) / (150.0f * s)), 1, 3);
     ImGui::BeginChild("values", {values_width, 0.0f});
-    draw_values(context);
+    draw_values(context, wide);
     ImGui::EndChild();
     ImGui::SameLine();
-    ImGui::BeginChild("curves");
+    ImGui::BeginChild("curves", {0.0f, 0.0f}, false, ImGuiWindowFlags_NoScrollbar);
     const auto count = static_cast<Eigen::Index>(search.log.size());
     const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count));
     Eigen::VectorXd rms(count), loss(count), gradient(count);
@@ -64,7 +68,7 @@ void SearchPanel::draw(PanelContext& context) {
         gradient(i) = point.gradient_norm > 0.0 ? std::log10(point.gradient_norm) : std::nan("");
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const ImVec2 size{std::floor((room.x - 8.0f * theme.scale) / 3.0f), room.y};
+    const ImVec2 size{std::floor((room.x - 4.0f * s * static_cast<float>(curves - 1)) / static_cast<float>(curves)), room.y};
     const auto curve = [&](const char* id, const std::string& title, const Eigen::VectorXd& values, const ImVec4& color, PlotState& plot_state) {
         Plot plot;
         plot.id = id;
@@ -77,10 +81,8 @@ void SearchPanel::draw(PanelContext& context) {
     };
     const std::string unit = search.loss_unit.empty() ? "" : " [" + search.loss_unit + "]";
     curve("search/rms", "rms error [mm]", rms, theme.simulated, error_);
-    ImGui::SameLine(0.0f, 4.0f * theme.scale);
-    curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit, loss, theme.accent, loss_);
-    ImGui::SameLine(0.0f, 4.0f * theme.scale);
-    curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit, gradient, theme.force, gradient_);
+    if (curves > 1) ImGui::SameLine(0.0f, 4.0f * s), curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit, loss, theme.accent, loss_);
+    if (curves > 2) ImGui::SameLine(0.0f, 4.0f * s), curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit, gradient, theme.force, gradient_);
     ImGui::EndChild();
 }
 

@@ -15,7 +15,7 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    void draw_values(PanelContext& context);
+    void draw_values(PanelContext& context, bool starts);   // start values beside the best
 
     LinkedAxis evaluations_;
     PlotState error_, loss_, gradient_;

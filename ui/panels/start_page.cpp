@@ -25,8 +25,8 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     const ImVec2 end{at.x + size.x, at.y + size.y};
     list.AddRectFilled(at, end, packed(hovered ? theme.hovered : theme.raised), 6.0f * s);
     list.AddRect(at, end, packed(hovered ? theme.accent : theme.border), 6.0f * s);
-    list.AddText(theme.regular, theme.regular->FontSize * 1.5f, {at.x + pad, at.y + pad}, packed(theme.accent), sign);
-    const float text_top = at.y + pad + 1.9f * theme.regular->FontSize;
+    list.AddText(theme.large, theme.large->FontSize, {at.x + pad, at.y + pad}, packed(theme.accent), sign);
+    const float text_top = at.y + pad + 1.35f * theme.large->FontSize;
     list.AddText(theme.strong, theme.strong->FontSize, {at.x + pad, text_top}, packed(theme.text), elided(title, size.x - 2.0f * pad).c_str());
     const float wrap = size.x - 2.0f * pad, body_top = text_top + 1.5f * theme.strong->FontSize;
     const int lines = std::max(1, static_cast<int>((end.y - pad - body_top) / theme.small->FontSize));
@@ -48,9 +48,8 @@ void draw_start_page(PanelContext& context) {
     ImGui::SetCursorPos({0.5f * (ImGui::GetWindowWidth() - width), std::max(16.0f * s, 0.08f * ImGui::GetWindowHeight())});
     ImGui::BeginChild("start page", {width, 0.0f}, false, ImGuiWindowFlags_NoBackground);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float large = 2.0f * theme.strong->FontSize;
-    list.AddText(theme.strong, large, ImGui::GetCursorScreenPos(), packed(theme.text), "Myoloop");
-    ImGui::Dummy({0.0f, large});
+    list.AddText(theme.large, theme.large->FontSize, ImGui::GetCursorScreenPos(), packed(theme.text), "Myoloop");
+    ImGui::Dummy({0.0f, 1.2f * theme.large->FontSize});
     muted_text(theme, "Design, run and measure soft robots, and find out what the model lacks.");
     if (state.busy()) {
         ImGui::Dummy({0.0f, 12.0f * s});
@@ -60,7 +59,7 @@ void draw_start_page(PanelContext& context) {
     heading(theme, "Examples");
     const int columns = std::max(1, std::min(4, static_cast<int>(width / (200.0f * s))));
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const ImVec2 size{std::floor((width - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 132.0f * s};
+    const ImVec2 size{std::floor((width - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 150.0f * s};
     int column = 0;
     const auto next = [&] {
         if (column++ % columns != 0) ImGui::SameLine();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "panels/tables.hpp"
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
@@ -16,8 +17,10 @@ void draw_trial_choice(PanelContext& context) {
     const WorkbenchState& state = context.state;
     const SceneTrial* trial = state.scene_trial();
     // In a narrow window the track needs the room more than the name.
-    ImGui::SetNextItemWidth(std::min(200.0f * context.theme.scale, 0.24f * ImGui::GetContentRegionAvail().x));
-    const bool open = ImGui::BeginCombo("##trial", trial ? trial->name.c_str() : "no trial");
+    const float width = std::min(200.0f * context.theme.scale, 0.24f * ImGui::GetContentRegionAvail().x);
+    const float room = width - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;   // beside the arrow
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##trial", elided(trial ? trial->name : "no trial", room).c_str());
     context.items.mark("timeline/trial");
     if (!open) return;
     for (std::size_t t = 0; state.scene && t < state.scene->trials.size(); ++t) {

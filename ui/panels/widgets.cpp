@@ -92,7 +92,7 @@ void notice(const Theme& theme, LogLevel level, const std::string& text) {
                           {icon::failure, theme.failure}};
     const Look& look = looks[static_cast<int>(level)];
     ImGui::TextColored(look.color, "%s", look.icon);
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 24.0f * theme.scale);
+    ImGui::SameLine(0.0f, 8.0f * theme.scale);
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();

@@ -21,19 +21,20 @@ std::string first_existing(const std::vector<std::string>& files) {
 const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x02ff, 0x0370, 0x03ff, 0x1d62, 0x1d6a, 0x2010, 0x2027, 0x2030, 0x2033,
                                0x2070, 0x209c, 0x2190, 0x2195, 0x2202, 0x2202, 0x2207, 0x2207, 0x2212, 0x2212, 0x221a, 0x221e,
                                0x2248, 0x2248, 0x2260, 0x2265, 0x22c5, 0x22c5, 0};
+const ImWchar latin_ranges[] = {0x0020, 0x007e, 0};
 const ImWchar icon_ranges[] = {0xf000, 0xf2e0, 0};
 
-ImFont* add_font(ImFontAtlas& atlas, const std::string& file, const std::string& fallback, const std::string& icons, float pixels) {
+ImFont* add_font(ImFontAtlas& atlas, const std::string& file, const std::string& fallback, const std::string& icons, float pixels, const ImWchar* ranges = text_ranges) {
     if (file.empty() && fallback.empty()) {
         ImFontConfig built_in;
         built_in.SizePixels = pixels;
         return atlas.AddFontDefault(&built_in);
     }
     const std::string& main = file.empty() ? fallback : file;
-    ImFont* font = atlas.AddFontFromFileTTF(main.c_str(), pixels, nullptr, text_ranges);
+    ImFont* font = atlas.AddFontFromFileTTF(main.c_str(), pixels, nullptr, ranges);
     ImFontConfig merge;
     merge.MergeMode = true;
-    if (!file.empty() && !fallback.empty()) atlas.AddFontFromFileTTF(fallback.c_str(), pixels, &merge, text_ranges);
+    if (!file.empty() && !fallback.empty()) atlas.AddFontFromFileTTF(fallback.c_str(), pixels, &merge, ranges);
     if (!icons.empty()) {
         merge.GlyphMinAdvanceX = std::round(pixels * 1.1f);
         atlas.AddFontFromFileTTF(icons.c_str(), std::round(pixels * 0.95f), &merge, icon_ranges);
@@ -58,6 +59,7 @@ FontReport load_fonts(Theme& theme) {
     theme.regular = add_font(atlas, regular, fallback, icons, std::round(15.0f * theme.scale));
     theme.strong = add_font(atlas, strong, strong_fallback, icons, std::round(15.0f * theme.scale));
     theme.small = add_font(atlas, regular, fallback, icons, std::round(13.0f * theme.scale));
+    theme.large = add_font(atlas, strong, strong_fallback, icons, std::round(26.0f * theme.scale), latin_ranges);
     ImGui::GetIO().FontDefault = theme.regular;
     return {regular.empty() ? fallback : regular, icons};
 }

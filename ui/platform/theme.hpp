@@ -42,6 +42,7 @@ struct Theme {
     ImFont* regular = nullptr;
     ImFont* strong = nullptr;      // headings, results
     ImFont* small = nullptr;       // labels in plots and view
+    ImFont* large = nullptr;       // title and signs of the start page; Latin only
 };
 
 Theme make_theme(ThemeName name, float scale);
