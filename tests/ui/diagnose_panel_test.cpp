@@ -25,12 +25,11 @@ void diagnose(Driver& driver) {
 
 TEST(DiagnosePanel, OffersNothingWithoutMeasurements) {
     Driver driver;
-    driver.click("panel/diagnose");
-    EXPECT_FALSE(driver.has("diagnose/diagnose"));
     driver.workbench->execute(command::Diagnose{});
     EXPECT_EQ(driver.state().log.back().level, LogLevel::warning);
     driver.workbench->execute(command::Open{"/body.stl", 1e-3});
     ASSERT_TRUE(driver.wait_for_job());
+    driver.click("panel/diagnose");
     EXPECT_FALSE(driver.has("diagnose/diagnose"));
     driver.workbench->execute(command::Diagnose{});
     EXPECT_FALSE(driver.state().busy());

@@ -27,7 +27,7 @@ StepStatus mesh_status(const WorkbenchState& state) {
 }
 
 StepStatus material_status(const WorkbenchState& state) {
-    const std::string values = "E = " + value_label(1e-3 * state.settings.youngs_modulus_Pa, 4) + " kPa, \xce\xbd = " + value_label(state.settings.poissons_ratio, 4) + ".";
+    const std::string values = "E = " + plain_label(1e-3 * state.settings.youngs_modulus_Pa, 4) + " kPa, \xce\xbd = " + plain_label(state.settings.poissons_ratio, 4) + ".";
     if (!is_measured(*state.scene) && state.settings == state.scene->settings) return {StepState::ready, "A silicone is assumed; set the values of your material. " + values};
     return {StepState::done, values};
 }

@@ -12,8 +12,6 @@
 namespace myo {
 namespace {
 
-/// Columns that all rows share; a waiting or running job leaves some empty.
-constexpr int columns = 7;
 
 const char* outcome_icon(JobOutcome outcome) {
     return outcome == JobOutcome::done ? icon::done : outcome == JobOutcome::stopped ? icon::stop : icon::failure;
@@ -26,47 +24,46 @@ bool small_button(PanelContext& context, const char* label, const std::string& i
     return pressed;
 }
 
-void running_row(PanelContext& context, const JobView& job) {
+void running_row(PanelContext& context, const JobView& job, bool wide) {
     const Theme& theme = context.theme;
     ImGui::TableNextRow();
     text_cell(theme, std::string(job.paused ? icon::pause : icon::play), theme.accent);
     text_cell(theme, job.name, theme.text);
-    text_cell(theme, "", theme.muted);
-    number_cell(theme, duration_label(job.elapsed_s));
+    if (wide) text_cell(theme, "", theme.muted), number_cell(theme, duration_label(job.elapsed_s));
     ImGui::TableNextColumn();
     const std::string inside = job.progress.total > 0.0 ? value_label(100.0 * job.fraction(), 2) + " %" : "working";
     ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, ImGui::GetTextLineHeight()}, inside.c_str());
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(job.cancelling);
-    if (small_button(context, job.paused ? "Go on" : "Pause", "jobs/pause", "Stops at the next step until it goes on")) context.emit(command::Pause{!job.paused});
+    if (small_button(context, wide ? (job.paused ? "Go on" : "Pause") : (job.paused ? icon::play : icon::pause), "jobs/pause", "Stops at the next step until it goes on")) context.emit(command::Pause{!job.paused});
     ImGui::SameLine();
-    if (small_button(context, "Cancel", "jobs/cancel", "Ends it; a search keeps its best values")) context.emit(command::Cancel{});
+    if (small_button(context, wide ? "Cancel" : icon::stop, "jobs/cancel", "Ends it; a search keeps its best values")) context.emit(command::Cancel{});
     ImGui::EndDisabled();
 }
 
-void waiting_row(PanelContext& context, const QueuedJob& job) {
+void waiting_row(PanelContext& context, const QueuedJob& job, bool wide) {
     const Theme& theme = context.theme;
     ImGui::TableNextRow();
     text_cell(theme, icon::clock, theme.muted);
     text_cell(theme, job.name, theme.text);
-    text_cell(theme, "", theme.muted);
-    number_cell(theme, "");
+    if (wide) text_cell(theme, "", theme.muted), number_cell(theme, "");
     text_cell(theme, "waits", theme.muted);
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
-    if (small_button(context, "Take out", "jobs/unqueue/" + std::to_string(job.id), "It will not be run")) context.emit(command::Unqueue{job.id});
+    if (small_button(context, wide ? "Take out" : icon::remove, "jobs/unqueue/" + std::to_string(job.id), "It will not be run")) context.emit(command::Unqueue{job.id});
 }
 
-void record_row(PanelContext& context, const JobRecord& record) {
+void record_row(PanelContext& context, const JobRecord& record, bool wide) {
     const Theme& theme = context.theme;
     const std::string id = std::to_string(record.id);
     const ImVec4 color = record.outcome == JobOutcome::done ? theme.success : record.outcome == JobOutcome::stopped ? theme.warning : theme.failure;
     ImGui::TableNextRow();
     text_cell(theme, outcome_icon(record.outcome), color);
     text_cell(theme, record.name, theme.text);
-    text_cell(theme, record.clock, theme.muted);
-    number_cell(theme, record.seconds > 0.0 ? value_label(record.seconds, 3) + " s" : "");
+    const std::string time = record.seconds > 0.0 ? value_label(record.seconds, 3) + " s" : "";
+    if (wide) text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
+    else tooltip(theme, "Begun " + record.clock + (time.empty() ? "" : ", took " + time));
     text_cell(theme, record.summary, theme.text);
     context.items.mark("jobs/record/" + id);
     ImGui::TableNextColumn();
@@ -80,10 +77,10 @@ void record_row(PanelContext& context, const JobRecord& record) {
     }
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(!record.can_be_restored());
-    if (small_button(context, "Restore", "jobs/restore/" + id, "Show it again, with its settings; undo brings the present ones back")) context.emit(command::RestoreRecord{record.id});
+    if (small_button(context, wide ? "Restore" : icon::undo, "jobs/restore/" + id, "Show it again, with its settings; undo brings the present ones back")) context.emit(command::RestoreRecord{record.id});
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (small_button(context, "Forget", "jobs/forget/" + id, "Take it off the list")) context.emit(command::ForgetRecord{record.id});
+    if (small_button(context, wide ? "Forget" : icon::remove, "jobs/forget/" + id, "Take it off the list")) context.emit(command::ForgetRecord{record.id});
 }
 
 }  // namespace
@@ -98,26 +95,28 @@ void JobsPanel::draw(PanelContext& context) {
                           "others can be asked for: they wait their turn.");
         return;
     }
-    if (!ImGui::BeginTable("jobs", columns, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
+    const bool wide = ImGui::GetContentRegionAvail().x > 620.0f * theme.scale;   // else the times stand in tooltips and the buttons are signs
+    struct Column { Heading heading; float width; };   // width 0: the rest
+    std::vector<Column> columns{{{"", ""}, 20.0f}, {{"Job", ""}, 110.0f}, {{"Result", ""}, 0.0f}, {{wide ? "Compare" : "", "Its markers in the plots"}, wide ? 60.0f : 22.0f}, {{"", ""}, wide ? 132.0f : 64.0f}};
+    if (wide) columns.insert(columns.begin() + 2, {{{"Begun", ""}, 64.0f}, {{"Time", "Spent on it", true}, 80.0f}});
+    if (!ImGui::BeginTable("jobs", static_cast<int>(columns.size()), ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    const std::vector<Heading> headings{{"", ""}, {"Job", ""}, {"Begun", ""}, {"Time", "Spent on it", true}, {"Result", ""}, {"Compare", "Its markers in the plots"}, {"", ""}};
-    ImGui::TableSetupColumn("outcome", ImGuiTableColumnFlags_WidthFixed, 20.0f * theme.scale);
-    ImGui::TableSetupColumn("job", ImGuiTableColumnFlags_WidthFixed, 110.0f * theme.scale);
-    ImGui::TableSetupColumn("begun", ImGuiTableColumnFlags_WidthFixed, 64.0f * theme.scale);
-    ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthFixed, 80.0f * theme.scale);
-    ImGui::TableSetupColumn("result", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("compare", ImGuiTableColumnFlags_WidthFixed, 60.0f * theme.scale);
-    ImGui::TableSetupColumn("actions", ImGuiTableColumnFlags_WidthFixed, 132.0f * theme.scale);
+    std::vector<Heading> headings;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        headings.push_back(columns[k].heading);
+        const ImGuiTableColumnFlags flags = columns[k].width > 0.0f ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch;
+        ImGui::TableSetupColumn(std::to_string(k).c_str(), flags, columns[k].width * theme.scale);
+    }
     heading_row(theme, headings);
-    if (state.job) running_row(context, *state.job);
+    if (state.job) running_row(context, *state.job, wide);
     for (const QueuedJob& job : state.queue) {
         ImGui::PushID(job.id);
-        waiting_row(context, job);
+        waiting_row(context, job, wide);
         ImGui::PopID();
     }
     for (auto record = state.history.rbegin(); record != state.history.rend(); ++record) {
         ImGui::PushID(record->id);
-        record_row(context, *record);
+        record_row(context, *record, wide);
         ImGui::PopID();
     }
     ImGui::EndTable();

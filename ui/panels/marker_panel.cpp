@@ -53,7 +53,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     const float s = context.theme.scale;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
-    ImGui::SetNextItemWidth(200.0f * s);
+    ImGui::SetNextItemWidth(std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
     context.items.mark("markers/marker");
     if (open) {
@@ -116,14 +116,16 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
         if (!other || m >= other->markers.size() || other->markers[m].cols() != trial.time_s.size()) continue;
         plot.series.push_back({record.name + " " + record.clock, trial.time_s, 1e3 * other->markers[m].row(axis).transpose(), theme.muscle(static_cast<int>(k)), false});
     }
-    plot.x_axis = !compare;
-    const float residual_height = compare ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
+    // In a low strip the motion itself keeps the room.
+    const bool residual = compare && size.y > 110.0f * theme.scale;
+    plot.x_axis = !residual;
+    const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
     const PlotResult main = draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_, main_[a], hidden_);
     if (main.cursor) context.emit(command::SetTime{*main.cursor});
-    if (!compare) return;
+    if (!residual) return;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     strip.id = "residual/" + axis_name;
-    strip.title = "simulated \xe2\x88\x92 measured [mm]";
+    strip.title = size.x > 240.0f * theme.scale ? "simulated \xe2\x88\x92 measured [mm]" : "difference [mm]";
     strip.cursor = state.time_s;
     strip.mark = 0.0;
     strip.zero_line = true;

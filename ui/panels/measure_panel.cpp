@@ -18,7 +18,7 @@ void draw_trial_errors(PanelContext& context, const std::string& item) {
     if (!ImGui::BeginTable("trials", 3, ImGuiTableFlags_RowBg)) return;
     const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials of role validate are predicted, never fitted."}, {"rms [mm]", "Error over all markers of the trial", true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("validate").x);
     number_column(context.theme, headings[2]);
     heading_row(context.theme, headings);
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
@@ -45,20 +45,23 @@ void MeasurePanel::draw(PanelContext& context) {
     const SceneTrial* const trial = state.scene_trial();
     if (!trial) return;
     heading(theme, "Markers of " + trial->name);
-    if (tab(theme, "rms per axis", !bias_)) bias_ = false;
-    context.items.mark("measure/rms");
-    ImGui::SameLine();
-    if (tab(theme, "Bias per axis", bias_)) bias_ = true;
-    context.items.mark("measure/bias");
+    struct Tab { Shown shown; const char* label; const char* item; };
+    for (const Tab& t : {Tab{Shown::whole, "In all", "measure/whole"}, Tab{Shown::rms, "rms per axis", "measure/rms"}, Tab{Shown::bias, "Bias per axis", "measure/bias"}}) {
+        if (t.shown != Shown::whole) ImGui::SameLine();
+        if (tab(theme, t.label, shown_ == t.shown)) shown_ = t.shown;
+        context.items.mark(t.item);
+    }
     const std::vector<MarkerError> errors = marker_errors(*state.scene, *trial, state.simulated_trial());
-    const std::string what = bias_ ? "Mean of simulated less measured" : "Root mean square of simulated less measured";
-    const std::vector<Heading> headings{{"[mm]", ""}, {"rms", "Over all three coordinates, from t = 0 on", true}, {"max", "Largest distance", true}, {"x", what, true}, {"y", what, true}, {"z", what, true},
-                                        {"seen", "Share of the samples in which the marker was measured [%]", true}};
+    const std::string what = shown_ == Shown::bias ? "Mean of simulated less measured [mm]" : "Root mean square of simulated less measured [mm]";
+    const std::vector<Heading> whole{{"Marker", ""}, {"rms [mm]", "Over all three coordinates, from t = 0 on", true}, {"max [mm]", "Largest distance", true},
+                                     {"seen [%]", "Share of the samples in which the marker was measured", true}};
+    const std::vector<Heading> axes{{"Marker", ""}, {"x [mm]", what, true}, {"y [mm]", what, true}, {"z [mm]", what, true}};
+    const std::vector<Heading>& headings = shown_ == Shown::whole ? whole : axes;
     if (!ImGui::BeginTable("markers", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
-    for (std::size_t k = 1; k < headings.size(); ++k) ImGui::TableSetupColumn(headings[k].title.c_str(), ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("\xe2\x88\x92" "0.00").x);
+    for (std::size_t k = 1; k < headings.size(); ++k) number_column(theme, headings[k]);
     heading_row(theme, headings);
-    ImGui::PushFont(theme.small);
+    const auto length = [&](double metres) { number_cell(theme, std::isfinite(metres) ? value_label(1e3 * metres, 2) : "\xe2\x80\x93"); };
     for (std::size_t m = 0; m < errors.size(); ++m) {
         const MarkerError& error = errors[m];
         ImGui::TableNextRow();
@@ -69,11 +72,14 @@ void MeasurePanel::draw(PanelContext& context) {
         context.items.mark("measure/marker/" + error.name);
         tooltip(theme, error.name);
         ImGui::PopID();
-        const Eigen::Vector3d& axes = bias_ ? error.bias_m : error.rms_axis_m;
-        for (const double value : {error.rms_m, error.largest_m, axes.x(), axes.y(), axes.z()}) number_cell(theme, std::isfinite(value) ? value_label(1e3 * value, 2) : "\xe2\x80\x93");
-        number_cell(theme, value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
+        if (shown_ == Shown::whole) {
+            length(error.rms_m);
+            length(error.largest_m);
+            number_cell(theme, value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
+        } else {
+            for (const double value : shown_ == Shown::bias ? error.bias_m : error.rms_axis_m) length(value);
+        }
     }
-    ImGui::PopFont();
     ImGui::EndTable();
 }
 

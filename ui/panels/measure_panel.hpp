@@ -14,7 +14,8 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    bool bias_ = false;   // the table shows the mean difference instead of rms per axis
+    enum class Shown { whole, rms, bias };   // of the markers, the latter two per axis
+    Shown shown_ = Shown::whole;
 };
 
 /// Trials with their roles and the rms error of the shown run; a click shows the trial.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/tables.hpp"
 #include "platform/fonts.hpp"
 
 namespace myo {
@@ -83,7 +84,7 @@ void SignalPanel::draw_head(PanelContext& context) {
     const WorkbenchState& state = context.state;
     const Muscle& muscle = *state.chosen_muscle();
     const float s = context.theme.scale;
-    ImGui::SetNextItemWidth(200.0f * s);
+    ImGui::SetNextItemWidth(std::min(200.0f * s, 0.26f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##muscle", muscle.name.c_str());
     context.items.mark("signals/muscle");
     if (open) {
@@ -118,7 +119,9 @@ void SignalPanel::draw_head(PanelContext& context) {
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Take each trial's own signal again");
     } else {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(context.theme.muted, "as the trial recorded it; an edit replaces it in all trials");
+        const std::string words = "as the trial recorded it; an edit replaces it in all trials";
+        ImGui::TextColored(context.theme.muted, "%s", elided(words, ImGui::GetContentRegionAvail().x).c_str());
+        tooltip(context.theme, words);
     }
 }
 

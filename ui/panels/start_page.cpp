@@ -57,9 +57,11 @@ void draw_start_page(PanelContext& context) {
     }
     ImGui::Dummy({0.0f, 8.0f * s});
     heading(theme, "Examples");
-    const int columns = std::max(1, std::min(4, static_cast<int>(width / (200.0f * s))));
+    // Its own scroll bar is kept clear of the cards.
+    const float room = width - ImGui::GetStyle().ScrollbarSize - ImGui::GetStyle().ItemSpacing.x;
+    const int columns = std::max(1, std::min(4, static_cast<int>(room / (200.0f * s))));
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const ImVec2 size{std::floor((width - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 150.0f * s};
+    const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 150.0f * s};
     int column = 0;
     const auto next = [&] {
         if (column++ % columns != 0) ImGui::SameLine();

@@ -153,6 +153,8 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
 
 void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    // Without a scene there is nothing to scrub and plot: the start page has all the room.
+    if (!context.state.scene) layout_.view.highest = {layout_.view.highest.x, layout_.strip.highest.y};
     begin_part("##view", layout_.view, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     if (!context.state.scene) {
@@ -189,7 +191,7 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
         ImGui::End();
     };
     edge("##rail_edge", layout_.rail_edge, true, sizes.rail, 1.0f);
-    edge("##strip_edge", layout_.strip_edge, false, sizes.strip, -1.0f);
+    if (context.state.scene) edge("##strip_edge", layout_.strip_edge, false, sizes.strip, -1.0f);
     sizes.rail = std::clamp(sizes.rail, 240.0f, 1200.0f);
     sizes.strip = std::clamp(sizes.strip, 80.0f, 1200.0f);
     if (!(sizes == context.state.preferences.layout)) context.emit(command::SetLayout{sizes});
@@ -234,11 +236,13 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
     draw_menu_bar(context, viewport_);
     ImGui::End();
     draw_side(context);
-    begin_part("##timeline", layout_.timeline, still);
-    ImGui::SetCursorPosY(0.5f * (layout_.timeline.height() - ImGui::GetFrameHeight()));
-    draw_timeline(context);
-    ImGui::End();
-    draw_strip(context);
+    if (context.state.scene) {
+        begin_part("##timeline", layout_.timeline, still);
+        ImGui::SetCursorPosY(0.5f * (layout_.timeline.height() - ImGui::GetFrameHeight()));
+        draw_timeline(context);
+        ImGui::End();
+        draw_strip(context);
+    }
     draw_edges(context);
     // Dialogs belong to no part.
     begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}}, still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
