@@ -125,6 +125,17 @@ TEST(StartPage, OpensExamplesAndWhatWasOpenLately) {
     EXPECT_TRUE(next.state().scene);
 }
 
+TEST(Menu, OpensAnotherExample) {
+    Driver driver;
+    driver.open_beam();
+    const auto before = driver.state().scene;
+    driver.click("menu/file");
+    driver.click("menu/examples");
+    driver.click("menu/example/beam");
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_NE(driver.state().scene, before);
+}
+
 TEST(Menu, PerformsWhatItsEntriesSayAndKeysDoTheSame) {
     Driver driver;
     driver.open_beam();

@@ -29,6 +29,19 @@ void draw_recent(PanelContext& context) {
     ImGui::EndMenu();
 }
 
+void draw_examples(PanelContext& context) {
+    const std::vector<Example>& examples = context.state.examples;
+    const bool open = !examples.empty() && ImGui::BeginMenu("Examples");
+    if (!examples.empty()) context.items.mark("menu/examples");
+    if (!open) return;
+    for (const Example& example : examples) {
+        if (ImGui::MenuItem(example.name.c_str())) context.emit(command::Open{example.path, std::nullopt});
+        context.items.mark("menu/example/" + example.path.filename().string());
+        tooltip(context.theme, example.description);
+    }
+    ImGui::EndMenu();
+}
+
 void draw_menu(PanelContext& context, ViewportState& viewport, const std::string& menu) {
     for (const Action& action : all_actions()) {
         if (action.menu != menu) continue;
@@ -36,7 +49,7 @@ void draw_menu(PanelContext& context, ViewportState& viewport, const std::string
         const bool enabled = !action.enabled || action.enabled(context.state), checked = action.checked && action.checked(context.state);
         if (ImGui::MenuItem(action.label.c_str(), action.shortcut.label[0] ? action.shortcut.label : nullptr, checked, enabled)) action.perform(context, viewport);
         context.items.mark("menu/" + action.id);
-        if (action.id == "file.open") draw_recent(context);
+        if (action.id == "file.open") draw_recent(context), draw_examples(context);
     }
 }
 
