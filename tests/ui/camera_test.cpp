@@ -80,6 +80,15 @@ TEST(Camera, StandardViewsLookAlongTheAxes) {
     EXPECT_LT(project(top, size, top.target + Eigen::Vector3d(0, 0.01, 0))->y(), 249.0);
 }
 
+TEST(Camera, TheSameStandardViewAgainGoesToTheOtherSide) {
+    const Camera camera = fit({}, size, box);
+    for (const StandardView view : {StandardView::from_x, StandardView::from_y, StandardView::from_z}) {
+        const Camera once = turn_to_or_round(camera, view), twice = turn_to_or_round(once, view);
+        EXPECT_NEAR(camera_axes(once).back.dot(camera_axes(twice).back), -1.0, 1e-5);
+        EXPECT_TRUE(turn_to_or_round(twice, view) == once);
+    }
+}
+
 TEST(Camera, PointsBehindTheEyeHaveNoPixel) {
     const Camera camera = fit({}, size, box);
     EXPECT_FALSE(project(camera, size, camera.target + 2.0 * camera.distance * camera_axes(camera).back));

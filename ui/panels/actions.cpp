@@ -66,7 +66,7 @@ void add_view_actions(std::vector<Action>& all) {
                                      {"view.z", "Look along z", key_3, "3", StandardView::from_z}};
     for (const Look& look : looks)
         all.push_back({look.id, "View", look.label, {look.key, false, false, look.keys}, [look](PanelContext&, ViewportState& view) {
-                           view.camera = turn_to(view.camera, look.view);
+                           view.camera = turn_to_or_round(view.camera, look.view);
                            view.fit_requested = true;
                        }, with_scene(), {}, look.view == StandardView::oblique});
     all.push_back({"view.orthographic", "View", "Parallel projection", {key_4, false, false, "4"}, [](PanelContext&, ViewportState& view) {

@@ -119,4 +119,12 @@ Camera turn_to(Camera c, StandardView view) {
     return c;
 }
 
+Camera turn_to_or_round(const Camera& camera, StandardView view) {
+    Camera turned = turn_to(camera, view);
+    if (!(turned == camera)) return turned;
+    if (view == StandardView::from_z) turned.pitch = -turned.pitch;
+    else turned.yaw += std::numbers::pi;
+    return turned;
+}
+
 }  // namespace myo

@@ -64,5 +64,7 @@ Camera fit(Camera camera, const ViewSize& size, const Box& box);
 enum class StandardView { oblique, from_x, from_y, from_z };
 /// Same target and distance, seen along an axis (from +x, from -y, from +z).
 Camera turn_to(Camera camera, StandardView view);
+/// The same, and from the other side when it is seen so already.
+Camera turn_to_or_round(const Camera& camera, StandardView view);
 
 }  // namespace myo

@@ -34,10 +34,10 @@ void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolT
 
 void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& state) {
     struct ViewButton { const char* label; const char* name; StandardView view; const char* tip; };
-    static constexpr std::array<ViewButton, 4> buttons{{{"3D", "view/oblique", StandardView::oblique, "Look from the side and above"},
-                                                        {"X", "view/x", StandardView::from_x, "Look along the x axis"},
-                                                        {"Y", "view/y", StandardView::from_y, "Look along the y axis"},
-                                                        {"Z", "view/z", StandardView::from_z, "Look along the z axis, from above"}}};
+    static constexpr std::array<ViewButton, 4> buttons{{{"3D", "view/oblique", StandardView::oblique, "Look from the side and above (0)"},
+                                                        {"X", "view/x", StandardView::from_x, "Look along the x axis (1); again: from the other side"},
+                                                        {"Y", "view/y", StandardView::from_y, "Look along the y axis (2); again: from the other side"},
+                                                        {"Z", "view/z", StandardView::from_z, "Look along the z axis, from above (3); again: from below"}}};
     const float s = theme.scale;
     ImGui::SetCursorScreenPos({state.pixels.lowest.x + 12.0f * s, state.pixels.lowest.y + 12.0f * s});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(4.0f * s, 4.0f * s));
@@ -53,7 +53,7 @@ void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& stat
     for (const ViewButton& button : buttons) {
         ImGui::SameLine();
         if (ImGui::Button(button.label)) {
-            state.camera = turn_to(state.camera, button.view);
+            state.camera = turn_to_or_round(state.camera, button.view);
             state.fit_requested = true;
         }
         items.mark(button.name);
