@@ -21,6 +21,7 @@ const std::vector<Command>& commands() {
         {"screenshot", "Draws the workbench into a picture, without a display", declare_screenshot},
         {"reproduce", "Repeats an experiment of the paper, our numbers beside its own", declare_reproduce},
         {"bench", "Measures speed and memory of the solver; prints a table", declare_bench},
+        {"frames", "Measures how long the workbench takes for a frame, drawn without a display", declare_frames},
         {"effects", "Lists the vocabulary of missing effects", declare_effects},
         {"info", "Prints version, libraries, threads, elements, integrators, materials", declare_info},
     };

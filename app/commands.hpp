@@ -28,6 +28,7 @@ std::function<int()> declare_mesh(CLI::App& app);
 std::function<int()> declare_screenshot(CLI::App& app);
 std::function<int()> declare_reproduce(CLI::App& app);
 std::function<int()> declare_bench(CLI::App& app);
+std::function<int()> declare_frames(CLI::App& app);
 std::function<int()> declare_effects(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);
 

@@ -21,12 +21,13 @@ shot() {   # NAME ARGUMENTS...
 }
 
 shot start
-shot body "$examples/silicone_beam" --as-opened --panel body
-shot mesh "$examples/fish_tail" --as-opened --panel mesh
-shot material "$examples/silicone_beam" --as-opened --panel material
+shot body "$examples/silicone_beam" --as-opened --time 0 --panel body
+shot mesh "$examples/fish_tail" --as-opened --time 0 --panel mesh
+shot material "$examples/silicone_beam" --as-opened --time 0 --panel material
 shot fibres "$examples/soft_arm" --panel fibres,signals --trial lift --time 0.5
 shot run "$examples/soft_arm" --panel run --trial lift --time 0.5
 shot measure "$examples/silicone_beam" --panel measure --time 0.2
 shot fit "$examples/silicone_beam" --calibrate --panel fit,search --time 0.2
 shot optimise "$examples/soft_arm" --optimize --trial reach --panel fit,signals --time 0.5
+shot diagnose "$examples/silicone_beam" --diagnose --panel verdict,diagnose --time 0.2
 shot report "$examples/silicone_beam" --panel report,jobs --time 0.2

@@ -23,7 +23,7 @@ TEST(Call, VersionAndHelpSucceed) {
     EXPECT_THAT(run_program({"--version"}).out, HasSubstr("myoloop "));
     const ProgramRun help = run_program({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* command : {"simulate", "calibrate", "diagnose", "study", "mesh", "screenshot", "effects", "info"}) EXPECT_THAT(help.out, HasSubstr(command));
+    for (const char* command : {"simulate", "calibrate", "diagnose", "study", "mesh", "screenshot", "frames", "effects", "info"}) EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_THAT(run_program({"simulate", "--help"}).out, HasSubstr("--resolution"));
 }
 

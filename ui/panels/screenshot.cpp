@@ -12,24 +12,6 @@
 namespace myo {
 namespace {
 
-// Waits until no job runs; its failures are those of the picture.
-Result<void> wait_for_jobs(Workbench& workbench, const Progress& progress) {
-    while (workbench.state().busy()) {
-        workbench.advance(0.0);
-        if (!workbench.state().job) break;
-        progress.report(workbench.state().job->progress);
-        if (progress.cancelled()) {
-            workbench.execute(command::Cancel{});
-            return Error{"stopped", ""};
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    for (const LogLine& line : workbench.state().log) {
-        if (line.level == LogLevel::failure) return Error{line.text, ""};
-    }
-    return {};
-}
-
 template <class Named>
 Result<int> index_of(const std::string& what, const std::string& name, const std::vector<Named>& all, int otherwise) {
     if (name.empty()) return otherwise;
@@ -59,6 +41,23 @@ Result<void> choose(Workbench& workbench, const ScreenshotOptions& options) {
 }
 
 }  // namespace
+
+Result<void> wait_for_jobs(Workbench& workbench, const Progress& progress) {
+    while (workbench.state().busy()) {
+        workbench.advance(0.0);
+        if (!workbench.state().job) break;
+        progress.report(workbench.state().job->progress);
+        if (progress.cancelled()) {
+            workbench.execute(command::Cancel{});
+            return Error{"stopped", ""};
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    for (const LogLine& line : workbench.state().log) {
+        if (line.level == LogLevel::failure) return Error{line.text, ""};
+    }
+    return {};
+}
 
 Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const ScreenshotOptions& options, const Progress& progress) {
     auto context = OffscreenContext::make(options.width, options.height);

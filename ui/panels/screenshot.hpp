@@ -14,6 +14,8 @@
 
 namespace myo {
 
+class Workbench;
+
 struct ScreenshotOptions {
     std::filesystem::path open;              // empty = the empty workbench
     std::optional<double> metres_per_unit;   // of a mesh file without unit
@@ -37,5 +39,8 @@ struct ScreenshotOptions {
 /// Errors: what the workbench would show as a failure (the file cannot be opened, the run failed); unknown panel, trial or
 /// marker; cancelled.
 Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const ScreenshotOptions& options, const Progress& progress = {});
+
+/// Waits until no job runs, reporting its progress; a failure in the log is the error.
+Result<void> wait_for_jobs(Workbench& workbench, const Progress& progress);
 
 }  // namespace myo

@@ -39,6 +39,7 @@
     X(PFNGLDRAWELEMENTSBASEVERTEXPROC, DrawElementsBaseVertex)          \
     X(PFNGLENABLEPROC, Enable)                                          \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)        \
+    X(PFNGLFINISHPROC, Finish)                                          \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)        \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                  \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                        \

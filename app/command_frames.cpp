@@ -1,0 +1,59 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "base/files.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "exit_status.hpp"
+#include "frame_times.hpp"
+#include "report/json.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+
+void print_row(const FrameTimes& times) {
+    std::printf("%8zu %8.1f %8.1f %8.1f %8.0f  %s\n", times.ms.size(), times.percentile(0.5), times.percentile(0.95), times.percentile(1.0), times.goal_ms, times.name.c_str());
+    std::fflush(stdout);
+}
+
+Json frames_json(const FrameBench& bench) {
+    Json rows = Json::array();
+    for (const FrameTimes& times : bench.situations)
+        rows.push_back({{"name", times.name}, {"frames", times.ms.size()}, {"median_ms", json_number(times.percentile(0.5))}, {"p95_ms", json_number(times.percentile(0.95))},
+                        {"longest_ms", json_number(times.percentile(1.0))}, {"goal_p95_ms", times.goal_ms}});
+    return {{"schema", "frames/1"}, {"width", 1600}, {"height", 900}, {"triangles", bench.triangles}, {"painted_cells", bench.painted_cells}, {"situations", rows}};
+}
+
+int frames_command(const fs::path& json) {
+    Console console(false, false);
+    const Progress progress = console.progress();
+    std::error_code code;
+    const fs::path folder = fs::temp_directory_path(code) / ("myoloop-frames-" + std::to_string(::getpid()));
+    std::printf("%8s %8s %8s %8s %8s  %s\n", "frames", "median", "95 %", "longest", "goal", "[ms], drawn off screen at 1600 x 900");
+    const Result<FrameBench> bench = bench_frames(folder, progress, print_row);
+    fs::remove_all(folder, code);
+    if (progress.cancelled()) return status_stopped;
+    if (!bench) {
+        console.complain(bench.error().text());
+        return status_failed;
+    }
+    std::printf("A body of %d triangles; painted: one of %d elements.\n", bench->triangles, bench->painted_cells);
+    if (json.empty()) return status_done;
+    if (const auto written = write_file(json, frames_json(*bench).dump(2) + "\n"); !written) return console.refuse(written.error());
+    return status_done;
+}
+
+}  // namespace
+
+std::function<int()> declare_frames(CLI::App& app) {
+    const auto json = std::make_shared<fs::path>();
+    app.add_option("--json", *json, "figures to write")->type_name("FILE");
+    return [json] { return frames_command(*json); };
+}
+
+}  // namespace myo
