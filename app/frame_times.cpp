@@ -20,7 +20,7 @@ constexpr double goal_ms = 50.0, busy_goal_ms = 100.0, stroke_goal_ms = 100.0;
 
 // A plate of one layer of 71 x 71 cells: its outside has 20,732 triangles, and a run of it stays short.
 constexpr double plate_m = 0.142, layer_m = 0.002;
-// A bar of 58,968 cells to be painted.
+// A bar of 68,208 cells to be painted.
 constexpr double bar_m = 0.182, bar_side_m = 0.0594, bar_cell_m = 0.0021;
 
 std::string experiment(const std::string& name, const Eigen::Vector3d& size, const std::string& rest) {

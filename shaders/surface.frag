@@ -8,7 +8,8 @@ uniform vec4 edge_color;
 uniform float edge_width;                // pixels; 0 = none
 uniform float opacity;
 uniform int use_field;
-uniform sampler2D color_map;
+uniform sampler2D color_map;             // one map in each row
+uniform float color_row;
 out vec4 color;
 
 void main() {
@@ -19,7 +20,7 @@ void main() {
     float diffuse = max(dot(normal, key), 0.0);
     float fill = 0.5 + 0.5 * normal.y;
     float facing = max(dot(normal, to_eye), 0.0);
-    vec3 base = use_field == 1 ? texture(color_map, vec2(clamp(level, 0.0, 1.0), 0.5)).rgb : base_color;
+    vec3 base = use_field == 1 ? texture(color_map, vec2(clamp(level, 0.0, 1.0), color_row)).rgb : base_color;
     base = mix(base, face_tint.rgb, face_tint.a);
     vec3 lit = base * (0.30 + 0.48 * diffuse + 0.16 * fill + 0.12 * facing);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "backend/fields.hpp"
 #include "base/stopwatch.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
@@ -88,6 +89,9 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(), static_cast<Eigen::Index>(trace.times_s.size()));
     shown.rms_m = std::numeric_limits<double>::quiet_NaN();
     result.trials.push_back(std::move(shown));
+    auto models = std::make_shared<RunModels>();
+    models->trials.push_back(std::move(model));
+    result.source = std::move(models);
     return result;
 }
 

@@ -24,7 +24,7 @@ struct ViewSwitch {
 };
 constexpr ViewSwitch view_switches[] = {{"edges", &ViewOptions::edges},       {"grid", &ViewOptions::grid},     {"measured", &ViewOptions::measured}, {"simulated", &ViewOptions::simulated},
                                         {"trails", &ViewOptions::trails},     {"errors", &ViewOptions::errors}, {"labels", &ViewOptions::labels},     {"clamp", &ViewOptions::clamp},
-                                        {"displacement", &ViewOptions::displacement}, {"fibres", &ViewOptions::fibres}, {"effect_force", &ViewOptions::effect_force}};
+                                        {"fibres", &ViewOptions::fibres}, {"effect_force", &ViewOptions::effect_force}};
 
 /// The shortest text that reads as the same number.
 std::string number(double value) {
@@ -216,11 +216,12 @@ Project read_document(const TomlValue& root, const fs::path& file) {
     project.trial = document.text_or("trial", "");
     project.settings = read_settings(document, root, file.parent_path());
     if (!document.has("view")) return project;
-    std::vector<std::string> keys{"opacity"};
+    std::vector<std::string> keys{"opacity", "field"};
     for (const ViewSwitch& each : view_switches) keys.emplace_back(each.key);
     const TomlReader view = document.table("view", keys);
     for (const ViewSwitch& each : view_switches) project.view.*each.value = view.boolean_or(each.key, project.view.*each.value);
     project.view.opacity = view.number_or("opacity", 1.0, between(0.0, 1.0));
+    project.view.field = view.text_or("field", "");
     return project;
 }
 
@@ -249,6 +250,7 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
     text += "\n[view]\n";
     for (const ViewSwitch& each : view_switches) text += std::string(each.key) + " = " + (project.view.*each.value ? "true" : "false") + "\n";
     text += "opacity = " + number(project.view.opacity) + "\n";
+    if (!project.view.field.empty()) text += "field = " + quoted(project.view.field) + "\n";
     if (const Result<void> written = write_file(file, text); !written) return written;
     // Masks of earlier saves are no longer named by anything.
     if (!fs::is_directory(files, ignored)) return {};

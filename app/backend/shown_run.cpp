@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/fields.hpp"
 #include "measurement/rigid_motion.hpp"
+#include "project/prediction.hpp"
 
 namespace myo {
 
@@ -54,6 +56,9 @@ RunResult shown_run(const Study& study, const StudyRun& run) {
         result.trials.push_back(std::move(shown));
     }
     result.rms_m = rms(all);
+    auto models = std::make_shared<RunModels>();
+    for (std::size_t t = 0; t < study.trials.size(); ++t) models->trials.push_back(trial_model(study, t, run.values));
+    result.source = std::move(models);
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include "backend/core_search.hpp"
 #include "backend/diagnosis_view.hpp"
 #include "backend/examples.hpp"
+#include "backend/fields.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/shown_run.hpp"
@@ -128,6 +129,10 @@ public:
         body.mesh = std::move(made->mesh);
         return body;
     }
+
+    const std::vector<FieldKind>& fields() const override { return field_catalogue(); }
+
+    Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const override { return field_values(id, body, run, trial, frame); }
 
     Result<RunResult> simulate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress) override {
         if (source_of(scene).experiment.trials.empty())

@@ -121,6 +121,17 @@ Result<MeshedBody> SwingingBeam::mesh(const Scene&, const Settings& settings, co
     return body;
 }
 
+const std::vector<FieldKind>& SwingingBeam::fields() const {
+    static const std::vector<FieldKind> kinds{{"height", "Height", "mm", 1e-3, true, "Above the rest position."}, {"place", "Place", "m", 1.0, false, "x at rest."}};
+    return kinds;
+}
+
+Eigen::VectorXd SwingingBeam::field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const {
+    std::this_thread::sleep_for(std::chrono::duration<double>(field_delay_s.load()));
+    if (id == "place") return body.mesh.nodes.row(0).transpose();
+    return (run.trials[trial].frames[frame] - body.mesh.nodes).row(2).transpose();
+}
+
 Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress) {
     RunResult result;
     const auto& rest = body.mesh.nodes;

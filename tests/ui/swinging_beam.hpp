@@ -18,6 +18,11 @@ public:
     std::atomic<double> step_delay_s = 0.0;
 
     std::vector<Choice> materials() const override;
+    /// Height above the rest position, in mm and with a sign; and x, which never changes.
+    const std::vector<FieldKind>& fields() const override;
+    Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const override;
+    /// Each frame of a field waits this long [s].
+    std::atomic<double> field_delay_s = 0.0;
     std::vector<Choice> integrators() const override;
     bool needs_unit(const std::filesystem::path& path) const override { return path.extension() == ".stl"; }
     Result<Signal> read_signal(const std::filesystem::path& path, const std::string& muscle) const override;

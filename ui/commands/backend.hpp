@@ -36,6 +36,16 @@ struct Choice {
     bool has_spectral_radius = false;                                              // to choose
 };
 
+/// A quantity that has a value everywhere in the body.
+struct FieldKind {
+    std::string id;
+    std::string label;
+    std::string unit;               // shown
+    double per_unit = 1.0;          // SI per shown unit
+    bool signed_values = false;     // its zero is in the middle of the colours
+    std::string explanation;
+};
+
 /// One line of a report: "Volume error", "0.02 %".
 struct ReportLine {
     std::string label;
@@ -117,6 +127,11 @@ struct Library {
 class Backend {
 public:
     virtual ~Backend() = default;
+
+    /// Quantities that can colour the body (quick).
+    virtual const std::vector<FieldKind>& fields() const = 0;
+    /// Its values at the nodes [SI] in one frame of a run of this body. May be called from any thread, beside everything else.
+    virtual Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const = 0;
 
     virtual std::vector<Choice> materials() const = 0;      // quick
     virtual std::vector<Choice> integrators() const = 0;    // quick

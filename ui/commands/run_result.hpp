@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct RunResult {
     double seconds = 0.0;                         // wall time
     std::string problem;                          // what went wrong on the way; empty = nothing
     std::vector<std::string> warnings;            // of its time step
+    std::shared_ptr<const void> source;           // the backend's own: what its fields are made from; may be null
 };
 
 }  // namespace myo

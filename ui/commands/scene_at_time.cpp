@@ -84,13 +84,22 @@ void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
     }
 }
 
-void add_displacement(DrawnScene& drawn, const WorkbenchState& state, double largest_m) {
+/// The range is that fixed by hand, or the trial's, so that colours can be compared in time, or until that is known the frame's.
+void add_field(DrawnScene& drawn, const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame) {
+    if (frame.values.size() != drawn.positions.cols()) return;
     DrawnField field;
-    field.name = "Displacement";
-    field.unit = "mm";
-    field.values = 1e3 * (drawn.positions - state.body->mesh.nodes).colwise().norm().transpose();
-    // One scale for the whole trial, so that colours can be compared in time.
-    field.highest = std::max(1e3 * largest_m, 1e-3);
+    field.name = kind.label;
+    field.unit = kind.unit;
+    field.diverging = kind.signed_values;
+    field.values = frame.values / kind.per_unit;
+    std::array<double, 2> range = frame.trial_range.value_or(std::array<double, 2>{frame.values.minCoeff(), frame.values.maxCoeff()});
+    if (const auto fixed = view.field_ranges.find(kind.id); fixed != view.field_ranges.end()) range = fixed->second;
+    else if (kind.signed_values) range = {-std::max(std::abs(range[0]), std::abs(range[1])), std::max(std::abs(range[0]), std::abs(range[1]))};
+    field.lowest = range[0] / kind.per_unit;
+    field.highest = range[1] / kind.per_unit;
+    // A field without differences, as a stress at rest, is shown in one colour, not as noise.
+    const double least = 1e-9 * std::max(std::abs(field.lowest), std::abs(field.highest)) + 1e-12;
+    if (!(field.highest - field.lowest > least)) field.highest = field.lowest + std::max(1e-3, std::abs(field.lowest));
     drawn.field = std::move(field);
 }
 
@@ -144,15 +153,14 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
         const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / 40);
         for (std::size_t f = 0; f < trial->frames.size(); f += stride) {
             bounds.include(trial->frames[f]);
-            const double largest = (trial->frames[f] - state.body->mesh.nodes).colwise().norm().maxCoeff();
-            motion.largest_displacement_m = std::max(motion.largest_displacement_m, largest);
         }
     }
     motion.reach = bounds.box;
     return motion;
 }
 
-DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live) {
+DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live, const FieldKind* kind,
+                         const FieldFrame* field) {
     DrawnScene drawn;
     if (!state.scene) return drawn;
     drawn.surface = motion.surface;
@@ -163,12 +171,12 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     drawn.extent = motion.rest;
     drawn.reach = motion.reach;
     drawn.marker_radius = 0.012 * motion.rest.size().norm();
-    const SimulatedTrial* trial = state.simulated_trial();
-    if (state.view.displacement && trial && !trial->frames.empty()) add_displacement(drawn, state, motion.largest_displacement_m);
+    if (kind && field) add_field(drawn, state.view, *kind, *field);
     if (state.view.clamp && state.scene->clamp_m) {
         for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
     }
     add_muscles(drawn, state, theme, live);
+    if (drawn.field && !live) drawn.tints.resize(4, 0);   // one meaning of colour at a time
     add_force_arrows(drawn, state, theme);
     add_markers(drawn, state, theme);
     return drawn;

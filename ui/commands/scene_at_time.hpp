@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "commands/field_store.hpp"
 #include "commands/workbench_state.hpp"
 #include "viewport/scene.hpp"
 
@@ -27,7 +28,6 @@ Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state);
 struct MotionSummary {
     Box rest;                           // of body and markers at rest
     Box reach;                          // of all that the trial's motion covers
-    double largest_displacement_m = 0.0;
     std::shared_ptr<const DrawnSurface> surface;   // triangles of the body or, before it is meshed, of the surface; may be null
 };
 MotionSummary summarize_motion(const WorkbenchState& state);
@@ -36,6 +36,8 @@ MotionSummary summarize_motion(const WorkbenchState& state);
 ///
 /// @param motion  of the same scene, body, run and trial
 /// @param live    paint of the chosen muscle while a stroke goes on; may be null
-DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live = nullptr);
+/// @param field   values that colour the body, of this kind; may be null
+DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live = nullptr, const FieldKind* kind = nullptr,
+                         const FieldFrame* field = nullptr);
 
 }  // namespace myo

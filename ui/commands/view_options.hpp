@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <map>
+#include <string>
+
 namespace myo {
 
 /// What the 3D view shows.
@@ -12,7 +16,8 @@ struct ViewOptions {
     bool errors = true;             // lines from simulated to measured
     bool labels = true;
     bool clamp = true;
-    bool displacement = false;      // colour the body by displacement
+    std::string field;              // id of the quantity that colours the body; empty: none
+    std::map<std::string, std::array<double, 2>> field_ranges;   // fixed by hand, by the field's id [SI]; the others follow the run
     bool fibres = true;             // muscles: colours and lines
     bool effect_force = true;       // arrows of the chosen effect's force, once there is a diagnosis
     double opacity = 1.0;

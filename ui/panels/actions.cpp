@@ -72,6 +72,14 @@ void add_view_actions(std::vector<Action>& all) {
     all.push_back({"view.orthographic", "View", "Parallel projection", {key_4, false, false, "4"}, [](PanelContext&, ViewportState& view) {
                        view.camera.orthographic = !view.camera.orthographic;
                    }, with_scene()});
+    all.push_back({"view.next_field", "View", "Colour by the next quantity", {}, [](PanelContext& context, ViewportState&) {
+                       const std::vector<FieldKind>& kinds = context.backend.fields();
+                       ViewOptions view = context.state.view;
+                       const auto shown = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.id == view.field; });
+                       const auto next = shown == kinds.end() ? kinds.begin() : std::next(shown);   // after the last: none
+                       view.field = next != kinds.end() ? next->id : "";
+                       context.emit(command::ChangeView{view});
+                   }, with_scene(), [](const WorkbenchState& s) { return !s.view.field.empty(); }});
     all.push_back({"view.theme", "View", "Light colours", {}, [](PanelContext& context, ViewportState&) {
                        const bool dark = context.state.preferences.theme == ThemeName::dark;
                        context.emit(command::SetTheme{dark ? ThemeName::light : ThemeName::dark, context.state.scale()});

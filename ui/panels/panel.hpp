@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -48,6 +49,7 @@ struct PanelContext {
     const Backend& backend;                    // its quick functions only
     WindowRequests& window;
     const CellPaint* live_paint = nullptr;     // of the chosen muscle while a stroke goes on
+    std::optional<std::array<double, 2>> field_range = {};   // of the colours that are shown, in the unit of their legend
 
     void emit(Command command) { commands.push_back(std::move(command)); }
 };

@@ -1,5 +1,6 @@
 #include "panels/screenshot.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <thread>
@@ -29,13 +30,18 @@ Result<void> choose(Workbench& workbench, const ScreenshotOptions& options) {
     const DiagnosisView* const d = workbench.state().diagnosis.get();
     const auto trial = index_of("trial", options.trial, scene.trials, d ? d->worst_trial : 0);
     if (!trial) return trial.error();
+    if (const auto& fields = workbench.backend().fields(); !options.field.empty() && std::none_of(fields.begin(), fields.end(), [&](const FieldKind& f) { return f.id == options.field; })) {
+        std::vector<std::string> ids;
+        for (const FieldKind& field : fields) ids.push_back(field.id);
+        return Error{"there is no field \"" + options.field + "\"; there is " + join(ids), ""};
+    }
     const auto marker = index_of("marker", options.marker, scene.markers, d ? d->worst_marker : 0);
     if (!marker) return marker.error();
     workbench.execute(command::ChooseTrial{*trial});
     workbench.execute(command::ChooseMarker{*marker});
     workbench.execute(command::SetTime{options.time_s.value_or(std::numeric_limits<double>::max())});
     ViewOptions view = workbench.state().view;
-    view.displacement = options.displacement;
+    view.field = options.field;
     workbench.execute(command::ChangeView{view});
     return {};
 }
@@ -87,7 +93,7 @@ Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const Screenshot
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     for (const std::string& panel : options.panels) window->show_panel(panel);
     // Sizes of texts are known from the second frame on, scrolling from the third.
-    for (int frame = 0; frame < 5; ++frame)
+    for (int frame = 0; frame < 5 || window->waits_for_field(); ++frame)
         if (const auto drawn = window->draw_frame(options.width, options.height, 0.02); !drawn) return drawn.error();
     return read_frame(options.width, options.height);
 }

@@ -31,7 +31,7 @@ struct ScreenshotOptions {
     std::optional<double> time_s;            // shown; empty = the end of the trial
     ThemeName theme = ThemeName::dark;
     float scale = 1.0f;
-    bool displacement = false;               // colour the body by displacement
+    std::string field;                       // colours the body, by its id; empty: none
 };
 
 /// Draws the workbench without a display.

@@ -2,9 +2,59 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
 namespace myo {
+namespace {
+
+/// Least and greatest value of the colours, in the field's unit.
+void draw_field_range(PanelContext& context, const FieldKind& kind, ViewOptions& view) {
+    const auto found = view.field_ranges.find(kind.id);
+    bool fixed = found != view.field_ranges.end();
+    const bool was_fixed = fixed;
+    ImGui::Checkbox("Fixed range", &fixed);
+    context.items.mark("view/field/fixed");
+    tooltip(context.theme, "Without it, the colours span what the whole trial reaches" + std::string(kind.signed_values ? ", evenly to both sides of zero." : "."));
+    if (fixed && !was_fixed) {
+        const std::optional<std::array<double, 2>>& shown = context.field_range;
+        view.field_ranges[kind.id] = shown ? std::array<double, 2>{kind.per_unit * (*shown)[0], kind.per_unit * (*shown)[1]} : std::array<double, 2>{kind.signed_values ? -kind.per_unit : 0.0, kind.per_unit};
+    }
+    if (!fixed && was_fixed) view.field_ranges.erase(kind.id);
+    if (!fixed || !was_fixed) return;
+    std::array<double, 2>& range = found->second;
+    std::array<double, 2> typed{range[0] / kind.per_unit, range[1] / kind.per_unit};
+    const std::string format = "%.4g " + kind.unit;
+    ImGui::SetNextItemWidth(220.0f * context.theme.scale);
+    const bool changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, typed.data(), 2, nullptr, nullptr, format.c_str(), ImGuiInputTextFlags_EnterReturnsTrue);
+    context.items.mark("view/field/range");
+    if (changed && std::isfinite(typed[0]) && std::isfinite(typed[1]) && typed[0] < typed[1]) range = {kind.per_unit * typed[0], kind.per_unit * typed[1]};
+}
+
+void draw_field_choice(PanelContext& context, ViewOptions& view) {
+    const std::vector<FieldKind>& kinds = context.backend.fields();
+    const auto chosen = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.id == view.field; });
+    ImGui::SetNextItemWidth(140.0f * context.theme.scale);
+    const bool open = ImGui::BeginCombo("Colours", chosen != kinds.end() ? chosen->label.c_str() : "None");
+    context.items.mark("view/field");
+    if (open) {
+        if (ImGui::Selectable("None", view.field.empty())) view.field.clear();
+        context.items.mark("view/field/none");
+        for (const FieldKind& kind : kinds) {
+            if (ImGui::Selectable(kind.label.c_str(), kind.id == view.field)) view.field = kind.id;
+            context.items.mark("view/field/" + kind.id);
+            tooltip(context.theme, kind.explanation);
+        }
+        ImGui::EndCombo();
+    }
+    if (chosen != kinds.end() && chosen->id == view.field) draw_field_range(context, *chosen, view);
+}
+
+}  // namespace
 
 void draw_view_options(PanelContext& context) {
     if (ImGui::Button((std::string(icon::eye) + "  Show").c_str())) ImGui::OpenPopup("view options");
@@ -21,7 +71,6 @@ void draw_view_options(PanelContext& context) {
                                          {"Element edges", "view/edges", &ViewOptions::edges},
                                          {"Muscles and fibres", "view/fibres", &ViewOptions::fibres},
                                          {"Force of the effect", "view/effect_force", &ViewOptions::effect_force},
-                                         {"Displacement colours", "view/displacement", &ViewOptions::displacement},
                                          {"Clamp", "view/clamp", &ViewOptions::clamp},
                                          {"Ground grid", "view/grid", &ViewOptions::grid}};
     ViewOptions view = context.state.view;
@@ -35,6 +84,7 @@ void draw_view_options(PanelContext& context) {
         view.opacity = 0.01 * static_cast<double>(opacity);
     }
     context.items.mark("view/opacity");
+    draw_field_choice(context, view);
     if (!(view == context.state.view)) context.emit(command::ChangeView{view});
     ImGui::EndPopup();
 }

@@ -90,7 +90,7 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 
 bool WorkbenchWindow::must_draw() const {
     // After a movement one more frame draws the scene with smooth edges.
-    return pacer_.must_draw(workbench_->animating() || was_moving_);
+    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits());
 }
 
 void WorkbenchWindow::draw_side(PanelContext& context) {
@@ -212,7 +212,7 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
 
 void WorkbenchWindow::update_scene() {
     const WorkbenchState& state = workbench_->state();
-    const SceneKey key{state.scene, state.body, state.shown_run(), state.diagnosis, state.candidate, state.trial, state.time_s, state.view, state.paint, muscle_looks(state.settings.muscles),
+    const SceneKey key{state.scene, state.body, state.shown_run(), state.diagnosis, state.candidate, state.trial, state.time_s, state.view, fields_.update(state, workbench_->backend()), state.paint, muscle_looks(state.settings.muscles),
                        state.muscle, paint_.revision(), interface_.theme().name};
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
@@ -224,7 +224,9 @@ void WorkbenchWindow::update_scene() {
         // Until a person chooses another view, all of the motion stays in sight.
         if (viewport_.untouched) viewport_.fit_requested = true;
     }
-    scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live());
+    const std::vector<FieldKind>& kinds = workbench_->backend().fields();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& each) { return each.id == state.view.field; });
+    scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind != kinds.end() ? &*kind : nullptr, key.field.get());
     scene_key_ = key;
     ++revision_;
 }
@@ -288,6 +290,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     std::vector<Command> commands;
     WindowRequests requests;
     PanelContext context{state, interface_.theme(), interface_.items(), commands, workbench_->backend(), requests};
+    if (scene_.field) context.field_range = std::array<double, 2>{scene_.field->lowest, scene_.field->highest};
     draw_parts(context);
     follow(requests);
     interface_.end_frame();

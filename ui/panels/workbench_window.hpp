@@ -48,6 +48,8 @@ public:
     const ItemRectangles& items() { return interface_.items(); }
     const ViewportState& viewport() const { return viewport_; }
     const DrawnScene& scene() const { return scene_; }
+    /// Whether values of the field that colours the body are still being computed.
+    bool waits_for_field() const { return fields_.waits(); }
     int scene_draw_count() const { return renderer_.draw_count(); }
 
 private:
@@ -72,6 +74,7 @@ private:
         int trial = 0;
         double time_s = 0.0;
         ViewOptions view;
+        std::shared_ptr<const FieldFrame> field;
         std::vector<std::shared_ptr<const CellPaint>> paint;
         std::vector<int> muscle_colors;
         int muscle = 0;
@@ -98,6 +101,7 @@ private:
     DrawnScene scene_;
     SceneKey scene_key_;
     MotionSummary motion_;
+    FieldStore fields_;
     std::uint64_t revision_ = 1;
     std::string strip_panel_;       // in front
     bool was_moving_ = false;

@@ -26,18 +26,30 @@ Eigen::Vector3f srgb_from_lch(double L, double C, double hue_deg) {
         .cast<float>();
 }
 
-}  // namespace
+struct Control { double L, C, hue; };   // lightness, chroma, hue [degrees]
 
-Eigen::Vector3f color_map(double level) {
-    // Lightness, chroma and hue between a few control points: linear lightness, hue turning from violet to yellow.
-    struct Control { double L, C, hue; };
-    constexpr std::array<Control, 5> controls{{{18, 42, 305}, {37, 40, 270}, {55, 34, 200}, {73, 52, 140}, {91, 80, 102}}};
-    const double place = std::clamp(std::isfinite(level) ? level : 0.0, 0.0, 1.0) * (controls.size() - 1);
+/// Between control points at even distances.
+template <std::size_t n>
+Eigen::Vector3f between(const std::array<Control, n>& controls, double level) {
+    const double place = std::clamp(std::isfinite(level) ? level : 0.0, 0.0, 1.0) * static_cast<double>(n - 1);
     const auto i = std::min(static_cast<std::size_t>(place), controls.size() - 2);
     const double s = place - static_cast<double>(i);
     const auto mix = [s](double a, double b) { return a + s * (b - a); };
     const Control &a = controls[i], &b = controls[i + 1];
     return srgb_from_lch(mix(a.L, b.L), mix(a.C, b.C), mix(a.hue, b.hue));
+}
+
+}  // namespace
+
+Eigen::Vector3f color_map(double level) {
+    // Linear lightness, hue turning from violet to yellow.
+    return between(std::array<Control, 5>{{{18, 42, 305}, {37, 40, 270}, {55, 34, 200}, {73, 52, 140}, {91, 80, 102}}}, level);
+}
+
+Eigen::Vector3f diverging_color_map(double level) {
+    // Two arms of one lightness each, that meet without colour.
+    if (level < 0.5) return between(std::array<Control, 3>{{{34, 52, 277}, {64, 34, 262}, {92, 0, 250}}}, 2.0 * level);
+    return between(std::array<Control, 3>{{{92, 0, 40}, {64, 48, 40}, {34, 62, 32}}}, 2.0 * level - 1.0);
 }
 
 }  // namespace myo

@@ -35,6 +35,7 @@ struct DrawnField {
     std::string unit;
     double lowest = 0.0;
     double highest = 1.0;
+    bool diverging = false;                               // colours part in the middle of the range
     Eigen::VectorXd values;
 };
 

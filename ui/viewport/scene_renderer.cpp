@@ -54,12 +54,13 @@ Result<SceneRenderer> SceneRenderer::make() {
     gl::BindVertexArray(0);
 
     std::vector<unsigned char> pixels;
-    for (int i = 0; i < 256; ++i) {
-        const Eigen::Vector3f c = color_map(i / 255.0);
-        for (int k = 0; k < 3; ++k) pixels.push_back(static_cast<unsigned char>(std::lround(255.0f * c[k])));
-        pixels.push_back(255);
-    }
-    renderer.color_map_ = gl::make_texture(256, 1, pixels.data());
+    for (const auto& map : {color_map, diverging_color_map})
+        for (int i = 0; i < 256; ++i) {
+            const Eigen::Vector3f c = map(i / 255.0);
+            for (int k = 0; k < 3; ++k) pixels.push_back(static_cast<unsigned char>(std::lround(255.0f * c[k])));
+            pixels.push_back(255);
+        }
+    renderer.color_map_ = gl::make_texture(256, 2, pixels.data());
     return renderer;
 }
 
@@ -124,6 +125,7 @@ void SceneRenderer::draw_surface(const DrawnScene& scene, const ViewColors& colo
     gl::Uniform1f(gl::uniform(p, "edge_width"), scene.edges ? 0.8f : 0.0f);
     gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(scene.body_opacity));
     gl::Uniform1i(gl::uniform(p, "use_field"), scene.field ? 1 : 0);
+    gl::Uniform1f(gl::uniform(p, "color_row"), scene.field && scene.field->diverging ? 0.75f : 0.25f);
     gl::Uniform1i(gl::uniform(p, "color_map"), 0);
     gl::ActiveTexture(GL_TEXTURE0);
     gl::BindTexture(GL_TEXTURE_2D, color_map_.name());

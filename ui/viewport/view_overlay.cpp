@@ -139,7 +139,7 @@ void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField
     const float s = theme.scale;
     const float height = std::min(160.0f * s, view.height() - 150.0f * s);
     if (height < 40.0f) return;
-    const std::string title = field.name + " [" + field.unit + "]";
+    const std::string title = field.name + (field.unit.empty() ? "" : " [" + field.unit + "]");
     const float title_width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, title.c_str()).x;
     const float right = view.highest.x - 16.0f * s;
     const float top = view.lowest.y + 40.0f * s;
@@ -148,7 +148,8 @@ void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField
     const float left = right - 14.0f * s;
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i) {
-        const Eigen::Vector3f c = color_map(1.0 - (i + 0.5) / steps);
+        const double level = 1.0 - (i + 0.5) / steps;
+        const Eigen::Vector3f c = field.diverging ? diverging_color_map(level) : color_map(level);
         const float y0 = top + height * static_cast<float>(i) / steps;
         const float y1 = top + height * static_cast<float>(i + 1) / steps;
         list.AddRectFilled({left, y0}, {right, y1}, packed({c[0], c[1], c[2], 1.0f}));

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "commands/backend.hpp"
+#include "fem/element_block.hpp"
+#include "model/model.hpp"
+
+namespace myo {
+
+/// What the fields of a run are made from: the models of its trials, on one mesh.
+struct RunModels {
+    std::vector<Model> trials;
+
+    /// Of their mesh; made when first asked for, from any thread.
+    const Elements& elements() const;
+
+private:
+    mutable std::once_flag made_;
+    mutable std::optional<Elements> elements_;
+};
+
+const std::vector<FieldKind>& field_catalogue();
+
+/// Values at the nodes [SI]; empty for a run without models or a field that is not in the catalogue.
+Eigen::VectorXd field_values(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame);
+
+}  // namespace myo

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include "ui/driver.hpp"
+#include "viewport/color_map.hpp"
+
+namespace myo {
+namespace {
+
+using test::Driver;
+
+/// A beam that has been run, at the end of its trial.
+void run_beam(Driver& driver) {
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    driver.workbench->execute(command::SetTime{0.4});
+    driver.settle();
+}
+
+void open_options(Driver& driver) {
+    if (!driver.has("view/field")) driver.click("view/options");
+}
+
+void choose(Driver& driver, const std::string& field) {
+    open_options(driver);
+    driver.click("view/field");
+    driver.click("view/field/" + field);
+    while (driver.window->waits_for_field()) driver.frame();
+    driver.settle();
+}
+
+TEST(Fields, ColourTheBodyOverTheRangeOfTheTrial) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    EXPECT_FALSE(driver.window->scene().field);
+    choose(driver, "height");
+    ASSERT_TRUE(driver.window->scene().field);
+    const DrawnField now = *driver.window->scene().field;
+    EXPECT_EQ(now.unit, "mm");
+    const Eigen::VectorXd expected = 1e3 * (driver.window->scene().positions - driver.state().body->mesh.nodes).row(2).transpose();
+    EXPECT_NEAR((now.values - expected).cwiseAbs().maxCoeff(), 0.0, 1.0) << "of the nearest frame";
+    EXPECT_DOUBLE_EQ(now.lowest, -now.highest) << "even to both sides of zero";
+    EXPECT_GE(now.highest, now.values.cwiseAbs().maxCoeff() * 0.98);
+    // In time the values change, the colours' meaning does not.
+    driver.workbench->execute(command::SetTime{1.3});
+    driver.settle();
+    while (driver.window->waits_for_field()) driver.frame();
+    driver.settle();
+    EXPECT_NE(driver.window->scene().field->values, now.values);
+    EXPECT_DOUBLE_EQ(driver.window->scene().field->highest, now.highest);
+    choose(driver, "none");
+    EXPECT_FALSE(driver.window->scene().field);
+}
+
+TEST(Fields, TheRangeCanBeFixedByHandAndIsKeptForEach) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    choose(driver, "height");
+    const double reach = driver.window->scene().field->highest;
+    open_options(driver);
+    driver.click("view/field/fixed");
+    EXPECT_NEAR(driver.state().view.field_ranges.at("height")[1], 1e-3 * reach, 1e-9) << "it begins as it is shown";
+    ViewOptions view = driver.state().view;
+    view.field_ranges["height"] = {-0.002, 0.004};
+    driver.workbench->execute(command::ChangeView{view});
+    driver.settle();
+    EXPECT_DOUBLE_EQ(driver.window->scene().field->lowest, -2.0);
+    EXPECT_DOUBLE_EQ(driver.window->scene().field->highest, 4.0);
+    choose(driver, "place");
+    EXPECT_NEAR(driver.window->scene().field->lowest, 0.0, 1e-12);
+    EXPECT_FALSE(driver.window->scene().field->diverging);
+    choose(driver, "height");
+    EXPECT_DOUBLE_EQ(driver.window->scene().field->highest, 4.0);
+    open_options(driver);
+    driver.click("view/field/fixed");
+    EXPECT_TRUE(driver.state().view.field_ranges.empty());
+}
+
+/// Values that take long come from beside the drawing: frames go on meanwhile, with what was known.
+TEST(Fields, SlowValuesDoNotHoldTheWindowUp) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    driver.backend->field_delay_s = 0.2;
+    ViewOptions view = driver.state().view;
+    view.field = "height";
+    driver.workbench->execute(command::ChangeView{view});
+    driver.frame();
+    driver.frame();
+    EXPECT_TRUE(driver.window->waits_for_field());
+    EXPECT_FALSE(driver.window->scene().field);
+    EXPECT_TRUE(driver.window->must_draw());
+    while (!driver.window->scene().field) driver.frame();
+    driver.backend->field_delay_s = 0.0;
+    while (driver.window->waits_for_field()) driver.frame();
+}
+
+TEST(ColorMap, OfSignedValuesIsEquallyLightOnBothSides) {
+    for (int i = 0; i <= 20; ++i) {
+        const Eigen::Vector3f low = diverging_color_map(0.5 - i / 40.0), high = diverging_color_map(0.5 + i / 40.0);
+        const Eigen::Vector3f luma{0.2126f, 0.7152f, 0.0722f};
+        EXPECT_NEAR(std::sqrt(luma.dot(low.cwiseProduct(low))), std::sqrt(luma.dot(high.cwiseProduct(high))), 0.06) << i;
+        if (i > 5) {
+            EXPECT_GT(low.z(), low.x()) << "blue below";
+            EXPECT_GT(high.x(), high.z()) << "red above";
+        }
+    }
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "commands/workbench_state.hpp"
+
+namespace myo {
+
+/// Values of a field in one frame.
+struct FieldFrame {
+    Eigen::VectorXd values;                              // per node [SI]
+    std::optional<std::array<double, 2>> trial_range;    // over the trial, once that is known
+};
+
+/// The chosen field at the shown time. Large bodies take longer than a frame: values come from a thread beside the drawing, the last ones
+/// are shown meanwhile.
+class FieldStore {
+public:
+    /// Takes what has come and asks for what is missing. Null: nothing to show, or nothing yet. Another pointer whenever the content is another.
+    std::shared_ptr<const FieldFrame> update(const WorkbenchState& state, const Backend& backend);
+    /// Whether another update will bring more.
+    bool waits() const { return job_.valid(); }
+
+private:
+    /// What values belong to.
+    struct Source {
+        std::shared_ptr<const RunResult> run;
+        std::shared_ptr<const MeshedBody> body;
+        std::string field;
+        std::size_t trial = 0;
+        bool operator==(const Source&) const = default;
+    };
+    struct Answer {
+        Source source;
+        std::size_t frame = 0;
+        Eigen::VectorXd values;
+        std::optional<std::array<double, 2>> range;   // of the trial, where that was asked for
+    };
+    void take(Answer answer);
+
+    Source source_;
+    std::optional<std::size_t> frame_;                 // of what is shown
+    std::optional<std::array<double, 2>> range_;
+    std::shared_ptr<const FieldFrame> shown_;
+    std::future<Answer> job_;                          // its end waits for it
+};
+
+}  // namespace myo
