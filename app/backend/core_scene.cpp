@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "backend/diagnosis_view.hpp"
+#include "backend/dominant_vibration.hpp"
 #include "backend/mesh_scene.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -62,32 +63,6 @@ Matrix3Xd shown_measurement(const Study& study, const StudyTrial& trial, std::si
     return shown;
 }
 
-/// Frequency of the largest measured motion about where it comes to rest [Hz], from its zero crossings; 0 when it does not cross.
-double dominant_frequency(const Study& study) {
-    double largest = 0.0, frequency = 0.0;
-    for (const StudyTrial& trial : study.trials)
-        for (const Matrix3Xd& track : trial.measured.tracks)
-            for (int axis = 0; axis < 3; ++axis) {
-                const Eigen::Index samples = track.cols(), tail = std::max<Eigen::Index>(1, samples / 5);
-                const double rest = track.row(axis).tail(tail).mean();
-                double sum = 0.0, first = 0.0, last = 0.0;
-                int crossings = 0;
-                for (Eigen::Index t = trial.first_sample + 1; t < samples; ++t) {
-                    const double a = track(axis, t - 1) - rest, b = track(axis, t) - rest;
-                    if (!std::isfinite(a * b)) continue;
-                    sum += b * b;
-                    if (a * b >= 0.0) continue;
-                    last = trial.measured.time_s(t - 1) + (trial.measured.time_s(t) - trial.measured.time_s(t - 1)) * a / (a - b);
-                    if (crossings++ == 0) first = last;
-                    if (crossings == 9) break;   // later ones may be noise
-                }
-                if (sum <= largest || crossings < 3) continue;
-                largest = sum;
-                frequency = (crossings - 1) / (2.0 * (last - first));
-            }
-    return frequency;
-}
-
 void fill_from_study(const Study& study, Scene& scene) {
     const Experiment& experiment = study.experiment;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) scene.markers.push_back({marker.name, marker.rest_m});
@@ -107,7 +82,9 @@ void fill_from_study(const Study& study, Scene& scene) {
     scene.settings.integrator = to_string(study.settings.integrator);
     scene.settings.time_step_s = study.trials.front().options.h_s;
     scene.settings.muscles = shown_muscles(experiment);
-    scene.frequency_Hz = dominant_frequency(study);
+    const MeasuredVibration vibration = dominant_vibration(study);
+    scene.frequency_Hz = vibration.frequency_Hz;
+    scene.damping_ratio = vibration.damping_ratio;
     for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(readable_parameter(parameter, study).name);
 }
 

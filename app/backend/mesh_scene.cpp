@@ -80,6 +80,7 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
 
     RunResult result;
     result.seconds = watch.seconds();
+    result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
     result.warnings = check_integration(model, options.integrator, options.h_s).warnings;
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;

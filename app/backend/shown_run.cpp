@@ -39,6 +39,7 @@ RunResult shown_run(const Study& study, const StudyRun& run) {
         const TrialPrediction& prediction = run.predictions[t];
         SimulatedTrial shown;
         shown.name = study.trials[t].name;
+        result.steps += std::max(0.0, static_cast<double>(prediction.trace.times_s.size()) - 1.0);
         const Eigen::VectorXd& sampled = study.trials[t].measured.time_s;
         if (!prediction.trace.positions.empty())
             add_frames(prediction.trace, sampled.size() > 0 ? sampled(sampled.size() - 1) : prediction.trace.times_s.back(), shown);

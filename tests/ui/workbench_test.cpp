@@ -193,6 +193,66 @@ TEST(Workbench, ShowsTheNumericalDampingOfImplicitEuler) {
     EXPECT_EQ(driver.state().damping_frequency_Hz, 7.75);
 }
 
+TEST(Workbench, SetsTheStepByItsSliderAndShowsTheMeasuredDampingOverIt) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("step/run");
+    EXPECT_FALSE(driver.has("model/damping_curve"));
+    driver.click("model/integrator");
+    driver.click("model/integrator/implicit_euler");
+    EXPECT_TRUE(driver.has("model/measured_damping"));
+    const Rectangle slider = driver.item("model/time_step/slider");
+    driver.click_at({slider.lowest.x + 0.75f * slider.width(), slider.center().y});
+    // Logarithmic from 0.01 to 100 ms.
+    EXPECT_NEAR(std::log10(driver.state().settings.time_step_s), -2.0, 0.15);
+}
+
+TEST(Workbench, ShowsHowMuchVelocityForceTheStepBears) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("step/run");
+    EXPECT_FALSE(driver.has("model/velocity_force/stable"));
+    driver.click("model/integrator");
+    driver.click("model/integrator/implicit_euler");
+    ASSERT_TRUE(driver.has("model/velocity_force/unstable"));
+    const auto critical = [&] { return driver.state().critical_velocity_force_1_s.value_or(0.0); };
+    const double before = critical(), h = driver.state().settings.time_step_s;
+    EXPECT_GT(before, 0.0);
+    Settings settings = driver.state().settings;
+    settings.time_step_s = 0.5 * h;
+    driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+    driver.settle();
+    EXPECT_NEAR(critical(), 0.5 * before, 1e-9);
+    EXPECT_FALSE(driver.state().is_unstable());
+    driver.click_at(driver.item("model/velocity_force/unstable").center());
+    EXPECT_NEAR(driver.state().settings.velocity_force_1_s, 1.5 * critical(), 0.1 * critical());
+    EXPECT_TRUE(driver.state().is_unstable());
+    driver.click_at(driver.item("model/velocity_force/stable").center());
+    EXPECT_LT(driver.state().settings.velocity_force_1_s, critical());
+    EXPECT_FALSE(driver.state().is_unstable());
+}
+
+TEST(Workbench, PredictsTheTimeOfAStepAfterARun) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("step/mesh");
+    EXPECT_TRUE(driver.has("body/step_cost"));
+    EXPECT_TRUE(driver.state().step_costs.empty());
+    driver.workbench->execute(command::Run{});
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_EQ(driver.state().step_costs.size(), 1u);
+    const StepCost cost = driver.state().step_costs.front();
+    EXPECT_NEAR(cost.seconds, 1.3 / 200.0, 1e-12);
+    EXPECT_EQ(cost.dofs, driver.state().body->dofs);
+    EXPECT_NEAR(predict_step({cost}, cost.element, 4.0 * cost.dofs).seconds, 8.0 * cost.seconds, 1e-9);
+    // Runs of two sizes tell the exponent.
+    const StepPrediction fitted = predict_step({{cost.element, 2.0 * cost.dofs, 2.0 * cost.seconds}, cost}, cost.element, 4.0 * cost.dofs);
+    EXPECT_TRUE(fitted.fitted);
+    EXPECT_NEAR(fitted.seconds, 4.0 * cost.seconds, 1e-9);
+    driver.open_beam();
+    EXPECT_TRUE(driver.state().step_costs.empty());
+}
+
 TEST(Workbench, WarnsOfAVelocityForceThatMakesTheMotionGrow) {
     Driver driver;
     driver.open_beam();

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -79,6 +80,7 @@ struct Scene {
     std::vector<SceneTrial> trials;
     Settings settings;                            // declared or default values
     double frequency_Hz = 0.0;                    // of the dominant measured vibration; 0 = unknown
+    double damping_ratio = std::numeric_limits<double>::quiet_NaN();   // of that vibration; NaN = it does not swing freely
     std::vector<std::string> calibrated;          // labels of what calibration moves; empty = it cannot be calibrated
     std::string cannot_run;                       // why it cannot be simulated; empty = it can
     std::vector<std::string> warnings;

@@ -22,6 +22,7 @@ struct RunResult {
     std::vector<SimulatedTrial> trials;           // of the scene, in its order
     double rms_m = 0.0;                           // over all measured coordinates of all trials; NaN without any
     double seconds = 0.0;                         // wall time
+    double steps = 0.0;                           // in time, of all trials together
     std::string problem;                          // what went wrong on the way; empty = nothing
     std::vector<std::string> warnings;            // of its time step
     std::shared_ptr<const void> source;           // the backend's own: what its fields are made from; may be null

@@ -217,7 +217,7 @@ void Workbench::set_settings(const Settings& settings) {
 void Workbench::check_stability() {
     state_.critical_velocity_force_1_s.reset();
     const Choice* integrator = state_.integrator();
-    if (state_.settings.velocity_force_1_s > 0.0 && integrator && integrator->critical_velocity_force)
+    if (integrator && integrator->critical_velocity_force)
         state_.critical_velocity_force_1_s = integrator->critical_velocity_force(2.0 * std::numbers::pi * state_.damping_frequency_Hz, state_.settings);
 }
 

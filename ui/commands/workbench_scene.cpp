@@ -66,6 +66,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     state_.search.reset();
     state_.diagnosis.reset();
     state_.history.clear();
+    state_.step_costs.clear();
     state_.candidate.clear();
     state_.muscle = 0;
     if (state_.scene->surface.vertices.cols() > 0) state_.brush = brush_for(bounding_box(state_.scene->surface.vertices).size());

@@ -38,6 +38,7 @@ void Workbench::run() {
                 } else {
                     const double seconds = (*result)->seconds, rms = (*result)->rms_m;
                     state_.found.reset();
+                    if ((*result)->problem.empty() && (*result)->steps > 0.0) remember(state_.step_costs, {settings.element, state_.body->dofs, seconds / (*result)->steps});
                     show_run(std::make_shared<RunResult>(std::move(**result)), settings);
                     const std::string error = std::isfinite(rms) ? "rms error " + millimetres(rms) : "";
                     log(LogLevel::done, "Simulated in " + value_label(seconds, 3) + " s" + (error.empty() ? "." : ", " + error + "."));

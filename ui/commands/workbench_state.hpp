@@ -14,6 +14,7 @@
 #include "commands/job_record.hpp"
 #include "commands/preferences.hpp"
 #include "commands/settings.hpp"
+#include "commands/step_cost.hpp"
 
 namespace myo {
 
@@ -52,6 +53,7 @@ struct WorkbenchState {
     Settings body_settings;         // with which `body` was meshed
     Settings run_settings;          // with which `run` was made
     MeshPrediction prediction;
+    std::vector<StepCost> step_costs;   // of this scene's runs, the newest last
     std::vector<Choice> materials;
     std::vector<Choice> integrators;
     std::vector<Example> examples;
@@ -65,7 +67,7 @@ struct WorkbenchState {
     bool playing = false;
     double speed = 1.0;             // of playing, against real time
     double damping_frequency_Hz = 5.0;  // at which the numerical damping is shown
-    std::optional<double> critical_velocity_force_1_s;   // at that frequency; only while there is a positive velocity force
+    std::optional<double> critical_velocity_force_1_s;   // at that frequency; empty where the scheme has none
 
     ViewOptions view;
     Preferences preferences;
@@ -87,7 +89,7 @@ struct WorkbenchState {
     float scale() const { return preferences.scale > 0.0f ? preferences.scale : 1.0f; }
     bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
     bool run_is_current() const { return run && settings == run_settings; }
-    bool is_unstable() const { return critical_velocity_force_1_s && settings.velocity_force_1_s > *critical_velocity_force_1_s; }
+    bool is_unstable() const { return settings.velocity_force_1_s > 0.0 && critical_velocity_force_1_s && settings.velocity_force_1_s > *critical_velocity_force_1_s; }
     bool diagnosing() const { return job && job->name == diagnose_job; }
     /// Row of the diagnosis that is shown: the chosen one, or the verdict's, or the best so far; null without any.
     const DiagnosisRow* diagnosis_row() const;

@@ -63,10 +63,31 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     const std::string about = built || state.prediction.exact ? "" : "\xe2\x89\x88 ";
     const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;
     text_row(theme, "Elements, DOF", about + with_separators(elements) + ", " + about + with_separators(dofs), color);
+    draw_step_cost(context, dofs);
     if (!state.mesh_is_current()) {
         if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(command::BuildMesh{});
         context.items.mark("body/build");
     }
+}
+
+void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
+    const WorkbenchState& state = context.state;
+    if (!state.scene->cannot_run.empty() || !(dofs > 0.0)) return;
+    if (state.step_costs.empty()) {
+        text_row(context.theme, "Per time step", "known after a run", &context.theme.muted);
+        context.items.mark("body/step_cost");
+        return tooltip(context.theme, "The first run measures what a time step takes on this machine; then it is predicted for other meshes.");
+    }
+    const auto milliseconds = [](double seconds) { return value_label(1e3 * seconds, 3) + " ms"; };
+    const StepPrediction predicted = predict_step(state.step_costs, state.settings.element, dofs);
+    const bool measured = predicted.from.dofs == dofs && predicted.from.element == state.settings.element;
+    text_row(context.theme, "Per time step", measured ? milliseconds(predicted.from.seconds) + " measured"
+                                                      : "\xe2\x89\x88 " + milliseconds(predicted.seconds) + "; " + milliseconds(predicted.from.seconds) + " measured at " +
+                                                            with_separators(predicted.from.dofs) + " DOF");
+    context.items.mark("body/step_cost");
+    tooltip(context.theme, "Wall time of the newest run over the steps of all its trials, carried to another size by\nt \xe2\x88\xbc DOF^p, p = " + value_label(predicted.exponent, 3) +
+                               (predicted.fitted ? ", fitted to this session's runs with these elements." : ", as `myoloop bench scaling` measured with hexahedra.") +
+                               "\nOther elements, steps, materials or a busy machine change it: expect a factor of two.");
 }
 
 void MeshPanel::draw_report(PanelContext& context) {

@@ -15,6 +15,8 @@ public:
 
 private:
     void draw_mesh_settings(PanelContext& context);
+    /// What a time step of a mesh of this size takes or will take.
+    void draw_step_cost(PanelContext& context, double dofs);
     void draw_report(PanelContext& context);
 
     OpenEdit edit_;

@@ -2,9 +2,11 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "panels/setting_rows.hpp"
 #include "plot/ticks.hpp"
 
 namespace myo {
@@ -17,12 +19,31 @@ const std::vector<SettingField>& radius_fields() {
     return fields;
 }
 
-const std::vector<SettingField>& time_fields() {
-    static const std::vector<SettingField> fields{
-        {{"Step h", "model/time_step", "ms", "Time step h.", 1e-3, time_step_limits, 0.01}, &Settings::time_step_s},
-        {{"\xce\x9b", "model/velocity_force", "1/s", "Velocity force f = \xce\x9b M v. A positive \xce\x9b feeds in the energy that a dissipative time "
-          "scheme takes out; 0 switches it off.", 1.0, velocity_force_limits, 0.01}, &Settings::velocity_force_1_s}};
-    return fields;
+const SettingField& step_field() {
+    static const SettingField field{{"Step h", "model/time_step", "ms", "Time step h.", 1e-3, time_step_limits, 0.01}, &Settings::time_step_s};
+    return field;
+}
+
+const SettingField& velocity_force_field() {
+    static const SettingField field{{"\xce\x9b", "model/velocity_force", "1/s", "Velocity force f = \xce\x9b M v. A positive \xce\x9b feeds in the energy that a dissipative time "
+                                     "scheme takes out; 0 switches it off.", 1.0, velocity_force_limits, 0.01}, &Settings::velocity_force_1_s};
+    return field;
+}
+
+/// Twice as far as the motion stays stable, so that the slider moves through what matters.
+Limits slider_range(const WorkbenchState& state) {
+    const double critical = state.critical_velocity_force_1_s.value_or(0.0);
+    const double far = std::isfinite(critical) && critical > 0.0 ? std::clamp(2.0 * critical, 0.05, velocity_force_limits.highest) : velocity_force_limits.highest;
+    return {-far, far};
+}
+
+/// Where ImGui puts the middle of the grip of the slider that was submitted last.
+float grip_x(const Limits& range, double value) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float margin = 2.0f + 0.5f * style.GrabMinSize;
+    const double part = std::clamp((value - range.lowest) / (range.highest - range.lowest), 0.0, 1.0);
+    const float left = ImGui::GetItemRectMin().x + margin, right = ImGui::GetItemRectMax().x - margin;
+    return left + static_cast<float>(part) * (right - left);
 }
 
 }  // namespace
@@ -32,8 +53,56 @@ void TimePanel::draw(PanelContext& context) {
     setting_choice(context, "Time scheme", "model/integrator", "How the equations of motion are stepped in time.", state.integrators, &Settings::integrator);
     const Choice* scheme = state.integrator();
     if (scheme && scheme->has_spectral_radius) setting_rows(context, radius_fields(), edit_);
-    setting_rows(context, time_fields(), edit_);
+    setting_rows(context, {step_field()}, edit_);
+    draw_slider(context, step_field(), time_step_limits, true);
     draw_numerical_damping(context);
+    setting_rows(context, {velocity_force_field()}, edit_);
+    const Limits range = slider_range(state);
+    draw_slider(context, velocity_force_field(), range, false);
+    if (state.critical_velocity_force_1_s) draw_stability(context, range);
+}
+
+void TimePanel::draw_slider(PanelContext& context, const SettingField& field, Limits range, bool logarithmic) {
+    Settings settings = context.state.settings;
+    row_label(context.theme, "");
+    double shown = settings.*field.value / field.field.per_unit;
+    const double lowest = range.lowest / field.field.per_unit, highest = range.highest / field.field.per_unit;
+    const std::string name = field.field.name + "/slider";
+    const bool changed = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown, &lowest, &highest, "",
+                                             ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    context.items.mark(name);
+    const bool goes_on = slide_.goes_on(name, changed);
+    if (!changed || !std::isfinite(shown)) return;
+    // Nobody needs a slider's sixteen digits.
+    const double digit = std::pow(10.0, std::floor(std::log10(std::max(std::abs(shown), 1e-3 * highest))) - 2.0);
+    settings.*field.value = std::round(shown / digit) * digit * field.field.per_unit;
+    context.emit(command::ChangeSettings{settings, field.field.name, goes_on});
+}
+
+void TimePanel::draw_stability(PanelContext& context, Limits range) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const double critical = *state.critical_velocity_force_1_s;
+    const float from = grip_x(range, range.lowest), limit = grip_x(range, critical), to = grip_x(range, range.highest);
+    const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y, strip = bottom - std::round(4.0f * theme.scale);
+    ImDrawList& drawing = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemVisible()) {
+        drawing.AddRectFilled({from, strip}, {limit, bottom}, packed(theme.success));
+        context.items.add("model/velocity_force/stable", {{from, top}, {limit, bottom}});
+        if (limit < to) {
+            drawing.AddRectFilled({limit, strip}, {to, bottom}, packed(theme.warning));
+            drawing.AddLine({limit, top}, {limit, bottom}, packed(theme.text), std::max(1.0f, theme.scale));
+            context.items.add("model/velocity_force/unstable", {{limit, top}, {to, bottom}});
+        }
+    }
+    tooltip(theme, "Green: a vibration of " + value_label(state.damping_frequency_Hz, 3) + " Hz decays. Orange: it grows without bound. The line is \xce\x9b_crit, where a step's largest "
+                   "eigenvalue has size 1.\n\nFor implicit Euler \xce\x9b_crit = h \xcf\x89\xc2\xb2 + 2 \xce\xb6 \xcf\x89 with the material's \xce\xb6 = \xcf\x84 \xcf\x89 / 2: "
+                   "the longer the step, the more energy it takes out, and the more can be fed in.");
+    row_label(theme, "\xce\x9b_crit", "Largest stable \xce\x9b of this scheme at this step and frequency.");
+    ImGui::AlignTextToFramePadding();
+    const std::string text = std::isfinite(critical) ? value_label(critical, 3) + " 1/s" + (state.is_unstable() ? ": unstable" : "") : "stable for every \xce\x9b";
+    ImGui::TextColored(state.is_unstable() ? theme.warning : theme.text, "%s", text.c_str());
+    context.items.mark("model/critical_velocity_force");
 }
 
 void TimePanel::draw_numerical_damping(PanelContext& context) {
@@ -42,7 +111,8 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
     if (!scheme || !scheme->numerical_damping_ratio) return;
     const double frequency = state.damping_frequency_Hz;
     const double ratio = scheme->numerical_damping_ratio(2.0 * std::numbers::pi * frequency, state.settings);
-    row_label(context.theme, "\xce\xb6(h)", "Damping ratio that the time scheme itself adds at this frequency and step. Measured silicone has about 0.05.");
+    row_label(context.theme, "\xce\xb6(h)", "Damping ratio that the time scheme itself adds at this frequency and step.\n\nFor implicit Euler \xce\xb6 \xe2\x89\x88 \xcf\x89 h / 2: "
+                             "half the step, half the damping. Measured silicone has about 0.05.");
     ImGui::AlignTextToFramePadding();
     // Comparable to a silicone's own damping: it would be calibrated into the material.
     const ImVec4 color = ratio > 0.02 ? context.theme.warning : context.theme.text;
@@ -55,6 +125,54 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
         context.emit(command::SetDampingFrequency{shown});
     }
     context.items.mark("model/damping_frequency");
+    draw_damping_curve(context, *scheme);
+}
+
+void TimePanel::draw_damping_curve(PanelContext& context, const Choice& scheme) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    constexpr double usual_longest_s = 0.02;
+    const CurveKey key{scheme.id, state.settings.spectral_radius, state.damping_frequency_Hz, state.settings.time_step_s <= usual_longest_s ? usual_longest_s : time_step_limits.highest};
+    if (!(key == curve_key_)) {
+        curve_key_ = key;
+        step_ms_ = Eigen::VectorXd::LinSpaced(41, 0.0, 1e3 * key.longest_s);
+        step_ms_(0) = 1e3 * time_step_limits.lowest;
+        ratio_.resize(step_ms_.size());
+        Settings settings = state.settings;
+        for (Eigen::Index i = 0; i < ratio_.size(); ++i) {
+            settings.time_step_s = 1e-3 * step_ms_(i);
+            ratio_(i) = scheme.numerical_damping_ratio(2.0 * std::numbers::pi * key.frequency_Hz, settings);
+        }
+        axis_ = {};
+        plot_ = {};
+    }
+    Plot plot;
+    plot.id = "damping";
+    plot.title = "\xce\xb6 over h [ms]";
+    plot.x_unit = "ms";
+    plot.y_unit = "";
+    plot.legend = true;
+    plot.y_least = Range{0.0, 0.01};
+    plot.series.push_back({"scheme", step_ms_, ratio_, theme.simulated});
+    // What the trace shows, at its own frequency.
+    const double measured = state.scene ? state.scene->damping_ratio : std::numeric_limits<double>::quiet_NaN();
+    if (std::isfinite(measured)) plot.series.push_back({"measured " + value_label(measured, 2), step_ms_, Eigen::VectorXd::Constant(step_ms_.size(), measured), theme.measured});
+    plot.cursor = 1e3 * state.settings.time_step_s;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, 150.0f * theme.scale};
+    const PlotResult drawn = draw_plot(plot, size, theme, context.items, axis_, plot_, hidden_);
+    context.items.add("model/damping_curve", {corner, {corner.x + size.x, corner.y + size.y}});
+    if (std::isfinite(measured)) {
+        context.items.add("model/measured_damping", drawn.area.pixels);
+        if (drawn.hovered && !drawn.active)
+            ImGui::SetTooltip("Measured: damping ratio of the free vibration of %s Hz, y = exp(\xe2\x88\x92\xce\xb6 \xcf\x89 t) cos(\xcf\x89_d t) fitted to the largest trace.\n"
+                              "Where the curves meet, the scheme alone damps as the body does. Drag the line to set h.", value_label(state.scene->frequency_Hz, 3).c_str());
+    }
+    const bool goes_on = curve_edit_.goes_on("curve", drawn.cursor.has_value());
+    if (!drawn.cursor) return;
+    Settings settings = state.settings;
+    settings.time_step_s = std::clamp(1e-5 * std::round(1e2 * *drawn.cursor), 1e-5, key.longest_s);
+    context.emit(command::ChangeSettings{settings, "model/time_step", goes_on});
 }
 
 }  // namespace myo

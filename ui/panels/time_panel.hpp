@@ -1,6 +1,7 @@
 #pragma once
 
-#include "panels/widgets.hpp"
+#include "panels/setting_rows.hpp"
+#include "plot/plot.hpp"
 
 namespace myo {
 
@@ -14,9 +15,29 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// A slider below a number's row, for the same number.
+    void draw_slider(PanelContext& context, const SettingField& field, Limits range, bool logarithmic);
+    void draw_stability(PanelContext& context, Limits range);
     void draw_numerical_damping(PanelContext& context);
+    void draw_damping_curve(PanelContext& context, const Choice& scheme);
 
     OpenEdit edit_;
+    OpenEdit slide_;
+    OpenEdit curve_edit_;
+
+    // The scheme's damping over the step, and what it was found for.
+    struct CurveKey {
+        std::string integrator;
+        double spectral_radius = 0.0;
+        double frequency_Hz = 0.0;
+        double longest_s = 0.0;
+        bool operator==(const CurveKey&) const = default;
+    };
+    CurveKey curve_key_;
+    Eigen::VectorXd step_ms_, ratio_;
+    LinkedAxis axis_;
+    PlotState plot_;
+    HiddenSeries hidden_;
 };
 
 }  // namespace myo

@@ -1,0 +1,71 @@
+#include "backend/dominant_vibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reproduce/damped_cosine.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Later crossings may be noise.
+constexpr int most_crossings = 9;
+
+/// Damping ratio of a damped cosine through the longest stretch without gaps, where that is what the samples are.
+double free_damping(const VectorXd& times_s, const VectorXd& values, double frequency_Hz) {
+    Eigen::Index first = 0, count = 0;
+    for (Eigen::Index t = 0, start = 0; t <= values.size(); ++t) {
+        if (t < values.size() && std::isfinite(values(t))) continue;
+        if (t - start > count) first = start, count = t - start;
+        start = t + 1;
+    }
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (count < 8) return unknown;
+    const DampedCosine fit = fit_damped_cosine(times_s.segment(first, count), values.segment(first, count));
+    const double found_Hz = fit.omega_rad_s / (2.0 * std::numbers::pi);
+    const VectorXd about = values.segment(first, count).array() - fit.offset;
+    // A motion that is driven, or of several modes, leaves much and swings otherwise than it crosses.
+    const bool fits = fit.ok && fit.rms < 0.5 * about.norm() / std::sqrt(static_cast<double>(count)) && std::abs(found_Hz / frequency_Hz - 1.0) < 0.2;
+    return fits && fit.rate_1_s > 0.0 ? fit.damping_ratio() : unknown;
+}
+
+}  // namespace
+
+MeasuredVibration vibration_of(const VectorXd& times_s, const VectorXd& values) {
+    MeasuredVibration found;
+    const Eigen::Index samples = values.size(), tail = std::max<Eigen::Index>(1, samples / 5);
+    const double rest = values.tail(tail).mean();
+    double first = 0.0, last = 0.0;
+    int crossings = 0;
+    for (Eigen::Index t = 1; t < samples; ++t) {
+        const double a = values(t - 1) - rest, b = values(t) - rest;
+        if (!std::isfinite(a * b)) continue;
+        found.energy_m2 += b * b;
+        if (a * b >= 0.0) continue;
+        last = times_s(t - 1) + (times_s(t) - times_s(t - 1)) * a / (a - b);
+        if (crossings++ == 0) first = last;
+        if (crossings == most_crossings) break;
+    }
+    if (crossings < 3) return found;
+    found.frequency_Hz = (crossings - 1) / (2.0 * (last - first));
+    found.damping_ratio = free_damping(times_s, values, found.frequency_Hz);
+    return found;
+}
+
+MeasuredVibration dominant_vibration(const Study& study) {
+    MeasuredVibration dominant;
+    for (const StudyTrial& trial : study.trials)
+        for (const Eigen::Matrix3Xd& track : trial.measured.tracks)
+            for (int axis = 0; axis < 3; ++axis) {
+                const Eigen::Index samples = track.cols() - trial.first_sample;
+                if (samples < 2) continue;
+                const MeasuredVibration found = vibration_of(trial.measured.time_s.tail(samples), track.row(axis).tail(samples).transpose());
+                if (found.frequency_Hz > 0.0 && found.energy_m2 > dominant.energy_m2) dominant = found;
+            }
+    return dominant;
+}
+
+}  // namespace myo
