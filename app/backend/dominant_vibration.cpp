@@ -14,22 +14,24 @@ using Eigen::VectorXd;
 /// Later crossings may be noise.
 constexpr int most_crossings = 9;
 
-/// Damping ratio of a damped cosine through the longest stretch without gaps, where that is what the samples are.
-double free_damping(const VectorXd& times_s, const VectorXd& values, double frequency_Hz) {
+/// Takes frequency and damping from a damped cosine through the longest stretch without gaps, where that is what the samples are: a short
+/// record does not come to rest, and its crossings depend on what is taken for rest.
+void fit_free_vibration(const VectorXd& times_s, const VectorXd& values, MeasuredVibration& found) {
     Eigen::Index first = 0, count = 0;
     for (Eigen::Index t = 0, start = 0; t <= values.size(); ++t) {
         if (t < values.size() && std::isfinite(values(t))) continue;
         if (t - start > count) first = start, count = t - start;
         start = t + 1;
     }
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    if (count < 8) return unknown;
+    if (count < 8) return;
     const DampedCosine fit = fit_damped_cosine(times_s.segment(first, count), values.segment(first, count));
-    const double found_Hz = fit.omega_rad_s / (2.0 * std::numbers::pi);
+    const double fitted_Hz = fit.omega_rad_s / (2.0 * std::numbers::pi);
     const VectorXd about = values.segment(first, count).array() - fit.offset;
     // A motion that is driven, or of several modes, leaves much and swings otherwise than it crosses.
-    const bool fits = fit.ok && fit.rms < 0.5 * about.norm() / std::sqrt(static_cast<double>(count)) && std::abs(found_Hz / frequency_Hz - 1.0) < 0.2;
-    return fits && fit.rate_1_s > 0.0 ? fit.damping_ratio() : unknown;
+    const bool fits = fit.ok && fit.rms < 0.5 * about.norm() / std::sqrt(static_cast<double>(count)) && std::abs(fitted_Hz / found.frequency_Hz - 1.0) < 0.4;
+    if (!fits || !(fit.rate_1_s > 0.0)) return;
+    found.frequency_Hz = fitted_Hz;
+    found.damping_ratio = fit.damping_ratio();
 }
 
 }  // namespace
@@ -51,7 +53,7 @@ MeasuredVibration vibration_of(const VectorXd& times_s, const VectorXd& values) 
     }
     if (crossings < 3) return found;
     found.frequency_Hz = (crossings - 1) / (2.0 * (last - first));
-    found.damping_ratio = free_damping(times_s, values, found.frequency_Hz);
+    fit_free_vibration(times_s, values, found);
     return found;
 }
 

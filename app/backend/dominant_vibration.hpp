@@ -9,7 +9,7 @@ namespace myo {
 /// A measured coordinate's motion about where it comes to rest.
 struct MeasuredVibration {
     double energy_m2 = 0.0;                                            // sum of squares of what was looked at
-    double frequency_Hz = 0.0;                                         // from its zero crossings; 0 when it does not cross
+    double frequency_Hz = 0.0;                                         // of the fit, else from zero crossings; 0 when it does not cross
     double damping_ratio = std::numeric_limits<double>::quiet_NaN();   // of the free vibration fitted to it; NaN when none fits
 };
 

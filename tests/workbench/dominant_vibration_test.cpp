@@ -24,6 +24,13 @@ TEST(DominantVibration, FindsFrequencyAndDampingOfADecayingSine) {
     }
 }
 
+TEST(DominantVibration, IsNotMisledByARecordThatEndsBeforeTheRest) {
+    const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(91, 0.0, 0.9);
+    const MeasuredVibration found = vibration_of(t, release(t, 0.02));
+    EXPECT_NEAR(found.frequency_Hz, 3.0, 0.01);
+    EXPECT_NEAR(found.damping_ratio, 0.02, 1e-3);
+}
+
 TEST(DominantVibration, LooksBetweenGaps) {
     const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
     Eigen::VectorXd y = release(t, 0.06);
