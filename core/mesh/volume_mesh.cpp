@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "mesh/cell_topology.hpp"
+#include "mesh/face_table.hpp"
 
 namespace myo {
 namespace {
@@ -146,27 +147,35 @@ std::string to_string(CellType type) {
     return {};
 }
 
-BoundaryFaces boundary_faces(const VolumeMesh& mesh) {
+FaceTable face_table(const VolumeMesh& mesh) {
     const CellFaces faces = faces_of(mesh.type);
     const std::vector<FaceKey> keys = sorted_faces(mesh, faces);
-    std::vector<int> alone;
-    for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
-        if (end == first + 1) alone.push_back(keys[first].number);
-    });
-    std::sort(alone.begin(), alone.end());
-
-    BoundaryFaces boundary;
-    boundary.nodes.resize(faces.nodes, static_cast<Eigen::Index>(alone.size()));
-    boundary.cell.resize(static_cast<Eigen::Index>(alone.size()));
-    for (Eigen::Index k = 0; k < boundary.cell.size(); ++k) {
-        const int number = alone[static_cast<std::size_t>(k)];
-        const int cell = number / faces.count;
-        boundary.cell[k] = cell;
-        for (int i = 0; i < faces.nodes; ++i) {
-            boundary.nodes(i, k) = mesh.cells(faces.node(number % faces.count, i), cell);
-        }
+    FaceTable table;
+    table.nodes.resize(faces.nodes, faces.count * mesh.cell_count());
+    table.cell.resize(table.nodes.cols());
+    table.beyond = Eigen::VectorXi::Constant(table.nodes.cols(), -1);
+    for (Eigen::Index k = 0; k < table.cell.size(); ++k) {
+        table.cell[k] = static_cast<int>(k) / faces.count;
+        for (int i = 0; i < faces.nodes; ++i) table.nodes(i, k) = mesh.cells(faces.node(static_cast<int>(k) % faces.count, i), table.cell[k]);
     }
-    return boundary;
+    for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
+        // Of a face that more than two cells share none is free; any neighbour tells so.
+        for (std::size_t k = first; k < end; ++k)
+            if (end > first + 1) table.beyond[keys[k].number] = table.cell[keys[k == first ? first + 1 : first].number];
+    });
+    return table;
+}
+
+BoundaryFaces boundary_of_part(const FaceTable& table, const std::vector<char>& kept) {
+    const auto is_kept = [&](int cell) { return cell >= 0 && kept[static_cast<std::size_t>(cell)] != 0; };
+    std::vector<Eigen::Index> exposed;
+    for (Eigen::Index k = 0; k < table.cell.size(); ++k)
+        if (is_kept(table.cell[k]) && !is_kept(table.beyond[k])) exposed.push_back(k);
+    return {table.nodes(Eigen::all, exposed), table.cell(exposed)};
+}
+
+BoundaryFaces boundary_faces(const VolumeMesh& mesh) {
+    return boundary_of_part(face_table(mesh), std::vector<char>(static_cast<std::size_t>(mesh.cell_count()), 1));
 }
 
 Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh) {

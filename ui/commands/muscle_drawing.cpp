@@ -50,7 +50,7 @@ DrawnLine lines_of(const std::vector<Vector3d>& points, const Eigen::Vector3f& c
 
 /// Fibres of one muscle: those on the surface, and those inside.
 void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& paint, double spacing_m, const Eigen::Vector3f& color, double width) {
-    const BoundaryFaces& boundary = body.boundary;
+    const BoundaryFaces& boundary = drawn.body->faces;
     const VolumeMesh& mesh = body.mesh;
     std::vector<bool> at_surface(static_cast<std::size_t>(mesh.cell_count()), false);
     std::vector<Index> faces, inside;
@@ -60,7 +60,7 @@ void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& pain
         faces.push_back(f);
     }
     for (Index c = 0; c < mesh.cell_count(); ++c)
-        if (paint.weights(c) > 0.0 && !at_surface[static_cast<std::size_t>(c)]) inside.push_back(c);
+        if (paint.weights(c) > 0.0 && drawn.body->has(c) && !at_surface[static_cast<std::size_t>(c)]) inside.push_back(c);
     const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size() + most_fibres - 1) / most_fibres);
     const double half = 0.5 * fibre_length * spacing_m;
     std::vector<Vector3d> on_surface, within;
@@ -83,8 +83,8 @@ void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& pain
 }  // namespace
 
 void add_muscles(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme, const CellPaint* live) {
-    if (!state.view.fibres || !state.body || !state.ground || state.paint.size() != state.settings.muscles.size()) return;
-    const BoundaryFaces& boundary = state.body->boundary;
+    if (!state.view.fibres || !state.body || !drawn.body || drawn.body->faces.count() == 0 || !state.ground || state.paint.size() != state.settings.muscles.size()) return;
+    const BoundaryFaces& boundary = drawn.body->faces;
     Eigen::Matrix4Xf sums = Eigen::Matrix4Xf::Zero(4, boundary.count());
     for (std::size_t m = 0; m < state.paint.size(); ++m) {
         const bool chosen = static_cast<int>(m) == state.muscle;

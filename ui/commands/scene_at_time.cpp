@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "commands/body_cut.hpp"
 #include "commands/force_arrows.hpp"
 #include "commands/muscle_drawing.hpp"
 #include "viewport/scene_lines.hpp"
@@ -59,20 +60,21 @@ void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
     const TimePlace place = trial ? place_in_time(trial->time_s, state.time_s) : TimePlace{};
     for (std::size_t m = 0; m < state.scene->markers.size(); ++m) {
         const std::string label = state.scene->markers[m].name;
+        const int number = static_cast<int>(m);
         if (place.index < 0) {
-            drawn.markers.push_back({state.scene->markers[m].rest_m, color_of(theme.measured), false, label});
+            drawn.markers.push_back({state.scene->markers[m].rest_m, color_of(theme.measured), false, label, number});
             continue;
         }
         const Eigen::Vector3d measured = at_time(trial->measured[m], place);
         if (view.measured) {
-            drawn.markers.push_back({measured, color_of(theme.measured), false, label});
+            drawn.markers.push_back({measured, color_of(theme.measured), false, label, number});
             if (view.trails) add_line(drawn, trail(trial->measured[m], trial->time_s, state.time_s), color_of(theme.measured, 0.75f), 1.5);
         }
         // A trial that did not complete has no simulated markers.
         if (!simulated || !view.simulated || m >= simulated->markers.size() || simulated->markers[m].cols() != trial->time_s.size()) continue;
         const Eigen::Vector3d predicted = at_time(simulated->markers[m], place);
         // The label stays with the measured marker while that is seen.
-        drawn.markers.push_back({predicted, color_of(theme.simulated), true, measured.allFinite() && view.measured ? "" : label});
+        drawn.markers.push_back({predicted, color_of(theme.simulated), true, measured.allFinite() && view.measured ? "" : label, number});
         if (view.trails) {
             add_line(drawn, trail(simulated->markers[m], trial->time_s, state.time_s), color_of(theme.simulated, 0.75f), 1.5);
         }
@@ -139,6 +141,7 @@ Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state) {
 MotionSummary summarize_motion(const WorkbenchState& state) {
     MotionSummary motion;
     if (state.body) {
+        motion.body = std::make_shared<DrawnBody>(DrawnBody{state.body->boundary, {}});
         motion.surface = std::make_shared<DrawnSurface>(drawn_surface(state.body->boundary));
     } else if (state.scene && state.scene->surface.triangles.cols() > 0) {
         motion.surface = std::make_shared<DrawnSurface>(drawn_surface(state.scene->surface));
@@ -164,6 +167,7 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     DrawnScene drawn;
     if (!state.scene) return drawn;
     drawn.surface = motion.surface;
+    drawn.body = motion.body;
     drawn.positions = positions_at_time(state);
     drawn.edges = state.view.edges;
     drawn.grid = state.view.grid;
@@ -175,6 +179,7 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     if (state.view.clamp && state.scene->clamp_m) {
         for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
     }
+    if (state.view.clip.on && state.body) add_line(drawn, outline_of(state.view.clip, motion.rest), color_of(theme.accent, 0.9f), 1.5);
     add_muscles(drawn, state, theme, live);
     if (drawn.field && !live) drawn.tints.resize(4, 0);   // one meaning of colour at a time
     add_force_arrows(drawn, state, theme);

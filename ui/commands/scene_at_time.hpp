@@ -29,6 +29,7 @@ struct MotionSummary {
     Box rest;                           // of body and markers at rest
     Box reach;                          // of all that the trial's motion covers
     std::shared_ptr<const DrawnSurface> surface;   // triangles of the body or, before it is meshed, of the surface; may be null
+    std::shared_ptr<const DrawnBody> body;         // null: not meshed
 };
 MotionSummary summarize_motion(const WorkbenchState& state);
 

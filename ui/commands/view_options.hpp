@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "commands/clip_plane.hpp"
+
 namespace myo {
 
 /// What the 3D view shows.
@@ -21,6 +23,7 @@ struct ViewOptions {
     bool fibres = true;             // muscles: colours and lines
     bool effect_force = true;       // arrows of the chosen effect's force, once there is a diagnosis
     double opacity = 1.0;
+    ClipPlane clip;                 // not kept in projects
 
     bool operator==(const ViewOptions&) const = default;
 };

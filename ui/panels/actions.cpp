@@ -80,6 +80,13 @@ void add_view_actions(std::vector<Action>& all) {
                        view.field = next != kinds.end() ? next->id : "";
                        context.emit(command::ChangeView{view});
                    }, with_scene(), [](const WorkbenchState& s) { return !s.view.field.empty(); }});
+    all.push_back({"view.distance", "View", "Measure distances", {key_d, false, false, "D"}, [](PanelContext& context, ViewportState& view) {
+                       view.measuring = !view.measuring;
+                       BrushSettings brush = context.state.brush;
+                       brush.tool = BrushTool::none;
+                       if (view.measuring) context.emit(command::ChangeBrush{brush});
+                   }, with_scene(), {}, true});
+    all.push_back({"view.clear_distances", "View", "Clear the distances", {}, [](PanelContext& context, ViewportState&) { context.window.clear_distances = true; }, with_scene()});
     all.push_back({"view.theme", "View", "Light colours", {}, [](PanelContext& context, ViewportState&) {
                        const bool dark = context.state.preferences.theme == ThemeName::dark;
                        context.emit(command::SetTheme{dark ? ThemeName::light : ThemeName::dark, context.state.scale()});

@@ -32,7 +32,7 @@ Eigen::Matrix3d frame_of(const DrawnSurface& surface, const Eigen::Matrix3Xd& po
 }  // namespace
 
 std::optional<SurfaceHit> PaintTool::hit_at(const WorkbenchState& state, const DrawnScene& scene, const ViewportState& view, const Eigen::Vector2d& pixel) {
-    if (!state.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count()) return std::nullopt;
+    if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count()) return std::nullopt;
     return pick_surface(*scene.surface, scene.positions, ray_through(view.camera, view.size(), pixel));
 }
 
@@ -48,7 +48,7 @@ void PaintTool::drop() {
     live_.reset();
 }
 
-void PaintTool::press(PanelContext& context, const Touch& touch) {
+void PaintTool::press(PanelContext& context, const DrawnScene& scene, const Touch& touch) {
     const WorkbenchState& state = context.state;
     if (state.brush.tool != BrushTool::fill) {
         drop();
@@ -57,7 +57,7 @@ void PaintTool::press(PanelContext& context, const Touch& touch) {
         stroke_ = std::make_unique<Stroke>(ground_->places, make_brush(state.brush, *ground_, erases(state.brush)));
         return;
     }
-    CellPaint paint = filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours, state.body->boundary.cell(touch.face),
+    CellPaint paint = filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours, scene.body->faces.cell(touch.face),
                              fixed_axis(state.brush.direction, *state.ground));
     context.emit(command::Paint{state.muscle, std::make_shared<const CellPaint>(std::move(paint)), "fill"});
 }
@@ -83,7 +83,7 @@ void PaintTool::update(PanelContext& context, const DrawnScene& scene, const Vie
             touch = Touch{*hit, hit->triangle / scene.surface->triangles_per_face(), rest, outward_at(*state.ground, rest)};
         }
     if (touch) draw_ring(context, scene, view, *touch);
-    if (pressed && touch) press(context, *touch);
+    if (pressed && touch) press(context, scene, *touch);
     if (!stroke_) return;
     if (held && touch) go_on(state, *touch);
     if (held) return;

@@ -28,13 +28,13 @@ private:
     /// A place on the body below the mouse.
     struct Touch {
         SurfaceHit hit;
-        int face = 0;                // of the body's boundary
+        int face = 0;                // of those drawn
         Eigen::Vector3d rest_m;      // at rest
         Eigen::Vector3d outward;     // there
     };
     static std::optional<SurfaceHit> hit_at(const WorkbenchState& state, const DrawnScene& scene, const ViewportState& view, const Eigen::Vector2d& pixel);
 
-    void press(PanelContext& context, const Touch& touch);
+    void press(PanelContext& context, const DrawnScene& scene, const Touch& touch);
     void go_on(const WorkbenchState& state, const Touch& touch);
     void drop();
     void draw_ring(const PanelContext& context, const DrawnScene& scene, const ViewportState& view, const Touch& touch) const;

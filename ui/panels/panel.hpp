@@ -38,6 +38,7 @@ struct WindowRequests {
     bool fit = false;                         // the whole motion shall be in view
     bool palette = false;
     bool about = false;
+    bool clear_distances = false;
 };
 
 /// What a panel gets each frame: a view of the workbench, and a list to put commands into.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "commands/muscle_signal.hpp"
 #include "commands/signal_shapes.hpp"
 #include "panels/widgets.hpp"
 #include "plot/plot.hpp"
@@ -33,8 +34,5 @@ private:
     bool moved_ = false;                      // it was moved since it was grabbed
     std::string followed_;                    // muscle that the zoom belongs to
 };
-
-/// a(t) of a muscle in a trial: its own, its partner's share, what the trial recorded, or passive.
-Signal signal_of(const WorkbenchState& state, const Muscle& muscle);
 
 }  // namespace myo

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "panels/clip_options.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
@@ -56,7 +57,7 @@ void draw_field_choice(PanelContext& context, ViewOptions& view) {
 
 }  // namespace
 
-void draw_view_options(PanelContext& context) {
+void draw_view_options(PanelContext& context, const Camera& camera) {
     if (ImGui::Button((std::string(icon::eye) + "  Show").c_str())) ImGui::OpenPopup("view options");
     context.items.mark("view/options");
     const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 4.0f * context.theme.scale};
@@ -85,6 +86,7 @@ void draw_view_options(PanelContext& context) {
     }
     context.items.mark("view/opacity");
     draw_field_choice(context, view);
+    draw_clip_options(context, camera, view);
     if (!(view == context.state.view)) context.emit(command::ChangeView{view});
     ImGui::EndPopup();
 }

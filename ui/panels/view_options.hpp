@@ -1,10 +1,11 @@
 #pragma once
 
 #include "panels/panel.hpp"
+#include "viewport/camera.hpp"
 
 namespace myo {
 
 /// The button in the view's corner with its list of what is shown. At ImGui's cursor.
-void draw_view_options(PanelContext& context);
+void draw_view_options(PanelContext& context, const Camera& camera);
 
 }  // namespace myo

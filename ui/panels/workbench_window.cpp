@@ -166,8 +166,10 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
     paint_.update(context, scene_, viewport_);
     context.live_paint = paint_.live();
+    distances_.update(context, scene_, viewport_);
+    inspect_.update(context, scene_, viewport_);
     ImGui::SameLine();
-    draw_view_options(context);
+    draw_view_options(context, viewport_.camera);
     ImGui::End();
 }
 
@@ -224,6 +226,7 @@ void WorkbenchWindow::update_scene() {
         // Until a person chooses another view, all of the motion stays in sight.
         if (viewport_.untouched) viewport_.fit_requested = true;
     }
+    cut_.apply(state, motion_);
     const std::vector<FieldKind>& kinds = workbench_->backend().fields();
     const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& each) { return each.id == state.view.field; });
     scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind != kinds.end() ? &*kind : nullptr, key.field.get());
@@ -265,6 +268,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (!requests.panel.empty()) show_panel(requests.panel);
     if (requests.palette) palette_.open();
     if (requests.about) about_ = true;
+    if (requests.clear_distances) distances_.clear();
     if (requests.fit) viewport_.fit_requested = true;
     if (!requests.picture.empty()) picture_ = requests.picture;
 }

@@ -5,9 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "commands/body_cut.hpp"
 #include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
 #include "panels/file_browser.hpp"
+#include "panels/distance_tool.hpp"
+#include "panels/inspect_tool.hpp"
 #include "panels/layout.hpp"
 #include "panels/paint_tool.hpp"
 #include "panels/palette.hpp"
@@ -50,6 +53,8 @@ public:
     const DrawnScene& scene() const { return scene_; }
     /// Whether values of the field that colours the body are still being computed.
     bool waits_for_field() const { return fields_.waits(); }
+    const InspectTool& inspect_tool() const { return inspect_; }
+    const DistanceTool& distance_tool() const { return distances_; }
     int scene_draw_count() const { return renderer_.draw_count(); }
 
 private:
@@ -98,6 +103,9 @@ private:
     Layout layout_;
     ViewportState viewport_;
     PaintTool paint_;
+    InspectTool inspect_;
+    DistanceTool distances_;
+    BodyCut cut_;
     DrawnScene scene_;
     SceneKey scene_key_;
     MotionSummary motion_;

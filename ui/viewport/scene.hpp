@@ -21,6 +21,7 @@ struct DrawnMarker {
     Color color = Color::Ones();
     bool ring = false;                                    // a ring instead of a sphere
     std::string label;                                    // beside it, may be empty
+    int number = -1;                                      // of the marker in the experiment
 };
 
 struct DrawnLine {
@@ -46,9 +47,18 @@ struct ArrowScale {
     Color color = Color::Ones();
 };
 
+/// What is drawn of a meshed body.
+struct DrawnBody {
+    BoundaryFaces faces;                                  // in the order of the surface's
+    std::vector<char> kept;                               // per cell, 0 where it is cut away; empty: all are drawn
+
+    bool has(Eigen::Index cell) const { return kept.empty() || kept[static_cast<std::size_t>(cell)] != 0; }
+};
+
 /// All that a 3D view shows, as a value.
 struct DrawnScene {
     std::shared_ptr<const DrawnSurface> surface;
+    std::shared_ptr<const DrawnBody> body;                // that the surface belongs to; null: not meshed
     Eigen::Matrix3Xd positions;                           // of the nodes the surface refers to [m]
     std::optional<DrawnField> field;
     Eigen::Matrix4Xf tints;                               // per face of the body: red, green, blue and the share of that colour; may be empty

@@ -17,6 +17,8 @@ void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolT
     state.mouse = {static_cast<double>(io.MousePos.x - state.pixels.lowest.x), static_cast<double>(io.MousePos.y - state.pixels.lowest.y)};
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.tool_held = takes && takes(state.mouse);
     state.tool_held = state.tool_held && active && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    const bool in_place = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
+    state.clicked = ImGui::IsItemDeactivated() && hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && in_place;
     const ViewSize size = state.size();
     const double dx = static_cast<double>(io.MouseDelta.x);
     const double dy = static_cast<double>(io.MouseDelta.y);
@@ -70,7 +72,7 @@ void draw_viewport(const DrawnScene& scene, const Theme& theme, ItemRectangles& 
     const ImVec2 extent = ImGui::GetWindowSize();
     state.pixels = {{std::floor(lowest.x), std::floor(lowest.y)},
                     {std::floor(lowest.x + extent.x), std::floor(lowest.y + extent.y)}};
-    state.moving = state.hovered = false;
+    state.moving = state.hovered = state.clicked = false;
     if (state.size().width < 2 || state.size().height < 2) return;
     items.add("view", state.pixels);
     ImDrawList& list = *ImGui::GetWindowDrawList();

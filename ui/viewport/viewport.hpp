@@ -17,6 +17,8 @@ struct ViewportState {
     bool untouched = true;         // the person has not turned or moved it since all was shown
     bool moving = false;           // the camera moved in this frame: draw without multisampling
     bool hovered = false;          // by the mouse, with nothing over it
+    bool clicked = false;          // the left button was pressed and released in one place
+    bool measuring = false;        // clicks set the ends of distances
     bool tool_held = false;        // the left button is down for a tool, not for the view
     Eigen::Vector2d mouse = Eigen::Vector2d::Zero();   // [pixels] from the upper left corner of the view
     Rectangle pixels;              // where the picture belongs in the window

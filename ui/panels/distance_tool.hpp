@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "commands/picked_place.hpp"
+#include "panels/panel.hpp"
+#include "viewport/viewport.hpp"
+
+namespace myo {
+
+/// A length between two places that move.
+struct MeasuredDistance {
+    PickedPlace from, to;
+    double now_m = 0.0;        // NaN while an end is not drawn
+    double at_rest_m = 0.0;
+};
+
+/// While the view measures, each two clicks make a distance. They stay, and follow the motion, until they are cleared or the body is another.
+class DistanceTool {
+public:
+    /// After the view.
+    void update(PanelContext& context, const DrawnScene& scene, ViewportState& view);
+    void clear();
+
+    const std::vector<MeasuredDistance>& distances() const { return distances_; }
+
+private:
+    void draw(PanelContext& context, const DrawnScene& scene, const ViewportState& view) const;
+
+    std::vector<MeasuredDistance> distances_;
+    std::optional<PickedPlace> begun_;
+    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const MeshedBody> body_;
+};
+
+}  // namespace myo

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+
+#include "viewport/viewport.hpp"
+
+namespace myo {
+
+/// Where a point of the scene is in the window [pixels]; empty where it is behind the eye or not finite.
+inline std::optional<ImVec2> window_pixel(const ViewportState& view, const Eigen::Vector3d& point_m) {
+    if (!point_m.allFinite()) return std::nullopt;
+    const auto seen = project(view.camera, view.size(), point_m);
+    if (!seen) return std::nullopt;
+    return ImVec2{view.pixels.lowest.x + static_cast<float>(seen->x()), view.pixels.lowest.y + static_cast<float>(seen->y())};
+}
+
+/// How far from a marker a click still means it [pixels], at a scale of 1.
+inline constexpr float marker_reach = 10.0f;
+
+/// Whether Esc was pressed for the view rather than for a field or a popup.
+inline bool escape_pressed() {
+    return ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
+}
+
+}  // namespace myo
