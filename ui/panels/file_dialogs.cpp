@@ -1,5 +1,7 @@
 #include "panels/file_dialogs.hpp"
 
+#include "base/files.hpp"
+
 namespace myo {
 
 FileDialog open_dialog(const std::filesystem::path& start) {
@@ -32,6 +34,19 @@ FileDialog picture_dialog() {
     dialog.endings = {".png"};
     dialog.new_name = "picture.png";
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) { context.window.picture = path; };
+    return dialog;
+}
+
+FileDialog table_dialog(std::string title, const std::string& name, std::string table) {
+    FileDialog dialog;
+    dialog.title = std::move(title);
+    dialog.button = "Save";
+    dialog.endings = {".csv"};
+    dialog.new_name = name + ".csv";
+    dialog.chosen = [table = std::move(table)](PanelContext& context, const std::filesystem::path& path) {
+        const Result<void> written = write_file(path, table);
+        context.emit(written ? command::Tell{LogLevel::done, "Wrote " + path.string()} : command::Tell{LogLevel::failure, "Cannot save the table: " + written.error().text()});
+    };
     return dialog;
 }
 

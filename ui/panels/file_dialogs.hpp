@@ -10,5 +10,10 @@ FileDialog open_dialog(const std::filesystem::path& start);
 FileDialog save_dialog(const WorkbenchState& state);
 /// Saves the 3D view.
 FileDialog picture_dialog();
+/// Writes a table.
+/// @param title  "Save the markers' errors"
+/// @param name   proposed, without ending
+/// @param table  comma separated text as it is now
+FileDialog table_dialog(std::string title, const std::string& name, std::string table);
 
 }  // namespace myo

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "commands/marker_csv.hpp"
+#include "panels/file_dialogs.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
@@ -76,6 +78,15 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     }
     context.items.mark("markers/fit");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the data (double-click in a plot does the same)");
+    ImGui::SameLine(0.0f, 8.0f * s);
+    if (ImGui::Button("CSV\xe2\x80\xa6")) {
+        const std::array<double, 2> all = time_span(state);
+        const Range range = time_.range.value_or(Range{all[0], all[1]});
+        const std::string name = state.scene_trial()->name + "_" + markers[current].name;
+        context.window.file = table_dialog("Save the marker's curves", name, marker_curves_csv(state, range.lowest, range.highest));
+    }
+    context.items.mark("markers/csv");
+    tooltip(context.theme, "Saves the visible time range of this marker as a table [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, and every compared run, each in x, y and z");
     const SimulatedTrial* simulated = state.simulated_trial();
     if (simulated && current < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[current])) {
         const std::string text = "rms of this marker  " + value_label(1e3 * simulated->marker_rms_m[current], 3) + " mm";
@@ -110,12 +121,8 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
         plot.series.push_back({"simulated", trial.time_s, predicted, theme.simulated, false});
         strip.series.push_back({"simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure, false});
     }
-    for (std::size_t k = 0; k < state.history.size(); ++k) {
-        const JobRecord& record = state.history[k];
-        const SimulatedTrial* const other = record.compared && record.run != state.run ? state.trial_of(record.run.get()) : nullptr;
-        if (!other || m >= other->markers.size() || other->markers[m].cols() != trial.time_s.size()) continue;
-        plot.series.push_back({record.name + " " + record.clock, trial.time_s, 1e3 * other->markers[m].row(axis).transpose(), theme.muscle(static_cast<int>(k)), false});
-    }
+    for (const ComparedMarker& other : compared_markers(state))
+        plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(), theme.muscle(static_cast<int>(other.record)), false});
     // In a low strip the motion itself keeps the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
     plot.x_axis = !residual;

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "commands/marker_errors.hpp"
+#include "commands/marker_csv.hpp"
+#include "panels/file_dialogs.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "plot/ticks.hpp"
@@ -81,6 +82,10 @@ void MeasurePanel::draw(PanelContext& context) {
         }
     }
     ImGui::EndTable();
+    ImGui::Spacing();
+    if (ImGui::Button("Save the table\xe2\x80\xa6")) context.window.file = table_dialog("Save the markers' errors", trial->name + "_errors", marker_errors_csv(errors));
+    context.items.mark("measure/csv");
+    tooltip(theme, "Saves rms, largest distance, rms and bias per axis [m] and the share of samples seen, of every marker of this trial, as CSV");
 }
 
 }  // namespace myo
