@@ -39,7 +39,6 @@ std::vector<ReportLine> lines_about_body(const PickedPlace& place, const Workben
                                   {"At rest", in_mm(rest)},
                                   {"Now", in_mm(now)},
                                   {"Displacement", number("%.3f mm", 1e3 * (now - rest).norm())}};
-    // Values of scalar fields at the node belong here.
     if (scene.field && place.node < scene.field->values.size())
         lines.push_back({scene.field->name, number("%.4g ", scene.field->values[place.node]) + scene.field->unit});
     lines.push_back({"Element", std::to_string(place.cell) + ", " + to_string(state.body->mesh.type)});
