@@ -1,7 +1,6 @@
 #include "backend/project_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <set>
 #include <system_error>
@@ -10,6 +9,7 @@
 #include "commands/settings.hpp"
 #include "fibre/painted_mask.hpp"
 #include "project/toml_reader.hpp"
+#include "project/toml_text.hpp"
 
 namespace myo {
 namespace {
@@ -26,37 +26,11 @@ constexpr ViewSwitch view_switches[] = {{"edges", &ViewOptions::edges},       {"
                                         {"trails", &ViewOptions::trails},     {"errors", &ViewOptions::errors}, {"labels", &ViewOptions::labels},     {"clamp", &ViewOptions::clamp},
                                         {"fibres", &ViewOptions::fibres}, {"effect_force", &ViewOptions::effect_force}};
 
-/// The shortest text that reads as the same number.
-std::string number(double value) {
-    char text[40];
-    const auto [end, code] = std::to_chars(text, text + sizeof text, value);
-    std::string result(text, end);
-    return result.find_first_of(".en") == std::string::npos ? result + ".0" : result;   // TOML tells 3 from 3.0
-}
-
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        char escaped[8];
-        if (c == '"' || c == '\\') result += std::string("\\") + c;
-        else if (static_cast<unsigned char>(c) < 0x20) std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c)), result += escaped;
-        else result += c;
-    }
-    return result + "\"";
-}
-
-template <class Items, class Text>
-std::string list(const Items& items, const Text& text) {
-    std::string result;
-    for (const auto& item : items) result += (result.empty() ? "" : ", ") + text(item);
-    return "[" + result + "]";
-}
-
 std::string effect_value(const AddedEffect::Value& value) {
-    if (const auto* const one = std::get_if<double>(&value)) return number(*one);
-    if (const auto* const word = std::get_if<std::string>(&value)) return quoted(*word);
-    if (const auto* const words = std::get_if<std::vector<std::string>>(&value)) return list(*words, quoted);
-    return list(std::get<std::vector<double>>(value), number);
+    if (const auto* const one = std::get_if<double>(&value)) return toml_number(*one);
+    if (const auto* const word = std::get_if<std::string>(&value)) return toml_text(*word);
+    if (const auto* const words = std::get_if<std::vector<std::string>>(&value)) return toml_list(*words, toml_text);
+    return toml_list(std::get<std::vector<double>>(value), toml_number);
 }
 
 /// Named after its content, so that it never changes.
@@ -86,25 +60,25 @@ std::string seen_from(const fs::path& path, const fs::path& folder) {
 }
 
 std::string settings_text(const Settings& s) {
-    std::string text = "\n[mesh]\nelement = " + quoted(to_string(s.element)) + "\nresolution_m = " + number(s.resolution_m) + "\n";
-    text += "\n[material]\nmodel = " + quoted(s.material) + "\nyoungs_modulus_Pa = " + number(s.youngs_modulus_Pa) + "\npoissons_ratio = " + number(s.poissons_ratio) +
-            "\ndensity_kg_m3 = " + number(s.density_kg_m3) + "\ndamping_s = " + number(s.damping_s) + "\n";
-    text += "\n[time]\nintegrator = " + quoted(s.integrator) + "\nstep_s = " + number(s.time_step_s) + "\nspectral_radius = " + number(s.spectral_radius) +
-            "\nvelocity_force_1_s = " + number(s.velocity_force_1_s) + "\n";
+    std::string text = "\n[mesh]\nelement = " + toml_text(to_string(s.element)) + "\nresolution_m = " + toml_number(s.resolution_m) + "\n";
+    text += "\n[material]\nmodel = " + toml_text(s.material) + "\nyoungs_modulus_Pa = " + toml_number(s.youngs_modulus_Pa) + "\npoissons_ratio = " + toml_number(s.poissons_ratio) +
+            "\ndensity_kg_m3 = " + toml_number(s.density_kg_m3) + "\ndamping_s = " + toml_number(s.damping_s) + "\n";
+    text += "\n[time]\nintegrator = " + toml_text(s.integrator) + "\nstep_s = " + toml_number(s.time_step_s) + "\nspectral_radius = " + toml_number(s.spectral_radius) +
+            "\nvelocity_force_1_s = " + toml_number(s.velocity_force_1_s) + "\n";
     for (const AddedEffect& effect : s.effects) {
-        text += "\n[[effect]]\nid = " + quoted(effect.id) + "\nname = " + quoted(effect.name) + "\nvalue = " + quoted(effect.value) + "\n[effect.parameters]\n";
-        for (const auto& [name, value] : effect.parameters) text += quoted(name) + " = " + effect_value(value) + "\n";
+        text += "\n[[effect]]\nid = " + toml_text(effect.id) + "\nname = " + toml_text(effect.name) + "\nvalue = " + toml_text(effect.value) + "\n[effect.parameters]\n";
+        for (const auto& [name, value] : effect.parameters) text += toml_text(name) + " = " + effect_value(value) + "\n";
     }
     return text;
 }
 
 std::string muscle_text(const Muscle& m, const std::string& mask) {
-    std::string text = "\n[[muscle]]\nname = " + quoted(m.name) + "\n";
-    if (!m.declared.empty()) text += "declared = " + quoted(m.declared) + "\n";
-    text += "color = " + std::to_string(m.color) + "\nstiffness_Pa = " + number(m.stiffness_Pa) + "\nextends = " + (m.extends ? "true" : "false") + "\n";
-    if (!m.follows.empty()) text += "follows = { muscle = " + quoted(m.follows) + ", ratio = " + number(m.ratio) + " }\n";
-    if (!mask.empty()) text += "mask = " + quoted(mask) + "\n";
-    if (m.signal) text += "signal = { time_s = " + list(m.signal->times_s, number) + ", a = " + list(m.signal->values, number) + " }\n";
+    std::string text = "\n[[muscle]]\nname = " + toml_text(m.name) + "\n";
+    if (!m.declared.empty()) text += "declared = " + toml_text(m.declared) + "\n";
+    text += "color = " + std::to_string(m.color) + "\nstiffness_Pa = " + toml_number(m.stiffness_Pa) + "\nextends = " + (m.extends ? "true" : "false") + "\n";
+    if (!m.follows.empty()) text += "follows = { muscle = " + toml_text(m.follows) + ", ratio = " + toml_number(m.ratio) + " }\n";
+    if (!mask.empty()) text += "mask = " + toml_text(mask) + "\n";
+    if (m.signal) text += "signal = { time_s = " + toml_list(m.signal->times_s, toml_number) + ", a = " + toml_list(m.signal->values, toml_number) + " }\n";
     return text;
 }
 
@@ -231,9 +205,9 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
     std::error_code ignored;
     const fs::path folder = fs::absolute(file, ignored).parent_path();
     const fs::path files = fs::path(file).replace_extension(".files");
-    std::string text = "# A project of Myoloop: what was set, painted and drawn on an experiment or a mesh.\nschema = " + quoted(schema) + "\nsource = " + quoted(seen_from(project.source, folder)) + "\n";
-    if (project.metres_per_unit) text += "metres_per_unit = " + number(*project.metres_per_unit) + "\n";
-    if (!project.trial.empty()) text += "trial = " + quoted(project.trial) + "\n";
+    std::string text = "# A project of Myoloop: what was set, painted and drawn on an experiment or a mesh.\nschema = " + toml_text(schema) + "\nsource = " + toml_text(seen_from(project.source, folder)) + "\n";
+    if (project.metres_per_unit) text += "metres_per_unit = " + toml_number(*project.metres_per_unit) + "\n";
+    if (!project.trial.empty()) text += "trial = " + toml_text(project.trial) + "\n";
     text += settings_text(project.settings);
     std::set<std::string> used;
     for (const Muscle& muscle : project.settings.muscles) {
@@ -249,8 +223,8 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
     }
     text += "\n[view]\n";
     for (const ViewSwitch& each : view_switches) text += std::string(each.key) + " = " + (project.view.*each.value ? "true" : "false") + "\n";
-    text += "opacity = " + number(project.view.opacity) + "\n";
-    if (!project.view.field.empty()) text += "field = " + quoted(project.view.field) + "\n";
+    text += "opacity = " + toml_number(project.view.opacity) + "\n";
+    if (!project.view.field.empty()) text += "field = " + toml_text(project.view.field) + "\n";
     if (const Result<void> written = write_file(file, text); !written) return written;
     // Masks of earlier saves are no longer named by anything.
     if (!fs::is_directory(files, ignored)) return {};

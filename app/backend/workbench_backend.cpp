@@ -12,6 +12,7 @@
 #include "backend/fields.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
+#include "backend/recording_import.hpp"
 #include "backend/shown_run.hpp"
 #include "base/text.hpp"
 #include "dynamics/numerical_damping.hpp"
@@ -178,6 +179,19 @@ public:
         if (diagnosis)
             if (const Result<void> written = page("diagnosis.html", diagnosis->page); !written) return written.error();
         return files;
+    }
+
+    Result<RecordingFile> read_recording(const fs::path& path, const ReadingOptions& options) const override { return read_recording_file(path, options); }
+    std::vector<SceneMarker> declared_markers(const Scene& scene) const override { return declared_scene_markers(scene); }
+    ImportView view_import(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) const override { return view_recording(scene, file, choices); }
+    Result<ImportChoices> propose_markers(const Scene& scene, const MeshedBody& body, const RecordingFile& file, const ImportChoices& choices) const override {
+        return propose_recording_markers(scene, body, file, choices);
+    }
+    Result<double> align_import(const Scene& scene, const SimulatedTrial& run, const Eigen::VectorXd& time_s, const RecordingFile& file, const ImportChoices& choices) const override {
+        return align_recording(scene, run, time_s, file, choices);
+    }
+    Result<fs::path> add_recording(const Scene& scene, const Settings& settings, const RecordingFile& file, const ImportChoices& choices) const override {
+        return add_recording_trial(scene, settings, file, choices);
     }
 
     Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress, const LiveDiagnosis& live) override {

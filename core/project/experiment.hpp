@@ -15,6 +15,7 @@
 #include "fibre/painted_mask.hpp"
 #include "fibre/polyline.hpp"
 #include "fibre/signal.hpp"
+#include "measurement/trace_file.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace myo {
@@ -111,16 +112,7 @@ struct LoadDeclaration {
 };
 
 enum class TrialRole { fit, validate };
-enum class TraceFormat { csv, qtm_tsv, c3d, columns };
 enum class StartState { straight, equilibrium };
-
-/// For headerless files: x y z of each marker in turn.
-struct ColumnsDeclaration {
-    std::vector<std::string> markers;
-    double metres_per_unit = 1.0;
-    char separator = ',';
-    double rate_Hz = 0.0;
-};
 
 /// A level that was not recorded: a number, or free (empty optional), calibrated per trial.
 struct ActuationStep {
@@ -133,7 +125,7 @@ struct TrialDeclaration {
     TrialRole role = TrialRole::fit;
     std::filesystem::path trace;                      // resolved
     TraceFormat format = TraceFormat::csv;
-    std::optional<ColumnsDeclaration> columns;
+    std::optional<ColumnLayout> columns;
     StartState start = StartState::straight;
     double session_time_s = 0.0;
     std::optional<std::filesystem::path> actuation;   // resolved

@@ -86,19 +86,19 @@ void check_muscles(const Experiment& experiment) {
     }
 }
 
-void check_columns(const Experiment& experiment, const std::string& trial_path, ColumnsDeclaration& columns) {
+void check_columns(const Experiment& experiment, const std::string& trial_path, ColumnLayout& columns) {
     const std::string key = trial_path + ".columns.markers";
     const std::vector<std::string> names = marker_names(experiment);
-    for (std::string& word : columns.markers) {
+    for (std::string& word : columns.labels) {
         for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
             for (const MarkerDeclaration& marker : *group)
                 if (word == marker.label && !contains(names, word)) word = marker.name;
         if (!contains(names, word)) fail(experiment, key, "\"" + word + "\" is not a declared marker; " + suggest(word, names));
     }
     for (const std::string& name : names)
-        if (!contains(columns.markers, name)) fail(experiment, key, "the declared marker \"" + name + "\" is missing");
-    std::set<std::string> unique(columns.markers.begin(), columns.markers.end());
-    if (unique.size() != columns.markers.size()) fail(experiment, key, "names a marker twice");
+        if (!contains(columns.labels, name)) fail(experiment, key, "the declared marker \"" + name + "\" is missing");
+    std::set<std::string> unique(columns.labels.begin(), columns.labels.end());
+    if (unique.size() != columns.labels.size()) fail(experiment, key, "names a marker twice");
 }
 
 void check_actuation(const Experiment& experiment, const std::string& trial_path, const TrialDeclaration& trial) {

@@ -19,7 +19,7 @@ std::vector<MuscleDeclaration> read_muscles(const TomlReader& document, const st
 RegistrationDeclaration read_registration(const TomlReader& document, std::vector<std::string>& warnings);
 MarkersDeclaration read_markers(const TomlReader& document);
 std::vector<TrialDeclaration> read_trials(const TomlReader& document, const std::filesystem::path& folder);
-ColumnsDeclaration read_columns_declaration(const TomlReader& trial);
+ColumnLayout read_columns_declaration(const TomlReader& trial);
 std::vector<LoadDeclaration> read_loads(const TomlReader& trial);
 std::vector<EffectDeclaration> read_effects(const TomlReader& document);
 

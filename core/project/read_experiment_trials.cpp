@@ -62,12 +62,12 @@ TrialDeclaration read_trial(const TomlReader& table, const std::filesystem::path
 
 }  // namespace
 
-ColumnsDeclaration read_columns_declaration(const TomlReader& trial) {
+ColumnLayout read_columns_declaration(const TomlReader& trial) {
     const TomlReader table = trial.table("columns", {"markers", "unit", "separator", "rate_Hz"});
-    ColumnsDeclaration columns;
-    columns.markers = table.texts("markers");
-    for (auto name = columns.markers.begin(); name != columns.markers.end(); ++name)
-        if (std::find(columns.markers.begin(), name, *name) != name) table.fail("markers", "names \"" + *name + "\" twice");
+    ColumnLayout columns;
+    columns.labels = table.texts("markers");
+    for (auto name = columns.labels.begin(); name != columns.labels.end(); ++name)
+        if (std::find(columns.labels.begin(), name, *name) != name) table.fail("markers", "names \"" + *name + "\" twice");
     columns.metres_per_unit = table.choice<double>("unit", {{"m", 1.0}, {"mm", 1e-3}});
     if (table.has("separator")) {
         const std::string separator = table.text("separator");

@@ -4,30 +4,10 @@
 #include <cassert>
 
 #include "base/text.hpp"
-#include "measurement/c3d_reader.hpp"
-#include "measurement/column_files.hpp"
-#include "measurement/qtm_tsv.hpp"
-#include "measurement/trace_csv.hpp"
 #include "project/read_experiment.hpp"
 
 namespace myo {
 namespace {
-
-Result<Recording> read_by_format(const TrialDeclaration& trial) {
-    switch (trial.format) {
-        case TraceFormat::csv: return read_trace_csv(trial.trace);
-        case TraceFormat::qtm_tsv: return read_qtm_tsv(trial.trace);
-        case TraceFormat::c3d: return read_c3d(trial.trace);
-        case TraceFormat::columns: break;
-    }
-    assert(trial.columns);
-    ColumnLayout layout;
-    layout.labels = trial.columns->markers;
-    layout.metres_per_unit = trial.columns->metres_per_unit;
-    layout.separator = trial.columns->separator;
-    layout.rate_Hz = trial.columns->rate_Hz;
-    return read_columns(trial.trace, layout);
-}
 
 std::vector<MarkerDeclaration> all_markers(const Experiment& experiment) {
     std::vector<MarkerDeclaration> markers = experiment.markers.on_body;
@@ -100,7 +80,7 @@ std::string trial_key(const Experiment& experiment, const TrialDeclaration& tria
 
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial) {
     const std::string key = trial_key(experiment, trial) + ".trace";
-    Result<Recording> raw = read_by_format(trial);
+    Result<Recording> raw = read_trace(trial.trace, {trial.format, trial.columns, std::nullopt});
     if (!raw) return Error{key + ": " + raw.error().what, raw.error().where};
     if (raw->sample_count() == 0) return declaration_error(experiment, key, trial.trace.filename().string() + " holds no samples");
 

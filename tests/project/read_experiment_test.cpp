@@ -58,7 +58,7 @@ TEST(ReadExperiment, TakesEveryValueOfTheSchema) {
     EXPECT_EQ(e.trials[0].loads.at(0).until_s, std::numeric_limits<double>::infinity());
     EXPECT_EQ(e.trials[0].loads.at(1).from_s, -std::numeric_limits<double>::infinity());
     EXPECT_EQ(e.trials[0].loads.at(1).until_s, 0.0);
-    EXPECT_THAT(e.trials[1].columns->markers, ElementsAre("side", "base", "tip"));
+    EXPECT_THAT(e.trials[1].columns->labels, ElementsAre("side", "base", "tip"));
     EXPECT_EQ(e.trials[1].columns->metres_per_unit, 1e-3);
     EXPECT_EQ(e.trials[1].columns->separator, ';');
     EXPECT_EQ(e.trials[1].columns->rate_Hz, 50.0);

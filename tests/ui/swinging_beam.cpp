@@ -97,11 +97,61 @@ Result<Scene> SwingingBeam::open(const std::filesystem::path& path, std::optiona
     scene.clamp_m = Box{{-5e-4, -1e-3, -1e-3}, {5e-4, 0.031, 0.031}};
     scene.markers = {{"tip_left", {0.1, 0.0, 0.024}}, {"tip_right", {0.1, 0.03, 0.006}}, {"tip_top", {0.1, 0.015, 0.03}}, {"middle", {0.05, 0.0, 0.015}}};
     scene.trials = {measured_trial("gravity_release", "fit", scene.markers, 1), measured_trial("pull_release", "validate", scene.markers, 2)};
+    for (const ImportChoices& choices : added) scene.trials.push_back(measured_trial(choices.trial, choices.fit ? "fit" : "validate", scene.markers, 3));
     scene.frequency_Hz = 7.75;
     scene.damping_ratio = 0.06;
     scene.calibrated = {"Young's modulus E", "Damping \xcf\x84"};
     scene.warnings = {"Marker tip_right is occluded in 9 % of the samples."};
     return scene;
+}
+
+Result<RecordingFile> SwingingBeam::read_recording(const std::filesystem::path& path, const ReadingOptions& options) const {
+    if (path.filename() == "missing") return Error{"no such file", path.string()};
+    const Result<Scene> scene = const_cast<SwingingBeam*>(this)->open("beam", std::nullopt, {});
+    auto recording = std::make_shared<Recording>();
+    recording->time_s = Eigen::VectorXd::LinSpaced(151, 0.0, 1.5);
+    recording->rate_Hz = 100.0;
+    for (std::size_t m = 0; m < scene->markers.size(); ++m) {
+        recording->labels.push_back("label " + std::to_string(m));
+        Eigen::Matrix3Xd track(3, 151);
+        for (int i = 0; i < 151; ++i) track.col(i) = beam_point(scene->markers[m].rest_m, measured_modulus, recording->time_s[i] - 0.3) + Eigen::Vector3d(0.5, 0.0, 0.0);
+        if (m == 1) track.middleCols(40, 30).setConstant(std::numeric_limits<double>::quiet_NaN());
+        recording->tracks.push_back(track);
+    }
+    RecordingFile file{path, "C3D", path.extension() == ".txt", path.extension() == ".txt", options, recording, {1.0, 0.8, 1.0, 1.0}, 0.3, "It moves from 0.3 s on."};
+    return file;
+}
+
+ImportView SwingingBeam::view_import(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) const {
+    const auto count = static_cast<Eigen::Index>(file.recording->labels.size());
+    ImportView view;
+    view.translation_m = Eigen::Vector3d(-0.5, 0.0, 0.0);
+    view.before_m = view.target_m = Eigen::Matrix3Xd::Constant(3, count, std::numeric_limits<double>::quiet_NaN());
+    int named = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const ImportedMarker& marker = choices.markers[static_cast<std::size_t>(i)];
+        view.before_m.col(i) = file.recording->tracks[static_cast<std::size_t>(i)].col(0) + view.translation_m;
+        if (marker.rest_m) view.target_m.col(i) = *marker.rest_m;
+        for (const SceneMarker& own : scene.markers)
+            if (!marker.rest_m && own.name == marker.name) view.target_m.col(i) = own.rest_m;
+        named += marker.name.empty() ? 0 : 1;
+    }
+    view.residual_m = (view.before_m - view.target_m).colwise().norm();
+    view.placed_by = "Shifted.";
+    if (named == 0) view.problem = "No label is a marker of the body yet.";
+    return view;
+}
+
+Result<ImportChoices> SwingingBeam::propose_markers(const Scene& scene, const MeshedBody&, const RecordingFile&, const ImportChoices& choices) const {
+    ImportChoices proposed = choices;
+    for (std::size_t m = 0; m < scene.markers.size(); ++m) proposed.markers[m].name = scene.markers[m].name;
+    return proposed;
+}
+
+Result<std::filesystem::path> SwingingBeam::add_recording(const Scene& scene, const Settings&, const RecordingFile&, const ImportChoices& choices) const {
+    if (choices.trial == "taken") return Error{"the experiment has a trial of this name already", "\"taken\""};
+    added.push_back(choices);
+    return scene.path;
 }
 
 MeshPrediction SwingingBeam::predict(const Scene&, const Settings& settings) const {

@@ -48,6 +48,16 @@ public:
     Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress,
                                    const LiveDiagnosis& live) override;
 
+    /// A recording of the beam's declared markers under other names, from 0.3 s before its release on, shifted by 0.5 m; what is added to an
+    /// experiment is kept.
+    Result<RecordingFile> read_recording(const std::filesystem::path& path, const ReadingOptions& options) const override;
+    std::vector<SceneMarker> declared_markers(const Scene& scene) const override { return scene.markers; }
+    ImportView view_import(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) const override;
+    Result<ImportChoices> propose_markers(const Scene& scene, const MeshedBody& body, const RecordingFile& file, const ImportChoices& choices) const override;
+    Result<double> align_import(const Scene&, const SimulatedTrial&, const Eigen::VectorXd&, const RecordingFile&, const ImportChoices&) const override { return 0.31; }
+    Result<std::filesystem::path> add_recording(const Scene& scene, const Settings& settings, const RecordingFile& file, const ImportChoices& choices) const override;
+    mutable std::vector<ImportChoices> added;
+
     /// A calibration goes no further than its first evaluation while this holds, unless it is cancelled.
     std::atomic<bool> hold_search = false;
     /// The diagnosis goes no further than its first ranking while this holds, unless it is cancelled.

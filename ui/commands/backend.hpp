@@ -15,6 +15,7 @@
 #include "base/result.hpp"
 #include "commands/diagnosis_view.hpp"
 #include "commands/project.hpp"
+#include "commands/recording_import.hpp"
 #include "commands/run_result.hpp"
 #include "commands/search_result.hpp"
 #include "commands/settings.hpp"
@@ -182,6 +183,20 @@ public:
     /// Writes simulated markers, and the pages of a search and a diagnosis where there are some (null: none), into a folder; the files' names. Short.
     virtual Result<std::vector<std::string>> write_report(const std::filesystem::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
                                                           const DiagnosisView* diagnosis) const = 0;
+
+    /// A file of motion capture.
+    virtual Result<RecordingFile> read_recording(const std::filesystem::path& path, const ReadingOptions& options) const = 0;
+    /// Markers that the experiment declares, those on the mount included; none for a plain mesh (quick).
+    virtual std::vector<SceneMarker> declared_markers(const Scene& scene) const = 0;
+    /// Where the choices put the recording (quick).
+    virtual ImportView view_import(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) const = 0;
+    /// Which label may be which marker: by their names and distances where markers are declared; else those without a place get the nearest
+    /// one of the body (quick, some milliseconds).
+    virtual Result<ImportChoices> propose_markers(const Scene& scene, const MeshedBody& body, const RecordingFile& file, const ImportChoices& choices) const = 0;
+    /// The start with which the recording follows the run of a trial best [s, the file's time] (quick, some milliseconds).
+    virtual Result<double> align_import(const Scene& scene, const SimulatedTrial& run, const Eigen::VectorXd& time_s, const RecordingFile& file, const ImportChoices& choices) const = 0;
+    /// Makes a trial of it; the experiment that has it now.
+    virtual Result<std::filesystem::path> add_recording(const Scene& scene, const Settings& settings, const RecordingFile& file, const ImportChoices& choices) const = 0;
 
     /// What the model lacks. `live` gets what is known so far after every stage, from the calling thread; may be empty. Cancelled, it
     /// gives that, too.

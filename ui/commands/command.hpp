@@ -67,6 +67,16 @@ struct Bookmark { std::filesystem::path folder; bool kept = true; };
 struct UsePreferences { Preferences preferences; };
 struct ClearLog {};
 struct Tell { LogLevel level = LogLevel::information; std::string text; };
+/// A file of motion capture, to become a trial. What was chosen for the same file is kept.
+struct ReadRecording { std::filesystem::path path; ReadingOptions reading = {}; };
+struct ChangeImport { ImportChoices choices; };
+/// The label that is looked at; with `placing`, clicks on the body say where it sits.
+struct ChooseLabel { int label = 0; bool placing = false; };
+struct ProposeMarkers {};
+/// Start of the recording by its likeness to the shown run.
+struct AlignImport {};
+struct AddRecording {};
+struct GiveUpImport {};
 /// Pages and tables of what was found, into a folder.
 struct WriteReport { std::filesystem::path folder; };
 
@@ -80,6 +90,7 @@ using Command =
                  command::ChangeBrush, command::Cancel, command::Pause, command::Unqueue, command::RestoreRecord, command::CompareRecord, command::ForgetRecord, command::Save, command::SaveAs,
                  command::AskWhereToSave, command::AnswerUnsaved, command::OfferRecovery, command::Recover, command::DiscardRecovery, command::Quit, command::ChooseTrial, command::ChooseMarker,
                  command::SetTime, command::Play, command::SetSpeed, command::ChangeView, command::SetDampingFrequency, command::SetTheme, command::SetLayout, command::Bookmark,
-                 command::UsePreferences, command::ClearLog, command::Tell, command::WriteReport>;
+                 command::UsePreferences, command::ClearLog, command::Tell, command::WriteReport, command::ReadRecording, command::ChangeImport, command::ChooseLabel, command::ProposeMarkers,
+                 command::AlignImport, command::AddRecording, command::GiveUpImport>;
 
 }  // namespace myo

@@ -6,6 +6,7 @@
 
 #include "commands/body_cut.hpp"
 #include "commands/force_arrows.hpp"
+#include "commands/import_drawing.hpp"
 #include "commands/muscle_drawing.hpp"
 #include "viewport/scene_lines.hpp"
 
@@ -183,7 +184,8 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     add_muscles(drawn, state, theme, live);
     if (drawn.field && !live) drawn.tints.resize(4, 0);   // one meaning of colour at a time
     add_force_arrows(drawn, state, theme);
-    add_markers(drawn, state, theme);
+    if (state.import) add_import(drawn, state, theme);
+    else add_markers(drawn, state, theme);
     return drawn;
 }
 

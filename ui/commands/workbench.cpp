@@ -28,6 +28,10 @@ std::array<double, 2> time_span(const WorkbenchState& state) {
         span[1] = first ? time[time.size() - 1] : std::max(span[1], time[time.size() - 1]);
         first = false;
     };
+    if (state.import) {
+        include(state.import->file.recording->time_s.array() - state.import->choices.start_s);
+        return span;
+    }
     if (const SceneTrial* trial = state.scene_trial()) include(trial->time_s);
     if (const SimulatedTrial* trial = state.simulated_trial()) include(trial->frame_time_s);
     return span;
@@ -148,6 +152,13 @@ void Workbench::execute(const Command& asked) {
                    [&](const command::ClearLog&) { state_.log.clear(); },
                    [&](const command::Tell& c) { log(c.level, c.text); },
                    [&](const command::WriteReport& c) { write_report(c.folder); },
+                   [&](const command::ReadRecording& c) { read_recording(c.path, c.reading); },
+                   [&](const command::ChangeImport& c) { change_import(c.choices); },
+                   [&](const command::ChooseLabel& c) { choose_label(c.label, c.placing); },
+                   [&](const command::ProposeMarkers&) { propose_markers(); },
+                   [&](const command::AlignImport&) { align_import(); },
+                   [&](const command::AddRecording&) { add_recording(); },
+                   [&](const command::GiveUpImport&) { give_up_import(); },
                },
                asked);
     state_.can_undo = undo_.can_undo();

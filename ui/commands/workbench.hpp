@@ -104,6 +104,16 @@ private:
     /// Puts the settings' muscles on the body.
     void place_muscles();
 
+    // workbench_import.cpp
+    void read_recording(const std::filesystem::path& path, const ReadingOptions& reading);
+    void begin_import(RecordingFile file);
+    void change_import(const ImportChoices& choices);
+    void choose_label(int label, bool placing);
+    void propose_markers();
+    void align_import();
+    void add_recording();
+    void give_up_import();
+
     void change_settings(const command::ChangeSettings& change);
     void set_settings(const Settings& settings);
     void check_stability();

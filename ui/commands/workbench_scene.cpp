@@ -65,6 +65,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     state_.found.reset();
     state_.search.reset();
     state_.diagnosis.reset();
+    state_.import.reset();
     state_.view.clip = {};
     state_.history.clear();
     state_.step_costs.clear();

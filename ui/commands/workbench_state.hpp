@@ -45,6 +45,7 @@ struct WorkbenchState {
     std::shared_ptr<const SearchView> search;               // the running search, or the last one
     std::shared_ptr<const DiagnosisView> diagnosis;         // the last one, or what is known of the running one
     std::string candidate;          // key of its chosen row; empty = that of the verdict
+    std::shared_ptr<const RecordingImport> import;          // a recording that is being made a trial; null: none
     Settings settings;
     Settings saved_settings;        // as they are in the file
     std::filesystem::path project;  // its file; empty: never saved

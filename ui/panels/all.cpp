@@ -2,6 +2,7 @@
 #include "panels/diagnose_panel.hpp"
 #include "panels/fibre_panel.hpp"
 #include "panels/fit_panel.hpp"
+#include "panels/import_panel.hpp"
 #include "panels/jobs_panel.hpp"
 #include "panels/log_panel.hpp"
 #include "panels/marker_panel.hpp"
@@ -9,6 +10,7 @@
 #include "panels/measure_panel.hpp"
 #include "panels/mesh_panel.hpp"
 #include "panels/panel.hpp"
+#include "panels/recording_panel.hpp"
 #include "panels/report_panel.hpp"
 #include "panels/run_panel.hpp"
 #include "panels/search_panel.hpp"
@@ -28,10 +30,12 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<TimePanel>());
     add(std::type_identity<RunPanel>());
     add(std::type_identity<MeasurePanel>());
+    add(std::type_identity<ImportPanel>());
     add(std::type_identity<FitPanel>());
     add(std::type_identity<VerdictPanel>());
     add(std::type_identity<ReportPanel>());
     add(std::type_identity<MarkerPanel>());
+    add(std::type_identity<RecordingPanel>());
     add(std::type_identity<SignalPanel>());
     add(std::type_identity<SearchPanel>());
     add(std::type_identity<DiagnosePanel>());

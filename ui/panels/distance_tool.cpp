@@ -18,13 +18,6 @@ std::string label_of(const MeasuredDistance& distance) {
     return text;
 }
 
-void draw_note(ImDrawList& list, const Theme& theme, const ImVec2& at, const std::string& text) {
-    const float s = theme.scale;
-    const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text.c_str());
-    list.AddRectFilled({at.x - 5.0f * s, at.y - 3.0f * s}, {at.x + extent.x + 5.0f * s, at.y + extent.y + 3.0f * s}, packed(theme.popup, 0.92f), 4.0f * s);
-    list.AddText(theme.small, theme.small->FontSize, at, packed(theme.text), text.c_str());
-}
-
 }  // namespace
 
 void DistanceTool::clear() {
@@ -71,16 +64,13 @@ void DistanceTool::draw(PanelContext& context, const DrawnScene& scene, const Vi
         const auto a = window_pixel(view, place_now(each.from, scene)), b = window_pixel(view, place_now(each.to, scene));
         if (!a || !b) continue;
         line(*a, *b);
-        draw_note(list, theme, {0.5f * (a->x + b->x) + 10.0f * s, 0.5f * (a->y + b->y) + 8.0f * s}, label_of(each));
+        draw_note(theme, {0.5f * (a->x + b->x) + 10.0f * s, 0.5f * (a->y + b->y) + 8.0f * s}, label_of(each));
     }
     if (!view.measuring) return;
     if (begun_)
         if (const auto a = window_pixel(view, place_now(*begun_, scene))) line(*a, view.hovered ? ImGui::GetIO().MousePos : *a);
     const std::string hint = begun_ ? "Click the other end. Esc: another start." : "Click two places on the body or its markers. Esc ends.";
-    const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, hint.c_str());
-    const ImVec2 at{0.5f * (view.pixels.lowest.x + view.pixels.highest.x - extent.x), view.pixels.lowest.y + 56.0f * s};
-    draw_note(list, theme, at, hint);
-    context.items.add("view/distance_hint", {at, {at.x + extent.x, at.y + extent.y}});
+    draw_hint(context, view, hint, "view/distance_hint");
 }
 
 }  // namespace myo

@@ -15,6 +15,18 @@ FileDialog open_dialog(const std::filesystem::path& start) {
     return dialog;
 }
 
+FileDialog recording_dialog(const std::filesystem::path& start) {
+    FileDialog dialog;
+    dialog.title = "Import a recording of motion capture";
+    dialog.button = "Import";
+    dialog.endings = {".c3d", ".tsv", ".csv", ".txt"};
+    dialog.start = start;
+    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(command::ReadRecording{path});
+    };
+    return dialog;
+}
+
 FileDialog save_dialog(const WorkbenchState& state) {
     FileDialog dialog;
     dialog.title = "Save the project";

@@ -6,6 +6,8 @@ namespace myo {
 
 /// Opens an experiment, a mesh or a project; begins at a place.
 FileDialog open_dialog(const std::filesystem::path& start);
+/// Chooses a file of motion capture; begins at a place.
+FileDialog recording_dialog(const std::filesystem::path& start);
 /// Saves the project under a name.
 FileDialog save_dialog(const WorkbenchState& state);
 /// Saves the 3D view.

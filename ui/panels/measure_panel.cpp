@@ -37,13 +37,29 @@ void draw_trial_errors(PanelContext& context, const std::string& item) {
     ImGui::EndTable();
 }
 
+namespace {
+
+void draw_import_button(PanelContext& context) {
+    ImGui::Spacing();
+    if (ImGui::Button("Import a recording\xe2\x80\xa6")) context.window.file = recording_dialog(context.state.scene->path);
+    context.items.mark("measure/import");
+    tooltip(context.theme, "Makes a trial of a file of motion capture: C3D, Qualisys TSV, CSV, or a table of x, y, z of each marker");
+}
+
+}  // namespace
+
 void MeasurePanel::draw(PanelContext& context) {
     const WorkbenchState& state = context.state;
     const Theme& theme = context.theme;
-    if (!state.scene || state.scene->markers.empty()) return muted_text(theme, "Measured markers are compared with the simulation here. Open an experiment folder that has some.");
+    if (!state.scene || state.scene->markers.empty()) {
+        muted_text(theme, "Measured markers are compared with the simulation here. Open an experiment folder that has some, or import a recording of this body.");
+        if (state.scene) draw_import_button(context);
+        return;
+    }
     if (state.run && !state.run_is_current()) notice(theme, LogLevel::information, "The settings changed since this run.");
     draw_trial_errors(context, "measure/trial/");
     const SceneTrial* const trial = state.scene_trial();
+    draw_import_button(context);
     if (!trial) return;
     heading(theme, "Markers of " + trial->name);
     struct Tab { Shown shown; const char* label; const char* item; };

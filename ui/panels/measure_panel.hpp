@@ -11,6 +11,7 @@ public:
     std::string title() const override { return "Measurement"; }
     PanelPlace place() const override { return PanelPlace::side; }
     std::optional<Step> step() const override { return Step::measure; }
+    bool offered(const WorkbenchState& state) const override { return !state.import; }
     void draw(PanelContext& context) override;
 
 private:

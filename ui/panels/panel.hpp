@@ -66,6 +66,8 @@ public:
     virtual PanelPlace place() const = 0;
     /// At the side: the step under which it is found. In the strip: the step that brings it to the front, if any.
     virtual std::optional<Step> step() const { return std::nullopt; }
+    /// Whether it has anything to show or to ask; else it is not there.
+    virtual bool offered(const WorkbenchState&) const { return true; }
     virtual void draw(PanelContext& context) = 0;
 };
 

@@ -5,7 +5,9 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
 
+#include "panels/panel.hpp"
 #include "viewport/viewport.hpp"
 
 namespace myo {
@@ -25,5 +27,11 @@ inline constexpr float marker_reach = 10.0f;
 inline bool escape_pressed() {
     return ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
 }
+
+/// A note in a small box over the view, its text's upper left corner at `at` [pixels].
+void draw_note(const Theme& theme, const ImVec2& at, const std::string& text);
+
+/// What a tool waits for, in the middle below the view's buttons; marked as `item`.
+void draw_hint(PanelContext& context, const ViewportState& view, const std::string& text, const std::string& item);
 
 }  // namespace myo

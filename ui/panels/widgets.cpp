@@ -49,6 +49,7 @@ std::string millimetres(double metres) { return value_label(1e3 * metres, 3); }
 
 std::string duration_label(double seconds) {
     const long whole = std::lround(std::max(0.0, seconds));
+    if (seconds < 9.95) return value_label(std::max(0.0, seconds), 2) + " s";
     if (whole < 60) return std::to_string(whole) + " s";
     if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
     return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "panels/file_dialogs.hpp"
+#include "panels/import_panel.hpp"
 #include "panels/menu_bar.hpp"
+#include "panels/place_tool.hpp"
 #include "panels/questions.hpp"
 #include "panels/run_panel.hpp"
 #include "panels/start_page.hpp"
@@ -107,7 +109,7 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     draw_step_head(context, step_);
     bool first = true;
     for (const auto& panel : panels_) {
-        if (panel->place() != PanelPlace::side || panel->step() != step_) continue;
+        if (panel->place() != PanelPlace::side || panel->step() != step_ || !panel->offered(context.state)) continue;
         if (!first) ImGui::Dummy({0.0f, 6.0f * context.theme.scale});
         first = false;
         heading(context.theme, panel->title());
@@ -118,7 +120,8 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     }
     ImGui::EndChild();
     const float foot_top = ImGui::GetCursorPosY();
-    draw_run_controls(context);
+    if (context.state.import && step_ == Step::measure && !context.state.busy()) draw_import_controls(context);
+    else draw_run_controls(context);
     foot_height_ = ImGui::GetCursorPosY() - foot_top;
     ImGui::End();
 }
@@ -128,12 +131,14 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
     const auto width_of = [](const std::string& label) { return ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x; };
     float all = 0.0f;
     for (const auto& panel : panels_)
-        if (panel->place() == PanelPlace::strip) all += width_of(panel->title());
+        if (panel->place() == PanelPlace::strip && panel->offered(context.state)) all += width_of(panel->title());
     const bool icons = all > ImGui::GetContentRegionAvail().x;   // of all but the one in front, where there is no room for names
     bool first = true;
     Panel* front = nullptr;
+    const auto gone = [&](const auto& panel) { return panel->name() == strip_panel_ && !panel->offered(context.state); };
+    if (std::any_of(panels_.begin(), panels_.end(), gone)) strip_panel_ = "markers";
     for (const auto& panel : panels_) {
-        if (panel->place() != PanelPlace::strip) continue;
+        if (panel->place() != PanelPlace::strip || !panel->offered(context.state)) continue;
         if (!first) ImGui::SameLine();
         first = false;
         const bool chosen = panel->name() == strip_panel_;
@@ -167,7 +172,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     paint_.update(context, scene_, viewport_);
     context.live_paint = paint_.live();
     distances_.update(context, scene_, viewport_);
-    inspect_.update(context, scene_, viewport_);
+    if (!update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);
     ImGui::SameLine();
     draw_view_options(context, viewport_.camera);
     ImGui::End();
@@ -214,7 +219,7 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
 
 void WorkbenchWindow::update_scene() {
     const WorkbenchState& state = workbench_->state();
-    const SceneKey key{state.scene, state.body, state.shown_run(), state.diagnosis, state.candidate, state.trial, state.time_s, state.view, fields_.update(state, workbench_->backend()), state.paint, muscle_looks(state.settings.muscles),
+    const SceneKey key{state.scene, state.body, state.shown_run(), state.diagnosis, state.import, state.candidate, state.trial, state.time_s, state.view, fields_.update(state, workbench_->backend()), state.paint, muscle_looks(state.settings.muscles),
                        state.muscle, paint_.revision(), interface_.theme().name};
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
@@ -225,6 +230,10 @@ void WorkbenchWindow::update_scene() {
         motion_ = summarize_motion(state);
         // Until a person chooses another view, all of the motion stays in sight.
         if (viewport_.untouched) viewport_.fit_requested = true;
+    }
+    if (key.import && !scene_key_.import) {
+        show_step(Step::measure);
+        show_panel("recording");
     }
     cut_.apply(state, motion_);
     const std::vector<FieldKind>& kinds = workbench_->backend().fields();

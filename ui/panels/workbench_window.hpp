@@ -75,6 +75,7 @@ private:
         std::shared_ptr<const MeshedBody> body;
         std::shared_ptr<const RunResult> run;
         std::shared_ptr<const DiagnosisView> diagnosis;
+        std::shared_ptr<const RecordingImport> import;
         std::string candidate;
         int trial = 0;
         double time_s = 0.0;

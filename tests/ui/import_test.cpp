@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include "ui/driver.hpp"
+
+namespace myo {
+namespace {
+
+using test::Driver;
+
+/// A recording as it is chosen in the browser.
+void read(Driver& driver, const std::string& file) {
+    driver.workbench->execute(command::ReadRecording{file});
+    ASSERT_TRUE(driver.wait_for_job());
+    driver.window->show_step(Step::measure);
+    driver.settle();
+}
+
+TEST(Import, ReadsProposesAndAddsATrialThatIsThenShown) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop 3.c3d"));
+    ASSERT_TRUE(driver.state().import);
+    EXPECT_TRUE(driver.has("import/file") || driver.has("import/propose"));
+    EXPECT_FALSE(driver.has("import/unit")) << "the file says its unit";
+    EXPECT_EQ(driver.state().import->choices.trial, "drop_3");
+    EXPECT_EQ(driver.state().import->choices.markers[2].name, "tip_top") << "proposed at once";
+    EXPECT_DOUBLE_EQ(driver.state().import->choices.start_s, 0.3);
+    // Time runs over the recording, whose start is t = 0.
+    EXPECT_EQ(time_span(driver.state())[0], -0.3);
+    driver.click("import/align");
+    EXPECT_DOUBLE_EQ(driver.state().import->choices.start_s, 0.31);
+    driver.click("import/first_motion");
+    EXPECT_DOUBLE_EQ(driver.state().import->choices.start_s, 0.3);
+    driver.click("import/role/second");
+    driver.click("import/add");
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_EQ(driver.backend->added.size(), 1u);
+    EXPECT_FALSE(driver.backend->added[0].fit);
+    EXPECT_FALSE(driver.state().import);
+    ASSERT_TRUE(driver.state().scene_trial());
+    EXPECT_EQ(driver.state().scene_trial()->name, "drop_3");
+    EXPECT_FALSE(driver.has("import/add"));
+}
+
+TEST(Import, MarkersAreChosenInTheTableAndClickedOnTheBody) {
+    Driver driver;
+    driver.open_beam();
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
+    driver.click("import/marker/label 1");
+    driver.click("import/marker/label 1/none");
+    EXPECT_TRUE(driver.state().import->choices.markers[1].name.empty());
+    // A marker belongs to one label.
+    driver.click("import/marker/label 0");
+    driver.click("import/marker/label 0/tip_top");
+    EXPECT_EQ(driver.state().import->choices.markers[0].name, "tip_top");
+    EXPECT_TRUE(driver.state().import->choices.markers[2].name.empty());
+    driver.click("import/label/label 0");
+    driver.click("import/place");
+    driver.settle();
+    ASSERT_TRUE(driver.has("view/placing_hint"));
+    const Eigen::Vector3d middle(0.05, 0.015, 0.03);
+    driver.click_at(test::pixel_of(driver, middle));
+    driver.settle();
+    ASSERT_TRUE(driver.state().import->choices.markers[0].rest_m);
+    EXPECT_LT((*driver.state().import->choices.markers[0].rest_m - middle).norm(), 2e-3);
+    EXPECT_EQ(driver.state().import->label, 1) << "the next one";
+    driver.key(ImGuiKey_Escape);
+    driver.settle();
+    EXPECT_FALSE(driver.state().import->placing);
+    driver.click("import/give_up");
+    EXPECT_FALSE(driver.state().import);
+    EXPECT_TRUE(driver.has("measure/import"));
+}
+
+TEST(Import, TheStartIsDraggedInThePlotOverTheGapMap) {
+    Driver driver(1600, 900);
+    driver.open_beam();
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
+    driver.window->show_panel("recording");
+    driver.settle();
+    const Rectangle plot = driver.item("recording/x");
+    const double before = driver.state().import->choices.start_s;
+    driver.click_at({plot.lowest.x + 0.8f * plot.width(), plot.center().y});
+    driver.settle();
+    EXPECT_GT(driver.state().import->choices.start_s, before + 0.4);
+    // Rows of the map choose the label.
+    driver.click("recording/seen/label 2");
+    EXPECT_EQ(driver.state().import->label, 2);
+    // Where a marker was hidden its row shows it.
+    const Image picture = driver.picture();
+    const Rectangle seen = driver.item("recording/seen/label 0"), hidden = driver.item("recording/seen/label 1");
+    const ImVec4 orange = make_theme(ThemeName::dark, 1.0f).measured;
+    const auto orange_columns = [&](const Rectangle& row) {
+        int count = 0;
+        for (float x = row.lowest.x; x < row.highest.x; x += 1.0f) count += test::color_near(picture, {x, row.center().y}, orange, 0) ? 1 : 0;
+        return count;
+    };
+    EXPECT_NEAR(static_cast<double>(orange_columns(hidden)) / orange_columns(seen), 0.8, 0.05);
+}
+
+TEST(Import, AsksOnlyForWhatTheFileDoesNotSay) {
+    Driver driver;
+    driver.open_beam();
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/stream.txt"));
+    driver.click("import/unit");
+    driver.click("import/unit/m");
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(driver.state().import->file.reading.metres_per_unit, 1.0);
+    EXPECT_EQ(driver.state().import->choices.markers[2].name, "tip_top") << "what was chosen is kept";
+}
+
+TEST(Import, FailuresAreToldAndNothingIsLost) {
+    Driver driver;
+    driver.open_beam();
+    driver.workbench->execute(command::ReadRecording{"/takes/missing"});
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    EXPECT_FALSE(driver.state().import);
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/taken.c3d"));
+    driver.click("import/add");
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    ASSERT_TRUE(driver.state().import) << "to choose another name";
+}
+
+TEST(Import, WhatWasSetOnTheBodyStays) {
+    Driver driver;
+    driver.open_beam();
+    Settings settings = driver.state().settings;
+    settings.youngs_modulus_Pa = 3.3e5;
+    driver.workbench->execute(command::ChangeSettings{settings, "E", false});
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
+    driver.click("import/add");
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(driver.state().settings.youngs_modulus_Pa, 3.3e5);
+    EXPECT_TRUE(driver.state().unsaved());
+}
+
+}  // namespace
+}  // namespace myo

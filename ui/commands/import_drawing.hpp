@@ -1,0 +1,13 @@
+#pragma once
+
+#include "commands/workbench_state.hpp"
+#include "platform/theme.hpp"
+#include "viewport/scene.hpp"
+
+namespace myo {
+
+/// The markers of a recording that is being imported, at the state's time, where its choices put them; before the start lines lead from
+/// there to where they sit on the body.
+void add_import(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme);
+
+}  // namespace myo

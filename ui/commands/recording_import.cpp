@@ -1,0 +1,14 @@
+#include "commands/recording_import.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace myo {
+
+std::string marker_name(const std::string& label) {
+    std::string name = label;
+    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_'; }, '_');
+    return name;
+}
+
+}  // namespace myo

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <utility>
+
+#include "commands/workbench.hpp"
+
+// Recordings on their way to become trials.
+
+namespace myo {
+
+void Workbench::read_recording(const std::filesystem::path& path, const ReadingOptions& reading) {
+    if (!state_.scene) return log(LogLevel::warning, "Open an experiment or a mesh first: the recording needs a body.");
+    request("Read " + path.filename().string(), [this, path, reading] {
+        start(task_->name, [this, path, reading](const Progress&) -> Job::Completion {
+            auto file = std::make_shared<Result<RecordingFile>>(backend_->read_recording(path, reading));
+            return [this, file] {
+                if (!*file) return log_failure(file->error(), "Cannot import");
+                if (state_.scene) begin_import(std::move(**file));
+            };
+        });
+    });
+}
+
+void Workbench::begin_import(RecordingFile file) {
+    const bool known = state_.import && state_.import->file.path == file.path && state_.import->file.recording->labels.size() == file.recording->labels.size();
+    RecordingImport import;
+    if (known) import = *state_.import;
+    else {
+        import.choices.markers.resize(file.recording->labels.size());
+        import.choices.trial = marker_name(file.path.stem().string());
+    }
+    if (!known || file.recording->time_s != state_.import->file.recording->time_s) import.choices.start_s = file.start_s.value_or(file.recording->time_s[0]);
+    import.file = std::move(file);
+    import.view = backend_->view_import(*state_.scene, import.file, import.choices);
+    state_.import = std::make_shared<const RecordingImport>(std::move(import));
+    if (!known && !backend_->declared_markers(*state_.scene).empty()) propose_markers();
+    state_.playing = false;
+    execute(command::SetTime{0.0});
+}
+
+void Workbench::change_import(const ImportChoices& choices) {
+    if (!state_.import || choices.markers.size() != state_.import->choices.markers.size()) return;
+    RecordingImport import = *state_.import;
+    import.choices = choices;
+    import.view = backend_->view_import(*state_.scene, import.file, choices);
+    state_.import = std::make_shared<const RecordingImport>(std::move(import));
+    execute(command::SetTime{state_.time_s});
+}
+
+void Workbench::choose_label(int label, bool placing) {
+    if (!state_.import) return;
+    RecordingImport import = *state_.import;
+    import.label = std::clamp(label, 0, static_cast<int>(import.choices.markers.size()) - 1);
+    import.placing = placing && state_.body;
+    state_.import = std::make_shared<const RecordingImport>(std::move(import));
+    if (!placing) return;
+    state_.brush.tool = BrushTool::none;
+    state_.playing = false;
+    execute(command::SetTime{0.0});
+}
+
+void Workbench::propose_markers() {
+    if (!state_.import) return;
+    if (!state_.body) return log(LogLevel::warning, "Mesh the body first.");
+    const auto proposed = backend_->propose_markers(*state_.scene, *state_.body, state_.import->file, state_.import->choices);
+    if (!proposed) return log(LogLevel::warning, proposed.error().text());
+    change_import(*proposed);
+    const auto named = std::count_if(proposed->markers.begin(), proposed->markers.end(), [](const ImportedMarker& m) { return !m.name.empty(); });
+    log(LogLevel::information, "Proposed " + std::to_string(named) + (named == 1 ? " marker." : " markers.") + " Look at their distances before you go on.");
+}
+
+void Workbench::align_import() {
+    const SceneTrial* const trial = state_.scene_trial();
+    const SimulatedTrial* const run = state_.simulated_trial();
+    if (!state_.import || !trial || !run) return log(LogLevel::warning, "Run the trial first that the recording is to be aligned with.");
+    const auto start = backend_->align_import(*state_.scene, *run, trial->time_s, state_.import->file, state_.import->choices);
+    if (!start) return log(LogLevel::warning, "Not aligned. " + start.error().text());
+    ImportChoices choices = state_.import->choices;
+    choices.start_s = *start;
+    change_import(choices);
+}
+
+void Workbench::add_recording() {
+    if (!state_.import || !state_.import->view.problem.empty()) return;
+    const RecordingImport import = *state_.import;
+    const auto scene = state_.scene;
+    const Settings settings = state_.settings;
+    request("Add " + import.choices.trial, [this, import, scene, settings] {
+        start(task_->name, [this, import, scene, settings](const Progress& progress) -> Job::Completion {
+            auto place = std::make_shared<Result<std::filesystem::path>>(backend_->add_recording(*scene, settings, import.file, import.choices));
+            auto made = std::make_shared<Result<Scene>>(Error{"not read", ""});
+            if (*place) *made = backend_->open(**place, std::nullopt, progress);
+            return [this, import, scene, place, made] {
+                if (!*place) return log_failure(place->error(), "Cannot add the trial");
+                if (!*made) return log_failure(made->error(), "The trial was added, but the experiment cannot be opened");
+                if (state_.scene != scene) return;   // something else was opened meanwhile
+                // What was set and painted on this body stays.
+                const Settings kept = state_.settings;
+                const std::filesystem::path project = import.choices.folder.empty() ? state_.project : std::filesystem::path();
+                show_scene(std::move(**made), std::nullopt);
+                state_.project = project;
+                set_settings(kept);
+                if (task_) task_->settings = state_.settings;
+                for (std::size_t t = 0; t < state_.scene->trials.size(); ++t)
+                    if (state_.scene->trials[t].name == import.choices.trial) choose_trial(static_cast<int>(t));
+                remember_recent(state_.scene->path);
+                log(LogLevel::done, "Added the trial " + import.choices.trial + " in " + (*place)->string() + ".");
+                build_mesh({});
+            };
+        });
+    });
+}
+
+void Workbench::give_up_import() {
+    state_.import.reset();
+    execute(command::SetTime{state_.time_s});
+}
+
+}  // namespace myo

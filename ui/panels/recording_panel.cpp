@@ -1,0 +1,102 @@
+#include "panels/recording_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/tables.hpp"
+#include "panels/widgets.hpp"
+#include "platform/fonts.hpp"
+
+namespace myo {
+namespace {
+
+std::vector<std::pair<double, double>> seen_spans(const Eigen::VectorXd& time_s, const Eigen::Matrix3Xd& track) {
+    std::vector<std::pair<double, double>> spans;
+    const double half = time_s.size() > 1 ? 0.5 * (time_s[1] - time_s[0]) : 0.0;
+    bool open = false;
+    for (Eigen::Index i = 0; i < track.cols(); ++i) {
+        const bool seen = track.col(i).allFinite();
+        if (seen && !open) spans.push_back({time_s[i] - half, 0.0});
+        if (seen) spans.back().second = time_s[i] + half;
+        open = seen;
+    }
+    return spans;
+}
+
+}  // namespace
+
+std::string RecordingPanel::title() const { return std::string(icon::camera) + "  Recording"; }
+
+void RecordingPanel::draw(PanelContext& context) {
+    if (!context.state.import) return muted_text(context.theme, "A recording that is being imported is looked at here.");
+    const RecordingImport& import = *context.state.import;
+    const Recording& recording = *import.file.recording;
+    const Theme& theme = context.theme;
+    if (recording_ != import.file.recording) {
+        recording_ = import.file.recording;
+        seen_.clear();
+        for (const Eigen::Matrix3Xd& track : recording.tracks) seen_.push_back(seen_spans(recording.time_s, track));
+        time_.range.reset();
+        plots_ = {};
+    }
+    const auto label = static_cast<std::size_t>(import.label);
+    const Eigen::Matrix3Xd track = 1e3 * ((import.view.rotation * recording.tracks[label]).colwise() + import.view.translation_m);
+    const ImVec2 space = ImGui::GetContentRegionAvail();
+    const float row = std::min(14.0f * theme.scale, 0.5f * space.y / static_cast<float>(seen_.size()));
+    const float gaps = std::floor(row * static_cast<float>(seen_.size()) + theme.small->FontSize + 8.0f * theme.scale), third = std::floor(space.x / 3.0f);
+    PlotArea area;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) ImGui::SameLine(0.0f, 0.0f);
+        Plot plot;
+        plot.id = std::string("recording/") + "xyz"[axis];
+        plot.title = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * third) + " [mm]";
+        plot.cursor = import.choices.start_s;
+        plot.series.push_back({"recorded", recording.time_s, track.row(axis).transpose(), theme.measured, true});
+        const PlotResult drawn = draw_plot(plot, {third, space.y - gaps}, theme, context.items, time_, plots_[static_cast<std::size_t>(axis)], hidden_);
+        if (axis == 0) area = drawn.area;
+        if (!drawn.cursor) continue;
+        ImportChoices choices = import.choices;
+        choices.start_s = std::clamp(*drawn.cursor, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
+        context.emit(command::ChangeImport{choices});
+    }
+    ImGui::BeginChild("gaps", {space.x, gaps}, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_gaps(context, area, row);
+    ImGui::EndChild();
+}
+
+void RecordingPanel::draw_gaps(PanelContext& context, const PlotArea& area, float height) {
+    const RecordingImport& import = *context.state.import;
+    const Theme& theme = context.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float names = std::min(0.25f * ImGui::GetContentRegionAvail().x, 180.0f * theme.scale), width = ImGui::GetContentRegionAvail().x - names - 12.0f * theme.scale;
+    const double first = area.x.lowest, span = std::max(1e-9, area.x.highest - area.x.lowest);
+    const auto pixel = [&](double t) { return corner.x + names + width * static_cast<float>(std::clamp((t - first) / span, 0.0, 1.0)); };
+    list.AddText(theme.small, theme.small->FontSize, corner, packed(theme.muted), "Seen by the cameras");
+    float y = corner.y + theme.small->FontSize + 4.0f * theme.scale;
+    ImGui::SetCursorScreenPos({corner.x, y});
+    const float begin = y;
+    for (std::size_t i = 0; i < seen_.size(); ++i, y += height) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::InvisibleButton("row", {names + width, height})) context.emit(command::ChooseLabel{static_cast<int>(i), import.placing});
+        ImGui::SetCursorScreenPos({corner.x, y + height});
+        const std::string& label = import.file.recording->labels[i];
+        context.items.mark("recording/seen/" + label);
+        tooltip(theme, label + ": seen in " + std::to_string(static_cast<int>(std::lround(100.0 * import.file.seen[i]))) + " % of the samples");
+        ImGui::PopID();
+        const bool chosen = static_cast<int>(i) == import.label;
+        // Where rows are lower than letters only the chosen one has its name.
+        if (height >= 0.95f * theme.small->FontSize || chosen) {
+            const std::string name = elided(label, names - 8.0f * theme.scale);
+            list.AddText(theme.small, theme.small->FontSize, {corner.x, y + 0.5f * (height - theme.small->FontSize)}, packed(chosen ? theme.text : theme.muted), name.c_str());
+        }
+        list.AddRectFilled({corner.x + names, y + 0.15f * height}, {corner.x + names + width, y + 0.85f * height}, packed(theme.failure, 0.35f));
+        for (const auto& [from, to] : seen_[i])
+            if (to > first && from < first + span) list.AddRectFilled({pixel(from), y + 0.15f * height}, {pixel(to), y + 0.85f * height}, packed(chosen ? theme.accent : theme.measured));
+    }
+    if (import.choices.start_s >= first && import.choices.start_s <= first + span) list.AddLine({pixel(import.choices.start_s), begin}, {pixel(import.choices.start_s), y}, packed(theme.text), std::max(1.0f, theme.scale));
+}
+
+}  // namespace myo
