@@ -70,6 +70,7 @@ std::function<int()> declare_screenshot(CLI::App& app) {
     app.add_option("--marker", call->picture.marker, "marker to plot")->type_name("NAME");
     add_optional_number(app, "--time", call->picture.time_s, "time to show [s] (default: the end of the trial)")->type_name("SECONDS");
     app.add_option("--field", call->picture.field, "quantity that colours the body: displacement, stretch, von_mises, ...")->type_name("NAME");
+    app.add_option("--import", call->picture.import, "recording of motion capture to be looked at, as before it becomes a trial")->type_name("FILE");
     add_unit(app, call->picture.metres_per_unit);
     app.add_flag("--calibrate", call->picture.calibrate, "calibrate before drawing, instead of a plain run");
     app.add_flag("--optimize", call->picture.optimize, "look for the muscles' signals before drawing, instead of a plain run");

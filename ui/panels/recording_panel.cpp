@@ -44,8 +44,9 @@ void RecordingPanel::draw(PanelContext& context) {
     const auto label = static_cast<std::size_t>(import.label);
     const Eigen::Matrix3Xd track = 1e3 * ((import.view.rotation * recording.tracks[label]).colwise() + import.view.translation_m);
     const ImVec2 space = ImGui::GetContentRegionAvail();
-    const float row = std::min(14.0f * theme.scale, 0.5f * space.y / static_cast<float>(seen_.size()));
-    const float gaps = std::floor(row * static_cast<float>(seen_.size()) + theme.small->FontSize + 8.0f * theme.scale), third = std::floor(space.x / 3.0f);
+    // In a low strip the curves keep most of the room.
+    const float heading = theme.small->FontSize + 8.0f * theme.scale, rows = static_cast<float>(seen_.size());
+    const float gaps = std::floor(std::min(14.0f * theme.scale * rows + heading, 0.45f * space.y)), row = std::max(2.0f, (gaps - heading) / rows), third = std::floor(space.x / 3.0f);
     PlotArea area;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) ImGui::SameLine(0.0f, 0.0f);
@@ -54,7 +55,7 @@ void RecordingPanel::draw(PanelContext& context) {
         plot.title = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * third) + " [mm]";
         plot.cursor = import.choices.start_s;
         plot.series.push_back({"recorded", recording.time_s, track.row(axis).transpose(), theme.measured, true});
-        const PlotResult drawn = draw_plot(plot, {third, space.y - gaps}, theme, context.items, time_, plots_[static_cast<std::size_t>(axis)], hidden_);
+        const PlotResult drawn = draw_plot(plot, {third, space.y - gaps - ImGui::GetStyle().ItemSpacing.y}, theme, context.items, time_, plots_[static_cast<std::size_t>(axis)], hidden_);
         if (axis == 0) area = drawn.area;
         if (!drawn.cursor) continue;
         ImportChoices choices = import.choices;

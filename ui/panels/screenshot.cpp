@@ -90,6 +90,10 @@ Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const Screenshot
         if (options.diagnose) workbench.execute(command::Diagnose{});
         if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
     }
+    if (!options.import.empty()) {
+        workbench.execute(command::ReadRecording{options.import});
+        if (const auto read = wait_for_jobs(workbench, progress); !read) return read.error();
+    }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     for (const std::string& panel : options.panels) window->show_panel(panel);
     // Sizes of texts are known from the second frame on, scrolling from the third.

@@ -31,6 +31,7 @@ struct ScreenshotOptions {
     std::optional<double> time_s;            // shown; empty = the end of the trial
     ThemeName theme = ThemeName::dark;
     float scale = 1.0f;
+    std::filesystem::path import;            // a recording that is being made a trial; empty: none
     std::string field;                       // colours the body, by its id; empty: none
 };
 
