@@ -121,6 +121,17 @@ ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point) {
     return {view.pixels.lowest.x + static_cast<float>(p->x()), view.pixels.lowest.y + static_cast<float>(p->y())};
 }
 
+double differing_share(const Image& a, const Image& b, const Rectangle& part) {
+    double differ = 0.0, all = 0.0;
+    for (int y = static_cast<int>(part.lowest.y); y < std::min(a.height, static_cast<int>(part.highest.y)); ++y)
+        for (int x = static_cast<int>(part.lowest.x); x < std::min(a.width, static_cast<int>(part.highest.x)); ++x) {
+            const std::array<int, 3> p = a.color(x, y), q = b.color(x, y);
+            all += 1.0;
+            differ += std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]) > 24 ? 1.0 : 0.0;
+        }
+    return differ / std::max(1.0, all);
+}
+
 bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius) {
     const auto distance = [&](const std::array<int, 3>& seen) {
         return std::abs(seen[0] - static_cast<int>(255 * color.x)) + std::abs(seen[1] - static_cast<int>(255 * color.y)) +

@@ -54,4 +54,7 @@ ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point);
 /// Whether a picture has this colour, nearly, at most `radius` pixels from the place in x and in y.
 bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius);
 
+/// Share of the pixels in a part of two pictures of one size whose colours differ visibly, by more than 24 of 765 in all.
+double differing_share(const Image& a, const Image& b, const Rectangle& part);
+
 }  // namespace myo::test
