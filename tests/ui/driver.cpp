@@ -75,9 +75,9 @@ void Driver::double_click(const std::string& name) {
     settle();
 }
 
-void Driver::drag(const ImVec2& from, const ImVec2& to, int button) {
+void Driver::drag(const ImVec2& from, const ImVec2& to, int button, Modifiers modifiers) {
     window->input().push(MouseMoved{from.x, from.y});
-    window->input().push(MouseButton{button, true, {}});
+    window->input().push(MouseButton{button, true, modifiers});
     for (int i = 1; i <= 4; ++i) {
         const float s = static_cast<float>(i) / 4.0f;
         window->input().push(MouseMoved{from.x + s * (to.x - from.x), from.y + s * (to.y - from.y)});

@@ -31,7 +31,7 @@ public:
     void click(const std::string& name, int button = 0);
     void double_click(const std::string& name);
     void click_at(const ImVec2& place, int button = 0);
-    void drag(const ImVec2& from, const ImVec2& to, int button = 0);
+    void drag(const ImVec2& from, const ImVec2& to, int button = 0, Modifiers modifiers = {});
     void wheel(const ImVec2& place, float notches);
     void key(int key, Modifiers modifiers = {});
     void type(const std::string& text);

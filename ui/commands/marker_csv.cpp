@@ -1,6 +1,7 @@
 #include "commands/marker_csv.hpp"
 
 #include <cassert>
+#include <limits>
 
 #include "base/text.hpp"
 
@@ -20,8 +21,24 @@ std::string quoted(const std::string& name) {
 
 struct Curve {
     std::string name;
-    Eigen::Matrix3Xd position_m;
+    const Eigen::VectorXd* time_s = nullptr;   // T
+    Eigen::Matrix3Xd position_m;               // 3 x T
 };
+
+void add_trial(std::vector<Curve>& curves, const std::string& before, const SceneTrial& trial, std::size_t marker, const Eigen::Matrix3Xd* simulated_m) {
+    const Eigen::Matrix3Xd& measured_m = trial.measured[marker];
+    curves.push_back({before + "measured", &trial.time_s, measured_m});
+    if (!simulated_m) return;
+    curves.push_back({before + "simulated", &trial.time_s, *simulated_m});
+    curves.push_back({before + "residual", &trial.time_s, *simulated_m - measured_m});
+}
+
+/// Way of a marker in a run at the times of its trial, or null.
+const Eigen::Matrix3Xd* simulated_way(const SceneTrial& trial, const RunResult* run, std::size_t t, std::size_t marker) {
+    if (!run || t >= run->trials.size() || marker >= run->trials[t].markers.size()) return nullptr;
+    const Eigen::Matrix3Xd& way = run->trials[t].markers[marker];
+    return way.cols() == trial.time_s.size() ? &way : nullptr;
+}
 
 }  // namespace
 
@@ -38,39 +55,54 @@ std::vector<ComparedMarker> compared_markers(const WorkbenchState& state) {
     return compared;
 }
 
-std::string marker_curves_csv(const WorkbenchState& state, double first_s, double last_s) {
+std::vector<OverlaidMarker> overlaid_markers(const WorkbenchState& state, const std::set<int>& trials) {
+    std::vector<OverlaidMarker> overlaid;
+    const auto m = static_cast<std::size_t>(state.marker);
+    const std::shared_ptr<const RunResult> run = state.shown_run();
+    for (std::size_t t = 0; state.scene && t < state.scene->trials.size(); ++t) {
+        const SceneTrial& trial = state.scene->trials[t];
+        if (static_cast<int>(t) == state.trial || trials.count(static_cast<int>(t)) == 0 || m >= trial.measured.size()) continue;
+        overlaid.push_back({t, &trial, simulated_way(trial, run.get(), t, m)});
+    }
+    return overlaid;
+}
+
+std::string marker_curves_csv(const WorkbenchState& state, double first_s, double last_s, const std::set<int>& overlaid) {
     const SceneTrial* const trial = state.scene_trial();
     const auto m = static_cast<std::size_t>(state.marker);
     assert(trial && m < trial->measured.size());
-    std::vector<Curve> curves{{"measured", trial->measured[m]}};
-    const SimulatedTrial* const simulated = state.simulated_trial();
-    if (simulated && m < simulated->markers.size() && simulated->markers[m].cols() == trial->time_s.size()) {
-        curves.push_back({"simulated", simulated->markers[m]});
-        curves.push_back({"residual", simulated->markers[m] - trial->measured[m]});
-    }
-    for (const ComparedMarker& other : compared_markers(state)) curves.push_back({other.name, *other.position_m});
+    const std::shared_ptr<const RunResult> run = state.shown_run();
+    std::vector<Curve> curves;
+    add_trial(curves, "", *trial, m, simulated_way(*trial, run.get(), static_cast<std::size_t>(state.trial), m));
+    for (const ComparedMarker& other : compared_markers(state)) curves.push_back({other.name, &trial->time_s, *other.position_m});
+    for (const OverlaidMarker& other : overlaid_markers(state, overlaid)) add_trial(curves, other.measured->name + "_", *other.measured, m, other.simulated_m);
+    std::set<double> times;
+    for (const Curve& curve : curves) times.insert(curve.time_s->begin(), curve.time_s->end());
     std::string text = "time_s";
     for (const Curve& curve : curves) {
         for (const char* const axis : {"_x_m", "_y_m", "_z_m"}) text += "," + quoted(curve.name + axis);
     }
     text += "\n";
-    for (Eigen::Index t = 0; t < trial->time_s.size(); ++t) {
-        if (trial->time_s(t) < first_s || trial->time_s(t) > last_s) continue;
-        text += format_number(trial->time_s(t), digits);
-        for (const Curve& curve : curves) {
-            for (const double value : curve.position_m.col(t)) text += "," + format_number(value, digits);
+    std::vector<Eigen::Index> next(curves.size(), 0);
+    for (const double time : times) {
+        std::string line = format_number(time, digits);
+        for (std::size_t c = 0; c < curves.size(); ++c) {
+            const Eigen::VectorXd& at = *curves[c].time_s;
+            while (next[c] < at.size() && at(next[c]) < time) ++next[c];
+            const bool sampled = next[c] < at.size() && at(next[c]) == time;
+            for (int axis = 0; axis < 3; ++axis) line += "," + format_number(sampled ? curves[c].position_m(axis, next[c]) : std::numeric_limits<double>::quiet_NaN(), digits);
         }
-        text += "\n";
+        if (time >= first_s && time <= last_s) text += line + "\n";
     }
     return text;
 }
 
 std::string marker_errors_csv(const std::vector<MarkerError>& errors) {
-    std::string text = "marker,rms_m,largest_m,rms_x_m,rms_y_m,rms_z_m,bias_x_m,bias_y_m,bias_z_m,seen\n";
+    std::string text = "marker,rms_m,largest_m,rms_x_m,rms_y_m,rms_z_m,largest_x_m,largest_y_m,largest_z_m,bias_x_m,bias_y_m,bias_z_m,seen\n";
     for (const MarkerError& error : errors) {
         text += quoted(error.name);
         for (const double value : {error.rms_m, error.largest_m}) text += "," + format_number(value, digits);
-        for (const Eigen::Vector3d* const axes : {&error.rms_axis_m, &error.bias_m}) {
+        for (const Eigen::Vector3d* const axes : {&error.rms_axis_m, &error.largest_axis_m, &error.bias_m}) {
             for (const double value : *axes) text += "," + format_number(value, digits);
         }
         text += "," + format_number(error.seen, digits) + "\n";

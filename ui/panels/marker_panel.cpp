@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "commands/marker_csv.hpp"
 #include "panels/file_dialogs.hpp"
@@ -14,6 +15,37 @@ namespace myo {
 namespace {
 
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
+
+constexpr const char* plot_help =
+    "Wheel: zoom in time about the mouse; with Shift in mm\n"
+    "Drag with the right button: zoom to a box\n"
+    "Drag with the left button: move the curves; double-click: show all\n"
+    "Click: go to that time; the vertical line can be dragged\n"
+    "Shift and drag: choose a time range, whose rms error is told; Shift and click: none\n"
+    "A name in the legend: hide or show the curve";
+
+/// Far in hue from measured, simulated and residual in both themes.
+const ImVec4& overlay_color(const Theme& theme, std::size_t trial) {
+    constexpr std::array<int, 4> colors{2, 3, 6, 7};
+    return theme.muscle(colors[trial % colors.size()]);
+}
+
+/// All curves of one trial in x, y or z.
+struct TrialCurves {
+    PlotSeries measured, simulated, residual;   // the latter two NaN without a run
+};
+
+TrialCurves overlaid_curves(const OverlaidMarker& other, std::size_t marker, int axis, const Theme& theme) {
+    const SceneTrial& trial = *other.measured;
+    ImVec4 faint = overlay_color(theme, other.trial);
+    const Eigen::VectorXd measured = 1e3 * trial.measured[marker].row(axis).transpose();
+    Eigen::VectorXd simulated = Eigen::VectorXd::Constant(measured.size(), std::numeric_limits<double>::quiet_NaN());
+    if (other.simulated_m) simulated = 1e3 * other.simulated_m->row(axis).transpose();
+    const ImVec4 color = faint;
+    faint.w = 0.7f;   // the line stays in sight where the dots lie on it
+    return {{trial.name + ", measured", trial.time_s, measured, faint, true}, {trial.name + ", simulated", trial.time_s, simulated, color, false},
+            {trial.name, trial.time_s, simulated - measured, color, false}};
+}
 
 }  // namespace
 
@@ -27,7 +59,8 @@ void MarkerPanel::draw(PanelContext& context) {
     }
     if (scene_ != state.scene || trial_ != state.trial || marker_ != state.marker) {
         // Another curve: the old zoom means nothing.
-        if (scene_ != state.scene || trial_ != state.trial) time_.range.reset();
+        if (scene_ != state.scene || trial_ != state.trial) time_ = {};
+        if (scene_ != state.scene) overlaid_.clear();
         main_ = {};
         residual_ = {};
         scene_ = state.scene;
@@ -35,6 +68,7 @@ void MarkerPanel::draw(PanelContext& context) {
         marker_ = state.marker;
     }
     draw_choice(context);
+    if (!overlaid_markers(state, overlaid_).empty()) draw_legend(context);
     const ImVec2 space = ImGui::GetContentRegionAvail();
     const int count = static_cast<int>(std::count(shown_.begin(), shown_.end(), true));
     if (count == 0) return;
@@ -71,6 +105,8 @@ void MarkerPanel::draw_choice(PanelContext& context) {
         context.items.mark(std::string("markers/show/") + axis_names[axis]);
     }
     ImGui::SameLine(0.0f, 16.0f * s);
+    draw_trials(context);
+    ImGui::SameLine(0.0f, 8.0f * s);
     if (ImGui::Button("Fit")) {
         time_.range.reset();
         main_ = {};
@@ -80,21 +116,107 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the data (double-click in a plot does the same)");
     ImGui::SameLine(0.0f, 8.0f * s);
     if (ImGui::Button("CSV\xe2\x80\xa6")) {
-        const std::array<double, 2> all = time_span(state);
-        const Range range = time_.range.value_or(Range{all[0], all[1]});
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        const Range range = time_.range.value_or(Range{-infinite, infinite});
         const std::string name = state.scene_trial()->name + "_" + markers[current].name;
-        context.window.file = table_dialog("Save the marker's curves", name, marker_curves_csv(state, range.lowest, range.highest));
+        context.window.file = table_dialog("Save the marker's curves", name, marker_curves_csv(state, range.lowest, range.highest, overlaid_));
     }
     context.items.mark("markers/csv");
-    tooltip(context.theme, "Saves the visible time range of this marker as a table [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, and every compared run, each in x, y and z");
+    tooltip(context.theme, "Saves the visible time range of this marker as a table [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, every compared run and the other trials that are drawn, each in x, y and z");
+    ImGui::SameLine(0.0f, 8.0f * s);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(context.theme.muted, "%s", icon::information);
+    context.items.mark("markers/help");
+    tooltip(context.theme, plot_help, 460.0f);
+    draw_error(context);
+}
+
+void MarkerPanel::draw_error(PanelContext& context) {
+    const WorkbenchState& state = context.state;
     const SimulatedTrial* simulated = state.simulated_trial();
-    if (simulated && current < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[current])) {
-        const std::string text = "rms of this marker  " + value_label(1e3 * simulated->marker_rms_m[current], 3) + " mm";
-        ImGui::SameLine(0.0f, 16.0f * s);
-        if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) return ImGui::NewLine();
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(context.theme.muted, "%s", text.c_str());
+    const auto m = static_cast<std::size_t>(state.marker);
+    std::string text;
+    if (time_.chosen) {
+        const double rms = marker_rms_m(*state.scene_trial(), simulated, m, time_.chosen->lowest, time_.chosen->highest);
+        const std::string range = " in " + value_label(time_.chosen->lowest, 3) + "\xe2\x80\x93" + value_label(time_.chosen->highest, 3) + " s";
+        text = (std::isfinite(rms) ? "rms " + value_label(1e3 * rms, 3) + " mm" : std::string("nothing to compare")) + range;
+    } else if (simulated && m < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[m])) {
+        text = "rms of this marker  " + value_label(1e3 * simulated->marker_rms_m[m], 3) + " mm";
     }
+    if (text.empty()) return;
+    ImGui::SameLine(0.0f, 16.0f * context.theme.scale);
+    if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) {
+        ImGui::NewLine();
+        if (!time_.chosen) return;   // the table of errors has it; a range was asked for here
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(time_.chosen ? context.theme.text : context.theme.muted, "%s", text.c_str());
+    context.items.mark(time_.chosen ? "markers/chosen_rms" : "markers/rms");
+    if (time_.chosen) tooltip(context.theme, "Root mean square of simulated \xe2\x88\x92 measured over x, y and z of this marker in the shown trial, within the chosen range. Shift and click in a plot: no range.");
+}
+
+void MarkerPanel::draw_trials(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    if (ImGui::Button("Trials\xe2\x80\xa6")) ImGui::OpenPopup("trials");
+    context.items.mark("markers/trials");
+    tooltip(context.theme, "Draws this marker in other trials, too, in time since each trial's start");
+    if (!begin_popup_above(context.theme, "trials", 320.0f)) return;
+    for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
+        const SceneTrial& trial = state.scene->trials[t];
+        const int index = static_cast<int>(t);
+        bool drawn = index == state.trial || overlaid_.count(index) > 0;
+        ImGui::BeginDisabled(index == state.trial);
+        ImGui::PushID(index);
+        if (ImGui::Checkbox("##drawn", &drawn)) {
+            if (drawn) overlaid_.insert(index);
+            else overlaid_.erase(index);
+        }
+        ImGui::PopID();
+        context.items.mark("markers/trial/" + trial.name);
+        ImGui::EndDisabled();
+        ImGui::SameLine();
+        ImGui::PushTextWrapPos(0.0f);
+        if (index == state.trial) ImGui::TextColored(context.theme.muted, "%s (shown)", trial.name.c_str());
+        else ImGui::TextColored(overlay_color(context.theme, t), "%s", trial.name.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::EndPopup();
+}
+
+/// One legend for all axes: over each plot there is no room for the names of several trials.
+void MarkerPanel::draw_legend(PanelContext& context) {
+    const Theme& theme = context.theme;
+    struct Entry { std::string name; ImVec4 color; bool dots; };
+    std::vector<Entry> entries{{"measured", theme.measured, true}};
+    if (context.state.simulated_trial()) entries.push_back({"simulated", theme.simulated, false});
+    for (const ComparedMarker& other : compared_markers(context.state)) entries.push_back({other.name, theme.muscle(static_cast<int>(other.record)), false});
+    for (const OverlaidMarker& other : overlaid_markers(context.state, overlaid_)) {
+        const ImVec4& color = overlay_color(theme, other.trial);
+        entries.push_back({other.measured->name + ", measured", color, true});
+        if (other.simulated_m) entries.push_back({other.measured->name + ", simulated", color, false});
+    }
+    ImGui::PushFont(theme.small);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float sample = 16.0f * theme.scale, gap = 12.0f * theme.scale, right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    for (const Entry& entry : entries) {
+        const float width = sample + ImGui::CalcTextSize(entry.name.c_str()).x;
+        if (&entry != &entries.front()) {
+            ImGui::SameLine(0.0f, gap);
+            if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
+        }
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float height = ImGui::GetTextLineHeight();
+        if (ImGui::InvisibleButton(entry.name.c_str(), {width, height})) {
+            if (hidden_.erase(entry.name) == 0) hidden_.insert(entry.name);
+        }
+        context.items.mark("markers/legend/" + entry.name);
+        const float alpha = hidden_.count(entry.name) > 0 ? 0.35f : 1.0f;
+        const float middle = at.y + 0.5f * height;
+        if (entry.dots) list.AddCircleFilled({at.x + 0.4f * sample, middle}, 3.0f * theme.scale, packed(entry.color, alpha), 12);
+        else list.AddLine({at.x, middle}, {at.x + 0.8f * sample, middle}, packed(entry.color, alpha), 2.0f * theme.scale);
+        list.AddText({at.x + sample, at.y}, packed(ImGui::IsItemHovered() ? theme.text : theme.muted, alpha), entry.name.c_str());
+    }
+    ImGui::PopFont();
 }
 
 void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& size) {
@@ -112,7 +234,9 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     plot.title = axis_name + " [mm]";
     plot.cursor = state.time_s;
     plot.mark = 0.0;
-    plot.legend = true;
+    const std::vector<OverlaidMarker> others = overlaid_markers(state, overlaid_);
+    plot.legend = others.empty();
+    plot.selectable = true;
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
     plot.series.push_back({"measured", trial.time_s, measured, theme.measured, true});
     Plot strip;
@@ -123,6 +247,13 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     }
     for (const ComparedMarker& other : compared_markers(state))
         plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(), theme.muscle(static_cast<int>(other.record)), false});
+    for (const OverlaidMarker& other : others) {
+        TrialCurves curves = overlaid_curves(other, m, axis, theme);
+        if (hidden_.count(curves.simulated.name) > 0) curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
+        plot.series.push_back(std::move(curves.measured));
+        if (other.simulated_m) plot.series.push_back(std::move(curves.simulated));
+        strip.series.push_back(std::move(curves.residual));   // also without values: the time axes of both plots stay equal
+    }
     // In a low strip the motion itself keeps the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
     plot.x_axis = !residual;
@@ -136,6 +267,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     strip.cursor = state.time_s;
     strip.mark = 0.0;
     strip.zero_line = true;
+    strip.selectable = true;
     HiddenSeries none;
     const PlotResult below = draw_plot(strip, {size.x, residual_height}, theme, context.items, time_, residual_[a], none);
     if (below.cursor) context.emit(command::SetTime{*below.cursor});

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <array>
+#include <set>
 
 #include "panels/panel.hpp"
 #include "plot/plot.hpp"
 
 namespace myo {
 
-/// A marker's x, y and z, simulated over measured, with the residual below.
+/// A marker's x, y and z, simulated over measured, with the residual below; other trials over the shown one when asked for.
 class MarkerPanel : public Panel {
 public:
     std::string name() const override { return "markers"; }
@@ -18,9 +19,13 @@ public:
 
 private:
     void draw_choice(PanelContext& context);
+    void draw_trials(PanelContext& context);
+    void draw_legend(PanelContext& context);
+    void draw_error(PanelContext& context);
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 
     std::array<bool, 3> shown_{true, true, true};
+    std::set<int> overlaid_;       // other trials of the scene that are drawn, too
     LinkedAxis time_;
     std::array<PlotState, 3> main_;
     std::array<PlotState, 3> residual_;

@@ -62,14 +62,18 @@ void MeasurePanel::draw(PanelContext& context) {
     draw_import_button(context);
     if (!trial) return;
     heading(theme, "Markers of " + trial->name);
-    struct Tab { Shown shown; const char* label; const char* item; };
-    for (const Tab& t : {Tab{Shown::whole, "In all", "measure/whole"}, Tab{Shown::rms, "rms per axis", "measure/rms"}, Tab{Shown::bias, "Bias per axis", "measure/bias"}}) {
+    struct Tab { Shown shown; const char* label; const char* item; const char* tip; };
+    const std::string what = shown_ == Shown::bias      ? "Mean of simulated less measured [mm]"
+                             : shown_ == Shown::largest ? "Largest magnitude of simulated less measured [mm]"
+                                                        : "Root mean square of simulated less measured [mm]";
+    for (const Tab& t : {Tab{Shown::whole, "In all", "measure/whole", "All three coordinates together"}, Tab{Shown::rms, "rms", "measure/rms", "Root mean square in x, y and z"}, Tab{Shown::largest, "max", "measure/largest", "Largest error in x, y and z"},
+                         Tab{Shown::bias, "Bias", "measure/bias", "Mean error in x, y and z"}}) {
         if (t.shown != Shown::whole) ImGui::SameLine();
         if (tab(theme, t.label, shown_ == t.shown)) shown_ = t.shown;
         context.items.mark(t.item);
+        tooltip(theme, t.tip);
     }
     const std::vector<MarkerError> errors = marker_errors(*state.scene, *trial, state.simulated_trial());
-    const std::string what = shown_ == Shown::bias ? "Mean of simulated less measured [mm]" : "Root mean square of simulated less measured [mm]";
     const std::vector<Heading> whole{{"Marker", ""}, {"rms [mm]", "Over all three coordinates, from t = 0 on", true}, {"max [mm]", "Largest distance", true},
                                      {"seen [%]", "Share of the samples in which the marker was measured", true}};
     const std::vector<Heading> axes{{"Marker", ""}, {"x [mm]", what, true}, {"y [mm]", what, true}, {"z [mm]", what, true}};
@@ -94,14 +98,14 @@ void MeasurePanel::draw(PanelContext& context) {
             length(error.largest_m);
             number_cell(theme, value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
         } else {
-            for (const double value : shown_ == Shown::bias ? error.bias_m : error.rms_axis_m) length(value);
+            for (const double value : shown_ == Shown::bias ? error.bias_m : shown_ == Shown::largest ? error.largest_axis_m : error.rms_axis_m) length(value);
         }
     }
     ImGui::EndTable();
     ImGui::Spacing();
     if (ImGui::Button("Save the table\xe2\x80\xa6")) context.window.file = table_dialog("Save the markers' errors", trial->name + "_errors", marker_errors_csv(errors));
     context.items.mark("measure/csv");
-    tooltip(theme, "Saves rms, largest distance, rms and bias per axis [m] and the share of samples seen, of every marker of this trial, as CSV");
+    tooltip(theme, "Saves rms, largest distance, rms, max and bias per axis [m] and the share of samples seen, of every marker of this trial, as CSV");
 }
 
 }  // namespace myo

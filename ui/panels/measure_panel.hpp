@@ -15,7 +15,7 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    enum class Shown { whole, rms, bias };   // of the markers, the latter two per axis
+    enum class Shown { whole, rms, largest, bias };   // of the markers, all but the first per axis
     Shown shown_ = Shown::whole;
 };
 

@@ -87,10 +87,23 @@ void react_to_box(ImDrawList& list, const PlotArea& area, const Theme& theme, bo
     state.box_start.reset();
 }
 
+void react_to_choice(const PlotArea& area, LinkedAxis& x_axis, PlotState& state) {
+    const double x = std::clamp(x_at(area, ImGui::GetIO().MousePos.x), area.x.lowest, area.x.highest);
+    const Range range{std::min(*state.chosen_from, x), std::max(*state.chosen_from, x)};
+    // A click without a drag ends the choice.
+    x_axis.chosen = range.span() * wide(area.pixels.width()) > 4.0 * area.x.span() ? std::optional(range) : std::nullopt;
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.chosen_from.reset();
+}
+
 // Dragging or clicking; returns where the cursor line shall go.
 std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& area, bool active, float grab_width, LinkedAxis& x_axis,
                                            PlotState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemActivated() && plot.selectable && ImGui::GetIO().KeyShift) state.chosen_from = std::clamp(x_at(area, mouse.x), area.x.lowest, area.x.highest);
+    if (state.chosen_from) {
+        react_to_choice(area, x_axis, state);
+        return std::nullopt;
+    }
     if (ImGui::IsItemActivated() && plot.cursor) {
         const float at = static_cast<float>(to_pixel(area.x, *plot.cursor, wide(area.pixels.lowest.x), wide(area.pixels.highest.x)));
         state.dragging_cursor = std::abs(at - mouse.x) <= grab_width;
@@ -138,6 +151,12 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
         list.AddLine({p, area.pixels.lowest.y}, {p, area.pixels.highest.y}, color, width);
         return p;
     };
+    if (plot.selectable && x_axis.chosen) {
+        const float from = vertical(x_axis.chosen->lowest, packed(theme.accent, 0.7f), 1.0f);
+        const float to = vertical(x_axis.chosen->highest, packed(theme.accent, 0.7f), 1.0f);
+        list.AddRectFilled({from, area.pixels.lowest.y}, {to, area.pixels.highest.y}, packed(theme.accent, 0.14f));
+        items.add(plot.id + "/chosen", {{from, area.pixels.lowest.y}, {to, area.pixels.highest.y}});
+    }
     if (plot.mark) vertical(*plot.mark, packed(theme.muted, 0.8f), 1.0f);
     for (const PlotSeries& series : plot.series) {
         if (hidden.count(series.name) == 0) draw_plot_series(list, series, area, theme);
