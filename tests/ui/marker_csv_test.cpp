@@ -108,7 +108,7 @@ TEST(MarkerPlot, OtherTrialsAreLaidOverTheShownOne) {
     driver.click("markers/trial/pull_release");
     driver.key(ImGuiKey_Escape);
     ASSERT_TRUE(driver.has("markers/legend/pull_release, simulated"));
-    ImVec4 color = make_theme(ThemeName::dark, 1.0f).muscle(3);
+    ImVec4 color = make_theme(ThemeName::dark, 1.0f).muscle(2);
     const auto drawn = [&] {
         const Rectangle plot = driver.item("plot/z");
         const ImVec2 middle = plot.center();

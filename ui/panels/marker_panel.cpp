@@ -26,9 +26,12 @@ constexpr const char* plot_help =
 
 /// Far in hue from measured, simulated and residual in both themes.
 const ImVec4& overlay_color(const Theme& theme, std::size_t trial) {
-    constexpr std::array<int, 4> colors{2, 3, 6, 7};
+    constexpr std::array<int, 4> colors{3, 2, 7, 6};
     return theme.muscle(colors[trial % colors.size()]);
 }
+
+/// Whether the panel has no room for words on its buttons; the legend of several trials is then in their menu.
+bool is_narrow(const Theme& theme) { return ImGui::GetContentRegionAvail().x < 460.0f * theme.scale; }
 
 /// All curves of one trial in x, y or z.
 struct TrialCurves {
@@ -68,7 +71,7 @@ void MarkerPanel::draw(PanelContext& context) {
         marker_ = state.marker;
     }
     draw_choice(context);
-    if (!overlaid_markers(state, overlaid_).empty()) draw_legend(context);
+    if (!is_narrow(context.theme) && !overlaid_markers(state, overlaid_).empty()) draw_legend(context);
     const ImVec2 space = ImGui::GetContentRegionAvail();
     const int count = static_cast<int>(std::count(shown_.begin(), shown_.end(), true));
     if (count == 0) return;
@@ -89,7 +92,9 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     const float s = context.theme.scale;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
-    ImGui::SetNextItemWidth(std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
+    const bool narrow = is_narrow(context.theme);   // then the buttons are signs
+    const float gap = narrow ? 4.0f * s : 8.0f * s;
+    ImGui::SetNextItemWidth(narrow ? 80.0f * s : std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
     context.items.mark("markers/marker");
     if (open) {
@@ -100,22 +105,24 @@ void MarkerPanel::draw_choice(PanelContext& context) {
         ImGui::EndCombo();
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        ImGui::SameLine(0.0f, axis == 0 ? 16.0f * s : 8.0f * s);
+        ImGui::SameLine(0.0f, axis == 0 ? 2.0f * gap : gap);
+        if (narrow) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(4.0f * s, 0.0f));
         ImGui::Checkbox(axis_names[axis], &shown_[axis]);
+        if (narrow) ImGui::PopStyleVar();
         context.items.mark(std::string("markers/show/") + axis_names[axis]);
     }
-    ImGui::SameLine(0.0f, 16.0f * s);
-    draw_trials(context);
-    ImGui::SameLine(0.0f, 8.0f * s);
-    if (ImGui::Button("Fit")) {
+    ImGui::SameLine(0.0f, 2.0f * gap);
+    draw_trials(context, narrow);
+    ImGui::SameLine(0.0f, gap);
+    if (ImGui::Button(narrow ? icon::expand : "Fit")) {
         time_.range.reset();
         main_ = {};
         residual_ = {};
     }
     context.items.mark("markers/fit");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the data (double-click in a plot does the same)");
-    ImGui::SameLine(0.0f, 8.0f * s);
-    if (ImGui::Button("CSV\xe2\x80\xa6")) {
+    ImGui::SameLine(0.0f, gap);
+    if (ImGui::Button(narrow ? icon::save : "CSV\xe2\x80\xa6")) {
         constexpr double infinite = std::numeric_limits<double>::infinity();
         const Range range = time_.range.value_or(Range{-infinite, infinite});
         const std::string name = state.scene_trial()->name + "_" + markers[current].name;
@@ -123,7 +130,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     }
     context.items.mark("markers/csv");
     tooltip(context.theme, "Saves the visible time range of this marker as a table [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, every compared run and the other trials that are drawn, each in x, y and z");
-    ImGui::SameLine(0.0f, 8.0f * s);
+    ImGui::SameLine(0.0f, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(context.theme.muted, "%s", icon::information);
     context.items.mark("markers/help");
@@ -155,9 +162,9 @@ void MarkerPanel::draw_error(PanelContext& context) {
     if (time_.chosen) tooltip(context.theme, "Root mean square of simulated \xe2\x88\x92 measured over x, y and z of this marker in the shown trial, within the chosen range. Shift and click in a plot: no range.");
 }
 
-void MarkerPanel::draw_trials(PanelContext& context) {
+void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
     const WorkbenchState& state = context.state;
-    if (ImGui::Button("Trials\xe2\x80\xa6")) ImGui::OpenPopup("trials");
+    if (ImGui::Button(narrow ? icon::list : "Trials\xe2\x80\xa6")) ImGui::OpenPopup("trials");
     context.items.mark("markers/trials");
     tooltip(context.theme, "Draws this marker in other trials, too, in time since each trial's start");
     if (!begin_popup_above(context.theme, "trials", 320.0f)) return;
@@ -179,6 +186,10 @@ void MarkerPanel::draw_trials(PanelContext& context) {
         if (index == state.trial) ImGui::TextColored(context.theme.muted, "%s (shown)", trial.name.c_str());
         else ImGui::TextColored(overlay_color(context.theme, t), "%s", trial.name.c_str());
         ImGui::PopTextWrapPos();
+    }
+    if (narrow && !overlaid_markers(state, overlaid_).empty()) {
+        ImGui::Separator();
+        draw_legend(context);
     }
     ImGui::EndPopup();
 }
@@ -237,9 +248,16 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     const std::vector<OverlaidMarker> others = overlaid_markers(state, overlaid_);
     plot.legend = others.empty();
     plot.selectable = true;
+    Plot strip;
+    for (const OverlaidMarker& other : others) {   // first: the shown trial lies over them
+        TrialCurves curves = overlaid_curves(other, m, axis, theme);
+        if (hidden_.count(curves.simulated.name) > 0) curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
+        plot.series.push_back(std::move(curves.measured));
+        if (other.simulated_m) plot.series.push_back(std::move(curves.simulated));
+        strip.series.push_back(std::move(curves.residual));   // also without values: the time axes of both plots stay equal
+    }
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
     plot.series.push_back({"measured", trial.time_s, measured, theme.measured, true});
-    Plot strip;
     if (compare) {
         const Eigen::VectorXd predicted = 1e3 * simulated->markers[m].row(axis).transpose();
         plot.series.push_back({"simulated", trial.time_s, predicted, theme.simulated, false});
@@ -247,13 +265,6 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     }
     for (const ComparedMarker& other : compared_markers(state))
         plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(), theme.muscle(static_cast<int>(other.record)), false});
-    for (const OverlaidMarker& other : others) {
-        TrialCurves curves = overlaid_curves(other, m, axis, theme);
-        if (hidden_.count(curves.simulated.name) > 0) curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
-        plot.series.push_back(std::move(curves.measured));
-        if (other.simulated_m) plot.series.push_back(std::move(curves.simulated));
-        strip.series.push_back(std::move(curves.residual));   // also without values: the time axes of both plots stay equal
-    }
     // In a low strip the motion itself keeps the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
     plot.x_axis = !residual;

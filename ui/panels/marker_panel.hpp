@@ -19,7 +19,7 @@ public:
 
 private:
     void draw_choice(PanelContext& context);
-    void draw_trials(PanelContext& context);
+    void draw_trials(PanelContext& context, bool narrow);
     void draw_legend(PanelContext& context);
     void draw_error(PanelContext& context);
     void draw_component(PanelContext& context, int axis, const ImVec2& size);

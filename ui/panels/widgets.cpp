@@ -172,7 +172,9 @@ bool begin_dialog(const Theme& theme, const char* title, float width) {
 }
 
 bool begin_popup_above(const Theme& theme, const char* name, float width) {
-    const ImVec2 above{ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y - 4.0f * theme.scale};
+    // Not over the right edge of the window.
+    const float furthest = ImGui::GetMainViewport()->Pos.x + ImGui::GetMainViewport()->Size.x - (width + 8.0f) * theme.scale;
+    const ImVec2 above{std::max(0.0f, std::min(ImGui::GetItemRectMin().x, furthest)), ImGui::GetItemRectMin().y - 4.0f * theme.scale};
     ImGui::SetNextWindowPos(above, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowSize({width * theme.scale, 0.0f});
     if (!ImGui::BeginPopup(name)) return false;
