@@ -103,6 +103,34 @@ TEST(Jobs, EndedOnesAreComparedRestoredAndForgotten) {
     EXPECT_NE(driver.state().history[0].id, record.id);
 }
 
+TEST(Jobs, ComparedOnesHaveRingsInTheView) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    const auto soft = driver.state().run;
+    set_modulus(driver, 5.0e5);
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    driver.workbench->execute(command::SetTime{0.06});
+    ViewOptions view = driver.state().view;
+    view.measured = false;   // orange spheres and red error lines are near the ring's colour
+    driver.workbench->execute(command::ChangeView{view});
+    driver.settle();
+    const SceneTrial& trial = *driver.state().scene_trial();
+    Eigen::Index sample = 0;
+    (trial.time_s.array() - 0.06).abs().minCoeff(&sample);
+    const ImVec4 color = make_theme(ThemeName::dark, 1.0f).muscle(0);
+    const auto ring_drawn = [&] { return test::color_near(driver.picture(), test::pixel_of(driver, soft->trials[0].markers[0].col(sample)), color, 14); };
+    EXPECT_FALSE(ring_drawn());
+    driver.workbench->execute(command::CompareRecord{driver.state().history[0].id, true});
+    driver.settle();
+    EXPECT_TRUE(ring_drawn());
+    driver.workbench->execute(command::CompareRecord{driver.state().history[0].id, false});
+    driver.settle();
+    EXPECT_FALSE(ring_drawn());
+}
+
 TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {
     Driver driver;
     driver.open_beam();

@@ -87,6 +87,21 @@ void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
     }
 }
 
+/// The rings of compared runs at the shown time; not to be picked.
+void add_compared(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
+    const SceneTrial* trial = state.scene_trial();
+    if (!trial || !state.view.simulated) return;
+    const TimePlace place = place_in_time(trial->time_s, state.time_s);
+    if (place.index < 0) return;
+    for (const std::size_t k : compared_records(state)) {
+        const SimulatedTrial* const other = state.trial_of(state.history[k].run.get());
+        if (!other) continue;
+        const Color color = color_of(theme.muscle(static_cast<int>(k)));
+        for (const Eigen::Matrix3Xd& way : other->markers)
+            if (way.cols() == trial->time_s.size()) drawn.markers.push_back({at_time(way, place), color, true, "", -1});
+    }
+}
+
 /// The range is that fixed by hand, or the trial's, so that colours can be compared in time, or until that is known the frame's.
 void add_field(DrawnScene& drawn, const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame) {
     if (frame.values.size() != drawn.positions.cols()) return;
@@ -185,8 +200,15 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     if (drawn.field && !live) drawn.tints.resize(4, 0);   // one meaning of colour at a time
     add_force_arrows(drawn, state, theme);
     if (state.import) add_import(drawn, state, theme);
-    else add_markers(drawn, state, theme);
+    else add_markers(drawn, state, theme), add_compared(drawn, state, theme);
     return drawn;
+}
+
+std::vector<std::size_t> compared_records(const WorkbenchState& state) {
+    std::vector<std::size_t> compared;
+    for (std::size_t k = 0; k < state.history.size(); ++k)
+        if (state.history[k].compared && state.history[k].run && state.history[k].run != state.run) compared.push_back(k);
+    return compared;
 }
 
 }  // namespace myo

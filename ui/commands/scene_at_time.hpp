@@ -41,4 +41,7 @@ MotionSummary summarize_motion(const WorkbenchState& state);
 DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live = nullptr, const FieldKind* kind = nullptr,
                          const FieldFrame* field = nullptr);
 
+/// Places in the history of the ended jobs whose simulated markers are drawn as rings, in the colours that their curves have in the plots. The shown run is left out.
+std::vector<std::size_t> compared_records(const WorkbenchState& state);
+
 }  // namespace myo

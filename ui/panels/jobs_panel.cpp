@@ -73,7 +73,7 @@ void record_row(PanelContext& context, const JobRecord& record, bool wide) {
         if (ImGui::Checkbox("##compare", &compared)) context.emit(command::CompareRecord{record.id, compared});
         ImGui::PopStyleVar();
         context.items.mark("jobs/compare/" + id);
-        tooltip(theme, "Draw its markers in the plots beside those of the shown run");
+        tooltip(theme, "Draw its markers beside those of the shown run: as curves in the plots, as rings of the same colour in the view");
     }
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(!record.can_be_restored());

@@ -220,7 +220,7 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
 void WorkbenchWindow::update_scene() {
     const WorkbenchState& state = workbench_->state();
     const SceneKey key{state.scene, state.body, state.shown_run(), state.diagnosis, state.import, state.candidate, state.trial, state.time_s, state.view, fields_.update(state, workbench_->backend()), state.paint, muscle_looks(state.settings.muscles),
-                       state.muscle, paint_.revision(), interface_.theme().name};
+                       state.muscle, paint_.revision(), interface_.theme().name, compared_records(state)};
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
         viewport_.camera = turn_to(viewport_.camera, StandardView::oblique);

@@ -86,6 +86,7 @@ private:
         int muscle = 0;
         int stroke = 0;
         ThemeName theme = ThemeName::dark;
+        std::vector<std::size_t> compared;   // in the history
         bool operator==(const SceneKey&) const = default;
     };
 
