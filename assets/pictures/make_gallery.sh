@@ -25,8 +25,9 @@ shot body "$examples/silicone_beam" --as-opened --time 0 --panel body
 shot mesh "$examples/fish_tail" --as-opened --time 0 --panel mesh
 shot material "$examples/silicone_beam" --as-opened --time 0 --panel material
 shot fibres "$examples/soft_arm" --panel fibres,signals --trial lift --time 0.5
-shot run "$examples/soft_arm" --panel run --trial lift --time 0.5
+shot run "$examples/soft_arm" --panel run --trial lift --time 0.5 --field von_mises
 shot measure "$examples/silicone_beam" --panel measure --time 0.2
+shot import "$examples/silicone_beam" --as-opened --import "$examples/silicone_beam/side_pluck.csv" --time 0.2
 shot fit "$examples/silicone_beam" --calibrate --panel fit,search --time 0.2
 shot optimise "$examples/soft_arm" --optimize --trial reach --panel fit,signals --time 0.5
 shot diagnose "$examples/silicone_beam" --diagnose --panel verdict,diagnose --time 0.2

@@ -10,8 +10,9 @@
 namespace myo {
 namespace {
 
-/// Confidence in what the tests say, should all they assume hold.
-constexpr double trust = 0.97;
+/// Confidence in a verdict of which no test and no rival leaves a doubt: 149 of 160 such verdicts were right in the study of assets/study (89 to
+/// 96 %), where a sixth of the effects is not in the catalogue.
+constexpr double trust = 0.93;
 /// Cameras alone, at rest, are far better than any model of a real body. Where nobody says how good a model could be, an effect is named that
 /// leaves at most this share of the rms, also on samples it was not fitted to.
 constexpr double most_left = 0.7;
