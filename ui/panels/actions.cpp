@@ -37,7 +37,7 @@ void add_file_actions(std::vector<Action>& all) {
     all.push_back({"file.save", "File", "Save project", {key_s, true, false, "Ctrl+S"}, emits(command::Save{}), with_scene()});
     all.push_back({"file.save_as", "File", "Save project as\xe2\x80\xa6", {key_s, true, true, "Ctrl+Shift+S"}, emits(command::AskWhereToSave{}), with_scene()});
     all.push_back({"file.import", "File", "Import a recording\xe2\x80\xa6", {}, [](PanelContext& context, ViewportState&) { context.window.file = recording_dialog(context.state.scene->path); }, with_scene(), {}, true});
-    all.push_back({"file.picture", "File", "Save picture\xe2\x80\xa6", {}, [](PanelContext& context, ViewportState&) { context.window.file = picture_dialog(); }, with_scene(), {}, true});
+    all.push_back({"file.picture", "File", "Save picture or film\xe2\x80\xa6", {}, [](PanelContext& context, ViewportState&) { context.window.save_view = true; }, with_scene(), {}, true});
     all.push_back({"file.quit", "File", "Quit", {key_q, true, false, "Ctrl+Q"}, emits(command::Quit{}), {}, {}, true});
 }
 

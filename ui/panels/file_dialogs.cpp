@@ -39,13 +39,19 @@ FileDialog save_dialog(const WorkbenchState& state) {
     return dialog;
 }
 
-FileDialog picture_dialog() {
+FileDialog picture_dialog(const PictureRequest& request, const std::string& name) {
     FileDialog dialog;
-    dialog.title = "Save the 3D view as a picture";
+    dialog.title = request.moves ? "Save the motion in the 3D view" : "Save the 3D view as a picture";
     dialog.button = "Save";
-    dialog.endings = {".png"};
-    dialog.new_name = "picture.png";
-    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) { context.window.picture = path; };
+    const std::string ending = std::filesystem::path(name).extension().string();
+    if (!ending.empty()) dialog.endings = {ending};
+    dialog.new_name = name;
+    dialog.chosen = [request, ending](PanelContext& context, const std::filesystem::path& path) {
+        PictureRequest asked = request;
+        asked.path = path;
+        if (asked.path.extension() != ending) asked.path += ending;
+        context.window.picture = asked;
+    };
     return dialog;
 }
 

@@ -10,8 +10,8 @@ FileDialog open_dialog(const std::filesystem::path& start);
 FileDialog recording_dialog(const std::filesystem::path& start);
 /// Saves the project under a name.
 FileDialog save_dialog(const WorkbenchState& state);
-/// Saves the 3D view.
-FileDialog picture_dialog();
+/// Saves the 3D view: a picture, a new folder of numbered ones, or a film, as the proposed name says.
+FileDialog picture_dialog(const PictureRequest& request, const std::string& name);
 /// Writes a table.
 /// @param title  "Save the markers' errors"
 /// @param name   proposed, without ending

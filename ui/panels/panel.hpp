@@ -9,6 +9,7 @@
 
 #include "commands/command.hpp"
 #include "commands/workflow.hpp"
+#include "panels/picture_request.hpp"
 #include "platform/item_rectangles.hpp"
 #include "platform/theme.hpp"
 
@@ -34,7 +35,8 @@ struct WindowRequests {
     std::optional<FileDialog> file;
     std::optional<Step> step;                 // to be shown
     std::string panel;                        // to be brought to the front, by its name
-    std::filesystem::path picture;            // the 3D view is written there
+    std::optional<PictureRequest> picture;    // of the 3D view
+    bool save_view = false;                   // the dialog that asks what of the view to save
     bool fit = false;                         // the whole motion shall be in view
     bool palette = false;
     bool about = false;

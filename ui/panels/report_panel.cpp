@@ -55,7 +55,7 @@ void ReportPanel::draw(PanelContext& context) {
     ImGui::BeginDisabled(folder_.empty());
     if (primary_button(theme, "Write the report", {-1.0f, 0.0f})) {
         context.emit(command::WriteReport{folder_});
-        context.window.picture = std::filesystem::path(folder_) / "picture.png";
+        context.window.picture = PictureRequest{std::filesystem::path(folder_) / "picture.png"};
     }
     context.items.mark("report/write");
     ImGui::EndDisabled();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "panels/file_dialogs.hpp"
 #include "panels/import_panel.hpp"
@@ -92,7 +93,7 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 
 bool WorkbenchWindow::must_draw() const {
     // After a movement one more frame draws the scene with smooth edges.
-    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits());
+    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs());
 }
 
 void WorkbenchWindow::draw_side(PanelContext& context) {
@@ -264,6 +265,11 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
     browser_.draw(context);
     palette_.draw(context, viewport_);
     draw_about(context, about_);
+    picture_dialog_.draw(context);
+    if (film_.runs() && film_.draw(context)) {
+        film_.give_up();
+        context.emit(command::Tell{LogLevel::information, "No pictures were written."});
+    }
     ImGui::End();
     react_to_keys(context);
 }
@@ -279,15 +285,38 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.about) about_ = true;
     if (requests.clear_distances) distances_.clear();
     if (requests.fit) viewport_.fit_requested = true;
-    if (!requests.picture.empty()) picture_ = requests.picture;
+    if (requests.picture) picture_ = requests.picture;
+    if (requests.save_view) picture_dialog_.open(state, viewport_.size());
 }
 
-void WorkbenchWindow::write_picture() {
-    if (picture_.empty()) return;
-    const Result<void> written = write_png(renderer_.read(), picture_);
-    workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + picture_.string() + "."}
+Result<void> WorkbenchWindow::write_picture() {
+    if (!picture_) return {};
+    const PictureRequest request = *std::exchange(picture_, std::nullopt);
+    if (request.moves) {
+        workbench_->execute(command::Play{false});
+        if (const Result<void> begun = film_.begin(request, workbench_->state().time_s); !begun)
+            workbench_->execute(command::Tell{LogLevel::failure, "Cannot write the pictures: " + begun.error().text()});
+        else workbench_->execute(command::SetTime{film_.time_s()});
+        return {};
+    }
+    const ViewSize size = request.width > 0 ? ViewSize{request.width, request.height} : viewport_.size();
+    // With a renderer of its own the view keeps its picture.
+    auto renderer = SceneRenderer::make();
+    if (!renderer) return renderer.error();
+    const Result<Image> image = draw_picture(*renderer, scene_, 1, view_colors(interface_.theme()), viewport_.camera, size);
+    const Result<void> written = image ? write_png(*image, request.path) : Result<void>(image.error());
+    workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + request.path.string() + "."}
                                 : command::Tell{LogLevel::failure, "Cannot write the picture: " + written.error().text()});
-    picture_.clear();
+    return {};
+}
+
+void WorkbenchWindow::add_to_film() {
+    // The scene must be that of the picture's time, and its colours, too.
+    if (!film_.runs() || fields_.waits() || std::abs(scene_key_.time_s - film_.time_s()) > 1e-9) return;
+    const Result<double> next = film_.add(scene_, view_colors(interface_.theme()), viewport_.camera);
+    if (!next) return workbench_->execute(command::Tell{LogLevel::failure, "Cannot write the pictures: " + next.error().text()});
+    workbench_->execute(command::SetTime{*next});
+    if (!film_.runs()) workbench_->execute(command::Tell{LogLevel::done, std::to_string(film_.done()) + " pictures written to " + film_.request().path.string() + "."});
 }
 
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
@@ -318,7 +347,9 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
         const auto drawn = renderer_.update(scene_, revision_, view_colors(interface_.theme()), viewport_.camera, viewport_.size(),
                                             moving ? 0 : 4);
         if (!drawn) return drawn;
-        if (!moving) write_picture();
+        add_to_film();
+        if (!moving)
+            if (const Result<void> written = write_picture(); !written) return written;
         renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x), height - static_cast<int>(viewport_.pixels.highest.y));
     }
     interface_.draw();

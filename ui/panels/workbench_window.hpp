@@ -9,12 +9,14 @@
 #include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
 #include "panels/file_browser.hpp"
+#include "panels/film_job.hpp"
 #include "panels/distance_tool.hpp"
 #include "panels/inspect_tool.hpp"
 #include "panels/layout.hpp"
 #include "panels/paint_tool.hpp"
 #include "panels/palette.hpp"
 #include "panels/panel.hpp"
+#include "panels/picture_dialog.hpp"
 #include "platform/interface.hpp"
 #include "viewport/scene_renderer.hpp"
 #include "viewport/viewport.hpp"
@@ -55,6 +57,8 @@ public:
     bool waits_for_field() const { return fields_.waits(); }
     const InspectTool& inspect_tool() const { return inspect_; }
     const DistanceTool& distance_tool() const { return distances_; }
+    /// The 3D view into files, from the next frame on.
+    void draw_into(const PictureRequest& request) { picture_ = request; }
     int scene_draw_count() const { return renderer_.draw_count(); }
 
 private:
@@ -67,7 +71,8 @@ private:
     void follow(WindowRequests& requests);
     void update_scene();
     /// Writes the 3D view, where that was asked for.
-    void write_picture();
+    Result<void> write_picture();
+    void add_to_film();
 
     // What the drawn scene was made from.
     struct SceneKey {
@@ -100,7 +105,9 @@ private:
     Palette palette_;
     bool about_ = false;
     bool asked_where_ = false;        // to save: the dialog was opened
-    std::filesystem::path picture_;   // to be written after the next drawing of the view
+    std::optional<PictureRequest> picture_;   // to be written after the next drawing of the view
+    PictureDialog picture_dialog_;
+    FilmJob film_;
     float foot_height_ = 40.0f;     // of the rail's foot, as it was in the last frame
     Layout layout_;
     ViewportState viewport_;

@@ -10,11 +10,11 @@
 
 namespace myo {
 
-Image read_frame(int width, int height) {
+Image read_frame(int width, int height, unsigned framebuffer) {
     Image image{width, height, {}};
     const std::size_t row = static_cast<std::size_t>(width) * 4;
     std::vector<std::uint8_t> bottom_up(row * static_cast<std::size_t>(height));
-    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl::ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.data());
     image.rgba.reserve(bottom_up.size());

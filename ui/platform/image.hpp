@@ -22,8 +22,8 @@ struct Image {
     }
 };
 
-/// The default framebuffer of the current context.
-Image read_frame(int width, int height);
+/// A framebuffer of the current context, 0 being that of the window; opaque.
+Image read_frame(int width, int height, unsigned framebuffer = 0);
 
 /// Error: cannot be written.
 Result<void> write_png(const Image& image, const std::filesystem::path& path);

@@ -205,10 +205,8 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
 }
 
 Image SceneRenderer::read() const {
-    gl::BindFramebuffer(GL_FRAMEBUFFER, picture_.framebuffer.name());
-    Image image = read_frame(picture_.width, picture_.height);
+    Image image = read_frame(picture_.width, picture_.height, picture_.framebuffer.name());
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;   // the backdrop may be clear
     return image;
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "panels/panel.hpp"
+#include "viewport/camera.hpp"
+#include "panels/widgets.hpp"
+
+namespace myo {
+
+/// What is to be drawn into files, and how large; the file browser then asks where.
+class PictureDialog {
+public:
+    void open(const WorkbenchState& state, const ViewSize& view);
+    void draw(PanelContext& context);
+
+private:
+    enum class Kind { picture, frames, film };
+
+    void draw_size(PanelContext& context);
+    void draw_motion(PanelContext& context);
+
+    bool open_ = false;
+    Kind kind_ = Kind::picture;
+    std::string size_ = "view";
+    ViewSize view_;
+    PictureRequest request_;
+    OpenEdit edit_;
+};
+
+}  // namespace myo
