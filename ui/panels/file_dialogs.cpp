@@ -55,15 +55,25 @@ FileDialog picture_dialog(const PictureRequest& request, const std::string& name
     return dialog;
 }
 
-FileDialog table_dialog(std::string title, const std::string& name, std::string table) {
+FileDialog part_dialog(std::string title, const std::string& name, const Rectangle& part) {
     FileDialog dialog;
     dialog.title = std::move(title);
     dialog.button = "Save";
-    dialog.endings = {".csv"};
-    dialog.new_name = name + ".csv";
+    dialog.endings = {".png"};
+    dialog.new_name = name + ".png";
+    dialog.chosen = [part](PanelContext& context, const std::filesystem::path& path) { context.window.part = WindowPart{path, part}; };
+    return dialog;
+}
+
+FileDialog table_dialog(std::string title, const std::string& name, std::string table, const std::string& ending) {
+    FileDialog dialog;
+    dialog.title = std::move(title);
+    dialog.button = "Save";
+    dialog.endings = {ending};
+    dialog.new_name = name + ending;
     dialog.chosen = [table = std::move(table)](PanelContext& context, const std::filesystem::path& path) {
         const Result<void> written = write_file(path, table);
-        context.emit(written ? command::Tell{LogLevel::done, "Wrote " + path.string()} : command::Tell{LogLevel::failure, "Cannot save the table: " + written.error().text()});
+        context.emit(written ? command::Tell{LogLevel::done, "Wrote " + path.string()} : command::Tell{LogLevel::failure, "Cannot save: " + written.error().text()});
     };
     return dialog;
 }

@@ -12,10 +12,13 @@ FileDialog recording_dialog(const std::filesystem::path& start);
 FileDialog save_dialog(const WorkbenchState& state);
 /// Saves the 3D view: a picture, a new folder of numbered ones, or a film, as the proposed name says.
 FileDialog picture_dialog(const PictureRequest& request, const std::string& name);
-/// Writes a table.
+/// Saves a part of the window as it is seen.
+FileDialog part_dialog(std::string title, const std::string& name, const Rectangle& part);
+/// Writes a text, as a table or a drawing.
 /// @param title  "Save the markers' errors"
 /// @param name   proposed, without ending
-/// @param table  comma separated text as it is now
-FileDialog table_dialog(std::string title, const std::string& name, std::string table);
+/// @param table  text as it is now
+/// @param ending of the file
+FileDialog table_dialog(std::string title, const std::string& name, std::string table, const std::string& ending = ".csv");
 
 }  // namespace myo

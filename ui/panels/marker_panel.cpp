@@ -72,7 +72,10 @@ void MarkerPanel::draw(PanelContext& context) {
     }
     draw_choice(context);
     if (!is_narrow(context.theme) && !overlaid_markers(state, overlaid_).empty()) draw_legend(context);
-    const ImVec2 space = ImGui::GetContentRegionAvail();
+    seen_.clear();
+    const ImVec2 space = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+    plots_ = {corner, {corner.x + space.x, corner.y + space.y}};
+    context.items.add("markers/plots", plots_);
     const int count = static_cast<int>(std::count(shown_.begin(), shown_.end(), true));
     if (count == 0) return;
     const ImVec2 size{std::floor(space.x / static_cast<float>(count)), space.y};
@@ -122,14 +125,10 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     context.items.mark("markers/fit");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the data (double-click in a plot does the same)");
     ImGui::SameLine(0.0f, gap);
-    if (ImGui::Button(narrow ? icon::save : "CSV\xe2\x80\xa6")) {
-        constexpr double infinite = std::numeric_limits<double>::infinity();
-        const Range range = time_.range.value_or(Range{-infinite, infinite});
-        const std::string name = state.scene_trial()->name + "_" + markers[current].name;
-        context.window.file = table_dialog("Save the marker's curves", name, marker_curves_csv(state, range.lowest, range.highest, overlaid_));
-    }
-    context.items.mark("markers/csv");
-    tooltip(context.theme, "Saves the visible time range of this marker as a table [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, every compared run and the other trials that are drawn, each in x, y and z");
+    if (ImGui::Button(narrow ? icon::save : "Export\xe2\x80\xa6")) ImGui::OpenPopup("markers export");
+    context.items.mark("markers/export");
+    tooltip(context.theme, "Saves what is seen of this marker as a table, a drawing or a picture");
+    draw_export(context, state.scene_trial()->name + "_" + markers[current].name);
     ImGui::SameLine(0.0f, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(context.theme.muted, "%s", icon::information);
@@ -230,6 +229,31 @@ void MarkerPanel::draw_legend(PanelContext& context) {
     ImGui::PopFont();
 }
 
+void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
+    if (!ImGui::BeginPopup("markers export")) return;
+    if (ImGui::MenuItem("Table (CSV)\xe2\x80\xa6")) {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        const Range range = time_.range.value_or(Range{-infinite, infinite});
+        context.window.file = table_dialog("Save the marker's curves", name, marker_curves_csv(context.state, range.lowest, range.highest, overlaid_));
+    }
+    context.items.mark("markers/csv");
+    tooltip(context.theme, "The visible time range of this marker [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, every compared run and the other trials that are drawn, each in x, y and z");
+    if (ImGui::MenuItem("Drawing (SVG)\xe2\x80\xa6", nullptr, false, !seen_.empty()))
+        context.window.file = table_dialog("Save the marker's plots", name, plots_svg(seen_, context.theme), ".svg");
+    context.items.mark("markers/svg");
+    tooltip(context.theme, "The visible range of the shown plots [s, mm] below each other, as vectors for a paper or a slide");
+    if (ImGui::MenuItem("Picture (PNG)\xe2\x80\xa6")) context.window.file = part_dialog("Save a picture of the plots", name, plots_);
+    context.items.mark("markers/png");
+    tooltip(context.theme, "The plots as they are seen, pixel by pixel");
+    ImGui::EndPopup();
+}
+
+void MarkerPanel::see(const Plot& plot, const PlotResult& drawn, const HiddenSeries& hidden) {
+    SeenPlot seen{plot, drawn.area.x, drawn.area.y};
+    std::erase_if(seen.plot.series, [&](const PlotSeries& series) { return hidden.count(series.name) > 0; });
+    seen_.push_back(std::move(seen));
+}
+
 void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& size) {
     const WorkbenchState& state = context.state;
     const Theme& theme = context.theme;
@@ -270,6 +294,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     plot.x_axis = !residual;
     const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
     const PlotResult main = draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_, main_[a], hidden_);
+    see(plot, main, hidden_);
     if (main.cursor) context.emit(command::SetTime{*main.cursor});
     if (!residual) return;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
@@ -281,6 +306,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     strip.selectable = true;
     HiddenSeries none;
     const PlotResult below = draw_plot(strip, {size.x, residual_height}, theme, context.items, time_, residual_[a], none);
+    see(strip, below, none);
     if (below.cursor) context.emit(command::SetTime{*below.cursor});
 }
 

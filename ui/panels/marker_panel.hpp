@@ -4,7 +4,7 @@
 #include <set>
 
 #include "panels/panel.hpp"
-#include "plot/plot.hpp"
+#include "plot/plot_svg.hpp"
 
 namespace myo {
 
@@ -22,14 +22,18 @@ private:
     void draw_trials(PanelContext& context, bool narrow);
     void draw_legend(PanelContext& context);
     void draw_error(PanelContext& context);
+    void draw_export(PanelContext& context, const std::string& name);
+    void see(const Plot& plot, const PlotResult& drawn, const HiddenSeries& hidden);
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 
+    Rectangle plots_;                          // of the window, where they were drawn last
     std::array<bool, 3> shown_{true, true, true};
     std::set<int> overlaid_;       // other trials of the scene that are drawn, too
     LinkedAxis time_;
     std::array<PlotState, 3> main_;
     std::array<PlotState, 3> residual_;
     HiddenSeries hidden_;
+    std::vector<SeenPlot> seen_;           // as last drawn, for a drawing
     std::shared_ptr<const Scene> scene_;   // whose plots are zoomed
     int trial_ = -1;
     int marker_ = -1;

@@ -30,12 +30,19 @@ struct FileDialog {
     std::function<void(PanelContext&)> given_up = {};
 };
 
+/// A part of the window that is to become a picture.
+struct WindowPart {
+    std::filesystem::path path;
+    Rectangle pixels;
+};
+
 /// What a panel asks of the window itself.
 struct WindowRequests {
     std::optional<FileDialog> file;
     std::optional<Step> step;                 // to be shown
     std::string panel;                        // to be brought to the front, by its name
     std::optional<PictureRequest> picture;    // of the 3D view
+    std::optional<WindowPart> part;           // of the window as it is seen without dialogs
     bool save_view = false;                   // the dialog that asks what of the view to save
     bool fit = false;                         // the whole motion shall be in view
     bool palette = false;

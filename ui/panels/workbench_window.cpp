@@ -93,7 +93,7 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 
 bool WorkbenchWindow::must_draw() const {
     // After a movement one more frame draws the scene with smooth edges.
-    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs());
+    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || part_);
 }
 
 void WorkbenchWindow::draw_side(PanelContext& context) {
@@ -286,6 +286,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.clear_distances) distances_.clear();
     if (requests.fit) viewport_.fit_requested = true;
     if (requests.picture) picture_ = requests.picture;
+    if (requests.part) part_ = requests.part, part_waits_ = 2;
     if (requests.save_view) picture_dialog_.open(state, viewport_.size());
 }
 
@@ -308,6 +309,13 @@ Result<void> WorkbenchWindow::write_picture() {
     workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + request.path.string() + "."}
                                 : command::Tell{LogLevel::failure, "Cannot write the picture: " + written.error().text()});
     return {};
+}
+
+void WorkbenchWindow::write_part(int width, int height) {
+    const WindowPart part = *std::exchange(part_, std::nullopt);
+    const Result<void> written = write_png(cropped(read_frame(width, height), part.pixels), part.path);
+    workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + part.path.string() + "."}
+                                : command::Tell{LogLevel::failure, "Cannot write the picture: " + written.error().text()});
 }
 
 void WorkbenchWindow::add_to_film() {
@@ -353,6 +361,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
         renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x), height - static_cast<int>(viewport_.pixels.highest.y));
     }
     interface_.draw();
+    if (part_ && --part_waits_ < 0) write_part(width, height);
 
     // Commands are carried out after the frame, so that all panels saw one state; their effect shows in the next.
     for (const Command& command : commands) workbench_->execute(command);

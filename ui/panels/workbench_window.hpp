@@ -73,6 +73,7 @@ private:
     /// Writes the 3D view, where that was asked for.
     Result<void> write_picture();
     void add_to_film();
+    void write_part(int width, int height);
 
     // What the drawn scene was made from.
     struct SceneKey {
@@ -106,6 +107,8 @@ private:
     bool about_ = false;
     bool asked_where_ = false;        // to save: the dialog was opened
     std::optional<PictureRequest> picture_;   // to be written after the next drawing of the view
+    std::optional<WindowPart> part_;          // likewise, once the dialog that asked for it is gone
+    int part_waits_ = 0;                      // frames until then
     PictureDialog picture_dialog_;
     FilmJob film_;
     float foot_height_ = 40.0f;     // of the rail's foot, as it was in the last frame

@@ -27,6 +27,16 @@ Image read_frame(int width, int height, unsigned framebuffer) {
     return image;
 }
 
+Image cropped(const Image& image, const Rectangle& part) {
+    const int left = std::clamp(static_cast<int>(part.lowest.x), 0, image.width), top = std::clamp(static_cast<int>(part.lowest.y), 0, image.height);
+    Image inner{std::clamp(static_cast<int>(part.highest.x), left, image.width) - left, std::clamp(static_cast<int>(part.highest.y), top, image.height) - top, {}};
+    for (int y = top; y < top + inner.height; ++y) {
+        const auto row = image.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + left);
+        inner.rgba.insert(inner.rgba.end(), row, row + 4 * static_cast<std::ptrdiff_t>(inner.width));
+    }
+    return inner;
+}
+
 Result<void> write_png(const Image& image, const std::filesystem::path& path) {
     std::string bytes;
     const auto append = [](void* context, void* data, int size) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "platform/item_rectangles.hpp"
 
 namespace myo {
 
@@ -24,6 +25,9 @@ struct Image {
 
 /// A framebuffer of the current context, 0 being that of the window; opaque.
 Image read_frame(int width, int height, unsigned framebuffer = 0);
+
+/// The part of a picture inside a rectangle [pixels].
+Image cropped(const Image& image, const Rectangle& part);
 
 /// Error: cannot be written.
 Result<void> write_png(const Image& image, const std::filesystem::path& path);
