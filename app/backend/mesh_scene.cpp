@@ -1,5 +1,6 @@
 #include "backend/mesh_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,7 +53,7 @@ Settings mesh_scene_settings(const Experiment& experiment, const SurfaceMesh& su
 }
 
 Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh& surface, const StudySettings& study,
-                                 const Settings& settings, const Progress& progress) {
+                                 const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) {
     Result<StudyMesh> mesh = mesh_body(surface, study.mesh, {experiment.clamp_box_m}, progress);
     if (!mesh) return mesh.error();
     const std::vector<int> held = nodes_in_box(mesh->mesh, experiment.clamp_box_m);
@@ -74,14 +75,14 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     SimulationOptions options;
     options.integrator = study.scheme();
     options.h_s = settings.time_step_s;
-    options.end_s = release_s;
+    options.end_s = only ? std::min(only->end_s, release_s) : release_s;
     const Stopwatch watch;
     const Trace trace = simulate(model, options, progress);
 
     RunResult result;
     result.seconds = watch.seconds();
     result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
-    result.warnings = check_integration(model, options.integrator, options.h_s).warnings;
+    if (!only) result.warnings = check_integration(model, options.integrator, options.h_s).warnings;
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;
     SimulatedTrial shown;

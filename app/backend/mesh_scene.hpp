@@ -16,6 +16,6 @@ Settings mesh_scene_settings(const Experiment& experiment, const SurfaceMesh& su
 
 /// Runs that set-up. Errors: those of the meshers; no node at the held end.
 Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh& surface, const StudySettings& study,
-                                 const Settings& settings, const Progress& progress);
+                                 const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress);
 
 }  // namespace myo

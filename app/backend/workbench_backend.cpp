@@ -13,6 +13,7 @@
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
+#include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
 #include "base/text.hpp"
 #include "dynamics/numerical_damping.hpp"
@@ -135,13 +136,15 @@ public:
 
     Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const override { return field_values(id, body, run, trial, frame); }
 
-    Result<RunResult> simulate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress) override {
+    Result<RunResult> simulate(const Scene& scene, const MeshedBody&, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) override {
         if (source_of(scene).experiment.trials.empty())
-            return run_mesh_scene(with_settings(source_of(scene).experiment, settings), source_of(scene).surface, study_settings(settings), settings, progress);
+            return run_mesh_scene(with_settings(source_of(scene).experiment, settings), source_of(scene).surface, study_settings(settings), settings, only, progress);
         Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
         if (!study) return study.error();
+        const StudyValues values = with_predicted_levels(*study, declared_values(*study));
+        if (only) return shown_run(*study, short_run(*study, values, only->trial, only->end_s, progress));
         check_integration(*study);
-        return shown_run(*study, run_study(*study, with_predicted_levels(*study, declared_values(*study)), progress));
+        return shown_run(*study, run_study(*study, values, progress));
     }
 
     Result<SearchResult> calibrate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress, const LiveSearch& live) override {

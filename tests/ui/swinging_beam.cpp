@@ -183,13 +183,20 @@ Eigen::VectorXd SwingingBeam::field(const std::string& id, const MeshedBody& bod
     return (run.trials[trial].frames[frame] - body.mesh.nodes).row(2).transpose();
 }
 
-Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress) {
+Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only,
+                                         const Progress& progress) {
     RunResult result;
     const auto& rest = body.mesh.nodes;
     for (const SceneTrial& measured : scene.trials) {
         SimulatedTrial trial;
         trial.name = measured.name;
+        if (only && &measured != &scene.trials[only->trial]) {
+            trial.rms_m = std::numeric_limits<double>::quiet_NaN();
+            result.trials.push_back(trial);
+            continue;
+        }
         trial.frame_time_s = Eigen::VectorXd::LinSpaced(101, 0.0, 2.0);
+        if (only) trial.frame_time_s.conservativeResize((trial.frame_time_s.array() <= only->end_s + 1e-9).count());
         for (Eigen::Index f = 0; f < trial.frame_time_s.size(); ++f) {
             if (progress.cancelled()) return Error{"cancelled", ""};
             std::this_thread::sleep_for(std::chrono::duration<double>(step_delay_s.load()));
@@ -202,12 +209,13 @@ Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& b
             Eigen::Matrix3Xd track(3, measured.time_s.size());
             for (Eigen::Index i = 0; i < track.cols(); ++i) {
                 track.col(i) = beam_point(scene.markers[m].rest_m, settings.youngs_modulus_Pa, measured.time_s[i]);
+                if (only && measured.time_s[i] > only->end_s + 1e-9) track.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
             }
             trial.marker_rms_m.push_back(rms(track, measured.measured[m]));
             trial.markers.push_back(track);
             trial.rms_m += trial.marker_rms_m.back() / static_cast<double>(scene.markers.size());
         }
-        result.rms_m += trial.rms_m / static_cast<double>(scene.trials.size());
+        result.rms_m += trial.rms_m / (only ? 1.0 : static_cast<double>(scene.trials.size()));
         result.trials.push_back(trial);
     }
     result.seconds = 1.3;
@@ -216,7 +224,7 @@ Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& b
 }
 
 Result<SearchResult> SwingingBeam::calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) {
-    const auto before = simulate(scene, body, settings, progress);
+    const auto before = simulate(scene, body, settings, std::nullopt, progress);
     if (!before) return before.error();
     if (live) {
         SearchView view;
@@ -235,7 +243,7 @@ Result<SearchResult> SwingingBeam::calibrate(const Scene& scene, const MeshedBod
     result.settings = settings;
     result.settings.youngs_modulus_Pa = measured_modulus;
     result.settings.damping_s = 3.1e-3;
-    auto after = simulate(scene, body, result.settings, progress);
+    auto after = simulate(scene, body, result.settings, std::nullopt, progress);
     if (!after) return after.error();
     result.run = std::move(*after);
     result.rms_before_m = before->rms_m;
@@ -253,7 +261,7 @@ Result<SearchResult> SwingingBeam::optimize(const Scene& scene, const MeshedBody
     SearchResult result;
     result.title = "Optimised";
     for (int k = 0; k < 5 && !progress.cancelled(); ++k) {
-        auto run = simulate(scene, body, settings, progress);
+        auto run = simulate(scene, body, settings, std::nullopt, progress);
         if (!run) break;
         result.settings = settings;
         result.settings.muscles.front().signal = Signal{{0.0, 1.0}, {1.0, 1.0 - 0.05 * k}};

@@ -30,7 +30,7 @@ public:
     Result<Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit, const Progress& progress) override;
     MeshPrediction predict(const Scene& scene, const Settings& settings) const override;
     Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override;
-    Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress) override;
+    Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) override;
     Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) override;
     /// Goes through some levels of the first muscle; the last is the best.
     Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,

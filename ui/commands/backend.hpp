@@ -111,6 +111,12 @@ struct MeshedBody {
     std::shared_ptr<const void> source;           // the backend's own
 };
 
+/// A part of a scene's motion.
+struct RunExtent {
+    std::size_t trial = 0;
+    double end_s = 0.0;                           // of that trial it is from 0 until here
+};
+
 /// An example that comes with the program.
 struct Example {
     std::filesystem::path path;
@@ -163,7 +169,9 @@ public:
     virtual Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) = 0;
 
     /// All trials of the scene, in its order.
-    virtual Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings,
+    /// @param only  part to be run, moving as in the whole run; empty: all. Other trials have no frames and no markers then, markers after its end are NaN.
+    /// May be called from any thread, beside everything else.
+    virtual Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only,
                                        const Progress& progress) = 0;
 
     /// `live` gets what a search knows after its evaluations, from the calling thread; may be empty.

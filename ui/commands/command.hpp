@@ -20,6 +20,8 @@ struct Undo {};
 struct Redo {};
 struct BuildMesh {};
 struct Run {};
+/// Whether every edit is followed by a short run, and how long that is [s]; empty: chosen for the trial.
+struct ChangePreview { bool on = false; std::optional<double> length_s; };
 struct Calibrate {};
 struct ChangeOptimize { OptimizeRequest request; };
 struct Optimize {};
@@ -85,7 +87,7 @@ struct WriteReport { std::filesystem::path folder; };
 namespace myo {
 
 using Command =
-    std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo, command::BuildMesh, command::Run, command::Calibrate, command::ChangeOptimize,
+    std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo, command::BuildMesh, command::Run, command::ChangePreview, command::Calibrate, command::ChangeOptimize,
                  command::Optimize, command::Diagnose, command::ChooseCandidate, command::AddEffect, command::ChooseMuscle, command::Paint, command::ImportSignal, command::ExportSignal,
                  command::ChangeBrush, command::Cancel, command::Pause, command::Unqueue, command::RestoreRecord, command::CompareRecord, command::ForgetRecord, command::Save, command::SaveAs,
                  command::AskWhereToSave, command::AnswerUnsaved, command::OfferRecovery, command::Recover, command::DiscardRecovery, command::Quit, command::ChooseTrial, command::ChooseMarker,

@@ -74,6 +74,7 @@ void Workbench::execute(const Command& asked) {
                        if (state_.scene) request("Mesh", [this] { build_mesh({}); });
                    },
                    [&](const command::Run&) { run(); },
+                   [&](const command::ChangePreview& c) { change_preview(c); },
                    [&](const command::Calibrate&) { calibrate(); },
                    [&](const command::ChangeOptimize& c) { state_.optimize = c.request; },
                    [&](const command::Optimize&) { optimize(); },
@@ -178,11 +179,12 @@ void Workbench::advance(double seconds) {
         }
         if (job_) state_.job = job_->view();
     }
+    advance_preview();
     if (state_.playing) {
         const auto span = time_span(state_);
         state_.time_s += seconds * state_.speed;
-        // What a search has found so far plays again and again.
-        if (state_.time_s >= span[1] && state_.searching()) {
+        // What a search has found so far plays again and again, and so does a preview.
+        if (state_.time_s >= (state_.previewing() ? state_.preview.end_s : span[1]) && (state_.searching() || state_.previewing())) {
             state_.time_s = span[0];
         } else if (state_.time_s >= span[1]) {
             state_.time_s = span[1];
@@ -208,6 +210,8 @@ void Workbench::choose_trial(int trial) {
     const auto span = time_span(state_);
     state_.time_s = std::clamp(0.0, span[0], span[1]);
     state_.playing = false;
+    stop_preview();
+    want_preview();
 }
 
 void Workbench::change_settings(const command::ChangeSettings& change) {
@@ -223,6 +227,7 @@ void Workbench::set_settings(const Settings& settings) {
     place_muscles();
     check_stability();
     if (state_.scene) state_.prediction = backend_->predict(*state_.scene, settings);
+    want_preview();
 }
 
 void Workbench::check_stability() {

@@ -90,6 +90,17 @@ private:
     void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
     void show_found(const std::string& verb, SearchResult result);
 
+    // workbench_preview.cpp
+    void change_preview(const command::ChangePreview& asked);
+    /// Something it shows has changed: the running one is given up, another begins as soon as it can.
+    void want_preview();
+    void give_up_preview();
+    /// Nothing of it is shown any more.
+    void stop_preview();
+    void begin_preview();
+    void show_preview(double end_s, Result<RunResult> result);
+    void advance_preview();
+
     // workbench_diagnosis.cpp
     void diagnose();
     void show_diagnosis(DiagnosisView diagnosis);
@@ -135,7 +146,10 @@ private:
     Settings autosaved_;                        // as they are in the file of recovery
     bool autosave_failed_ = false;
     std::filesystem::path recovered_;           // file from which the shown project was recovered; to be removed once it is saved
-    std::unique_ptr<Job> job_;                  // last member: its thread ends before anything it uses
+    bool preview_given_up_ = false;             // what the running preview brings is not wanted any more
+    // Last members: their threads end before anything they use.
+    std::unique_ptr<Job> preview_job_;
+    std::unique_ptr<Job> job_;
 };
 
 }  // namespace myo

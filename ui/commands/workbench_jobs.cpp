@@ -94,6 +94,11 @@ void Workbench::start(const std::string& name, Job::Work work, JobKind kind) {
             end_task(JobOutcome::failed, what);
         };
     };
+    if (preview_job_ && !preview_given_up_) {
+        // A job has the machine for itself; the preview comes after it.
+        give_up_preview();
+        state_.preview.working = true;
+    }
     job_ = std::make_unique<Job>(name, std::move(work), failed, wake_, kind);
     state_.job = job_->view();
 }
@@ -126,6 +131,7 @@ void Workbench::restore(int id) {
     state_.body_settings = record.on.settings;
     state_.run.reset();
     state_.found.reset();
+    stop_preview();
     set_settings(record.settings);
     if (record.run) show_run(record.run, record.settings);
     state_.found = record.found;

@@ -131,6 +131,7 @@ void Workbench::build_mesh(std::function<void()> then) {
             state_.ground = ground;
             place_muscles();
             // Frames of the old mesh cannot be shown on the new one.
+            stop_preview();
             state_.run.reset();
             state_.found.reset();
             for (const ReportLine& line : state_.body->report) {

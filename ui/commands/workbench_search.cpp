@@ -16,6 +16,7 @@ std::string millimetres(double metres) { return value_label(1e3 * metres, 3) + "
 void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings& settings) {
     state_.run = std::move(result);
     state_.run_settings = settings;
+    stop_preview();
     const auto span = time_span(state_);
     state_.time_s = std::clamp(state_.time_s, span[0], span[1]);
     if (!state_.run->problem.empty()) log(LogLevel::warning, state_.run->problem);
@@ -26,7 +27,7 @@ void Workbench::run() {
     if (!may_compute()) return;
     const auto simulate = [this] {
         start(task_->name, [this, settings = task_->settings, scene = task_->scene, body = state_.body](const Progress& progress) -> Job::Completion {
-            auto result = std::make_shared<Result<RunResult>>(backend_->simulate(*scene, *body, settings, progress));
+            auto result = std::make_shared<Result<RunResult>>(backend_->simulate(*scene, *body, settings, std::nullopt, progress));
             const bool cancelled = progress.cancelled();
             return [this, settings, result, cancelled] {
                 if (cancelled) {

@@ -12,6 +12,7 @@
 #include "commands/brush_settings.hpp"
 #include "commands/job.hpp"
 #include "commands/job_record.hpp"
+#include "commands/live_preview.hpp"
 #include "commands/preferences.hpp"
 #include "commands/settings.hpp"
 #include "commands/step_cost.hpp"
@@ -70,6 +71,7 @@ struct WorkbenchState {
     double damping_frequency_Hz = 5.0;  // at which the numerical damping is shown
     std::optional<double> critical_velocity_force_1_s;   // at that frequency; empty where the scheme has none
 
+    LivePreview preview;
     ViewOptions view;
     Preferences preferences;
 
@@ -111,8 +113,9 @@ struct WorkbenchState {
     const CellPaint* chosen_paint() const {
         return chosen_muscle() && static_cast<std::size_t>(muscle) < paint.size() ? paint[static_cast<std::size_t>(muscle)].get() : nullptr;
     }
-    /// What is shown of the body's motion: the best iterate of a running search, else the last run; null without either.
-    std::shared_ptr<const RunResult> shown_run() const { return searching() && search && search->best ? search->best : run; }
+    /// What is shown of the body's motion: the best iterate of a running search, else the live preview, else the last run; null without any.
+    std::shared_ptr<const RunResult> shown_run() const { return searching() && search && search->best ? search->best : preview.run ? preview.run : run; }
+    bool previewing() const { return preview.run && shown_run() == preview.run; }
     bool searching() const { return job && job->searches; }
     const SimulatedTrial* simulated_trial() const { return trial_of(shown_run().get()); }
     /// The shown trial in a run of the same scene, or null.

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "panels/preview_rows.hpp"
 #include "panels/setting_rows.hpp"
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
@@ -29,6 +30,7 @@ void MaterialPanel::draw(PanelContext& context) {
     const WorkbenchState& state = context.state;
     setting_choice(context, "Material", "model/material", "Elastic energy.", state.materials, &Settings::material);
     setting_rows(context, material_fields(), edit_);
+    draw_preview_rows(context, preview_edit_);
     if (!state.scene) return;
     heading(context.theme, "Support");
     if (state.scene->clamp_m) {

@@ -17,6 +17,7 @@ private:
     void draw_effects(PanelContext& context);
 
     OpenEdit edit_;
+    OpenEdit preview_edit_;
 };
 
 }  // namespace myo

@@ -13,9 +13,8 @@
 
 namespace myo {
 
-void draw_trial_errors(PanelContext& context, const std::string& item) {
+void draw_trial_errors(PanelContext& context, const std::string& item, const RunResult* run) {
     const WorkbenchState& state = context.state;
-    const std::shared_ptr<const RunResult> run = state.shown_run();
     if (!ImGui::BeginTable("trials", 3, ImGuiTableFlags_RowBg)) return;
     const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials of role validate are predicted, never fitted."}, {"rms [mm]", "Error over all markers of the trial", true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
@@ -32,7 +31,7 @@ void draw_trial_errors(PanelContext& context, const std::string& item) {
         context.items.mark(item + trial.name);
         ImGui::PopID();
         text_cell(context.theme, trial.role, context.theme.muted);
-        number_cell(context.theme, run && t < run->trials.size() ? millimetres(run->trials[t].rms_m) : "\xe2\x80\x93");
+        number_cell(context.theme, run && t < run->trials.size() && std::isfinite(run->trials[t].rms_m) ? millimetres(run->trials[t].rms_m) : "\xe2\x80\x93");
     }
     ImGui::EndTable();
 }
@@ -56,8 +55,9 @@ void MeasurePanel::draw(PanelContext& context) {
         if (state.scene) draw_import_button(context);
         return;
     }
-    if (state.run && !state.run_is_current()) notice(theme, LogLevel::information, "The settings changed since this run.");
-    draw_trial_errors(context, "measure/trial/");
+    if (state.previewing()) notice(theme, LogLevel::information, preview_text(state));
+    else if (state.run && !state.run_is_current()) notice(theme, LogLevel::information, "The settings changed since this run.");
+    draw_trial_errors(context, "measure/trial/", state.shown_run().get());
     const SceneTrial* const trial = state.scene_trial();
     draw_import_button(context);
     if (!trial) return;

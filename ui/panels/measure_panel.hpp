@@ -19,8 +19,8 @@ private:
     Shown shown_ = Shown::whole;
 };
 
-/// Trials with their roles and the rms error of the shown run; a click shows the trial.
+/// Trials with their roles and their rms error in a run, which may be null; a click shows the trial.
 /// @param item  of the rows, before the trial's name
-void draw_trial_errors(PanelContext& context, const std::string& item);
+void draw_trial_errors(PanelContext& context, const std::string& item, const RunResult* run);
 
 }  // namespace myo

@@ -83,7 +83,7 @@ void draw_message(PanelContext& context, float right) {
     const WorkbenchState& state = context.state;
     const Theme& theme = context.theme;
     if (state.log.empty()) return;
-    const LogLine& line = state.log.back();
+    const LogLine line = state.previewing() ? LogLine{state.preview.run->problem.empty() ? LogLevel::information : LogLevel::warning, preview_text(state)} : state.log.back();
     const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
     ImGui::AlignTextToFramePadding();
     const float room = right - 16.0f * theme.scale - ImGui::GetCursorPosX();

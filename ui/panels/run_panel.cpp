@@ -23,7 +23,7 @@ void RunPanel::draw(PanelContext& context) {
         return;
     }
     if (!state.run_is_current() && !state.busy()) {
-        notice(context.theme, LogLevel::information, "The settings changed since this run.");
+        notice(context.theme, LogLevel::information, state.previewing() ? "The settings changed since this run; the view shows their preview." : "The settings changed since this run.");
         context.items.mark("run/outdated");
     }
     draw_errors(context);
@@ -108,7 +108,7 @@ void RunPanel::draw_errors(PanelContext& context) {
         return;
     }
     heading(theme, "Error against the markers");
-    draw_trial_errors(context, "run/trial/");
+    draw_trial_errors(context, "run/trial/", state.previewing() ? state.run.get() : state.shown_run().get());
     text_row(theme, "All trials", millimetres(state.run->rms_m) + " mm rms");
     text_row(theme, "Time taken", duration_label(state.run->seconds));
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "panels/preview_rows.hpp"
 #include "plot/ticks.hpp"
 
 namespace myo {
@@ -60,6 +61,7 @@ void TimePanel::draw(PanelContext& context) {
     const Limits range = slider_range(state);
     draw_slider(context, velocity_force_field(), range, false);
     if (state.critical_velocity_force_1_s) draw_stability(context, range);
+    draw_preview_rows(context, preview_edit_);
 }
 
 void TimePanel::draw_slider(PanelContext& context, const SettingField& field, Limits range, bool logarithmic) {

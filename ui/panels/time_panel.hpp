@@ -24,6 +24,7 @@ private:
     OpenEdit edit_;
     OpenEdit slide_;
     OpenEdit curve_edit_;
+    OpenEdit preview_edit_;
 
     // The scheme's damping over the step, and what it was found for.
     struct CurveKey {

@@ -62,6 +62,12 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
         list.AddLine({x0, middle - 9.0f * s}, {x0, middle + 9.0f * s}, packed(theme.measured), 2.0f * s);
         if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x0) < 5.0f * s) ImGui::SetTooltip("Start of motion, t = 0");
     }
+    if (state.previewing() && state.preview.end_s > 0.0) {
+        const ImVec2 from{x_of(0.0), middle + 5.0f * s}, to{x_of(state.preview.end_s), middle + 8.0f * s};
+        list.AddRectFilled(from, to, packed(theme.simulated));
+        context.items.add("timeline/preview", {from, to});
+        if (ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x >= from.x && ImGui::GetIO().MousePos.x <= to.x) ImGui::SetTooltip("%s", preview_text(state).c_str());
+    }
     list.AddCircleFilled({x, middle}, 7.0f * s, packed(theme.accent), 24);
 }
 

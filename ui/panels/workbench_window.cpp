@@ -229,8 +229,8 @@ void WorkbenchWindow::update_scene() {
     }
     if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run || key.trial != scene_key_.trial) {
         motion_ = summarize_motion(state);
-        // Until a person chooses another view, all of the motion stays in sight.
-        if (viewport_.untouched) viewport_.fit_requested = true;
+        // Until a person chooses another view, all of the motion stays in sight; but edits that are previewed are not to make it wander.
+        if (viewport_.untouched && !(state.previewing() && scene_key_.run)) viewport_.fit_requested = true;
     }
     if (key.import && !scene_key_.import) {
         show_step(Step::measure);

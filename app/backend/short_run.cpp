@@ -1,0 +1,48 @@
+#include "backend/short_run.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/stopwatch.hpp"
+
+namespace myo {
+namespace {
+
+/// Ends a motion with its last step that is not after `end_s`.
+void cut(Trace& trace, double end_s) {
+    const auto after = std::upper_bound(trace.times_s.begin(), trace.times_s.end(), end_s * (1.0 + 1e-9));
+    const auto kept = static_cast<std::size_t>(after - trace.times_s.begin());
+    trace.times_s.resize(kept);
+    trace.positions.resize(std::min(kept, trace.positions.size()));
+    trace.velocities.resize(std::min(kept, trace.velocities.size()));
+}
+
+}  // namespace
+
+StudyRun short_run(const Study& study, const StudyValues& values, std::size_t trial, double end_s, const Progress& progress) {
+    const Stopwatch watch;
+    const Eigen::VectorXd& sampled = study.trials[trial].measured.time_s;
+    const Eigen::Index samples = sampled.size();
+    // Effects see the whole trial, and cameras what was a little later or earlier.
+    Affected affected = affected_trial(study, trial, values);
+    const double beyond_s = samples > 0 ? std::max(0.0, affected.options.end_s - sampled(samples - 1)) : 0.0;
+    affected.options.end_s = std::min(affected.options.end_s, end_s + beyond_s);
+    std::vector<TrialPrediction> predictions(study.trials.size());
+    TrialPrediction& prediction = predictions[trial];
+    Trace trace = simulate(affected.model, affected.options, progress);
+    if (trace.complete()) {
+        prediction = observe_trial(study, trial, values, trace);
+        const Eigen::Index later = std::count_if(sampled.begin(), sampled.end(), [&](double t) { return t > end_s * (1.0 + 1e-9); });
+        for (std::vector<Eigen::Matrix3Xd>* tracks : {&prediction.positions_m, &prediction.residual_m})
+            for (Eigen::Matrix3Xd& track : *tracks) track.rightCols(later).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    prediction.status = trace.status;
+    prediction.message = trace.message;
+    cut(trace, end_s);
+    prediction.trace = std::move(trace);
+    StudyRun run = scored_run(study, values, std::move(predictions), {trial});
+    run.seconds = watch.seconds();
+    return run;
+}
+
+}  // namespace myo

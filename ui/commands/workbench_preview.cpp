@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <utility>
+
+#include "commands/workbench.hpp"
+
+// Live previews of the workbench: short runs beside everything else, each stopped by the next edit.
+
+namespace myo {
+
+void Workbench::change_preview(const command::ChangePreview& asked) {
+    const bool longer = asked.length_s != state_.preview.length_s;
+    if (asked.on == state_.preview.on && !longer) return;
+    state_.preview.on = asked.on;
+    state_.preview.length_s = asked.length_s;
+    if (asked.on) want_preview();
+    else stop_preview();
+}
+
+void Workbench::want_preview() {
+    if (!state_.preview.on) return;
+    give_up_preview();
+    state_.preview.working = true;
+    begin_preview();
+}
+
+void Workbench::give_up_preview() {
+    if (!preview_job_) return;
+    preview_job_->cancel();
+    preview_given_up_ = true;
+}
+
+void Workbench::stop_preview() {
+    give_up_preview();
+    state_.preview.working = false;
+    state_.preview.run.reset();
+    state_.preview.problem.clear();
+    state_.time_s = std::clamp(state_.time_s, time_span(state_)[0], time_span(state_)[1]);
+}
+
+void Workbench::begin_preview() {
+    if (!state_.preview.working || preview_job_ || task_) return;
+    const bool possible = state_.scene && state_.scene->cannot_run.empty() && state_.scene_trial() && state_.mesh_is_current();
+    // What was run whole needs no preview.
+    if (!possible || state_.run_is_current()) return stop_preview();
+    const RunExtent extent{static_cast<std::size_t>(state_.trial), preview_length_s(state_)};
+    const auto work = [this, extent, settings = state_.settings, scene = state_.scene, body = state_.body](const Progress& progress) -> Job::Completion {
+        auto result = std::make_shared<Result<RunResult>>(backend_->simulate(*scene, *body, settings, extent, progress));
+        return [this, extent, result] { show_preview(extent.end_s, std::move(*result)); };
+    };
+    const auto failed = [this, extent](const std::string& what) -> Job::Completion { return [this, extent, what] { show_preview(extent.end_s, Error{what, ""}); }; };
+    preview_given_up_ = false;
+    preview_job_ = std::make_unique<Job>("Preview", work, failed, wake_);
+}
+
+void Workbench::show_preview(double end_s, Result<RunResult> result) {
+    LivePreview& preview = state_.preview;
+    const bool first = !preview.run;
+    preview.working = false;
+    preview.problem = result ? "" : result.error().text();
+    preview.run = result ? std::make_shared<const RunResult>(std::move(*result)) : nullptr;
+    preview.end_s = end_s;
+    // Later nothing of it would be seen.
+    if (first && preview.run && state_.time_s > end_s) state_.time_s = end_s;
+}
+
+void Workbench::advance_preview() {
+    if (preview_job_)
+        if (auto completion = preview_job_->take_result()) {
+            preview_job_.reset();
+            if (!preview_given_up_) (*completion)();
+        }
+    begin_preview();
+}
+
+}  // namespace myo
