@@ -30,5 +30,5 @@ shot measure "$examples/silicone_beam" --panel measure --time 0.2
 shot import "$examples/silicone_beam" --as-opened --import "$examples/silicone_beam/side_pluck.csv" --time 0.2
 shot fit "$examples/silicone_beam" --calibrate --panel fit,search --time 0.2
 shot optimise "$examples/soft_arm" --optimize --trial reach --panel fit,signals --time 0.5
-shot diagnose "$examples/silicone_beam" --diagnose --panel verdict,diagnose --time 0.2
+shot diagnose "$examples/unexplained_beam" --diagnose --panel verdict,diagnose --time 0.2
 shot report "$examples/silicone_beam" --panel report,jobs --time 0.2
