@@ -24,6 +24,16 @@ RotationSeries rotation_series(double angle) {
 
 }  // namespace
 
+Eigen::Vector3d RigidMotion::apply(const Eigen::Vector3d& p) const { return rotation * p + translation; }
+
+Eigen::Matrix3Xd RigidMotion::apply_all(const Eigen::Matrix3Xd& points) const { return (rotation * points).colwise() + translation; }
+
+RigidMotion RigidMotion::inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
+
+RigidMotion compose(const RigidMotion& second, const RigidMotion& first) {
+    return {second.rotation * first.rotation, second.rotation * first.translation + second.translation};
+}
+
 double rotation_angle(const Eigen::Matrix3d& rotation) {
     const Eigen::Vector3d axis(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0), rotation(1, 0) - rotation(0, 1));
     return std::atan2(axis.norm(), rotation.trace() - 1.0);  // both are twice the sine and the cosine

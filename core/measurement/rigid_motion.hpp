@@ -11,18 +11,14 @@ struct RigidMotion {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
-    Eigen::Vector3d apply(const Eigen::Vector3d& p) const { return rotation * p + translation; }
+    Eigen::Vector3d apply(const Eigen::Vector3d& p) const;
     /// Every column of a 3 x n array; NaN columns stay NaN.
-    Eigen::Matrix3Xd apply_all(const Eigen::Matrix3Xd& points) const {
-        return (rotation * points).colwise() + translation;
-    }
-    RigidMotion inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
+    Eigen::Matrix3Xd apply_all(const Eigen::Matrix3Xd& points) const;
+    RigidMotion inverse() const;
 };
 
 /// The motion that does `first`, then `second`.
-inline RigidMotion compose(const RigidMotion& second, const RigidMotion& first) {
-    return {second.rotation * first.rotation, second.rotation * first.translation + second.translation};
-}
+RigidMotion compose(const RigidMotion& second, const RigidMotion& first);
 
 /// Angle of a rotation matrix [rad], 0 to pi; exact for small angles too.
 double rotation_angle(const Eigen::Matrix3d& rotation);
