@@ -196,6 +196,7 @@ Project read_document(const TomlValue& root, const fs::path& file) {
     for (const ViewSwitch& each : view_switches) project.view.*each.value = view.boolean_or(each.key, project.view.*each.value);
     project.view.opacity = view.number_or("opacity", 1.0, between(0.0, 1.0));
     project.view.field = view.text_or("field", "");
+    project.view.color_map = view.text_or("color_map", "");
     return project;
 }
 
@@ -224,6 +225,7 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
     text += "\n[view]\n";
     for (const ViewSwitch& each : view_switches) text += std::string(each.key) + " = " + (project.view.*each.value ? "true" : "false") + "\n";
     text += "opacity = " + toml_number(project.view.opacity) + "\n";
+    if (!project.view.color_map.empty()) text += "color_map = " + toml_text(project.view.color_map) + "\n";
     if (!project.view.field.empty()) text += "field = " + toml_text(project.view.field) + "\n";
     if (const Result<void> written = write_file(file, text); !written) return written;
     // Masks of earlier saves are no longer named by anything.

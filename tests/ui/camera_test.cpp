@@ -94,13 +94,21 @@ TEST(Camera, PointsBehindTheEyeHaveNoPixel) {
     EXPECT_FALSE(project(camera, size, camera.target + 2.0 * camera.distance * camera_axes(camera).back));
 }
 
+/// Relative luminance of an sRGB colour, between 0 and 1 (IEC 61966-2-1).
+double luminance(const Eigen::Vector3f& color) {
+    const auto linear = [](float level) { return level <= 0.04045f ? level / 12.92f : std::pow((level + 0.055f) / 1.055f, 2.4f); };
+    return static_cast<double>(0.2126f * linear(color[0]) + 0.7152f * linear(color[1]) + 0.0722f * linear(color[2]));
+}
+
 TEST(ColorMap, LightnessRises) {
-    double last = -1.0;
-    for (int i = 0; i <= 50; ++i) {
-        const Eigen::Vector3f c = color_map(i / 50.0);
-        const double light = static_cast<double>(0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]);
-        EXPECT_GT(light, last);
-        last = light;
+    for (const ColorMap& map : color_maps()) {
+        double last = -1.0;
+        for (int i = 0; i <= 50; ++i) {
+            const Eigen::Vector3f c = map.color(i / 50.0);
+            const double light = luminance(c);
+            EXPECT_GT(light, last) << map.id << " at " << i;
+            last = light;
+        }
     }
 }
 

@@ -135,6 +135,24 @@ TEST(DiagnosePanel, DrawsTheForceAsArrowsOfItsSize) {
     EXPECT_FALSE(driver.window->scene().arrows);
 }
 
+TEST(DiagnosePanel, ColoursTheBodyByTheForce) {
+    Driver driver;
+    driver.backend->unexplained = false;
+    diagnose(driver);
+    ViewOptions view = driver.state().view;
+    view.field = "effect_force";
+    driver.workbench->execute(command::ChangeView{view});
+    driver.workbench->execute(command::SetTime{1.0});
+    driver.settle();
+    ASSERT_TRUE(driver.window->scene().field);
+    EXPECT_NEAR(driver.window->scene().field->highest, 10.0, 1e-9) << "of the whole trial [mN]";
+    EXPECT_NEAR(driver.window->scene().field->values.maxCoeff(), 10.0 * std::exp(-1.0), 1e-6);
+    EXPECT_FALSE(driver.window->must_draw()) << "the same content is the same picture";
+    driver.workbench->execute(command::ChooseCandidate{"quadratic_drag"});
+    driver.settle();
+    EXPECT_FALSE(driver.window->scene().field) << "it has no force";
+}
+
 TEST(DiagnosePanel, ShowsTheForceThatIsMissing) {
     Driver driver;
     driver.backend->unexplained = true;

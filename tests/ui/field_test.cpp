@@ -76,6 +76,19 @@ TEST(Fields, TheRangeCanBeFixedByHandAndIsKeptForEach) {
     EXPECT_TRUE(driver.state().view.field_ranges.empty());
 }
 
+TEST(Fields, TheColoursOfValuesWithoutASignCanBeChosen) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    choose(driver, "place");
+    open_options(driver);
+    driver.click("view/color_map");
+    driver.click("view/color_map/grey");
+    EXPECT_EQ(color_maps()[static_cast<std::size_t>(driver.window->scene().field->color_map)].id, "grey");
+    choose(driver, "height");
+    open_options(driver);
+    EXPECT_FALSE(driver.has("view/color_map")) << "it has a sign";
+}
+
 /// Values that take long come from beside the drawing: frames go on meanwhile, with what was known.
 TEST(Fields, SlowValuesDoNotHoldTheWindowUp) {
     Driver driver;

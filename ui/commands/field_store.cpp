@@ -4,10 +4,13 @@
 #include <chrono>
 #include <limits>
 
+#include "commands/force_arrows.hpp"
 #include "commands/scene_at_time.hpp"
 
 namespace myo {
 namespace {
+
+constexpr const char* force_field = "effect_force";
 
 // Frames among which the range of a trial is looked for: extremes change little from one frame to the next.
 constexpr std::size_t range_frames = 24;
@@ -19,7 +22,29 @@ std::array<double, 2> range_of(const Eigen::VectorXd& values) {
     return range;
 }
 
+/// Size of the force on the patch that a node is in. Null: none is known.
+std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
+    const PatchForces* const forces = shown_forces(state);
+    const Eigen::Matrix3Xd now = forces ? force_at_time(*forces, state.time_s) : Eigen::Matrix3Xd();
+    if (now.cols() == 0) return nullptr;
+    const Eigen::VectorXi& patch = state.diagnosis->patch_of_node;
+    FieldFrame frame;
+    frame.values.resize(patch.size());
+    for (Eigen::Index i = 0; i < patch.size(); ++i) frame.values(i) = now.col(patch(i)).norm();
+    frame.trial_range = {0.0, forces->largest_N};
+    return std::make_shared<const FieldFrame>(std::move(frame));
+}
+
 }  // namespace
+
+std::vector<FieldKind> field_kinds(const Backend& backend) {
+    std::vector<FieldKind> kinds = backend.fields();
+    kinds.push_back({force_field, "Force that is missing", "mN", 1e-3, false,
+                     "Size of the force that the chosen row of the diagnosis puts on each part of the body: what the declared model lacks."});
+    return kinds;
+}
+
+bool of_diagnosis(const FieldKind& kind) { return kind.id == force_field; }
 
 void FieldStore::take(Answer answer) {
     if (!(answer.source == source_)) return;   // the person has gone on
@@ -34,6 +59,14 @@ void FieldStore::take(Answer answer) {
 std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state, const Backend& backend) {
     if (job_.valid() && job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take(job_.get());
     const SimulatedTrial* const trial = state.simulated_trial();
+    if (state.view.field == force_field) {
+        source_ = {};
+        const ForceKey key{state.diagnosis, state.body, state.candidate, state.trial, state.time_s};
+        if (!(force_key_ == key)) shown_ = force_frame(state);
+        force_key_ = key;
+        return shown_;
+    }
+    force_key_.reset();
     Source wanted{state.shown_run(), state.body, state.view.field, static_cast<std::size_t>(state.trial)};
     if (wanted.field.empty() || !trial || trial->frames.empty() || !state.body) {
         source_ = {};

@@ -11,6 +11,12 @@
 
 namespace myo {
 
+/// What can colour the body: the backend's fields of a run, then the force of the diagnosis' chosen row.
+std::vector<FieldKind> field_kinds(const Backend& backend);
+
+/// Whether it needs a diagnosis, not a run alone.
+bool of_diagnosis(const FieldKind& kind);
+
 /// Values of a field in one frame.
 struct FieldFrame {
     Eigen::VectorXd values;                              // per node [SI]
@@ -35,6 +41,14 @@ private:
         std::size_t trial = 0;
         bool operator==(const Source&) const = default;
     };
+    struct ForceKey {
+        std::shared_ptr<const DiagnosisView> diagnosis;
+        std::shared_ptr<const MeshedBody> body;
+        std::string row;
+        int trial = 0;
+        double time_s = 0.0;
+        bool operator==(const ForceKey&) const = default;
+    };
     struct Answer {
         Source source;
         std::size_t frame = 0;
@@ -44,6 +58,7 @@ private:
     void take(Answer answer);
 
     Source source_;
+    std::optional<ForceKey> force_key_;                // of what is shown, where that is a force
     std::optional<std::size_t> frame_;                 // of what is shown
     std::optional<std::array<double, 2>> range_;
     std::shared_ptr<const FieldFrame> shown_;

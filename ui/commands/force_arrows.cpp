@@ -50,6 +50,12 @@ const PatchForces* shown_forces(const WorkbenchState& state) {
     return same_body && forces.largest_N > 0.0 ? &forces : nullptr;
 }
 
+Eigen::Matrix3Xd force_at_time(const PatchForces& forces, double time_s) {
+    const TimePlace place = place_in_time(forces.time_s, time_s);
+    if (place.index < 0) return Eigen::Matrix3Xd(3, 0);
+    return (1.0 - place.weight) * forces.force_N[static_cast<std::size_t>(place.index)] + place.weight * forces.force_N[static_cast<std::size_t>(place.next)];
+}
+
 double time_with_forces(const PatchForces& forces, double time_s) {
     const auto largest = [&](Eigen::Index k) { return forces.force_N[static_cast<std::size_t>(k)].colwise().norm().maxCoeff(); };
     const TimePlace place = place_in_time(forces.time_s, time_s);
@@ -63,16 +69,14 @@ double time_with_forces(const PatchForces& forces, double time_s) {
 void add_force_arrows(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
     const PatchForces* const forces = shown_forces(state);
     if (!state.view.effect_force || !forces || drawn.positions.cols() != state.diagnosis->patch_of_node.size()) return;
-    const TimePlace place = place_in_time(forces->time_s, state.time_s);
-    if (place.index < 0) return;
+    const Eigen::Matrix3Xd now = force_at_time(*forces, state.time_s);
+    if (now.cols() == 0) return;
     const double metres_per_N = longest_part * drawn.extent.size().norm() / forces->largest_N;
     const Eigen::Matrix3Xd from = middles(drawn.positions, state.diagnosis->patch_of_node, state.diagnosis->patches);
     Eigen::Matrix3Xd points(3, 10 * from.cols());
     Eigen::Index used = 0;
-    const Eigen::Matrix3Xd& a = forces->force_N[static_cast<std::size_t>(place.index)];
-    const Eigen::Matrix3Xd& b = forces->force_N[static_cast<std::size_t>(place.next)];
     for (Eigen::Index p = 0; p < from.cols(); ++p) {
-        const Eigen::Vector3d force = (1.0 - place.weight) * a.col(p) + place.weight * b.col(p);
+        const Eigen::Vector3d force = now.col(p);
         if (force.norm() > shortest_part * forces->largest_N) append_arrow(points, used, from.col(p), metres_per_N * force);
     }
     drawn.lines.push_back({points.leftCols(used), Color(theme.force.x, theme.force.y, theme.force.z, 1.0f), 2.5});

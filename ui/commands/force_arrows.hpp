@@ -8,6 +8,9 @@ namespace myo {
 /// The force of the diagnosis' chosen row in the shown trial, where it was worked out for the body that is shown; else null.
 const PatchForces* shown_forces(const WorkbenchState& state);
 
+/// Force on each patch (3 x patches) at a time [N]; without columns outside of what is known.
+Eigen::Matrix3Xd force_at_time(const PatchForces& forces, double time_s);
+
 /// A time at which arrows of these forces can be seen: this one where they can, else that of the largest.
 double time_with_forces(const PatchForces& forces, double time_s);
 

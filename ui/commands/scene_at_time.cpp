@@ -8,6 +8,7 @@
 #include "commands/force_arrows.hpp"
 #include "commands/import_drawing.hpp"
 #include "commands/muscle_drawing.hpp"
+#include "viewport/color_map.hpp"
 #include "viewport/scene_lines.hpp"
 
 namespace myo {
@@ -109,6 +110,7 @@ void add_field(DrawnScene& drawn, const ViewOptions& view, const FieldKind& kind
     field.name = kind.label;
     field.unit = kind.unit;
     field.diverging = kind.signed_values;
+    field.color_map = number_of_color_map(view.color_map);
     field.values = frame.values / kind.per_unit;
     std::array<double, 2> range = frame.trial_range.value_or(std::array<double, 2>{frame.values.minCoeff(), frame.values.maxCoeff()});
     if (const auto fixed = view.field_ranges.find(kind.id); fixed != view.field_ranges.end()) range = fixed->second;

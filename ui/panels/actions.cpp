@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "commands/field_store.hpp"
 #include "panels/file_dialogs.hpp"
 #include "platform/input_queue.hpp"
 
@@ -74,7 +75,7 @@ void add_view_actions(std::vector<Action>& all) {
                        view.camera.orthographic = !view.camera.orthographic;
                    }, with_scene()});
     all.push_back({"view.next_field", "View", "Colour by the next quantity", {}, [](PanelContext& context, ViewportState&) {
-                       const std::vector<FieldKind>& kinds = context.backend.fields();
+                       const std::vector<FieldKind> kinds = field_kinds(context.backend);
                        ViewOptions view = context.state.view;
                        const auto shown = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.id == view.field; });
                        const auto next = shown == kinds.end() ? kinds.begin() : std::next(shown);   // after the last: none

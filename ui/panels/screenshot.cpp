@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "base/text.hpp"
+#include "commands/field_store.hpp"
 #include "commands/workbench.hpp"
 #include "panels/workbench_window.hpp"
 #include "platform/offscreen_context.hpp"
@@ -30,7 +31,7 @@ Result<void> choose(Workbench& workbench, const ScreenshotOptions& options) {
     const DiagnosisView* const d = workbench.state().diagnosis.get();
     const auto trial = index_of("trial", options.trial, scene.trials, d ? d->worst_trial : 0);
     if (!trial) return trial.error();
-    if (const auto& fields = workbench.backend().fields(); !options.field.empty() && std::none_of(fields.begin(), fields.end(), [&](const FieldKind& f) { return f.id == options.field; })) {
+    if (const auto fields = field_kinds(workbench.backend()); !options.field.empty() && std::none_of(fields.begin(), fields.end(), [&](const FieldKind& f) { return f.id == options.field; })) {
         std::vector<std::string> ids;
         for (const FieldKind& field : fields) ids.push_back(field.id);
         return Error{"there is no field \"" + options.field + "\"; there is " + join(ids), ""};

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "commands/field_store.hpp"
 #include "panels/clip_options.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
+#include "viewport/color_map.hpp"
 
 namespace myo {
 namespace {
@@ -36,8 +38,21 @@ void draw_field_range(PanelContext& context, const FieldKind& kind, ViewOptions&
     if (changed && std::isfinite(typed[0]) && std::isfinite(typed[1]) && typed[0] < typed[1]) range = {kind.per_unit * typed[0], kind.per_unit * typed[1]};
 }
 
+void draw_color_map_choice(PanelContext& context, ViewOptions& view) {
+    const ColorMap& shown = color_maps()[static_cast<std::size_t>(number_of_color_map(view.color_map))];
+    ImGui::SetNextItemWidth(140.0f * context.theme.scale);
+    const bool open = ImGui::BeginCombo("Map", shown.label.c_str());
+    context.items.mark("view/color_map");
+    if (!open) return;
+    for (const ColorMap& map : color_maps()) {
+        if (ImGui::Selectable(map.label.c_str(), map.id == shown.id)) view.color_map = map.id;
+        context.items.mark("view/color_map/" + map.id);
+    }
+    ImGui::EndCombo();
+}
+
 void draw_field_choice(PanelContext& context, ViewOptions& view) {
-    const std::vector<FieldKind>& kinds = context.backend.fields();
+    const std::vector<FieldKind> kinds = field_kinds(context.backend);
     const auto chosen = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.id == view.field; });
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
     const bool open = ImGui::BeginCombo("Colours", chosen != kinds.end() ? chosen->label.c_str() : "None");
@@ -52,7 +67,10 @@ void draw_field_choice(PanelContext& context, ViewOptions& view) {
         }
         ImGui::EndCombo();
     }
-    if (chosen != kinds.end() && chosen->id == view.field) draw_field_range(context, *chosen, view);
+    if (chosen == kinds.end() || chosen->id != view.field) return;
+    if (!context.field_range) ImGui::TextDisabled("%s", of_diagnosis(*chosen) ? "Needs a diagnosis, and a row of it with forces." : "Needs a run.");
+    if (!chosen->signed_values) draw_color_map_choice(context, view);
+    draw_field_range(context, *chosen, view);
 }
 
 }  // namespace

@@ -237,7 +237,7 @@ void WorkbenchWindow::update_scene() {
         show_panel("recording");
     }
     cut_.apply(state, motion_);
-    const std::vector<FieldKind>& kinds = workbench_->backend().fields();
+    const std::vector<FieldKind> kinds = field_kinds(workbench_->backend());
     const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& each) { return each.id == state.view.field; });
     scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind != kinds.end() ? &*kind : nullptr, key.field.get());
     scene_key_ = key;

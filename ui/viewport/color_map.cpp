@@ -39,6 +39,13 @@ Eigen::Vector3f between(const std::array<Control, n>& controls, double level) {
     return srgb_from_lch(mix(a.L, b.L), mix(a.C, b.C), mix(a.hue, b.hue));
 }
 
+// Linear lightness through the hues of glowing iron.
+Eigen::Vector3f heat_color_map(double level) {
+    return between(std::array<Control, 5>{{{6, 8, -20}, {28, 55, 25}, {50, 78, 44}, {72, 72, 72}, {95, 22, 98}}}, level);
+}
+
+Eigen::Vector3f grey_color_map(double level) { return between(std::array<Control, 2>{{{10, 0, 0}, {95, 0, 0}}}, level); }
+
 }  // namespace
 
 Eigen::Vector3f color_map(double level) {
@@ -50,6 +57,16 @@ Eigen::Vector3f diverging_color_map(double level) {
     // Two arms of one lightness each, that meet without colour.
     if (level < 0.5) return between(std::array<Control, 3>{{{34, 52, 277}, {64, 34, 262}, {92, 0, 250}}}, 2.0 * level);
     return between(std::array<Control, 3>{{{92, 0, 40}, {64, 48, 40}, {34, 62, 32}}}, 2.0 * level - 1.0);
+}
+
+const std::vector<ColorMap>& color_maps() {
+    static const std::vector<ColorMap> all{{"violet_yellow", "Violet to yellow", color_map}, {"heat", "Glowing iron", heat_color_map}, {"grey", "Grey, for print", grey_color_map}};
+    return all;
+}
+
+int number_of_color_map(const std::string& id) {
+    const auto found = std::find_if(color_maps().begin(), color_maps().end(), [&](const ColorMap& map) { return map.id == id; });
+    return found == color_maps().end() ? 0 : static_cast<int>(found - color_maps().begin());
 }
 
 }  // namespace myo

@@ -37,6 +37,7 @@ struct DrawnField {
     double lowest = 0.0;
     double highest = 1.0;
     bool diverging = false;                               // colours part in the middle of the range
+    int color_map = 0;                                    // else which of color_maps()
     Eigen::VectorXd values;
 };
 

@@ -13,6 +13,14 @@ namespace {
 constexpr int segment_floats = 10;
 constexpr int marker_floats = 7;
 
+// Rows of the texture of colours: the maps of the choice, then that of values with a sign.
+int color_rows() { return static_cast<int>(color_maps().size()) + 1; }
+
+float color_row(const std::optional<DrawnField>& field) {
+    const int row = !field ? 0 : field->diverging ? color_rows() - 1 : field->color_map;
+    return (static_cast<float>(row) + 0.5f) / static_cast<float>(color_rows());
+}
+
 std::vector<float> marker_data(const std::vector<DrawnMarker>& markers, bool ring) {
     std::vector<float> data;
     for (const DrawnMarker& marker : markers) {
@@ -54,13 +62,16 @@ Result<SceneRenderer> SceneRenderer::make() {
     gl::BindVertexArray(0);
 
     std::vector<unsigned char> pixels;
-    for (const auto& map : {color_map, diverging_color_map})
+    const auto append_row = [&](Eigen::Vector3f (*color)(double)) {
         for (int i = 0; i < 256; ++i) {
-            const Eigen::Vector3f c = map(i / 255.0);
+            const Eigen::Vector3f c = color(i / 255.0);
             for (int k = 0; k < 3; ++k) pixels.push_back(static_cast<unsigned char>(std::lround(255.0f * c[k])));
             pixels.push_back(255);
         }
-    renderer.color_map_ = gl::make_texture(256, 2, pixels.data());
+    };
+    for (const ColorMap& map : color_maps()) append_row(map.color);
+    append_row(diverging_color_map);
+    renderer.color_map_ = gl::make_texture(256, color_rows(), pixels.data());
     return renderer;
 }
 
@@ -125,7 +136,7 @@ void SceneRenderer::draw_surface(const DrawnScene& scene, const ViewColors& colo
     gl::Uniform1f(gl::uniform(p, "edge_width"), scene.edges ? 0.8f : 0.0f);
     gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(scene.body_opacity));
     gl::Uniform1i(gl::uniform(p, "use_field"), scene.field ? 1 : 0);
-    gl::Uniform1f(gl::uniform(p, "color_row"), scene.field && scene.field->diverging ? 0.75f : 0.25f);
+    gl::Uniform1f(gl::uniform(p, "color_row"), color_row(scene.field));
     gl::Uniform1i(gl::uniform(p, "color_map"), 0);
     gl::ActiveTexture(GL_TEXTURE0);
     gl::BindTexture(GL_TEXTURE_2D, color_map_.name());

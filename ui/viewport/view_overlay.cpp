@@ -112,7 +112,9 @@ void draw_axes(ImDrawList& list, const Rectangle& view, const Camera& camera, co
 
 void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& camera, const DrawnScene& scene, const Theme& theme) {
     const float s = theme.scale;
-    std::vector<Rectangle> taken;
+    // The scale bar, and that of forces above it, keep their corner.
+    const float corner = (scene.arrows ? 96.0f : 40.0f) * s + theme.small->FontSize;
+    std::vector<Rectangle> taken{{{view.highest.x - 150.0f * s, view.highest.y - corner}, view.highest}};
     for (const DrawnMarker& marker : scene.markers) {
         if (marker.label.empty() || !marker.position.allFinite()) continue;
         const auto place = project(camera, size_of(view), marker.position);
@@ -149,7 +151,7 @@ void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i) {
         const double level = 1.0 - (i + 0.5) / steps;
-        const Eigen::Vector3f c = field.diverging ? diverging_color_map(level) : color_map(level);
+        const Eigen::Vector3f c = field.diverging ? diverging_color_map(level) : color_maps()[static_cast<std::size_t>(field.color_map)].color(level);
         const float y0 = top + height * static_cast<float>(i) / steps;
         const float y1 = top + height * static_cast<float>(i + 1) / steps;
         list.AddRectFilled({left, y0}, {right, y1}, packed({c[0], c[1], c[2], 1.0f}));
