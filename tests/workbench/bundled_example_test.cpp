@@ -69,6 +69,20 @@ TEST(BundledExample, OpensRunsAndScrubs) {
     EXPECT_GT((driver.window->scene().positions - body).colwise().norm().maxCoeff(), 1e-3);
 }
 
+/// Its data come from another mesh of other cells, and from no other physics.
+TEST(BundledExample, LacksNothing) {
+    Driver driver(make_core_backend(), 1280, 800);
+    driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    driver.click("step/diagnose");
+    driver.click("diagnose/diagnose");
+    ASSERT_TRUE(driver.wait_for_job(300));
+    ASSERT_TRUE(driver.state().diagnosis && driver.state().diagnosis->complete) << driver.state().log.back().text;
+    EXPECT_EQ(driver.state().diagnosis->verdict, DiagnosisVerdict::none) << driver.state().diagnosis->headline;
+    for (const DiagnosisTrial& trial : driver.state().diagnosis->trials) EXPECT_LT(trial.before_m, 1.3 * driver.state().diagnosis->noise_m) << trial.name;
+    EXPECT_EQ(step_status(driver.state(), Step::diagnose).state, StepState::done);
+}
+
 /// Cancels a calibration of the bundled example on a coarse mesh once it has done this many evaluations.
 void cancel_calibration_at(Driver& driver, double evaluations) {
     driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
