@@ -436,6 +436,7 @@ private:
         result_.after = result_.verdict.kind == VerdictKind::none
                             ? result_.before
                             : scored(result_.augmented.fit.values, result_.augmented.numerics->shift, fitted_predictions(study_, all, result_.augmented.fit.values, progress_));
+        refute(result_);
     }
 
     Study study_;

@@ -47,14 +47,21 @@ struct Priors {
     }
 };
 
-/// Places stay on the body.
-void bound_places(const Study& study, std::vector<StudyParameter>& parameters) {
+/// A mass that nobody declared weighs at most this many times what the body does: a heavier one is not overlooked, it stands in for something else.
+constexpr double heaviest_overlooked = 3.0;
+
+/// Places stay on the body, masses in proportion to it.
+void bound_by_body(const Study& study, std::vector<StudyParameter>& parameters) {
     const Box body = bounding_box(study.surface.vertices);
-    for (StudyParameter& p : parameters)
+    const double body_kg = study.experiment.material.density_kg_m3 * study.body->unit_mass.sum();
+    for (StudyParameter& p : parameters) {
         if (p.of_effect == "position_m" || p.of_effect == "centre_m") {
             p.parameter.lower = body.lowest(p.component);
             p.parameter.upper = body.highest(p.component);
+        } else if (p.of_effect == "mass_kg") {
+            p.parameter.upper = heaviest_overlooked * body_kg;
         }
+    }
 }
 
 /// Residuals of all trials and their derivatives, with the last predictions kept for these.
@@ -152,7 +159,7 @@ std::vector<StudyParameter> joint_parameters(const Study& study, const StudyValu
             std::erase_if(own, [amount = own.front().of_effect](const StudyParameter& p) { return p.of_effect != amount; });
         for (StudyParameter& parameter : own) parameters.push_back(std::move(parameter));
     }
-    bound_places(study, parameters);
+    bound_by_body(study, parameters);
     for (StudyParameter& p : parameters) p.parameter.value = std::clamp(value_of(p, start), p.parameter.lower, p.parameter.upper);
     return parameters;
 }

@@ -41,6 +41,16 @@ TEST(JointFit, CentralDifferencesComeNearerToExactDerivatives) {
     EXPECT_LT(central, 2e-3);
 }
 
+TEST(JointFit, OverlooksNoMassThatIsFarHeavierThanTheBody) {
+    const Recorded recorded({});
+    const double body_kg = recorded.study.experiment.material.density_kg_m3 * cell_volumes(recorded.study.body->mesh).sum();
+    StudyValues values = declared_values(recorded.study);
+    values.effects.push_back({"point_mass", {{"mass_kg", 8.0 * body_kg}, {"position_m", Eigen::VectorXd(Eigen::Vector3d(0.1, 0.0, 0.0))}}});
+    FitStore store;
+    const JointFit found = stored_fit(store, recorded.study, recorded.data(), values, EffectFreedom::all, {1}, {}, {});
+    EXPECT_LE(std::get<double>(found.values.effects[0].parameters.at("mass_kg")), 3.001 * body_kg);
+}
+
 TEST(StoredFit, IsTakenOverForTheSameShiftOnly) {
     Recorded recorded({}, 1.05);
     recorded.study.settings.derivatives = Derivatives::differences;

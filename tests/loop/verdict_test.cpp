@@ -52,6 +52,25 @@ TEST(Verdict, NamesWhatExplainsTheResidual) {
     EXPECT_EQ(d.verdict.ranking, (std::vector<std::string>{"quadratic_drag", "unknown", "none"}));
 }
 
+/// Data that took no part refuse an answer which they are predicted worse with; small differences and good predictions do not matter.
+TEST(Verdict, IsTakenBackWherePredictionsGetWorse) {
+    for (const auto& [before, after, stays] : {std::tuple{7.0, 1.0, true}, {7.0, 7.2, true}, {1.0, 1.25, true}, {7.0, 8.0, false}}) {
+        Diagnosis d = with_candidate(0.3);
+        decide(d);
+        d.before.validation_rms_m = before * noise_m;
+        d.after.validation_rms_m = after * noise_m;
+        refute(d);
+        EXPECT_EQ(d.verdict.kind, stays ? VerdictKind::effects : VerdictKind::unknown) << after;
+        EXPECT_EQ(d.verdict.ranking.front(), stays ? "quadratic_drag" : "unknown");
+        EXPECT_EQ(d.verdict.effects.empty(), !stays);
+        EXPECT_EQ(d.verdict.because.find("predicted worse") == std::string::npos, stays) << d.verdict.because;
+    }
+    Diagnosis alone = with_candidate(0.3);   // no such trials
+    decide(alone);
+    refute(alone);
+    EXPECT_EQ(alone.verdict.kind, VerdictKind::effects);
+}
+
 TEST(Verdict, IsNoneWhereNothingNeedsExplaining) {
     Diagnosis d = with_candidate(0.3);
     d.declared = fit_that_leaves(0.1);
