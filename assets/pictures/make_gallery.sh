@@ -3,12 +3,13 @@
 # Use: make_gallery.sh [FOLDER]   default: this script's own folder. --all adds both themes and 200 % of every step, to be looked at.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-myoloop=${MYOLOOP:-$here/../../build/bin/myoloop}
+myoloop=$(realpath "${MYOLOOP:-$here/../../build/bin/myoloop}")
 examples=$here/../examples
 all=false
 [[ ${1:-} == --all ]] && { all=true; shift; }
-out=${1:-$here}
-mkdir -p "$out"
+mkdir -p "${1:-$here}"
+out=$(realpath "${1:-$here}")
+cd /   # pictures show where a report would go: no folder of anybody's
 
 shot() {   # NAME ARGUMENTS...
     local name=$1
@@ -31,4 +32,4 @@ shot import "$examples/silicone_beam" --as-opened --import "$examples/silicone_b
 shot fit "$examples/silicone_beam" --calibrate --panel fit,search --time 0.2
 shot optimise "$examples/soft_arm" --optimize --trial reach --panel fit,signals --time 0.5
 shot diagnose "$examples/unexplained_beam" --diagnose --panel verdict,diagnose --time 0.2
-shot report "$examples/silicone_beam" --panel report,jobs --time 0.2
+shot report "$examples/silicone_beam" --calibrate --panel report,jobs --time 0.2

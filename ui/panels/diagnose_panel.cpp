@@ -18,7 +18,7 @@ constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 constexpr const char* times = "\xc3\x97";
 constexpr const char* dash = "\xe2\x80\x93";
 
-std::string percent(double share) { return std::isfinite(share) ? value_label(100.0 * share, 3) : dash; }
+std::string percent(double share) { return !std::isfinite(share) ? dash : std::abs(share) < 5e-4 ? "0" : value_label(100.0 * share, 3); }
 
 ImVec4 verdict_color(const Theme& theme, const DiagnosisView& d) {
     if (!d.complete) return theme.text;
@@ -67,19 +67,28 @@ void DiagnosePanel::draw(PanelContext& context) {
                                       "fits the best. Trials of role validate are predicted once, at the end. It takes some minutes and can be cancelled.");
         return;
     }
-    const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::BeginChild("ranking", {std::floor(0.55f * width), 0.0f});
-    draw_ranking(context);
-    ImGui::EndChild();
-    ImGui::SameLine(0.0f, 2.0f * spacing);
-    ImGui::BeginChild("chosen");
-    if (const DiagnosisRow* const row = state.diagnosis_row()) {
-        draw_choices(context);
-        if (errors_) draw_errors(context, *row);
-        else if (row->kind == DiagnosisRow::Kind::missing_force) draw_force(context);
-        else draw_residual(context, *row);
+    const bool narrow = width < 560.0f * context.theme.scale;   // then one at a time
+    if (!narrow) {
+        ImGui::BeginChild("ranking", {std::floor(0.55f * width), 0.0f});
+        draw_ranking(context);
+        ImGui::EndChild();
+        ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
     }
+    ImGui::BeginChild("chosen");
+    const DiagnosisRow* const row = state.diagnosis_row();
+    if (narrow) {
+        if (tab(context.theme, "Ranking", ranking_)) ranking_ = true;
+        context.items.mark("diagnose/show/ranking");
+        if (row) ImGui::SameLine();
+    }
+    const bool alone = narrow && ranking_;
+    if (row) draw_choices(context, alone);
+    if (alone) draw_ranking(context);
+    else if (!row) {}
+    else if (errors_) draw_errors(context, *row);
+    else if (row->kind == DiagnosisRow::Kind::missing_force) draw_force(context);
+    else draw_residual(context, *row);
     ImGui::EndChild();
 }
 
@@ -169,8 +178,9 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     const DiagnosisRow* const shown = state.diagnosis_row();
     if (!ImGui::BeginTable("candidates", 6, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    // In a narrow window the value is told on hovering.
-    const bool narrow = ImGui::GetWindowWidth() < 480.0f * theme.scale;
+    // In a narrow window the value is told on hovering, and the weight gives way to the name.
+    const float width = ImGui::GetWindowWidth() / theme.scale;
+    const bool narrow = width < 480.0f, tight = width < 420.0f;
     const std::vector<Heading> headings{
         {"", ""},
         {"Effect", "Best first. A click shows what the effect would do."},
@@ -179,9 +189,9 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         {std::string("Held out [") + times + " noise]", "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
         {"Weight [%]", "Share of the evidence among all that was fitted, the declared model included.", true}};
     ImGui::TableSetupColumn("rank", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00").x);
-    ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch, 1.0f);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch | (narrow ? ImGuiTableColumnFlags_Disabled : 0), 1.4f);
-    for (std::size_t k = 3; k < headings.size(); ++k) number_column(theme, headings[k]);
+    ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch, 1.2f);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch | (narrow ? ImGuiTableColumnFlags_Disabled : 0), 1.2f);
+    for (std::size_t k = 3; k < headings.size(); ++k) number_column(theme, headings[k], tight && k == 5 ? ImGuiTableColumnFlags_Disabled : 0);
     heading_row(theme, headings);
     int rank = 0;
     for (const DiagnosisRow& row : d.rows) {
@@ -207,18 +217,23 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     ImGui::EndTable();
 }
 
-void DiagnosePanel::draw_choices(PanelContext& context) {
+void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     const WorkbenchState& state = context.state;
     const Theme& theme = context.theme;
     const float s = theme.scale;
-    if (tab(theme, "Residual", !errors_)) errors_ = false;
-    context.items.mark("diagnose/show/residual");
+    const auto choice = [&](const char* label, const char* name, bool errors) {
+        if (tab(theme, label, !none && errors_ == errors)) {
+            errors_ = errors;
+            ranking_ = false;
+        }
+        context.items.mark(name);
+    };
+    choice("Residual", "diagnose/show/residual", false);
     ImGui::SameLine();
-    if (tab(theme, "Errors", errors_)) errors_ = true;
-    context.items.mark("diagnose/show/errors");
+    choice("Errors", "diagnose/show/errors", true);
     tooltip(theme, "Errors of the trials before and after");
     const DiagnosisRow* const row = state.diagnosis_row();
-    if (errors_ || row->kind == DiagnosisRow::Kind::missing_force) return;
+    if (none || errors_ || row->kind == DiagnosisRow::Kind::missing_force) return;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
     // In a narrow window on a line of their own.
@@ -314,8 +329,10 @@ void DiagnosePanel::draw_errors(PanelContext& context, const DiagnosisRow& row) 
     const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials that are predicted took no part in any fit or choice."}, {"Before [mm]", before, true}, {"After [mm]", after, true},
                                         {"Before" + of_noise, before, true}, {"After" + of_noise, after, true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("predicted").x + 2.0f);
-    for (std::size_t k = 2; k < headings.size(); ++k) number_column(theme, headings[k]);
+    // In a narrow window the role is told on hovering, and what the error was in noise levels can be worked out.
+    const int where_wide = ImGui::GetWindowWidth() < 480.0f * theme.scale ? ImGuiTableColumnFlags_Disabled : 0;
+    ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed | where_wide, ImGui::CalcTextSize("predicted").x + 2.0f);
+    for (std::size_t k = 2; k < headings.size(); ++k) number_column(theme, headings[k], k == 4 ? where_wide : 0);
     heading_row(theme, headings);
     for (std::size_t t = 0; t < d.trials.size(); ++t) {
         ImGui::TableNextRow();
@@ -325,6 +342,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const DiagnosisRow& row) 
         if (ImGui::Selectable(elided(trial.name, ImGui::GetContentRegionAvail().x).c_str(), static_cast<int>(t) == state.trial, ImGuiSelectableFlags_SpanAllColumns))
             context.emit(command::ChooseTrial{static_cast<int>(t)});
         context.items.mark("diagnose/error/" + trial.name);
+        tooltip(theme, trial.name + (trial.fitted ? ", fitted" : ", predicted"));
         ImGui::PopID();
         text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
         const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");

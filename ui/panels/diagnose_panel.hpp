@@ -18,12 +18,13 @@ public:
 private:
     void draw_head(PanelContext& context);
     void draw_ranking(PanelContext& context);
-    void draw_choices(PanelContext& context);
+    void draw_choices(PanelContext& context, bool none);
     void draw_residual(PanelContext& context, const DiagnosisRow& row);
     void draw_force(PanelContext& context);
     void draw_errors(PanelContext& context, const DiagnosisRow& row);
     void follow(const WorkbenchState& state);
 
+    bool ranking_ = true;                   // in a narrow window: the ranking instead of what its row does
     bool errors_ = false;                   // the table of errors instead of the plot
     int axis_ = 0;
     LinkedAxis time_;

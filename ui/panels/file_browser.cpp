@@ -9,6 +9,7 @@
 
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
+#include "panels/wrapped_text.hpp"
 #include "platform/fonts.hpp"
 
 namespace myo {
@@ -138,11 +139,11 @@ void FileBrowser::draw_preview(PanelContext& context) {
         preview_ = context.backend.preview(path);
     }
     ImGui::PushFont(theme.strong);
-    ImGui::TextWrapped("%s", selected_.c_str());
+    wrapped_text(selected_);
     ImGui::PopFont();
     for (const ReportLine& line : preview_) {
         muted_text(theme, line.label);
-        ImGui::TextWrapped("%s", line.value.c_str());
+        wrapped_text(line.value);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "panels/preview_rows.hpp"
 #include "panels/setting_rows.hpp"
+#include "panels/wrapped_text.hpp"
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
@@ -56,9 +57,7 @@ void MaterialPanel::draw_effects(PanelContext& context) {
         const float button = ImGui::GetFrameHeight();
         row_label(context.theme, effect.name, "An effect that was added to the experiment's own model.");
         const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-        ImGui::PushTextWrapPos(right - button - ImGui::GetStyle().ItemSpacing.x);
-        ImGui::TextUnformatted(effect.value.c_str());
-        ImGui::PopTextWrapPos();
+        wrapped_text(effect.value, right - button - ImGui::GetStyle().ItemSpacing.x);
         context.items.mark("model/effect/" + effect.id);
         ImGui::SameLine();
         ImGui::SetCursorPosX(right - button);

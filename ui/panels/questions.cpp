@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "panels/widgets.hpp"
+#include "panels/wrapped_text.hpp"
 
 namespace myo {
 namespace {
@@ -28,7 +29,7 @@ private:
 
 void ask_unit(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unit of the file", 400.0f)) return;
-    ImGui::TextWrapped("%s does not say in which unit its numbers are. Which one is it?", context.state.unit_question->filename().string().c_str());
+    wrapped_text(context.state.unit_question->filename().string() + " does not say in which unit its numbers are. Which one is it?");
     ImGui::Spacing();
     std::optional<command::AnswerUnit> answer;
     ButtonRow row(context, 3);
@@ -45,7 +46,7 @@ void ask_unit(PanelContext& context) {
 void ask_unsaved(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved changes", 440.0f)) return;
     const std::string name = context.state.project.empty() ? context.state.scene->name : context.state.project.filename().string();
-    ImGui::TextWrapped("%s has changes that are not saved.", name.c_str());
+    wrapped_text(name + " has changes that are not saved.");
     ImGui::Spacing();
     std::optional<command::UnsavedAnswer> answer;
     ButtonRow row(context, 3);
@@ -61,7 +62,7 @@ void ask_unsaved(PanelContext& context) {
 
 void ask_recovery(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved work was found", 480.0f)) return;
-    ImGui::TextWrapped("Myoloop did not end well the last time. Work that was not saved can be taken up again.");
+    wrapped_text("Myoloop did not end well the last time. Work that was not saved can be taken up again.");
     ImGui::Spacing();
     bool decided = false;
     ButtonRow row(context, 2);

@@ -52,9 +52,9 @@ void text_cell(const Theme& theme, const std::string& text, const ImVec4& color)
     if (shown != text) tooltip(theme, text);
 }
 
-void number_column(const Theme& theme, const Heading& heading) {
+void number_column(const Theme& theme, const Heading& heading, int flags) {
     const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, heading.title.c_str()).x;
-    ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed, std::ceil(std::max(width, 40.0f * theme.scale)) + 2.0f);
+    ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed | flags, std::ceil(std::max(width, 40.0f * theme.scale)) + 2.0f);
 }
 
 void heading_row(const Theme& theme, const std::vector<Heading>& headings) {

@@ -24,8 +24,8 @@ struct Heading {
     std::string tip;
     bool number = false;
 };
-/// A column of numbers, as wide as its heading.
-void number_column(const Theme& theme, const Heading& heading);
+/// A column of numbers, as wide as its heading; flags of ImGuiTableColumnFlags_ beside that.
+void number_column(const Theme& theme, const Heading& heading, int flags = 0);
 void heading_row(const Theme& theme, const std::vector<Heading>& headings);
 
 }  // namespace myo

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/wrapped_text.hpp"
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
@@ -18,9 +19,7 @@ float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax
 void tooltip(const Theme& theme, const std::string& text, float width) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(width * theme.scale);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(text, width * theme.scale);
     ImGui::EndTooltip();
 }
 
@@ -67,23 +66,17 @@ void row_label(const Theme& theme, const std::string& label, const std::string& 
 
 void text_row(const Theme& theme, const std::string& label, const std::string& value, const ImVec4* color) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
-    ImGui::PushTextWrapPos(label_width() - 4.0f);
-    ImGui::TextUnformatted(label.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(label, label_width() - 4.0f);
     ImGui::PopStyleColor();
     ImGui::SameLine(label_width());
     ImGui::PushStyleColor(ImGuiCol_Text, color != nullptr ? *color : theme.text);
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(value.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(value);
     ImGui::PopStyleColor();
 }
 
 void muted_text(const Theme& theme, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(text);
     ImGui::PopStyleColor();
 }
 
@@ -94,9 +87,7 @@ void notice(const Theme& theme, LogLevel level, const std::string& text) {
     const Look& look = looks[static_cast<int>(level)];
     ImGui::TextColored(look.color, "%s", look.icon);
     ImGui::SameLine(0.0f, 8.0f * theme.scale);
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(text);
 }
 
 bool primary_button(const Theme& theme, const std::string& label, const ImVec2& size) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "plot/ticks.hpp"
@@ -53,6 +54,20 @@ void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& ba
              label.c_str());
 }
 
+/// A place beside a point where a label covers nothing, the nearest first: right or left of it, level, below or above.
+std::optional<Rectangle> room_beside(const ImVec2& p, const ImVec2& extent, float gap, const Rectangle& view, const std::vector<Rectangle>& taken) {
+    for (const float line : {0.0f, 1.0f, -1.0f, 2.0f})
+        for (const float left : {p.x + gap, p.x - gap - extent.x}) {
+            const float top = p.y + (line - 0.5f) * extent.y;
+            const Rectangle box{{left, top}, {left + extent.x, top + extent.y}};
+            const auto overlaps = [&](const Rectangle& other) {
+                return box.lowest.x < other.highest.x && other.lowest.x < box.highest.x && box.lowest.y < other.highest.y && other.lowest.y < box.highest.y;
+            };
+            if (view.contains(box.lowest) && view.contains(box.highest) && std::none_of(taken.begin(), taken.end(), overlaps)) return box;
+        }
+    return std::nullopt;
+}
+
 }  // namespace
 
 ScaleBar make_scale_bar(double metres_per_pixel, double longest) {
@@ -78,8 +93,10 @@ void draw_arrow_scale(ImDrawList& list, const Rectangle& view, const Camera& cam
     const ScaleBar bar = make_force_bar(metres_per_pixel(camera, size_of(view)) / arrows.metres_per_N, 120.0 * static_cast<double>(s));
     const ImU32 color = packed({arrows.color[0], arrows.color[1], arrows.color[2], 1.0f});
     draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 56.0f * s}, bar, color, bar.label, theme);
-    const std::string title = arrows.name + " on each part of the body";
-    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, title.c_str()).x;
+    const auto width_of = [&](const std::string& text) { return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text.c_str()).x; };
+    const std::string whole = arrows.name + " on each part of the body";
+    const std::string& title = width_of(whole) < 0.4f * view.width() ? whole : arrows.name;
+    const float width = width_of(title);
     outlined(list, theme.small, {view.highest.x - 16.0f * s - width, view.highest.y - 64.0f * s - 2.0f * theme.small->FontSize}, color, packed(theme.view_bottom, 0.6f), title.c_str());
 }
 
@@ -122,18 +139,10 @@ void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& c
         const ImVec2 p{view.lowest.x + static_cast<float>(place->x()), view.lowest.y + static_cast<float>(place->y())};
         if (!view.contains(p)) continue;
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, marker.label.c_str());
-        // Beside the marker, or below a label that is already there.
-        Rectangle box{{p.x + 16.0f * s, p.y - 0.5f * extent.y}, {p.x + 16.0f * s + extent.x, p.y + 0.5f * extent.y}};
-        const auto overlaps = [&](const Rectangle& other) {
-            return box.lowest.x < other.highest.x && other.lowest.x < box.highest.x && box.lowest.y < other.highest.y &&
-                   other.lowest.y < box.highest.y;
-        };
-        for (int attempt = 0; attempt < 6 && std::any_of(taken.begin(), taken.end(), overlaps); ++attempt) {
-            box.lowest.y += extent.y;
-            box.highest.y += extent.y;
-        }
-        taken.push_back(box);
-        outlined(list, theme.small, box.lowest, packed(theme.text), packed(theme.view_bottom, 0.8f), marker.label.c_str());
+        const std::optional<Rectangle> box = room_beside(p, extent, 16.0f * s, view, taken);
+        if (!box) continue;   // a click on the marker tells its name
+        taken.push_back(*box);
+        outlined(list, theme.small, box->lowest, packed(theme.text), packed(theme.view_bottom, 0.8f), marker.label.c_str());
     }
 }
 
