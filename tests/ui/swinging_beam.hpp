@@ -68,6 +68,7 @@ public:
     mutable std::vector<std::filesystem::path> reports;
     /// It finds no effect that explains, and a force instead.
     std::atomic<bool> unexplained = false;
+    bool fewer_foretold = false;   // predictions tell of half the elements
 };
 
 /// Where a point of the beam is at time t.

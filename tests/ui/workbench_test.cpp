@@ -182,6 +182,32 @@ TEST(Workbench, ElementAndResolutionChangeThePredictionAndTheMesh) {
     EXPECT_EQ(static_cast<double>(driver.state().body->mesh.cell_count()), driver.state().prediction.elements);
 }
 
+TEST(Workbench, AFinerMeshIsNotForetoldFewerElementsThanThereAre) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("body/element");
+    driver.click("body/element/tet10");
+    driver.click("body/build");
+    ASSERT_TRUE(driver.wait_for_job());
+    driver.backend->fewer_foretold = true;
+    Settings finer = driver.state().settings;
+    finer.resolution_m *= 0.9;
+    driver.workbench->execute(command::ChangeSettings{finer, "resolution"});
+    EXPECT_GE(driver.state().prediction.elements, static_cast<double>(driver.state().body->mesh.cell_count()));
+    EXPECT_GE(driver.state().prediction.dofs, driver.state().body->dofs);
+}
+
+/// As of every other number.
+TEST(Workbench, TheEdgeLengthCanBeTyped) {
+    Driver driver;
+    driver.open_beam();
+    driver.double_click("body/edge_length");
+    driver.key(ImGuiKey_A, {.ctrl = true});
+    driver.type("12");
+    driver.key(ImGuiKey_Enter);
+    EXPECT_NEAR(driver.state().settings.resolution_m, 0.012, 1e-12);
+}
+
 TEST(Workbench, ShowsTheNumericalDampingOfImplicitEuler) {
     Driver driver;
     driver.open_beam();

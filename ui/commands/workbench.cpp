@@ -10,6 +10,14 @@
 namespace myo {
 namespace {
 
+/// A finer mesh of the same cells has no fewer than the one at hand, which a finely triangulated surface may have filled with more than its edge length asks for.
+MeshPrediction no_smaller_than_coarser(MeshPrediction prediction, const WorkbenchState& state, const Settings& settings) {
+    if (!state.body || prediction.exact || state.body_settings.element != settings.element || state.body_settings.resolution_m < settings.resolution_m) return prediction;
+    prediction.elements = std::max(prediction.elements, static_cast<double>(state.body->mesh.cell_count()));
+    prediction.dofs = std::max(prediction.dofs, state.body->dofs);
+    return prediction;
+}
+
 template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
@@ -226,7 +234,7 @@ void Workbench::set_settings(const Settings& settings) {
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
     place_muscles();
     check_stability();
-    if (state_.scene) state_.prediction = backend_->predict(*state_.scene, settings);
+    if (state_.scene) state_.prediction = no_smaller_than_coarser(backend_->predict(*state_.scene, settings), state_, settings);
     want_preview();
 }
 

@@ -42,17 +42,14 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
         settings.element = cell_type(element);
         context.emit(command::ChangeSettings{settings, "element", false});
     }
-    row_label(theme, "Edge length", "Edge length aimed at; the cells adapt so that the body's size is met exactly.");
+    const double longest = std::max(body_size(state).maxCoeff(), 1e-3);
+    const Limits range{longest / 120.0, longest / 3.0};
+    const NumberField field{"Edge length", "body/edge_length", "mm", "Edge length aimed at; the cells adapt so that the body's size is met exactly.", 1e-3, range, 0.05};
+    Settings settings = state.settings;
+    bool goes_on = false;
+    if (number_row(context, field, edit_, settings.resolution_m, goes_on)) context.emit(command::ChangeSettings{settings, "resolution", goes_on});
     double shown = 1e3 * state.settings.resolution_m;
-    const double longest = 1e3 * std::max(body_size(state).maxCoeff(), 1e-3);
-    const double lowest = longest / 120.0;
-    const double highest = longest / 3.0;
-    const bool changed = ImGui::SliderScalar("##resolution", ImGuiDataType_Double, &shown, &lowest, &highest, "%.3g mm",
-                                             ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    context.items.mark("body/resolution");
-    const bool goes_on = edit_.goes_on("resolution", changed);
-    if (changed) {
-        Settings settings = state.settings;
+    if (slider_row(context, "body/resolution", {1e3 * range.lowest, 1e3 * range.highest}, true, slide_, shown, goes_on)) {
         settings.resolution_m = 1e-3 * shown;
         context.emit(command::ChangeSettings{settings, "resolution", goes_on});
     }

@@ -20,6 +20,7 @@ private:
     void draw_report(PanelContext& context);
 
     OpenEdit edit_;
+    OpenEdit slide_;
 };
 
 }  // namespace myo

@@ -66,18 +66,11 @@ void TimePanel::draw(PanelContext& context) {
 
 void TimePanel::draw_slider(PanelContext& context, const SettingField& field, Limits range, bool logarithmic) {
     Settings settings = context.state.settings;
-    row_label(context.theme, "");
-    double shown = settings.*field.value / field.field.per_unit;
-    const double lowest = range.lowest / field.field.per_unit, highest = range.highest / field.field.per_unit;
-    const std::string name = field.field.name + "/slider";
-    const bool changed = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown, &lowest, &highest, "",
-                                             ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
-    context.items.mark(name);
-    const bool goes_on = slide_.goes_on(name, changed);
-    if (!changed || !std::isfinite(shown)) return;
-    // Nobody needs a slider's sixteen digits.
-    const double digit = std::pow(10.0, std::floor(std::log10(std::max(std::abs(shown), 1e-3 * highest))) - 2.0);
-    settings.*field.value = std::round(shown / digit) * digit * field.field.per_unit;
+    const double unit = field.field.per_unit;
+    double shown = settings.*field.value / unit;
+    bool goes_on = false;
+    if (!slider_row(context, field.field.name + "/slider", {range.lowest / unit, range.highest / unit}, logarithmic, slide_, shown, goes_on)) return;
+    settings.*field.value = shown * unit;
     context.emit(command::ChangeSettings{settings, field.field.name, goes_on});
 }
 

@@ -131,6 +131,19 @@ bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit,
     return changed;
 }
 
+bool slider_row(PanelContext& context, const std::string& name, Limits shown_limits, bool logarithmic, OpenEdit& edit, double& shown, bool& goes_on) {
+    row_label(context.theme, "");
+    const bool changed = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown, &shown_limits.lowest, &shown_limits.highest, "",
+                                             ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    context.items.mark(name);
+    goes_on = edit.goes_on(name, changed);
+    if (!changed || !std::isfinite(shown)) return false;
+    // Nobody needs a slider's sixteen digits.
+    const double digit = std::pow(10.0, std::floor(std::log10(std::max(std::abs(shown), 1e-3 * shown_limits.highest))) - 2.0);
+    shown = std::clamp(std::round(shown / digit) * digit, shown_limits.lowest, shown_limits.highest);
+    return true;
+}
+
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<Choice>& choices, std::string& id) {
     row_label(context.theme, label, tip);

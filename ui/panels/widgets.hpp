@@ -62,6 +62,9 @@ private:
 /// True when changed; `goes_on` tells whether by the same drag as before.
 bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on);
 
+/// A slider below its number, without words of its own; `shown` is rounded to what a person would type. True when changed.
+bool slider_row(PanelContext& context, const std::string& name, Limits shown_limits, bool logarithmic, OpenEdit& edit, double& shown, bool& goes_on);
+
 /// A list; true when another entry was chosen.
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<Choice>& choices, std::string& id);
