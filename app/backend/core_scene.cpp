@@ -7,11 +7,15 @@
 #include "backend/diagnosis_view.hpp"
 #include "backend/dominant_vibration.hpp"
 #include "backend/mesh_scene.hpp"
+#include "base/letter_case.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "mesh/boundary_surface.hpp"
+#include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/surface_topology.hpp"
+#include "mesh/volume_reader.hpp"
 #include "project/read_experiment.hpp"
 #include "project/readable_parameter.hpp"
 
@@ -21,6 +25,13 @@ namespace fs = std::filesystem;
 using Eigen::Matrix3Xd;
 
 namespace {
+
+const std::vector<std::string> surface_endings{".stl", ".obj", ".ply", ".vtp"};
+const std::vector<std::string> volume_endings{".vtu", ".vtk", ".msh", ".node", ".ele"};
+
+bool has_ending(const fs::path& path, const std::vector<std::string>& endings) {
+    return std::find(endings.begin(), endings.end(), lower_case(path.extension().string())) != endings.end();
+}
 
 /// The muscles of the settings; where they leave something open, as the experiment has it.
 std::vector<MuscleDeclaration> declared_muscles(const Experiment& experiment, const Settings& settings) {
@@ -90,12 +101,22 @@ void fill_from_study(const Study& study, Scene& scene) {
 
 }  // namespace
 
+bool is_volume_file(const fs::path& path) { return has_ending(path, volume_endings); }
+bool is_mesh_file(const fs::path& path) { return has_ending(path, surface_endings) || is_volume_file(path); }
+
 bool is_experiment(const fs::path& path) {
     std::error_code code;
     return fs::is_directory(path, code) || path.extension() == ".toml";
 }
 
 const SceneSource& source_of(const Scene& scene) { return *std::static_pointer_cast<const SceneSource>(scene.source); }
+
+bool is_mesh_of(const StudyMesh& mesh, const Settings& settings) { return mesh.element == default_element(settings.element) && mesh.resolution_m == settings.resolution_m; }
+
+const StudyMesh* shown_mesh(const MeshedBody& body, const Settings& settings) {
+    const auto* const mesh = static_cast<const StudyMesh*>(body.source.get());
+    return mesh && is_mesh_of(*mesh, settings) ? mesh : nullptr;
+}
 
 MeshRequest mesh_request(const Settings& settings) { return {default_element(settings.element), settings.resolution_m}; }
 
@@ -121,6 +142,10 @@ Experiment with_settings(Experiment experiment, const Settings& settings) {
     return experiment;
 }
 
+Result<Study> scene_study(const Scene& scene, const MeshedBody& body, const Settings& settings, const StudySettings& chosen, const Progress& progress) {
+    return prepare_study(with_settings(source_of(scene).experiment, settings), chosen, progress, shown_mesh(body, settings));
+}
+
 Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
     const Result<Experiment> experiment = read_experiment(path);
     if (!experiment) return experiment.error();
@@ -137,30 +162,55 @@ Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
     scene.gravity_m_s2 = experiment->gravity_m_s2;
     scene.warnings = study->warnings;
     fill_from_study(*study, scene);
-    scene.source = std::make_shared<const SceneSource>(SceneSource{*experiment, study->surface});
+    scene.source = std::make_shared<const SceneSource>(SceneSource{*experiment, study->surface, std::make_shared<const StudyMesh>(study->mesh)});
     return scene;
 }
 
-Result<Scene> open_mesh(const fs::path& path, std::optional<double> metres_per_unit) {
-    if (!metres_per_unit) return Error{"the file does not say its unit; choose m or mm", path.string()};
-    const Result<SurfaceMesh> read = read_surface(path, *metres_per_unit);
-    if (!read) return read.error();
-    const SurfaceMesh surface = weld(*read);
-    const SurfaceReport report = check_surface(surface);
-    if (const Result<void> size = check_plausible_size(report.size); !size) return Error{size.error().what, path.string()};
-    if (!report.closed) return Error{"the surface is not closed: " + join(report.messages), path.string()};
+namespace {
+
+/// A body alone, in the set-up that a mesh gets.
+Scene plain_scene(const fs::path& path, SurfaceMesh surface) {
     Scene scene;
     scene.path = path;
     scene.name = path.stem().string();
-    scene.surface = report.outward ? surface : flipped(surface);
-    scene.warnings = report.messages;
+    scene.surface = std::move(surface);
     const Experiment experiment = mesh_scene_experiment(scene.surface, scene.name);
     scene.description = experiment.description;
     scene.clamp_m = experiment.clamp_box_m;
     scene.gravity_m_s2 = experiment.gravity_m_s2;
     scene.trials.push_back(mesh_scene_trial());
     scene.settings = mesh_scene_settings(experiment, scene.surface);
-    scene.source = std::make_shared<const SceneSource>(SceneSource{experiment, scene.surface});
+    scene.source = std::make_shared<const SceneSource>(SceneSource{experiment, scene.surface, nullptr});
+    return scene;
+}
+
+Result<Scene> open_volume(const fs::path& path, double metres_per_unit) {
+    Result<VolumeMesh> read = read_volume(path, metres_per_unit);
+    if (!read) return read.error();
+    if (const Result<void> size = check_plausible_size(bounding_box(read->nodes).size()); !size) return Error{size.error().what, path.string()};
+    Scene scene = plain_scene(path, boundary_surface(*read));
+    scene.settings.element = read->type;
+    scene.settings.resolution_m = mean_edge_length(*read);
+    SceneSource source = source_of(scene);
+    source.mesh = std::make_shared<const StudyMesh>(StudyMesh{std::move(*read), default_element(scene.settings.element), scene.settings.resolution_m, std::nullopt, {}});
+    scene.source = std::make_shared<const SceneSource>(std::move(source));
+    return scene;
+}
+
+}  // namespace
+
+Result<Scene> open_mesh(const fs::path& path, std::optional<double> metres_per_unit) {
+    if (!is_mesh_file(path)) return Error{"is no experiment, project or mesh by its ending; surfaces: " + join(surface_endings, " ") + ", volumes: " + join(volume_endings, " "), path.string()};
+    if (!metres_per_unit) return Error{"the file does not say its unit; choose m or mm", path.string()};
+    if (is_volume_file(path)) return open_volume(path, *metres_per_unit);
+    const Result<SurfaceMesh> read = read_surface(path, *metres_per_unit);
+    if (!read) return read.error();
+    const SurfaceMesh surface = weld(*read);
+    const SurfaceReport report = check_surface(surface);
+    if (const Result<void> size = check_plausible_size(report.size); !size) return Error{size.error().what, path.string()};
+    if (!report.closed) return Error{"the surface is not closed: " + join(report.messages), path.string()};
+    Scene scene = plain_scene(path, report.outward ? surface : flipped(surface));
+    scene.warnings = report.messages;
     return scene;
 }
 

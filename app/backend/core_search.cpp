@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "backend/core_scene.hpp"
@@ -89,8 +90,9 @@ std::vector<ParameterRow> signal_rows(const ActuationProblem& problem, const Eig
 /// A search for signals, shown while it goes on.
 class LiveOptimization {
 public:
-    LiveOptimization(const Study& study, std::size_t trial, const ActuationProblem& problem, Eigen::MatrixXd start, const Settings& settings, const Backend::LiveSearch& live)
-        : study_(study), trial_(trial), problem_(problem), start_(std::move(start)), settings_(settings), live_(live) {
+    LiveOptimization(const Study& study, std::size_t trial, const ActuationProblem& problem, Eigen::MatrixXd start, const Settings& settings, const Progress& progress,
+                     const Backend::LiveSearch& live)
+        : study_(study), trial_(trial), problem_(problem), start_(std::move(start)), settings_(settings), progress_(progress), live_(live) {
         view_.loss_unit = "mm\xc2\xb2";
     }
 
@@ -103,39 +105,63 @@ public:
             view_.settings = with_signals(settings_, activation);
             if (line.ok && line.loss_m2 == fit.best.loss_m2 && pace_.due()) {
                 const Stopwatch watch;
-                view_.best = std::make_shared<const RunResult>(run(activation));
+                if (auto run = run_with(fit.values)) view_.best = std::make_shared<const RunResult>(std::move(*run)), shown_ = fit.values;
                 pace_.took(watch.seconds());
             }
         }
         if (live_) live_(std::make_shared<const SearchView>(view_));
     }
 
-    /// The trial with these activations.
-    RunResult run(const std::vector<Signal>& activation) const {
-        Study study = study_;
-        for (StudyTrial& trial : study.trials) trial.model.activation = activation;
-        StudyValues values = declared_values(study);
-        for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
-        std::vector<TrialPrediction> predictions(study.trials.size());
-        predictions[trial_] = predict_trial(study, trial_, values);
-        return shown_run(study, scored_run(study, values, std::move(predictions), {trial_}));
+    /// The trial with the signals that were found. Where the search was stopped, no more of the motion than is known by then.
+    RunResult found(const ActuationFit& fit) const {
+        if (view_.best && shown_.size() > 0 && shown_ == fit.values) return *view_.best;
+        if (auto run = run_with(fit.values)) return std::move(*run);
+        return with_prediction(with_signals_of(fit.values), prediction_of(study_, trial_, fit.best.motion));
     }
 
 private:
+    Study with_signals_of(const Eigen::MatrixXd& found) const {
+        Study study = study_;
+        for (StudyTrial& trial : study.trials) trial.model.activation = activations_of(problem_.sought, found);
+        return study;
+    }
+
+    RunResult with_prediction(const Study& study, TrialPrediction prediction) const {
+        std::vector<TrialPrediction> predictions(study.trials.size());
+        predictions[trial_] = std::move(prediction);
+        return shown_run(study, scored_run(study, values_of(study), std::move(predictions), {trial_}));
+    }
+
+    static StudyValues values_of(const Study& study) {
+        StudyValues values = declared_values(study);
+        for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
+        return values;
+    }
+
+    /// The trial run with these signals; empty when it was cancelled.
+    std::optional<RunResult> run_with(const Eigen::MatrixXd& signals) const {
+        const Study study = with_signals_of(signals);
+        TrialPrediction prediction = predict_trial(study, trial_, values_of(study), {}, progress_.with_sink({}));
+        if (prediction.status == RunStatus::cancelled) return std::nullopt;
+        return with_prediction(study, std::move(prediction));
+    }
+
     const Study& study_;
     std::size_t trial_;
     const ActuationProblem& problem_;
     Eigen::MatrixXd start_;
     const Settings& settings_;
+    const Progress& progress_;
     const Backend::LiveSearch& live_;
     SearchView view_;
+    Eigen::MatrixXd shown_;   // signals with which view_.best moves
     Pace pace_;
 };
 
 }  // namespace
 
-Result<SearchResult> calibrate_scene(const Scene& scene, const Settings& settings, const Progress& progress, const Backend::LiveSearch& live) {
-    Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
+Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const Backend::LiveSearch& live) {
+    Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
     if (!study) return study.error();
     check_integration(*study);
     const std::vector<StudyParameter> parameters = study_parameters(*study);
@@ -182,9 +208,9 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const Settings& setting
     return result;
 }
 
-Result<SearchResult> optimize_scene(const Scene& scene, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
+Result<SearchResult> optimize_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
                                     const Backend::LiveSearch& live) {
-    Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
+    Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
     if (!study) return study.error();
     check_integration(*study);
     const Result<std::size_t> trial = find_trial(study->experiment, request.trial);
@@ -198,7 +224,7 @@ Result<SearchResult> optimize_scene(const Scene& scene, const Settings& settings
     const Result<ActuationProblem> problem = actuation_problem(one, how);
     if (!problem) return problem.error();
     const Eigen::MatrixXd start = drawn_values(one, *problem);
-    LiveOptimization shown(*study, *trial, *problem, start, settings, live);
+    LiveOptimization shown(*study, *trial, *problem, start, settings, progress, live);
     how.evaluated = [&](const ActuationFit& fit) { shown.show(fit); };
     const Optimization found = optimize_study(one, *problem, how, start, progress);
     if (!found.usable()) return Error{found.stopped ? "stopped before the first evaluation was complete" : found.fit.message, ""};
@@ -214,7 +240,8 @@ Result<SearchResult> optimize_scene(const Scene& scene, const Settings& settings
     result.notes = {"Signals follow " + request.trial + "; they are those of the muscles now, in all trials."};
     result.rms_before_m = found.before.fit_rms_m;
     result.rms_after_m = found.after.fit_rms_m;
-    result.run = shown.run(activations_of(problem->sought, found.fit.values));
+    result.run = shown.found(found.fit);
+    if (result.run.trials[*trial].frames.empty()) result.warnings.push_back("The search was stopped before the body was run with its best signals; Run shows it.");
     result.run.seconds = found.seconds;
     result.page = std::make_shared<const HtmlReport>(optimize_report(one, found, {MYOLOOP_VERSION, {"workbench"}}));
     return result;

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "backend/core_scene.hpp"
 #include "backend/fields.hpp"
 #include "base/stopwatch.hpp"
+#include "effect/catalogue.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
 #include "project/muscle_groups.hpp"
@@ -52,11 +54,27 @@ Settings mesh_scene_settings(const Experiment& experiment, const SurfaceMesh& su
     return settings;
 }
 
-Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh& surface, const StudySettings& study,
-                                 const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) {
-    Result<StudyMesh> mesh = mesh_body(surface, study.mesh, {experiment.clamp_box_m}, progress);
-    if (!mesh) return mesh.error();
-    const std::vector<int> held = nodes_in_box(mesh->mesh, experiment.clamp_box_m);
+namespace {
+
+/// What effects may know of a run without measurement.
+EffectSite site_of(const Experiment& experiment, const BodyPointer& body) {
+    EffectSite site;
+    site.body = body;
+    site.held = experiment.clamp_box_m;
+    for (const MuscleDeclaration& muscle : experiment.muscles) site.muscle_names.push_back(muscle.name);
+    site.trial = mesh_scene_trial().name;
+    site.end_s = release_s;
+    return site;
+}
+
+}  // namespace
+
+Result<RunResult> run_mesh_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) {
+    const Experiment experiment = with_settings(source_of(scene).experiment, settings);
+    const StudySettings study = study_settings(settings);
+    const StudyMesh* const mesh = shown_mesh(body, settings);
+    if (!mesh) return Error{"the body is not meshed with these settings", experiment.name};
+    const std::vector<int> held = nodes_in_box(mesh->mesh, held_part(experiment.clamp_box_m, bounding_box(scene.surface.vertices)));
     if (held.empty()) return Error{"no node lies at the held end; choose a finer resolution", experiment.name};
     Model model;
     model.body = make_body(mesh->mesh, mesh->element, held);
@@ -72,17 +90,19 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
     model.activation.assign(experiment.muscles.size(), Signal::constant(1.0));
     declare_activation(experiment, model.activation);
-    SimulationOptions options;
-    options.integrator = study.scheme();
-    options.h_s = settings.time_step_s;
-    options.end_s = only ? std::min(only->end_s, release_s) : release_s;
+    Affected affected{std::move(model), {}, {}};
+    affected.options.integrator = study.scheme();
+    affected.options.h_s = settings.time_step_s;
+    affected.options.end_s = release_s;
+    apply_effects(site_of(experiment, affected.model.body), experiment.effects, affected);
+    if (only) affected.options.end_s = std::min(only->end_s, release_s);
     const Stopwatch watch;
-    const Trace trace = simulate(model, options, progress);
+    const Trace trace = simulate(affected.model, affected.options, progress);
 
     RunResult result;
     result.seconds = watch.seconds();
     result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
-    if (!only) result.warnings = check_integration(model, options.integrator, options.h_s).warnings;
+    if (!only) result.warnings = check_integration(affected.model, affected.options.integrator, affected.options.h_s).warnings;
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;
     SimulatedTrial shown;
@@ -92,7 +112,7 @@ Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh
     shown.rms_m = std::numeric_limits<double>::quiet_NaN();
     result.trials.push_back(std::move(shown));
     auto models = std::make_shared<RunModels>();
-    models->trials.push_back(std::move(model));
+    models->trials.push_back(std::move(affected.model));
     result.source = std::move(models);
     return result;
 }

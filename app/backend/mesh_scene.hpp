@@ -14,8 +14,8 @@ Experiment mesh_scene_experiment(const SurfaceMesh& surface, const std::string& 
 SceneTrial mesh_scene_trial();
 Settings mesh_scene_settings(const Experiment& experiment, const SurfaceMesh& surface);
 
-/// Runs that set-up. Errors: those of the meshers; no node at the held end.
-Result<RunResult> run_mesh_scene(const Experiment& experiment, const SurfaceMesh& surface, const StudySettings& study,
-                                 const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress);
+/// Runs that set-up with the settings in it, on the body that is shown. Errors: it was meshed with other settings; no node at the held end.
+Result<RunResult> run_mesh_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only,
+                                 const Progress& progress);
 
 }  // namespace myo

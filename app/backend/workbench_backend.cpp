@@ -10,6 +10,7 @@
 #include "backend/diagnosis_view.hpp"
 #include "backend/examples.hpp"
 #include "backend/fields.hpp"
+#include "backend/file_preview.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
@@ -43,12 +44,19 @@ class CoreBackend final : public Backend {
 public:
     std::vector<Choice> materials() const override {
         std::vector<Choice> list;
-        const std::map<std::string, std::string> labels = {{"neo_hookean", "Neo-Hookean"},
-                                                           {"corotational", "Corotational"},
-                                                           {"projective_corotational", "Projective corotational (as published)"},
-                                                           {"st_venant_kirchhoff", "St. Venant–Kirchhoff"}};
-        for (const MaterialPointer& law : material_catalogue())
-            list.push_back({law->id(), labels.count(law->id()) > 0 ? labels.at(law->id()) : law->id(), law->formula()});
+        struct Words { std::string label, letters; };
+        const std::string mu = "μ = E / (2 (1 + ν))", lambda = "λ = E ν / ((1 + ν) (1 − 2ν))", rotation = "F = R U with the rotation R";
+        const std::map<std::string, Words> words = {
+            {"neo_hookean", {"Neo-Hookean", mu + ", κ = E / (3 (1 − 2ν)), J = det F. Nearly incompressible, for large strain (Bonet & Wood 2008, sec. 6.5; Simo & Hughes 1998)."}},
+            {"corotational", {"Corotational", mu + ", " + lambda + ", " + rotation + ". Linear in strain, for large rotations (Sifakis & Barbič 2012, sec. 3.4)."}},
+            {"projective_corotational", {"Projective corotational (as published)", mu + ", " + lambda + ", " + rotation + ", D the matrix nearest to F whose determinant is 1 (Bouaziz et al. 2014)."}},
+            {"st_venant_kirchhoff", {"St. Venant–Kirchhoff", mu + ", " + lambda + ", Green's strain E = (FᵀF − I) / 2. Softens in compression: for small strain (Bonet & Wood 2008, sec. 6.4)."}}};
+        for (const MaterialPointer& law : material_catalogue()) {
+            const auto known = words.find(law->id());
+            const std::string energy = "Energy per rest volume [J/m³]\nψ = " + law->formula();
+            if (known == words.end()) list.push_back({law->id(), law->id(), energy});
+            else list.push_back({law->id(), known->second.label, energy + "\n" + known->second.letters});
+        }
         return list;
     }
 
@@ -63,11 +71,15 @@ public:
             };
             return Choice{to_string(integrator), label, explanation, damping, critical, integrator == Integrator::generalized_alpha};
         };
-        return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data"),
-                entry(Integrator::implicit_euler, "Implicit Euler", "First order, as in the paper: damps by itself"),
-                entry(Integrator::bdf2, "BDF2", "Second order, one solve a step, damps more than TR-BDF2"),
-                entry(Integrator::generalized_alpha, "Generalised-α", "Second order, one solve a step, damping by choice of ρ∞"),
-                entry(Integrator::trapezoidal, "Trapezoidal", "Second order, no damping at all: large motions may become unstable")};
+        return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data.\n"
+                                                      "The trapezoidal rule over γ h, γ = 2 − √2, then BDF2 over the whole step (Bank et al. 1985)."),
+                entry(Integrator::implicit_euler, "Implicit Euler", "First order, as in the paper: damps by itself, ζ ≈ ω h / 2.\nx₁ = x₀ + h v₁, M (v₁ − v₀) / h = f(x₁) + Λ M v₀"),
+                entry(Integrator::bdf2, "BDF2", "Second order, one solve a step, damps more than TR-BDF2.\n"
+                                                "dy/dt = (3 y₁ − 4 y₀ + y₋₁) / (2 h) at the end of the step, y = x and M v (Hairer, Nørsett & Wanner 1993, ch. III.5)."),
+                entry(Integrator::generalized_alpha, "Generalised-α", "Second order, one solve a step, damping by choice of ρ∞.\n"
+                                                                      "α_m y'₁ + (1 − α_m) y'₀ = α_f f₁ + (1 − α_f) f₀, α_m = (3 − ρ∞) / (2 (1 + ρ∞)), α_f = 1 / (1 + ρ∞) (Jansen, Whiting & Hulbert 2000)."),
+                entry(Integrator::trapezoidal, "Trapezoidal", "Second order, no damping at all: large motions may become unstable.\n"
+                                                              "(y₁ − y₀) / h = (y'₀ + y'₁) / 2, Newmark's method with β = 1/4, γ = 1/2 (Newmark 1959).")};
     }
 
     std::vector<Example> examples() const override { return bundled_examples(); }
@@ -81,7 +93,7 @@ public:
     Result<Project> read_project(const fs::path& file) const override { return read_project_file(file); }
     Result<void> write_project(const fs::path& file, const Project& project) const override { return write_project_file(file, project); }
 
-    bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && !is_experiment(path); }
+    bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && is_mesh_file(path); }
 
     Result<Signal> read_signal(const fs::path& path, const std::string& muscle) const override {
         const Result<ActuationTable> table = read_actuation_csv(path);
@@ -108,27 +120,43 @@ public:
 
     MeshPrediction predict(const Scene& scene, const Settings& settings) const override {
         if (scene.surface.triangles.cols() == 0) return {};
+        if (const auto& opened = source_of(scene).mesh; opened && is_mesh_of(*opened, settings))
+            return {static_cast<double>(opened->mesh.cell_count()), 3.0 * static_cast<double>(opened->mesh.node_count()), true};
         const CountEstimate estimate = estimate_counts(scene.surface, settings.element, settings.resolution_m);
         return {estimate.cells, estimate.dofs, estimate.exact};
     }
 
     Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override {
         const SceneSource& source = source_of(scene);
-        Result<StudyMesh> made = mesh_body(source.surface, mesh_request(settings), {held_part(source.experiment.clamp_box_m, bounding_box(source.surface.vertices))}, progress);
-        if (!made) return made.error();
+        std::shared_ptr<const StudyMesh> made = source.mesh;
+        if (!made || !is_mesh_of(*made, settings)) {
+            Result<StudyMesh> fresh = mesh_body(source.surface, mesh_request(settings), {held_part(source.experiment.clamp_box_m, bounding_box(source.surface.vertices))}, progress);
+            if (!fresh) return fresh.error();
+            made = std::make_shared<const StudyMesh>(std::move(*fresh));
+        }
+        const Error stopped{"meshing was stopped", ""};
+        if (progress.cancelled()) return stopped;
         const QualityReport quality = mesh_quality(made->mesh, &source.surface);
+        if (progress.cancelled()) return stopped;
         MeshedBody body;
         body.boundary = boundary_faces(made->mesh);
         body.dofs = static_cast<double>(quality.dofs);
-        body.report = {{"Volume", formatted("%.4g cm³", 1e6 * quality.volume)},
-                       {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)), std::abs(quality.volume_error.value_or(0.0)) > 0.02},
-                       {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1},
-                       {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge)}};
+        const std::string shape = made->mesh.type == CellType::hex8 ? "the least det(e₁, e₂, e₃) / (|e₁| |e₂| |e₃|) of the edges at its corners and in its middle (Knupp 2003)"
+                                                                    : "12 (3 V)^(2/3) / Σ of its squared edges (Liu & Joe 1994)";
+        body.report = {{"Volume", formatted("%.4g cm³", 1e6 * quality.volume), false, "Of all elements together."},
+                       {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)), std::abs(quality.volume_error.value_or(0.0)) > 0.02,
+                        "(V − V₀) / V₀ of the elements' volume V and the surface's V₀; orange above 2 %."},
+                       {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1,
+                        "Shape of the worst element, " + shape + ": 1 is perfect, 0 flat, less turned inside out; orange below 0.1."},
+                       {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge), false, "Mean length of the edges between corners, each once."}};
+        if (is_volume_file(scene.path)) body.report.insert(body.report.begin(), {"Elements", made == source.mesh ? "those of the file" : "made anew from its surface", false,
+                                                                                 "A volume mesh keeps its own elements as long as their type and edge length are left as they were opened."});
         const Result<std::vector<FibreGroup>> groups = muscle_groups(source.experiment, *made);
         if (!groups) return groups.error();
         for (const FibreGroup& group : *groups) body.muscles[group.name] = paint_of_group(made->mesh, group);
         for (const std::string& message : quality.messages) body.report.push_back({"Note", message, true});
-        body.mesh = std::move(made->mesh);
+        body.mesh = made->mesh;
+        body.source = std::move(made);
         return body;
     }
 
@@ -136,10 +164,9 @@ public:
 
     Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const override { return field_values(id, body, run, trial, frame); }
 
-    Result<RunResult> simulate(const Scene& scene, const MeshedBody&, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) override {
-        if (source_of(scene).experiment.trials.empty())
-            return run_mesh_scene(with_settings(source_of(scene).experiment, settings), source_of(scene).surface, study_settings(settings), settings, only, progress);
-        Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), study_settings(settings), progress);
+    Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) override {
+        if (source_of(scene).experiment.trials.empty()) return run_mesh_scene(scene, body, settings, only, progress);
+        Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
         if (!study) return study.error();
         const StudyValues values = with_predicted_levels(*study, declared_values(*study));
         if (only) return shown_run(*study, short_run(*study, values, only->trial, only->end_s, progress));
@@ -147,13 +174,13 @@ public:
         return shown_run(*study, run_study(*study, values, progress));
     }
 
-    Result<SearchResult> calibrate(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress, const LiveSearch& live) override {
-        return calibrate_scene(scene, settings, progress, live);
+    Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) override {
+        return calibrate_scene(scene, body, settings, progress, live);
     }
 
-    Result<SearchResult> optimize(const Scene& scene, const MeshedBody&, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
+    Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
                                   const LiveSearch& live) override {
-        return optimize_scene(scene, settings, request, progress, live);
+        return optimize_scene(scene, body, settings, request, progress, live);
     }
 
     Result<std::vector<std::string>> write_report(const fs::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
@@ -197,11 +224,11 @@ public:
         return add_recording_trial(scene, settings, file, choices);
     }
 
-    Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody&, const Settings& settings, const Progress& progress, const LiveDiagnosis& live) override {
+    Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveDiagnosis& live) override {
         StudySettings chosen = study_settings(settings);
         // Steps that nobody changed are the diagnosis' to choose.
         if (settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
-        const Result<Study> study = prepare_study(with_settings(source_of(scene).experiment, settings), chosen, progress);
+        const Result<Study> study = scene_study(scene, body, settings, chosen, progress);
         if (!study) return study.error();
         const DiagnosisSource source{*study, source_of(scene).experiment.effects.size(), settings};
         const auto show = [&](const Diagnosis& known) {

@@ -161,7 +161,7 @@ void check_integration(Study& study) {
     study.warnings.insert(study.warnings.end(), found.begin(), found.end());
 }
 
-Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress) {
+Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress, const StudyMesh* meshed) {
     Study study;
     study.experiment = experiment;
     study.settings = settings;
@@ -176,7 +176,7 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     if (!material) return declaration_error(experiment, "material.model", "no material law '" + law + "'");
 
     const Box held = held_part(experiment.clamp_box_m, bounding_box(study.surface.vertices));
-    Result<StudyMesh> mesh = mesh_body(study.surface, settings.mesh, {held}, progress);
+    Result<StudyMesh> mesh = meshed ? *meshed : mesh_body(study.surface, settings.mesh, {held}, progress);
     if (!mesh) return mesh.error();
     study.mesh = std::move(*mesh);
     study.warnings.insert(study.warnings.end(), study.mesh.warnings.begin(), study.mesh.warnings.end());
@@ -208,6 +208,7 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
 
     std::vector<Recording> recordings;
     for (const TrialDeclaration& declaration : experiment.trials) {
+        if (progress.cancelled()) return Error{"stopped before trial " + declaration.name + " was read", ""};
         Result<StudyTrial> trial = prepare_trial(study, model, declaration, study.warnings);
         if (!trial) return trial.error();
         recordings.push_back(trial->measured);

@@ -86,8 +86,9 @@ struct Study {
 void check_integration(Study& study);
 
 /// Reads traces and geometry, meshes the body, binds markers, registers frames, finds starts.
-/// Errors: every input error of the schema that needs more than the TOML, with key and line.
-Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress = {});
+/// Errors: every input error of the schema that needs more than the TOML, with key and line; cancelled.
+/// @param meshed  the body as these settings mesh it, made before; null: it is meshed now
+Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress = {}, const StudyMesh* meshed = nullptr);
 
 /// a - 1 of every muscle when `leader` steps to `level`: followers take their share.
 std::vector<Signal> with_level(const Experiment& experiment, std::vector<Signal> activation, std::size_t leader, double level);
