@@ -68,7 +68,7 @@ void Console::show(const ProgressEvent& event) {
         task_ = event.task;
         task_start_ = now;
     }
-    const bool last = event.done >= event.total;
+    const bool last = event.total > 0.0 && event.done >= event.total;
     if (!last && !throttle_.ready()) return;
     bar_shown_ = true;
     std::fprintf(stderr, "\r\033[K%s", progress_bar(event, std::chrono::duration<double>(now - task_start_).count()).c_str());
@@ -113,7 +113,9 @@ std::string progress_line(const ProgressEvent& event) {
 
 std::string progress_bar(const ProgressEvent& event, double elapsed_s) {
     if (event.unit == "evaluations") return evaluation_bar(event, elapsed_s);
-    const double share = event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 1.0) : 0.0;
+    // What does not know its end tells how long it has gone on.
+    if (!(event.total > 0.0)) return event.task + "  " + duration_words(elapsed_s) + " so far" + (event.message.empty() ? "" : "  " + event.message);
+    const double share = std::clamp(event.done / event.total, 0.0, 1.0);
     std::string text = event.task + "  " + bar_of(share) + "  " + format_number(event.done, 4) + " of " + format_number(event.total, 4) + " " + event.unit;
     // The first moments promise nothing.
     if (share > 0.01 && share < 1.0 && elapsed_s > 0.5) text += "  " + duration_words(elapsed_s * (1.0 - share) / share) + " left";

@@ -172,7 +172,8 @@ Result<VolumeMesh> run_tetgen(const SurfaceMesh& welded, double max_volume, cons
          std::to_string(static_cast<unsigned long long>(options.memory_limit_bytes)),
          std::to_string(static_cast<unsigned long long>(std::ceil(time_limit_s)) + 1)},
         time_limit_s, [&] { return progress.cancelled(); },
-        [&](double seconds) { progress.report({"tetrahedral mesh", seconds, time_limit_s, "s", ""}); });
+        // How much of it is left nobody knows: only that it goes on is told.
+        [&](double seconds) { progress.report({"tetrahedral mesh", seconds, 0.0, "s", ""}); });
     if (const auto verdict = judge(end, options); !verdict) return verdict.error();
     if (!read_exchange(answer_path, answer)) return Error{"the tetrahedral mesher's answer cannot be read", ""};
     if (answer.cells.empty()) return Error{"TetGen found no inside: the surface is open or broken", ""};
