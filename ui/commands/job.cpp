@@ -26,9 +26,21 @@ struct Job::Content {
     Clock::time_point paused_since;
     Clock::duration paused_for{0};
     ProgressEvent progress;
+    double stage_start_s = 0.0;            // working time at which the present count began
     std::optional<Completion> result;
     std::function<void()> wake;
     std::thread thread;
+
+    /// Since the start, without pauses. The mutex is held.
+    double working_s() const {
+        const Clock::time_point now = Clock::now();
+        return std::chrono::duration<double>(now - start - paused_for - (paused ? now - paused_since : Clock::duration{0})).count();
+    }
+
+    void take(const ProgressEvent& event) {
+        if (event.task != progress.task || event.unit != progress.unit || event.done < progress.done) stage_start_s = working_s();
+        progress = event;
+    }
 };
 
 Job::Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake, JobKind kind)
@@ -42,7 +54,7 @@ Job::Job(std::string name, Work work, std::function<Completion(const std::string
             [c](const ProgressEvent& event) {
                 {
                     std::unique_lock lock(c->mutex);
-                    c->progress = event;
+                    c->take(event);
                     c->goes_on.wait(lock, [c] { return !c->paused || c->cancel; });
                 }
                 if (c->wake) c->wake();
@@ -89,19 +101,19 @@ void Job::pause(bool paused) {
 
 JobView Job::view() const {
     JobView view;
-    Content::Clock::duration waited{0};
+    double stage_s = 0.0;
     {
         const std::lock_guard lock(content_->mutex);
         view.progress = content_->progress;
         view.paused = content_->paused;
-        waited = content_->paused_for;
-        if (view.paused) waited += Content::Clock::now() - content_->paused_since;
+        view.elapsed_s = content_->working_s();
+        stage_s = view.elapsed_s - content_->stage_start_s;
     }
     view.name = content_->name;
     view.searches = content_->kind.searches;
-    view.elapsed_s = std::chrono::duration<double>(Content::Clock::now() - content_->start - waited).count();
-    // Of a fit's evaluations only the greatest number is known.
-    if (view.progress.unit != "evaluations" && !content_->kind.staged) view.remaining_s = remaining_time(view.fraction(), view.elapsed_s);
+    view.remaining_s = remaining_time(view.fraction(), stage_s);
+    if (content_->kind.staged) view.remaining_of = TimeLeft::of_stage;
+    else if (view.progress.unit == "evaluations") view.remaining_of = TimeLeft::at_most;
     view.cancelling = content_->cancel;
     return view;
 }

@@ -10,20 +10,28 @@
 
 namespace myo {
 
+/// What a job's time left is of.
+enum class TimeLeft {
+    exact,        // all of it, as far as it goes on evenly
+    at_most,      // it may end earlier: only the greatest number of its evaluations is known
+    of_stage,     // the present stage; others come after it
+};
+
 /// What a person sees of a running job.
 struct JobView {
     std::string name;
     ProgressEvent progress;
     double elapsed_s = 0.0;
-    std::optional<double> remaining_s;   // empty while it cannot be told, and where each stage counts anew
+    std::optional<double> remaining_s;   // empty while it cannot be told
+    TimeLeft remaining_of = TimeLeft::exact;
     bool cancelling = false;
     bool paused = false;
     bool searches = false;               // for values: what it knows so far is shown
 
+    /// Whether it knows its end; a stage that is only named does not.
+    bool counts() const { return progress.total > 0.0 && progress.unit != "stage"; }
     /// Done part, 0 to 1; 0 when the total is unknown.
-    double fraction() const {
-        return progress.total > 0.0 ? std::min(1.0, std::max(0.0, progress.done / progress.total)) : 0.0;
-    }
+    double fraction() const { return counts() ? std::min(1.0, std::max(0.0, progress.done / progress.total)) : 0.0; }
 };
 
 /// Time left when `fraction` took `elapsed` seconds: linear, and only once it means something (2 % and half a second).

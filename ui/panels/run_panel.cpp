@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "panels/job_words.hpp"
 #include "panels/measure_panel.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
@@ -15,7 +16,7 @@ namespace myo {
 void RunPanel::draw(PanelContext& context) {
     const WorkbenchState& state = context.state;
     if (!state.run) {
-        if (!state.scene || !state.scene->cannot_run.empty()) {
+        if (!state.scene) {
             muted_text(context.theme, "Nothing has been run.");
         } else {
             muted_text(context.theme, "Run simulates every trial with these settings.");
@@ -39,16 +40,11 @@ void draw_progress(PanelContext& context) {
     std::string name = job.name;
     if (!state.queue.empty()) name += ", " + std::to_string(state.queue.size()) + " waiting";
     ImGui::TextUnformatted(name.c_str());
-    const std::string left = job.cancelling ? "stopping" : job.paused ? "paused" : job.remaining_s ? duration_label(*job.remaining_s) + " left" : duration_label(job.elapsed_s);
     ImGui::SameLine();
-    right_aligned(left);
-    // A job that does not know its end shows activity instead of a part.
-    const std::string inside = job.progress.total > 0.0 ? value_label(100.0 * job.fraction(), 2) + " %" : "working";
-    ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, inside.c_str());
+    right_aligned(time_words(job));
+    ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, bar_words(job).c_str());
     context.items.mark("run/progress");
-    std::string counted;
-    if (job.progress.total > 0.0 && !job.progress.unit.empty())
-        counted = with_separators(job.progress.done) + " of " + with_separators(job.progress.total) + " " + job.progress.unit;
+    const std::string counted = counted_words(job);
     const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
     const std::string text = counted + between + job.progress.message;
     muted_text(theme, text.empty() ? " " : elided_lines(text, ImGui::GetContentRegionAvail().x, 1));   // the buttons below stay where they are
@@ -77,11 +73,10 @@ void draw_run_controls(PanelContext& context) {
                                              " ms: the motion will grow without end. Try a smaller \xce\x9b, or none with " + first + ".");
         context.items.mark("run/unstable");
     }
-    const bool runnable = state.scene && state.scene->cannot_run.empty();
-    const bool can_calibrate = runnable && !state.scene->calibrated.empty();
+    const bool can_calibrate = state.scene && !state.scene->calibrated.empty();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     const std::string later = state.job ? "Waits until " + state.job->name + " has ended." : "";
-    ImGui::BeginDisabled(!runnable);
+    ImGui::BeginDisabled(!state.scene);
     const std::string run_label = std::string(icon::play) + "  Run";
     if (state.job ? ImGui::Button(run_label.c_str(), {width, 0.0f}) : primary_button(theme, run_label, {width, 0.0f})) context.emit(command::Run{});
     context.items.mark("run/run");
@@ -109,7 +104,7 @@ void RunPanel::draw_errors(PanelContext& context) {
     }
     heading(theme, "Error against the markers");
     draw_trial_errors(context, "run/trial/", state.previewing() ? state.run.get() : state.shown_run().get());
-    text_row(theme, "All trials", millimetres(state.run->rms_m) + " mm rms");
+    text_row(theme, "All trials", millimetres(state.run->rms_m) + " rms");
     text_row(theme, "Time taken", duration_label(state.run->seconds));
 }
 
