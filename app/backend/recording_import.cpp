@@ -65,6 +65,7 @@ std::string problem_of(const Scene& scene, const ImportChoices& choices, const I
         const ImportedMarker& marker = choices.markers[i];
         if (marker.name.empty()) continue;
         if (!names.insert(marker.name).second) return "Two labels are the marker " + marker.name + ".";
+        if (has_trials(scene) && !declared(declared_scene_markers(scene), marker.name)) return "The experiment has no marker " + marker.name + ".";
         if (!view.target_m.col(static_cast<Index>(i)).allFinite()) return "The marker " + marker.name + " has no place on the body yet.";
         if (!has_trials(scene) && !view.before_m.col(static_cast<Index>(i)).allFinite()) return "The marker " + marker.name + " is not seen before the start; leave it out.";
     }

@@ -44,7 +44,7 @@ TEST(Import, ReadsProposesAndAddsATrialThatIsThenShown) {
     EXPECT_FALSE(driver.has("import/add"));
 }
 
-TEST(Import, MarkersAreChosenInTheTableAndClickedOnTheBody) {
+TEST(Import, MarkersAreChosenInTheTable) {
     Driver driver;
     driver.open_beam();
     ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
@@ -56,22 +56,56 @@ TEST(Import, MarkersAreChosenInTheTableAndClickedOnTheBody) {
     driver.click("import/marker/label 0/tip_top");
     EXPECT_EQ(driver.state().import->choices.markers[0].name, "tip_top");
     EXPECT_TRUE(driver.state().import->choices.markers[2].name.empty());
-    driver.click("import/label/label 0");
-    driver.click("import/place");
-    driver.settle();
-    ASSERT_TRUE(driver.has("view/placing_hint"));
-    const Eigen::Vector3d middle(0.05, 0.015, 0.03);
-    driver.click_at(test::pixel_of(driver, middle));
-    driver.settle();
-    ASSERT_TRUE(driver.state().import->choices.markers[0].rest_m);
-    EXPECT_LT((*driver.state().import->choices.markers[0].rest_m - middle).norm(), 2e-3);
-    EXPECT_EQ(driver.state().import->label, 1) << "the next one";
-    driver.key(ImGuiKey_Escape);
-    driver.settle();
-    EXPECT_FALSE(driver.state().import->placing);
     driver.click("import/give_up");
     EXPECT_FALSE(driver.state().import);
     EXPECT_TRUE(driver.has("measure/import"));
+}
+
+TEST(Import, AClickOnADeclaredMarkerSaysThatTheLabelIsThisOne) {
+    Driver driver;
+    driver.open_beam();
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
+    const auto name_of = [&](std::size_t label) { return driver.state().import->choices.markers[label].name; };
+    const auto place_of = [&](std::size_t marker) { return test::pixel_of(driver, driver.state().scene->markers[marker].rest_m); };
+    driver.click("import/marker/label 1");
+    driver.click("import/marker/label 1/none");
+    driver.click("import/label/label 0");
+    driver.click("import/place");
+    ASSERT_TRUE(driver.has("view/placing_hint"));
+    // Some pixels beside it are near enough; elsewhere on the body there is none.
+    driver.click_at(test::pixel_of(driver, {0.03, 0.015, 0.03}));
+    EXPECT_EQ(name_of(0), "tip_left") << "as proposed";
+    const ImVec2 top = place_of(2);
+    driver.click_at({top.x + 4.0f, top.y - 3.0f});
+    EXPECT_EQ(name_of(0), "tip_top");
+    EXPECT_FALSE(driver.state().import->choices.markers[0].rest_m) << "where it sits is declared";
+    EXPECT_TRUE(name_of(2).empty()) << "a marker belongs to one label";
+    EXPECT_EQ(driver.state().import->label, 1) << "the next that is none yet";
+    driver.click_at(place_of(0));
+    EXPECT_EQ(name_of(1), "tip_left");
+    driver.key(ImGuiKey_Escape);
+    driver.settle();
+    EXPECT_FALSE(driver.state().import->placing);
+    driver.click("import/add");
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_EQ(driver.backend->added.size(), 1u);
+    EXPECT_EQ(driver.backend->added[0].markers[0].name, "tip_top");
+    EXPECT_EQ(driver.backend->added[0].markers[1].name, "tip_left");
+}
+
+TEST(Import, AClickOnAPlainMeshPlacesANewMarker) {
+    Driver driver;
+    driver.workbench->execute(command::Open{"/body.stl", 1e-3});
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
+    driver.click("import/place");
+    ASSERT_TRUE(driver.has("view/placing_hint"));
+    const Eigen::Vector3d middle(0.05, 0.015, 0.03);
+    driver.click_at(test::pixel_of(driver, middle));
+    ASSERT_TRUE(driver.state().import->choices.markers[0].rest_m);
+    EXPECT_LT((*driver.state().import->choices.markers[0].rest_m - middle).norm(), 2e-3);
+    EXPECT_EQ(driver.state().import->choices.markers[0].name, "label_0");
+    EXPECT_EQ(driver.state().import->label, 1) << "the next one";
 }
 
 TEST(Import, TheStartIsDraggedInThePlotOverTheGapMap) {

@@ -41,6 +41,11 @@ TEST(CoreImport, ARecordingByOtherCamerasBecomesTheTrialThatItWas) {
     driver.workbench->execute(command::AlignImport{});
     EXPECT_NEAR(driver.state().import->choices.start_s, 0.6, 0.03);
     ImportChoices choices = driver.state().import->choices;
+    // A name that the experiment does not declare would be dropped in silence.
+    ImportChoices foreign = choices;
+    foreign.markers[0] = {"own_name", Eigen::Vector3d::Zero()};
+    driver.workbench->execute(command::ChangeImport{foreign});
+    EXPECT_EQ(driver.state().import->view.problem, "The experiment has no marker own_name.");
     choices.start_s = 0.6;
     choices.fit = false;
     choices.trial = "again";

@@ -17,6 +17,7 @@
 #include "commands/project.hpp"
 #include "commands/recording_import.hpp"
 #include "commands/run_result.hpp"
+#include "commands/scene_marker.hpp"
 #include "commands/search_result.hpp"
 #include "commands/settings.hpp"
 #include "fibre/cell_paint.hpp"
@@ -53,11 +54,7 @@ struct ReportLine {
     std::string label;
     std::string value;
     bool warning = false;
-};
-
-struct SceneMarker {
-    std::string name;
-    Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();
+    std::string explanation = {};   // on hovering
 };
 
 /// What the cameras saw, in the mesh frame; t = 0 at release.
@@ -83,14 +80,12 @@ struct Scene {
     double frequency_Hz = 0.0;                    // of the dominant measured vibration; 0 = unknown
     double damping_ratio = std::numeric_limits<double>::quiet_NaN();   // of that vibration; NaN = it does not swing freely
     std::vector<std::string> calibrated;          // labels of what calibration moves; empty = it cannot be calibrated
-    std::string cannot_run;                       // why it cannot be simulated; empty = it can
     std::vector<std::string> warnings;
     std::shared_ptr<const void> source;           // the backend's own
 };
 
 /// Whether there is a fit trial with measured markers, which a diagnosis needs.
 inline bool can_be_diagnosed(const Scene& scene) {
-    if (!scene.cannot_run.empty()) return false;
     for (const SceneTrial& trial : scene.trials)
         if (trial.role == "fit" && !trial.measured.empty()) return true;
     return false;
@@ -124,7 +119,7 @@ struct Example {
     std::string description;
 };
 
-/// A part of the program that others have written.
+/// A part of the program that others have made.
 struct Library {
     std::string name;
     std::string version;

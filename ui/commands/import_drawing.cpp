@@ -1,5 +1,7 @@
 #include "commands/import_drawing.hpp"
 
+#include <algorithm>
+
 #include "commands/scene_at_time.hpp"
 
 namespace myo {
@@ -7,7 +9,11 @@ namespace myo {
 void add_import(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
     const RecordingImport& import = *state.import;
     const Recording& recording = *import.file.recording;
-    const auto color_of = [](const ImVec4& c) { return Color(c.x, c.y, c.z, 1.0f); };
+    // Rings of those that no label is yet, with their names, to be clicked on.
+    for (const SceneMarker& own : import.declared) {
+        const auto is_own = [&](const ImportedMarker& m) { return m.name == own.name; };
+        if (std::none_of(import.choices.markers.begin(), import.choices.markers.end(), is_own)) drawn.markers.push_back({own.rest_m, color_of(theme.text), true, own.name, -1});
+    }
     const TimePlace place = place_in_time(recording.time_s, state.time_s + import.choices.start_s);
     for (std::size_t i = 0; i < recording.labels.size(); ++i) {
         const ImportedMarker& marker = import.choices.markers[i];

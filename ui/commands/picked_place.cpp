@@ -66,6 +66,24 @@ std::vector<ReportLine> lines_about_marker(int marker, const WorkbenchState& sta
 
 }  // namespace
 
+std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const DrawnScene& scene, const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel, double reach) {
+    const Ray ray = ray_through(camera, size, pixel);
+    const auto hit = scene.surface ? pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
+    std::optional<std::size_t> seen, hidden;
+    double nearest_seen = reach, nearest_hidden = reach;
+    for (std::size_t i = 0; i < places_m.size(); ++i) {
+        const auto at = project(camera, size, places_m[i]);
+        if (!at) continue;
+        const double distance = (at->head<2>() - pixel).norm();
+        const bool behind = hit && ray.direction.dot(places_m[i] - ray.origin_m) > hit->distance_m + 2.0 * scene.marker_radius;
+        double& nearest = behind ? nearest_hidden : nearest_seen;
+        if (distance > nearest) continue;
+        nearest = distance;
+        (behind ? hidden : seen) = i;
+    }
+    return seen ? seen : hidden;
+}
+
 std::optional<PickedPlace> pick_place(const WorkbenchState& state, const DrawnScene& scene, const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel, double reach) {
     const bool body = state.body && scene.body && scene.surface && scene.positions.cols() == state.body->mesh.node_count();
     const Ray ray = ray_through(camera, size, pixel);

@@ -27,6 +27,9 @@ struct PickedPlace {
 /// What lies under a pixel of the view: a marker at most `reach` pixels away that the body does not hide, else the body.
 std::optional<PickedPlace> pick_place(const WorkbenchState& state, const DrawnScene& scene, const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel, double reach);
 
+/// The place at most `reach` pixels away from a pixel and nearest to it, of those that the body hides only where it hides all; empty without one.
+std::optional<std::size_t> pick_one(const std::vector<Eigen::Vector3d>& places_m, const DrawnScene& scene, const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel, double reach);
+
 /// Where it is drawn now [m]; NaN for a marker that is not.
 Eigen::Vector3d place_now(const PickedPlace& place, const DrawnScene& scene);
 /// Where it is at rest [m]. The state's body is the one that was picked.

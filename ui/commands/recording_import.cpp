@@ -11,4 +11,10 @@ std::string marker_name(const std::string& label) {
     return name;
 }
 
+void assign_marker(ImportChoices& choices, std::size_t label, const std::string& declared) {
+    for (ImportedMarker& other : choices.markers)
+        if (other.name == declared) other = {};
+    choices.markers[label] = {declared, std::nullopt};
+}
+
 }  // namespace myo

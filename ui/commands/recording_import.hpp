@@ -9,11 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "commands/scene_marker.hpp"
 #include "measurement/recording.hpp"
 
 // A recording on its way to become a trial.
 
 namespace myo {
+
+/// Of files that may be one, in small letters.
+inline const std::vector<std::string> recording_endings{".c3d", ".tsv", ".csv", ".txt"};
 
 /// What a person knows of a recording where its file does not say it.
 struct ReadingOptions {
@@ -40,7 +44,7 @@ struct RecordingFile {
 /// Which marker a label of the recording is.
 struct ImportedMarker {
     std::string name;                             // empty: left out
-    std::optional<Eigen::Vector3d> rest_m;        // where it sits on the body, when it was placed by hand
+    std::optional<Eigen::Vector3d> rest_m;        // where it was placed by hand, on a body without declared markers
 
     bool operator==(const ImportedMarker&) const = default;
 };
@@ -73,12 +77,16 @@ struct ImportView {
 /// A label as the name of a marker: letters, digits, - and _ only.
 std::string marker_name(const std::string& label);
 
+/// Makes a label the declared marker of this name, which belongs to one label at a time.
+void assign_marker(ImportChoices& choices, std::size_t label, const std::string& declared);
+
 struct RecordingImport {
     RecordingFile file;
     ImportChoices choices;
     ImportView view;
+    std::vector<SceneMarker> declared;            // markers of the experiment; a plain mesh has none
     int label = 0;                                // the chosen one
-    bool placing = false;                         // clicks on the body say where the chosen one sits
+    bool placing = false;                         // a click says which declared marker the chosen one is, or where it sits on a plain mesh
 };
 
 }  // namespace myo

@@ -8,11 +8,18 @@
 namespace myo {
 
 void Workbench::read_recording(const std::filesystem::path& path, const ReadingOptions& reading) {
-    if (!state_.scene) return log(LogLevel::warning, "Open an experiment or a mesh first: the recording needs a body.");
-    request("Read " + path.filename().string(), [this, path, reading] {
-        start(task_->name, [this, path, reading](const Progress&) -> Job::Completion {
+    const auto has_body = [this] {
+        if (!state_.scene) log(LogLevel::warning, "Open an experiment or a mesh first: the recording needs a body.");
+        return state_.scene != nullptr;
+    };
+    if (!task_ && !has_body()) return;
+    request("Read " + path.filename().string(), [this, path, reading, has_body] {
+        if (!has_body()) return;   // what was being opened cannot be
+        start(task_->name, [this, path, reading](const Progress& progress) -> Job::Completion {
             auto file = std::make_shared<Result<RecordingFile>>(backend_->read_recording(path, reading));
-            return [this, file] {
+            const bool cancelled = progress.cancelled();
+            return [this, file, cancelled] {
+                if (cancelled) return log(LogLevel::information, "Reading cancelled.");
                 if (!*file) return log_failure(file->error(), "Cannot import");
                 if (state_.scene) begin_import(std::move(**file));
             };
@@ -30,9 +37,10 @@ void Workbench::begin_import(RecordingFile file) {
     }
     if (!known || file.recording->time_s != state_.import->file.recording->time_s) import.choices.start_s = file.start_s.value_or(file.recording->time_s[0]);
     import.file = std::move(file);
+    import.declared = backend_->declared_markers(*state_.scene);
     import.view = backend_->view_import(*state_.scene, import.file, import.choices);
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
-    if (!known && !backend_->declared_markers(*state_.scene).empty()) propose_markers();
+    if (!known && !state_.import->declared.empty()) propose_markers();
     state_.playing = false;
     execute(command::SetTime{0.0});
 }
@@ -86,7 +94,8 @@ void Workbench::add_recording() {
     const Settings settings = state_.settings;
     request("Add " + import.choices.trial, [this, import, scene, settings] {
         start(task_->name, [this, import, scene, settings](const Progress& progress) -> Job::Completion {
-            auto place = std::make_shared<Result<std::filesystem::path>>(backend_->add_recording(*scene, settings, import.file, import.choices));
+            auto place = std::make_shared<Result<std::filesystem::path>>(Error{"cancelled before anything was written", ""});
+            if (!progress.cancelled()) *place = backend_->add_recording(*scene, settings, import.file, import.choices);
             auto made = std::make_shared<Result<Scene>>(Error{"not read", ""});
             if (*place) *made = backend_->open(**place, std::nullopt, progress);
             return [this, import, scene, place, made] {

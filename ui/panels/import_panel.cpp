@@ -135,7 +135,7 @@ void ImportPanel::draw_placing(PanelContext& context, ImportChoices& choices) {
 
 void ImportPanel::draw_name(PanelContext& context, std::size_t label, ImportChoices& choices) {
     ImportedMarker& marker = choices.markers[label];
-    const std::vector<SceneMarker> declared = context.backend.declared_markers(*context.state.scene);
+    const std::vector<SceneMarker>& declared = context.state.import->declared;
     const std::string item = "import/marker/" + context.state.import->file.recording->labels[label];
     ImGui::SetNextItemWidth(-1.0f);
     if (declared.empty()) {
@@ -149,11 +149,7 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, ImportChoi
     if (ImGui::Selectable("left out", marker.name.empty())) marker = {};
     context.items.mark(item + "/none");
     for (const SceneMarker& own : declared) {
-        if (ImGui::Selectable(own.name.c_str(), own.name == marker.name)) {
-            for (ImportedMarker& other : choices.markers)
-                if (other.name == own.name) other = {};
-            marker = {own.name, std::nullopt};
-        }
+        if (ImGui::Selectable(own.name.c_str(), own.name == marker.name)) assign_marker(choices, label, own.name);
         context.items.mark(item + "/" + own.name);
     }
     ImGui::EndCombo();
@@ -205,7 +201,8 @@ void ImportPanel::draw_markers(PanelContext& context, ImportChoices& choices) {
     context.items.mark("import/place");
     ImGui::EndDisabled();
     ImGui::PopStyleColor(2);
-    tooltip(theme, "Then a click on the body says where the chosen label sits, and the next one is chosen.");
+    tooltip(theme, import.declared.empty() ? "Then a click on the body says where the chosen label sits, and the next one is chosen."
+                                           : "Then a click on one of the experiment's markers, which the view shows as rings, says that the chosen label is this one, and the next label is chosen.");
 }
 
 void ImportPanel::draw_start(PanelContext& context, ImportChoices& choices) {
@@ -228,7 +225,7 @@ void ImportPanel::draw_start(PanelContext& context, ImportChoices& choices) {
 }
 
 void ImportPanel::draw_trial(PanelContext& context, ImportChoices& choices) {
-    const bool new_one = context.backend.declared_markers(*context.state.scene).empty();
+    const bool new_one = context.state.import->declared.empty();
     row_label(context.theme, "Name");
     ImGui::InputText("##trial", &choices.trial);
     context.items.mark("import/name");

@@ -5,8 +5,8 @@
 
 namespace myo {
 
-/// While labels of a recording are being placed, a click on the body says where the chosen one sits.
-/// After the view; true while clicks are for it.
+/// While labels of a recording are being placed, a click says which of the experiment's markers the chosen one is; on a plain mesh, where on
+/// the body it sits. After the view; true while clicks are for it.
 bool update_placing(PanelContext& context, const DrawnScene& scene, const ViewportState& view);
 
 }  // namespace myo

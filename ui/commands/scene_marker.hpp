@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace myo {
+
+struct SceneMarker {
+    std::string name;
+    Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();
+};
+
+}  // namespace myo
