@@ -8,7 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <set>
 #include <thread>
 
@@ -97,10 +99,25 @@ std::size_t Screenshot::colours(int left, int top) const {
     return seen.size();
 }
 
+std::vector<int> Screenshot::rows_with(unsigned colour, int left, int right) const {
+    const auto near = [&](unsigned pixel) {
+        int apart = 0;
+        for (const int shift : {0, 8, 16}) apart += std::abs(static_cast<int>((pixel >> shift) & 0xffu) - static_cast<int>((colour >> shift) & 0xffu));
+        return apart < 40;
+    };
+    std::vector<int> rows;
+    for (int row = 0; row < height; ++row) {
+        const auto begin = pixels.begin() + static_cast<std::ptrdiff_t>(row) * width;
+        if (std::any_of(begin + left, begin + std::min(right, width), near)) rows.push_back(row);
+    }
+    return rows;
+}
+
 std::unique_ptr<VirtualDisplay> VirtualDisplay::start(const std::filesystem::path& folder, int width, int height) {
     int number[2];
-    if (!in_path("Xvfb") || ::pipe2(number, O_CLOEXEC) != 0) return nullptr;
+    if (!in_path("Xvfb") || !in_path("xdotool") || ::pipe2(number, O_CLOEXEC) != 0) return nullptr;
     std::unique_ptr<VirtualDisplay> made(new VirtualDisplay);
+    made->folder_ = folder;
     made->server_ = std::make_unique<Companion>(
         std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(number[1]), "-screen", "0",
                                  std::to_string(width) + "x" + std::to_string(height) + "x24", "-nolisten", "tcp"},
@@ -153,20 +170,17 @@ void VirtualDisplay::resize(unsigned long window, int width, int height) {
     XSync(x(display_), False);
 }
 
-void VirtualDisplay::press_ctrl(unsigned long window, char letter) {
-    for (const int type : {KeyPress, KeyRelease}) {
-        XEvent event{};
-        event.xkey.type = type;
-        event.xkey.display = x(display_);
-        event.xkey.window = window;
-        event.xkey.root = DefaultRootWindow(x(display_));
-        event.xkey.same_screen = True;
-        event.xkey.state = ControlMask;
-        event.xkey.keycode = XKeysymToKeycode(x(display_), static_cast<KeySym>(letter));
-        XSendEvent(x(display_), window, True, type == KeyPress ? KeyPressMask : KeyReleaseMask, &event);
-        XSync(x(display_), False);
-    }
+bool VirtualDisplay::xdotool(std::vector<std::string> words) {
+    words.insert(words.begin(), "xdotool");
+    Companion tool(words, folder_ / "xdotool.out", folder_ / "xdotool.err", {"DISPLAY=" + name_});
+    return wait_until(20.0, [&] { return tool.ended().has_value(); }) && tool.ended() == 0;
 }
+
+bool VirtualDisplay::click(unsigned long window, int x, int y) {
+    return xdotool({"mousemove", "--window", std::to_string(window), std::to_string(x), std::to_string(y), "click", "1"});
+}
+
+bool VirtualDisplay::press(unsigned long window, const std::string& keys) { return xdotool({"windowfocus", std::to_string(window), "key", keys}); }
 
 void VirtualDisplay::close(unsigned long window) {
     XEvent event{};

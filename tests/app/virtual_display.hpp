@@ -41,12 +41,14 @@ struct Screenshot {
 
     /// Number of different colours at x >= left, y >= top.
     std::size_t colours(int left = 0, int top = 0) const;
+    /// Rows that have a pixel of nearly this colour 0xRRGGBB at left <= x < right, from above.
+    std::vector<int> rows_with(unsigned colour, int left, int right) const;
 };
 
 /// An X server without a screen (Xvfb) on a free display number.
 class VirtualDisplay {
 public:
-    /// Null where the server is not installed or does not start.
+    /// Null where the server or xdotool is not installed, or it does not start.
     static std::unique_ptr<VirtualDisplay> start(const std::filesystem::path& folder, int width, int height);
     ~VirtualDisplay();
 
@@ -57,13 +59,18 @@ public:
     /// What the window shows; empty when it cannot be read just now.
     Screenshot picture(unsigned long window);
     void resize(unsigned long window, int width, int height);
-    /// Presses and releases Ctrl and a letter.
-    void press_ctrl(unsigned long window, char letter);
+    /// Moves the mouse to a place in the window and clicks, as a person's hand would: by the server's own pointer (xdotool). False when that failed.
+    bool click(unsigned long window, int x, int y);
+    /// Gives the window the keyboard and presses keys, as "ctrl+r" (xdotool). False when that failed.
+    bool press(unsigned long window, const std::string& keys);
     /// Asks the window to close, as a window manager does.
     void close(unsigned long window);
 
 private:
     VirtualDisplay() = default;
+    bool xdotool(std::vector<std::string> words);
+
+    std::filesystem::path folder_;
     std::unique_ptr<Companion> server_;
     std::string name_;
     void* display_ = nullptr;   // Display*; Xlib's macros stay out of this header
