@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+
 #include "panels/palette.hpp"
+#include "panels/start_page.hpp"
 #include "ui/driver.hpp"
 
 namespace myo {
@@ -97,6 +101,7 @@ TEST(Project, UnsavedWorkIsKeptAndRecovered) {
     EXPECT_TRUE(driver.backend->projects.empty()) << "nothing is unsaved";
     edit(driver);
     driver.workbench->autosave("/recovery.myoloop");
+    driver.workbench->finish_autosave();
     ASSERT_EQ(driver.backend->projects.count("/recovery.myoloop"), 1u);
 
     Driver next;
@@ -109,6 +114,79 @@ TEST(Project, UnsavedWorkIsKeptAndRecovered) {
     EXPECT_EQ(next.state().settings, driver.state().settings);
     EXPECT_TRUE(next.state().unsaved());
     EXPECT_TRUE(next.state().project.empty());
+}
+
+TEST(Project, AutosaveDoesNotStopTheDrawing) {
+    Driver driver;
+    driver.open_beam();
+    edit(driver);
+    driver.backend->write_delay_s = 0.5;
+    const auto start = std::chrono::steady_clock::now();
+    driver.workbench->autosave("/recovery.myoloop");
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 0.2);
+    driver.workbench->finish_autosave();
+    EXPECT_EQ(driver.backend->projects.count("/recovery.myoloop"), 1u);
+    // A failure is told once.
+    driver.backend->write_delay_s = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        edit(driver);
+        driver.workbench->autosave("/forbidden/recovery.myoloop");
+        driver.workbench->finish_autosave();
+    }
+    EXPECT_EQ(std::count_if(driver.state().log.begin(), driver.state().log.end(), [](const LogLine& line) { return line.level == LogLevel::failure; }), 1);
+}
+
+TEST(Recovery, IsAskedForBeforeTheFileOfTheCommandLineIsOpened) {
+    Driver driver;
+    driver.workbench->execute(command::OfferRecovery{{"/older.myoloop", "/newer.myoloop"}});
+    driver.window->open("/beam");
+    driver.settle();
+    EXPECT_FALSE(driver.state().busy());
+    EXPECT_FALSE(driver.state().scene);
+    driver.click("recovery/discard");
+    EXPECT_EQ(driver.state().recovered, std::vector<std::filesystem::path>{"/older.myoloop"}) << "one after the other";
+    EXPECT_FALSE(driver.state().scene);
+    driver.click("recovery/discard");
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_TRUE(driver.state().scene);
+    EXPECT_EQ(driver.state().scene->path, "/beam");
+    EXPECT_FALSE(driver.has("recovery/discard"));
+}
+
+TEST(Recovery, TakesTheWorkUpInsteadOfTheFileOfTheCommandLine) {
+    Driver before;
+    before.open_beam();
+    edit(before);
+    before.workbench->autosave("/recovery.myoloop");
+    before.workbench->finish_autosave();
+
+    Driver driver;
+    driver.backend->projects = before.backend->projects;
+    driver.workbench->execute(command::OfferRecovery{{"/recovery.myoloop"}});
+    driver.window->open("/body.stl");
+    driver.settle();
+    EXPECT_FALSE(driver.state().unit_question);
+    driver.click("recovery/recover");
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_TRUE(driver.state().scene);
+    EXPECT_EQ(driver.state().settings, before.state().settings);
+    EXPECT_FALSE(driver.state().unit_question);
+    EXPECT_FALSE(driver.state().pending);
+}
+
+TEST(Project, KeepsColoursRangesAndTheCut) {
+    Driver driver;
+    driver.open_beam();
+    ViewOptions view = driver.state().view;
+    view.color_map = "magma";
+    view.field_ranges["height"] = {-0.01, 0.01};
+    view.clip = {true, Eigen::Vector3d::UnitY(), 0.015, false};
+    driver.workbench->execute(command::ChangeView{view});
+    driver.workbench->execute(command::SaveAs{"/view.myoloop"});
+    driver.workbench->execute(command::ChangeView{ViewOptions{}});
+    driver.window->open("/view.myoloop");
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(driver.state().view, view);
 }
 
 TEST(StartPage, OpensExamplesAndWhatWasOpenLately) {
@@ -155,10 +233,10 @@ TEST(Menu, PerformsWhatItsEntriesSayAndKeysDoTheSame) {
 }
 
 TEST(Palette, FindsACommandByWordsInAnyOrder) {
-    EXPECT_EQ(matching_actions("save PROJECT as").front()->id, "file.save_as");
-    EXPECT_EQ(matching_actions("run cal").front()->id, "run.calibrate");
-    EXPECT_TRUE(matching_actions("no such thing").empty());
-    EXPECT_EQ(matching_actions("").size(), all_actions().size());
+    EXPECT_EQ(matching_actions("save PROJECT as", all_actions()).front()->id, "file.save_as");
+    EXPECT_EQ(matching_actions("run cal", all_actions()).front()->id, "run.calibrate");
+    EXPECT_TRUE(matching_actions("no such thing", all_actions()).empty());
+    EXPECT_EQ(matching_actions("", all_actions()).size(), all_actions().size());
     Driver driver;
     driver.open_beam();
     driver.key(key_k, {.ctrl = true});
@@ -167,6 +245,51 @@ TEST(Palette, FindsACommandByWordsInAnyOrder) {
     driver.key(ImGuiKey_Enter);
     EXPECT_EQ(driver.window->step(), Step::diagnose);
     EXPECT_FALSE(driver.has("palette/text"));
+}
+
+TEST(Palette, FindsExamplesTrialsPanelsQuantitiesAndLateFiles) {
+    Driver driver;
+    const auto ask = [&](const std::string& words) {
+        driver.key(key_k, {.ctrl = true});
+        driver.type(words);
+        driver.key(ImGuiKey_Enter);
+        driver.settle();
+    };
+    ask("example swinging");
+    ASSERT_TRUE(driver.wait_for_job());
+    ASSERT_TRUE(driver.state().scene);
+    ask("trial pull_release");
+    EXPECT_EQ(driver.state().trial, 1);
+    ask("below messages");
+    EXPECT_FALSE(driver.has("markers/marker")) << "another panel is in front";
+    ask("colour height");
+    EXPECT_TRUE(driver.state().view.field.empty()) << "without a run there is no height";
+    driver.key(ImGuiKey_Escape);
+    driver.workbench->execute(command::Run{});
+    ASSERT_TRUE(driver.wait_for_job());
+    ask("colour height");
+    EXPECT_EQ(driver.state().view.field, "height");
+    ask("colour nothing");
+    EXPECT_TRUE(driver.state().view.field.empty());
+    ask("lately beam");
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_FALSE(driver.state().run) << "it was opened anew";
+}
+
+TEST(StartPage, NoRowHasACardAlone) {
+    for (int cards = 1; cards <= 12; ++cards)
+        for (int most = 1; most <= 4; ++most) {
+            const int columns = card_columns(cards, most);
+            EXPECT_GE(columns, 1);
+            EXPECT_LE(columns, std::max(1, most));
+            EXPECT_TRUE(columns == 1 || cards % columns != 1) << cards << " cards, at most " << most;
+        }
+    EXPECT_EQ(card_columns(4, 3), 2);
+    EXPECT_EQ(card_columns(5, 4), 3);
+    Driver driver;
+    const Rectangle example = driver.item("start/example/beam"), open = driver.item("start/open");
+    EXPECT_GT(open.lowest.y, example.highest.y);
+    EXPECT_FLOAT_EQ(open.width(), example.width()) << "both fill their row";
 }
 
 TEST(Palette, ActionsHaveNamesAndKeysOfTheirOwn) {
@@ -179,11 +302,15 @@ TEST(Palette, ActionsHaveNamesAndKeysOfTheirOwn) {
         }
 }
 
-TEST(About, NamesTheLibraries) {
-    Driver driver;
+TEST(About, NamesTheLibrariesInAWindowThatFits) {
+    Driver driver(1400, 900);
+    driver.workbench->execute(command::SetTheme{ThemeName::dark, 2.0f});
+    driver.settle();
     driver.click("menu/help");
     driver.click("menu/help.about");
     ASSERT_TRUE(driver.has("about/close"));
+    EXPECT_LT(driver.item("about/close").highest.y, 890.0f);
+    EXPECT_GT(driver.item("about/text").lowest.y, 40.0f);
     driver.click("about/close");
     EXPECT_FALSE(driver.has("about/close"));
 }

@@ -4,29 +4,23 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
+#include "base/letter_case.hpp"
+#include "panels/offered_actions.hpp"
+#include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/input_queue.hpp"
 
 namespace myo {
-namespace {
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return text;
-}
-
-}  // namespace
-
-std::vector<const Action*> matching_actions(const std::string& text) {
+std::vector<const Action*> matching_actions(const std::string& text, const std::vector<Action>& actions) {
     std::vector<std::string> words;
-    std::istringstream stream(lower(text));
+    std::istringstream stream(lower_case(text));
     for (std::string word; stream >> word;) words.push_back(word);
     std::vector<const Action*> found;
-    for (const Action& action : all_actions()) {
-        const std::string name = lower(action.menu + " " + action.label);
+    for (const Action& action : actions) {
+        const std::string name = lower_case(action.menu + " " + action.label);
         const bool all = std::all_of(words.begin(), words.end(), [&](const std::string& word) { return name.find(word) != std::string::npos; });
         if (all) found.push_back(&action);
     }
@@ -39,7 +33,7 @@ void Palette::open() {
     chosen_ = 0;
 }
 
-void Palette::draw(PanelContext& context, ViewportState& viewport) {
+void Palette::draw(PanelContext& context, ViewportState& viewport, const std::vector<std::unique_ptr<Panel>>& panels) {
     const Theme& theme = context.theme;
     const float s = theme.scale;
     if (wanted_) ImGui::OpenPopup("palette");
@@ -51,21 +45,24 @@ void Palette::draw(PanelContext& context, ViewportState& viewport) {
     if (focus_) ImGui::SetKeyboardFocusHere();
     focus_ = false;
     ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::InputTextWithHint("##command", "Find a command", &text_)) chosen_ = 0;
+    if (ImGui::InputTextWithHint("##command", "Find a command, file, trial, panel or quantity", &text_)) chosen_ = 0;
     context.items.mark("palette/text");
-    const std::vector<const Action*> found = matching_actions(text_);
+    const std::vector<Action> offered = offered_actions(context.state, context.backend, panels);
+    std::vector<const Action*> found = matching_actions(text_, all_actions());
+    for (const Action* action : matching_actions(text_, offered)) found.push_back(action);
     if (ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ++chosen_;
     if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) --chosen_;
     chosen_ = std::clamp(chosen_, 0, std::max(0, static_cast<int>(found.size()) - 1));
     const Action* wanted = nullptr;
     ImGui::BeginChild("found");
-    if (found.empty()) muted_text(theme, "No command of this name.");
+    if (found.empty()) muted_text(theme, "Nothing of this name.");
     for (int i = 0; i < static_cast<int>(found.size()); ++i) {
         const Action& action = *found[static_cast<std::size_t>(i)];
         const bool enabled = !action.enabled || action.enabled(context.state);
         ImGui::PushID(action.id.c_str());
         ImGui::BeginDisabled(!enabled);
-        if (ImGui::Selectable((action.menu + ": " + action.label).c_str(), i == chosen_)) wanted = &action;
+        const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(action.shortcut.label).x;
+        if (ImGui::Selectable(elided(action.menu + ": " + action.label, room).c_str(), i == chosen_)) wanted = &action;
         ImGui::EndDisabled();
         context.items.mark("palette/" + action.id);
         if (i == chosen_ && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow))) ImGui::SetScrollHereY();
@@ -77,31 +74,6 @@ void Palette::draw(PanelContext& context, ViewportState& viewport) {
     ImGui::EndChild();
     if (wanted) wanted->perform(context, viewport);
     if (wanted || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-}
-
-void draw_about(PanelContext& context, bool& open) {
-    if (!open) return;
-    const Theme& theme = context.theme;
-    if (!begin_dialog(theme, "About Myoloop", 480.0f)) return;
-    heading(theme, "Myoloop " + context.backend.version());
-    muted_text(theme, "A workbench for soft robots. MIT licence. It stands on these libraries:");
-    if (ImGui::BeginTable("libraries", 3, ImGuiTableFlags_RowBg)) {
-        for (const Library& library : context.backend.libraries()) {
-            ImGui::TableNextRow();
-            for (const std::string* text : {&library.name, &library.version, &library.licence}) {
-                ImGui::TableNextColumn();
-                ImGui::TextUnformatted(text->c_str());
-            }
-        }
-        ImGui::EndTable();
-    }
-    ImGui::Spacing();
-    if (primary_button(theme, "Close", {-1.0f, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
-        open = false;
-        ImGui::CloseCurrentPopup();
-    }
-    context.items.mark("about/close");
     ImGui::EndPopup();
 }
 

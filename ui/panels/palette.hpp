@@ -6,11 +6,11 @@
 
 namespace myo {
 
-/// Finds a command by a part of its name, and performs it.
+/// Finds a command, or anything else that can be shown, by a part of its name, and performs it.
 class Palette {
 public:
     void open();
-    void draw(PanelContext& context, ViewportState& viewport);
+    void draw(PanelContext& context, ViewportState& viewport, const std::vector<std::unique_ptr<Panel>>& panels);
 
 private:
     bool wanted_ = false;
@@ -19,10 +19,7 @@ private:
     int chosen_ = 0;
 };
 
-/// Actions whose menu and label hold all words of the text, in any case and order.
-std::vector<const Action*> matching_actions(const std::string& text);
-
-/// Names, versions and licences of the parts.
-void draw_about(PanelContext& context, bool& open);
+/// Those whose menu and label hold all words of the text, in any case and order.
+std::vector<const Action*> matching_actions(const std::string& text, const std::vector<Action>& actions);
 
 }  // namespace myo

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "panels/about_dialog.hpp"
 #include "panels/file_dialogs.hpp"
 #include "panels/import_panel.hpp"
 #include "panels/menu_bar.hpp"
@@ -38,16 +39,7 @@ std::vector<int> muscle_looks(const std::vector<Muscle>& muscles) {
     return colors;
 }
 
-ViewColors view_colors(const Theme& theme) {
-    const auto color = [](const ImVec4& c, float alpha = 1.0f) { return Color(c.x, c.y, c.z, alpha); };
-    ViewColors colors;
-    colors.top = color(theme.view_top);
-    colors.bottom = color(theme.view_bottom);
-    colors.grid = color(theme.grid, 0.8f);
-    colors.body = color(theme.body);
-    colors.edge = Color(0.05f, 0.07f, 0.10f, theme.edge_strength);
-    return colors;
-}
+std::string cannot_write(const PictureRequest& request) { return request.moves ? "Cannot write the pictures: " : "Cannot write the picture: "; }
 
 }  // namespace
 
@@ -93,7 +85,7 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 
 bool WorkbenchWindow::must_draw() const {
     // After a movement one more frame draws the scene with smooth edges.
-    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || part_);
+    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || picture_ || part_);
 }
 
 void WorkbenchWindow::draw_side(PanelContext& context) {
@@ -237,9 +229,8 @@ void WorkbenchWindow::update_scene() {
         show_panel("recording");
     }
     cut_.apply(state, motion_);
-    const std::vector<FieldKind> kinds = field_kinds(workbench_->backend());
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& each) { return each.id == state.view.field; });
-    scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind != kinds.end() ? &*kind : nullptr, key.field.get());
+    const std::optional<FieldKind> kind = shown_field(state, workbench_->backend());
+    scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind ? &*kind : nullptr, key.field.get());
     scene_key_ = key;
     ++revision_;
 }
@@ -263,7 +254,7 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
     begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}}, still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
     draw_questions(context);
     browser_.draw(context);
-    palette_.draw(context, viewport_);
+    palette_.draw(context, viewport_, panels_);
     draw_about(context, about_);
     picture_dialog_.draw(context);
     if (film_.runs() && film_.draw(context)) {
@@ -284,31 +275,25 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.palette) palette_.open();
     if (requests.about) about_ = true;
     if (requests.clear_distances) distances_.clear();
-    if (requests.fit) viewport_.fit_requested = true;
     if (requests.picture) picture_ = requests.picture;
     if (requests.part) part_ = requests.part, part_waits_ = 2;
     if (requests.save_view) picture_dialog_.open(state, viewport_.size());
 }
 
-Result<void> WorkbenchWindow::write_picture() {
-    if (!picture_) return {};
+void WorkbenchWindow::begin_pictures() {
+    if (!picture_ || film_.runs()) return;
     const PictureRequest request = *std::exchange(picture_, std::nullopt);
-    if (request.moves) {
-        workbench_->execute(command::Play{false});
-        if (const Result<void> begun = film_.begin(request, workbench_->state().time_s); !begun)
-            workbench_->execute(command::Tell{LogLevel::failure, "Cannot write the pictures: " + begun.error().text()});
-        else workbench_->execute(command::SetTime{film_.time_s()});
-        return {};
-    }
-    const ViewSize size = request.width > 0 ? ViewSize{request.width, request.height} : viewport_.size();
-    // With a renderer of its own the view keeps its picture.
-    auto renderer = SceneRenderer::make();
-    if (!renderer) return renderer.error();
-    const Result<Image> image = draw_picture(*renderer, scene_, 1, view_colors(interface_.theme()), viewport_.camera, size);
-    const Result<void> written = image ? write_png(*image, request.path) : Result<void>(image.error());
-    workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + request.path.string() + "."}
-                                : command::Tell{LogLevel::failure, "Cannot write the picture: " + written.error().text()});
-    return {};
+    const Result<void> begun = film_.begin(request, {workbench_->state(), motion_, viewport_, distances_.distances(), interface_.theme()});
+    if (!begun) workbench_->execute(command::Tell{LogLevel::failure, cannot_write(request) + begun.error().text()});
+}
+
+void WorkbenchWindow::add_picture() {
+    if (!film_.runs()) return;
+    const PictureRequest request = film_.request();
+    const Result<bool> last = film_.add(workbench_->backend());
+    const std::string written = request.moves ? std::to_string(film_.done()) + " pictures written to " : "Picture written to ";
+    if (!last) workbench_->execute(command::Tell{LogLevel::failure, cannot_write(request) + last.error().text()});
+    else if (*last) workbench_->execute(command::Tell{LogLevel::done, written + request.path.string() + "."});
 }
 
 void WorkbenchWindow::write_part(int width, int height) {
@@ -316,15 +301,6 @@ void WorkbenchWindow::write_part(int width, int height) {
     const Result<void> written = write_png(cropped(read_frame(width, height), part.pixels), part.path);
     workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + part.path.string() + "."}
                                 : command::Tell{LogLevel::failure, "Cannot write the picture: " + written.error().text()});
-}
-
-void WorkbenchWindow::add_to_film() {
-    // The scene must be that of the picture's time, and its colours, too.
-    if (!film_.runs() || fields_.waits() || std::abs(scene_key_.time_s - film_.time_s()) > 1e-9) return;
-    const Result<double> next = film_.add(scene_, view_colors(interface_.theme()), viewport_.camera);
-    if (!next) return workbench_->execute(command::Tell{LogLevel::failure, "Cannot write the pictures: " + next.error().text()});
-    workbench_->execute(command::SetTime{*next});
-    if (!film_.runs()) workbench_->execute(command::Tell{LogLevel::done, std::to_string(film_.done()) + " pictures written to " + film_.request().path.string() + "."});
 }
 
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
@@ -353,11 +329,10 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
     if (state.scene && viewport_.size().width > 1 && viewport_.size().height > 1) {
         const auto drawn = renderer_.update(scene_, revision_, view_colors(interface_.theme()), viewport_.camera, viewport_.size(),
-                                            moving ? 0 : 4);
+                                            moving ? 0 : 4, static_cast<double>(interface_.theme().scale));
         if (!drawn) return drawn;
-        add_to_film();
-        if (!moving)
-            if (const Result<void> written = write_picture(); !written) return written;
+        begin_pictures();
+        add_picture();
         renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x), height - static_cast<int>(viewport_.pixels.highest.y));
     }
     interface_.draw();

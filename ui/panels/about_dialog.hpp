@@ -1,0 +1,12 @@
+#pragma once
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+/// The version, and what the program stands on with its licences.
+///
+/// @param open  becomes false when it is closed
+void draw_about(PanelContext& context, bool& open);
+
+}  // namespace myo
