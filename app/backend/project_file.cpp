@@ -1,6 +1,8 @@
 #include "backend/project_file.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <system_error>
@@ -33,6 +35,13 @@ std::string effect_value(const AddedEffect::Value& value) {
     return toml_list(std::get<std::vector<double>>(value), toml_number);
 }
 
+/// What follows the muscle's name in a mask's: "-0123456789abcdef.csv".
+std::string mask_tail(std::size_t hash) {
+    char text[24];
+    std::snprintf(text, sizeof text, "-%016zx.csv", hash);
+    return text;
+}
+
 /// Named after its content, so that it never changes.
 std::string mask_name(const std::string& muscle, const PaintedMask& mask) {
     std::size_t hash = 1469598103934665603u;   // FNV-1a
@@ -46,9 +55,31 @@ std::string mask_name(const std::string& muscle, const PaintedMask& mask) {
     mix(mask.directions.data(), mask.directions.size());
     std::string name = muscle;
     std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-    char text[20];
-    std::snprintf(text, sizeof text, "%016zx", hash);
-    return name + "-" + text + ".csv";
+    return name + mask_tail(hash);
+}
+
+/// Whether a file may have been named by mask_name: what a person put beside the masks is not ours to remove.
+bool is_mask_name(const std::string& name) {
+    const std::string form = mask_tail(0);
+    if (name.size() <= form.size()) return false;
+    const std::string tail = name.substr(name.size() - form.size());
+    const auto fits = [](char c, char formed) { return formed == '0' ? std::isxdigit(static_cast<unsigned char>(c)) != 0 : c == formed; };
+    return std::equal(tail.begin(), tail.end(), form.begin(), fits);
+}
+
+/// Masks that a project file names and that lie in its own folder of files; none where there is no such file or it cannot be read.
+std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
+    std::set<std::string> names;
+    std::error_code ignored;
+    const Result<TomlValue> document = fs::exists(file, ignored) ? read_toml(file) : Result<TomlValue>(Error{"not there", ""});
+    const TomlValue* const muscles = document ? document->find("muscle") : nullptr;
+    if (muscles == nullptr) return names;
+    for (const TomlValue& muscle : muscles->items) {
+        const TomlValue* const mask = muscle.find("mask");
+        const fs::path path = mask != nullptr ? mask->text : "";
+        if (path.parent_path() == files.filename() && is_mask_name(path.filename().string())) names.insert(path.filename().string());
+    }
+    return names;
 }
 
 /// A path as seen from a folder, where it lies near; else whole.
@@ -79,6 +110,19 @@ std::string muscle_text(const Muscle& m, const std::string& mask) {
     if (!m.follows.empty()) text += "follows = { muscle = " + toml_text(m.follows) + ", ratio = " + toml_number(m.ratio) + " }\n";
     if (!mask.empty()) text += "mask = " + toml_text(mask) + "\n";
     if (m.signal) text += "signal = { time_s = " + toml_list(m.signal->times_s, toml_number) + ", a = " + toml_list(m.signal->values, toml_number) + " }\n";
+    return text;
+}
+
+std::string view_text(const ViewOptions& view) {
+    std::string text = "\n[view]\n";
+    for (const ViewSwitch& each : view_switches) text += std::string(each.key) + " = " + (view.*each.value ? "true" : "false") + "\n";
+    text += "opacity = " + toml_number(view.opacity) + "\n";
+    if (!view.color_map.empty()) text += "color_map = " + toml_text(view.color_map) + "\n";
+    if (!view.field.empty()) text += "field = " + toml_text(view.field) + "\n";
+    if (view.clip.on) text += "cut = { normal = " + toml_vector(view.clip.normal) + ", position_m = " + toml_number(view.clip.position_m) + ", flip = " + (view.clip.flip ? "true" : "false") + " }\n";
+    if (view.field_ranges.empty()) return text;
+    text += "[view.field_ranges]\n";   // SI
+    for (const auto& [field, range] : view.field_ranges) text += toml_text(field) + " = " + toml_list(range, toml_number) + "\n";
     return text;
 }
 
@@ -176,6 +220,30 @@ Settings read_settings(const TomlReader& document, const TomlValue& root, const 
     return s;
 }
 
+ViewOptions read_view(const TomlReader& document) {
+    ViewOptions result;
+    std::vector<std::string> keys{"opacity", "field", "color_map", "cut", "field_ranges"};
+    for (const ViewSwitch& each : view_switches) keys.emplace_back(each.key);
+    const TomlReader view = document.table("view", keys);
+    for (const ViewSwitch& each : view_switches) result.*each.value = view.boolean_or(each.key, result.*each.value);
+    result.opacity = view.number_or("opacity", 1.0, between(0.0, 1.0));
+    result.field = view.text_or("field", "");
+    result.color_map = view.text_or("color_map", "");
+    if (view.has("cut")) {
+        const TomlReader cut = view.table("cut", {"normal", "position_m", "flip"});
+        result.clip = {true, cut.vector3("normal"), cut.number("position_m"), cut.boolean_or("flip", false)};
+        if (std::abs(result.clip.normal.norm() - 1.0) > 1e-6) cut.fail("normal", "must have the length 1");
+    }
+    if (!view.has("field_ranges")) return result;
+    const TomlReader ranges = view.table_of_names("field_ranges");
+    for (const std::string& field : ranges.keys()) {
+        const Eigen::VectorXd range = ranges.vector(field, 2);
+        if (!(range(0) < range(1))) ranges.fail(field, "must ascend");
+        result.field_ranges[field] = {range(0), range(1)};
+    }
+    return result;
+}
+
 Project read_document(const TomlValue& root, const fs::path& file) {
     if (const TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
         throw TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"", named ? named->where : file.string()}};
@@ -189,14 +257,7 @@ Project read_document(const TomlValue& root, const fs::path& file) {
     project.metres_per_unit = document.optional_number("metres_per_unit", positive());
     project.trial = document.text_or("trial", "");
     project.settings = read_settings(document, root, file.parent_path());
-    if (!document.has("view")) return project;
-    std::vector<std::string> keys{"opacity", "field"};
-    for (const ViewSwitch& each : view_switches) keys.emplace_back(each.key);
-    const TomlReader view = document.table("view", keys);
-    for (const ViewSwitch& each : view_switches) project.view.*each.value = view.boolean_or(each.key, project.view.*each.value);
-    project.view.opacity = view.number_or("opacity", 1.0, between(0.0, 1.0));
-    project.view.field = view.text_or("field", "");
-    project.view.color_map = view.text_or("color_map", "");
+    if (document.has("view")) project.view = read_view(document);
     return project;
 }
 
@@ -222,16 +283,12 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
         }
         text += muscle_text(muscle, mask);
     }
-    text += "\n[view]\n";
-    for (const ViewSwitch& each : view_switches) text += std::string(each.key) + " = " + (project.view.*each.value ? "true" : "false") + "\n";
-    text += "opacity = " + toml_number(project.view.opacity) + "\n";
-    if (!project.view.color_map.empty()) text += "color_map = " + toml_text(project.view.color_map) + "\n";
-    if (!project.view.field.empty()) text += "field = " + toml_text(project.view.field) + "\n";
+    text += view_text(project.view);
+    const std::set<std::string> before = named_masks(file, files);
     if (const Result<void> written = write_file(file, text); !written) return written;
-    // Masks of earlier saves are no longer named by anything.
-    if (!fs::is_directory(files, ignored)) return {};
-    for (const fs::directory_entry& entry : fs::directory_iterator(files, ignored))
-        if (entry.path().extension() == ".csv" && !used.contains(entry.path().filename().string())) fs::remove(entry.path(), ignored);
+    // Masks of the save before are no longer named by anything.
+    for (const std::string& mask : before)
+        if (!used.contains(mask)) fs::remove(files / mask, ignored);
     return {};
 }
 

@@ -19,14 +19,25 @@ Project some_project(const fs::path& source) {
     project.source = source;
     project.metres_per_unit = 1e-3;
     project.trial = "a \"quoted\" name";
-    project.view.grid = false;
+    for (bool ViewOptions::* const shown : {&ViewOptions::edges, &ViewOptions::grid, &ViewOptions::measured, &ViewOptions::simulated, &ViewOptions::trails, &ViewOptions::errors, &ViewOptions::labels,
+                                            &ViewOptions::clamp, &ViewOptions::fibres, &ViewOptions::effect_force})
+        project.view.*shown = false;
     project.view.opacity = 0.3;
+    project.view.field = "von_mises";
+    project.view.color_map = "magma";
+    project.view.field_ranges = {{"von_mises", {0.0, 1e4 / 3.0}}, {"a field", {-0.25, 0.125}}};
+    project.view.clip = {true, Eigen::Vector3d(0.6, 0.0, -0.8), -0.012, true};
     Settings& s = project.settings;
     s.element = CellType::tet10;
     s.resolution_m = 0.1 / 3.0;
-    s.material = "neo_hookean";
-    s.integrator = "tr_bdf2";
+    s.material = "corotational";
+    s.integrator = "generalized_alpha";
     s.youngs_modulus_Pa = 1e5 / 7.0 * 3.0;
+    s.poissons_ratio = 0.43;
+    s.density_kg_m3 = 1.1e3 / 3.0;
+    s.damping_s = 0.007;
+    s.spectral_radius = 0.8;
+    s.time_step_s = 0.004 / 3.0;
     s.velocity_force_1_s = -0.125;
     s.effects = {{"wild_effect", {{"coefficient", 1.0 / 3.0}, {"direction", std::vector<double>{0.0, 1e-17, 1.0}}, {"marker", std::string("tip")}, {"list", std::vector<std::string>{"a", "b"}}}, "Wild effect", "1 ± 2"}};
     PaintedMask mask;
@@ -76,6 +87,27 @@ TEST(ProjectFile, KeepsNoMaskThatNothingNames) {
     EXPECT_DOUBLE_EQ(read_project_file(file)->settings.muscles[0].paint->weights(0), 0.5);
 }
 
+TEST(ProjectFile, LeavesTablesAloneThatItDidNotWrite) {
+    const test::Folder folder("project_tables");
+    folder.write("body.stl", "solid");
+    fs::create_directories(folder.path() / "arm.files");
+    folder.write("arm.files/take.csv", "time_s\n");
+    folder.write("arm.files/other-0123456789abcdef.csv", "of another project");
+    Project project = some_project(folder.path() / "body.stl");
+    const fs::path file = folder.path() / "arm.myoloop";
+    ASSERT_TRUE(write_project_file(file, project));
+    // Not even one that a person has named in the project by hand.
+    Result<std::string> text = read_file(file);
+    ASSERT_TRUE(text);
+    const std::size_t at = text->find("arm.files/") + 10, end = text->find('"', at);
+    const std::string mask = text->substr(at, end - at);
+    fs::copy_file(folder.path() / "arm.files" / mask, folder.path() / "arm.files" / "drawn.csv");
+    folder.write("arm.myoloop", text->replace(at, end - at, "drawn.csv"));
+    project.settings.muscles[0].paint.reset();
+    ASSERT_TRUE(write_project_file(file, project));
+    for (const char* const kept : {"take.csv", "other-0123456789abcdef.csv", "drawn.csv"}) EXPECT_TRUE(fs::exists(folder.path() / "arm.files" / kept)) << kept;
+}
+
 TEST(ProjectFile, MayMoveWithItsExperiment) {
     const test::Folder folder("project_moves");
     folder.write("body.stl", "solid");
@@ -98,8 +130,9 @@ TEST(ProjectFile, SaysWhereItIsBroken) {
         std::string part, instead, told;
     };
     for (const Fault& fault : {Fault{"step_s", "stepp_s", "stepp_s"}, {"myoloop-project/1", "experiment/1", "schema"}, {"\"tet10\"", "\"hex20\"", "element"}, {"body.stl", "gone.stl", "source"},
-                               {"lower", "upper / left", "name"}, {"poissons_ratio = 0.49", "poissons_ratio = 0.7", "poissons_ratio"}, {"time_s = [0.0, 0.5, 0.5]", "time_s = [0.5, 0.0, 0.5]", "ascend"},
-                               {"follows = { muscle = \"upper / left\"", "follows = { muscle = \"nobody\"", "nobody"}, {".csv\"", ".gone\"", "mask"}, {"[material]", "[material", "arm.myoloop"}}) {
+                               {"lower", "upper / left", "name"}, {"poissons_ratio = 0.43", "poissons_ratio = 0.7", "poissons_ratio"}, {"time_s = [0.0, 0.5, 0.5]", "time_s = [0.5, 0.0, 0.5]", "ascend"},
+                               {"follows = { muscle = \"upper / left\"", "follows = { muscle = \"nobody\"", "nobody"}, {".csv\"", ".gone\"", "mask"},
+                               {"[0.6, 0.0, -0.8]", "[0.6, 0.1, -0.8]", "normal"}, {"[-0.25, 0.125]", "[0.25, 0.125]", "a field"}, {"color_map", "colour_map", "colour_map"}, {"[material]", "[material", "arm.myoloop"}}) {
         std::string text = good;
         const std::size_t at = text.find(fault.part);
         ASSERT_NE(at, std::string::npos) << fault.part;
@@ -120,6 +153,7 @@ TEST(UserFiles, PreferencesComeBackAndBrokenOnesAreTold) {
     p.layout = {400.0f, 200.0f};
     p.recent = {folder.path()};
     p.bookmarks = {folder.path(), "/elsewhere"};
+    p.step_costs = {{CellType::hex8, 4608.0, 0.0068}, {CellType::tet10, 31725.0, 0.125}};
     ASSERT_TRUE(write_preferences(file, p));
     EXPECT_EQ(*read_preferences(file), p);
     p.recent.emplace_back(folder.path() / "gone");

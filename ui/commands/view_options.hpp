@@ -24,7 +24,7 @@ struct ViewOptions {
     bool fibres = true;             // muscles: colours and lines
     bool effect_force = true;       // arrows of the chosen effect's force, once there is a diagnosis
     double opacity = 1.0;
-    ClipPlane clip;                 // not kept in projects
+    ClipPlane clip;
 
     bool operator==(const ViewOptions&) const = default;
 };
