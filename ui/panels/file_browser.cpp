@@ -4,9 +4,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
+#include "base/letter_case.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "panels/wrapped_text.hpp"
@@ -18,14 +18,23 @@ namespace {
 namespace fs = std::filesystem;
 
 bool has_ending(const fs::path& file, const std::vector<std::string>& endings) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    const std::string ending = lower_case(file.extension().string());
     return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+/// Outside of any text that is being typed, whose own business the key would be.
+bool enter_pressed() {
+    return !ImGui::GetIO().WantTextInput && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
 }
 
 std::string folder_name(const fs::path& folder) { return folder.filename().empty() ? folder.string() : folder.filename().string(); }
 
 }  // namespace
+
+std::string with_ending(const std::string& name, const std::vector<std::string>& endings) {
+    const bool has_one = endings.empty() || std::find(endings.begin(), endings.end(), fs::path(name).extension()) != endings.end();
+    return name.empty() || has_one ? name : name + endings.front();
+}
 
 std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<std::string>& endings) {
     std::vector<FolderEntry> entries;
@@ -63,7 +72,11 @@ void FileBrowser::open(FileDialog dialog) {
     if (dialog_->start.empty() || !fs::is_directory(folder, ignored)) folder = fs::current_path(ignored);
     go_to(folder);
     just_opened_ = true;
+    typing_name_ = writes();
+    replaced_.clear();
 }
+
+fs::path FileBrowser::target() const { return writes() ? folder_ / with_ending(name_, dialog_->endings) : folder_ / selected_; }
 
 void FileBrowser::choose(PanelContext& context, const fs::path& path) {
     const FileDialog dialog = *dialog_;
@@ -117,7 +130,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
         ImGui::PushID(entry.name.c_str());
         if (ImGui::Selectable(elided(entry.name, room).c_str(), selected_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {
             selected_ = entry.name;
-            if (!entry.folder && !dialog_->new_name.empty()) name_ = entry.name;
+            if (!entry.folder && writes()) name_ = entry.name;
             if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) (entry.folder && !experiment ? enter : chosen) = folder_ / entry.name;
         }
         ImGui::PopID();
@@ -127,7 +140,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
         ImGui::TextColored(theme.muted, "%s", tag);
     }
     if (enter) go_to(*enter);
-    else if (chosen && dialog_->new_name.empty()) choose(context, *chosen);
+    else if (chosen && !writes()) choose(context, *chosen);
 }
 
 void FileBrowser::draw_preview(PanelContext& context) {
@@ -147,41 +160,95 @@ void FileBrowser::draw_preview(PanelContext& context) {
     }
 }
 
+bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool replaces) {
+    const Theme& theme = context.theme;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Name");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(260.0f * theme.scale);
+    if (typing_name_) ImGui::SetKeyboardFocusHere();
+    typing_name_ = false;
+    const bool entered = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    context.items.mark("browser/name");
+    if (replaces) {
+        const bool again = target == replaced_;
+        const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x - 240.0f * theme.scale;
+        ImGui::SameLine();
+        const std::string told = std::string(icon::warning) + "  " + (again ? "Enter again replaces it" : target.filename().string() + " is there already");
+        ImGui::TextColored(theme.warning, "%s", elided(told, room).c_str());
+        context.items.mark("browser/is_there");
+        tooltip(theme, told);
+    }
+    ImGui::SameLine();
+    if (!entered) return false;
+    typing_name_ = true;
+    // One key is too little to lose a file by.
+    const bool may = !replaces || target == replaced_;
+    replaced_ = target;
+    return may;
+}
+
 void FileBrowser::draw_foot(PanelContext& context) {
     const Theme& theme = context.theme;
     const float width = 96.0f * theme.scale;
-    const bool writes = !dialog_->new_name.empty();
     std::error_code ignored;
-    const fs::path target = writes ? folder_ / name_ : folder_ / selected_;
-    const bool replaces = writes && !name_.empty() && fs::exists(target, ignored);
-    if (writes) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted("Name");
-        ImGui::SameLine();
-        ImGui::SetNextItemWidth(260.0f * theme.scale);
-        ImGui::InputText("##name", &name_);
-        context.items.mark("browser/name");
-        if (replaces) {
-            ImGui::SameLine();
-            ImGui::TextColored(theme.warning, "%s  is there already", icon::warning);
-        }
-        ImGui::SameLine();
-    }
+    const fs::path asked = target();
+    const bool replaces = writes() && !name_.empty() && fs::exists(asked, ignored);
+    const bool entered = writes() ? draw_name(context, asked, replaces) : enter_pressed();
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2.0f * width - ImGui::GetStyle().ItemSpacing.x);
     const bool cancelled = ImGui::Button("Cancel", {width, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     context.items.mark("browser/cancel");
     ImGui::SameLine();
-    const bool has_choice = writes ? !name_.empty() && !fs::is_directory(target, ignored) : !selected_.empty() || dialog_->folders;
+    const bool has_choice = writes() ? !name_.empty() && !fs::is_directory(asked, ignored) : !selected_.empty() || dialog_->folders;
     ImGui::BeginDisabled(!has_choice);
     const bool pressed = primary_button(theme, replaces ? "Replace" : dialog_->button, {width, 0.0f});
     context.items.mark("browser/open");
     ImGui::EndDisabled();
     if (cancelled) return give_up(context);
-    if (!pressed) return;
+    if (!pressed && !(entered && has_choice)) return;
     const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const FolderEntry& e) { return e.name == selected_; });
-    const bool plain_folder = !writes && entry != entries_.end() && entry->folder && !(entry->experiment && dialog_->experiments) && !dialog_->folders;
-    if (plain_folder) go_to(target);
-    else choose(context, selected_.empty() && !writes ? folder_ : target);
+    const bool plain_folder = !writes() && entry != entries_.end() && entry->folder && !(entry->experiment && dialog_->experiments) && !dialog_->folders;
+    if (plain_folder) go_to(asked);
+    else choose(context, selected_.empty() && !writes() ? folder_ : asked);
+}
+
+void FileBrowser::draw_new_folder(PanelContext& context) {
+    const Theme& theme = context.theme;
+    if (ImGui::Button("New folder")) {
+        new_folder_.clear();
+        problem_.clear();
+        typing_folder_ = true;
+        ImGui::OpenPopup("new folder");
+    }
+    context.items.mark("browser/new_folder");
+    ImGui::SameLine();
+    if (!ImGui::BeginPopup("new folder")) return;
+    if (typing_folder_) ImGui::SetKeyboardFocusHere();
+    typing_folder_ = false;
+    ImGui::SetNextItemWidth(240.0f * theme.scale);
+    const bool entered = ImGui::InputTextWithHint("##new folder", "Name of the folder", &new_folder_, ImGuiInputTextFlags_EnterReturnsTrue);
+    context.items.mark("browser/new_folder/name");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(new_folder_.empty());
+    const bool pressed = ImGui::Button("Make") || (entered && !new_folder_.empty());
+    context.items.mark("browser/new_folder/make");
+    ImGui::EndDisabled();
+    if (pressed) {
+        std::error_code failed;
+        const fs::path made = folder_ / new_folder_;
+        const bool is_new = fs::create_directories(made, failed);
+        if (is_new || fs::is_directory(made)) {
+            go_to(made);
+            typing_name_ = true;
+            ImGui::CloseCurrentPopup();
+        } else {
+            problem_ = "Cannot be made: " + failed.message();
+            typing_folder_ = true;
+        }
+    }
+    if (!problem_.empty()) ImGui::TextColored(theme.failure, "%s", problem_.c_str());
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
 }
 
 void FileBrowser::draw(PanelContext& context) {
@@ -209,12 +276,13 @@ void FileBrowser::draw(PanelContext& context) {
     context.items.mark("browser/star");
     tooltip(context.theme, marked ? "Take this folder off the list at the left" : "Keep this folder in the list at the left");
     ImGui::SameLine();
+    if (writes() || dialog_->folders) draw_new_folder(context);
     ImGui::SetNextItemWidth(-1.0f);
     std::optional<fs::path> typed_file;
     if (ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code ignored;
         if (fs::is_directory(typed_, ignored)) go_to(typed_);
-        else if (fs::is_regular_file(typed_, ignored) && dialog_->new_name.empty()) typed_file = typed_;
+        else if (fs::is_regular_file(typed_, ignored) && !writes()) typed_file = typed_;
     }
     context.items.mark("browser/path");
     const float foot = ImGui::GetFrameHeightWithSpacing() + 4.0f * s;

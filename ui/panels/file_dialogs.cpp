@@ -8,7 +8,7 @@ FileDialog open_dialog(const std::filesystem::path& start) {
     FileDialog dialog;
     dialog.title = "Open an experiment folder, a mesh or a project";
     dialog.button = "Open";
-    dialog.endings = {".stl", ".obj", ".ply", ".vtp", ".vtu", ".vtk", ".msh", ".node", ".toml", project_ending};
+    dialog.endings = {".stl", ".obj", ".ply", ".vtp", ".vtu", ".vtk", ".msh", ".node", ".ele", ".toml", project_ending};
     dialog.experiments = true;
     dialog.start = start;
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) { context.emit(command::Open{path, std::nullopt}); };
@@ -19,7 +19,7 @@ FileDialog recording_dialog(const std::filesystem::path& start) {
     FileDialog dialog;
     dialog.title = "Import a recording of motion capture";
     dialog.button = "Import";
-    dialog.endings = {".c3d", ".tsv", ".csv", ".txt"};
+    dialog.endings = recording_endings;
     dialog.start = start;
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
         context.emit(command::ReadRecording{path});
@@ -46,10 +46,9 @@ FileDialog picture_dialog(const PictureRequest& request, const std::string& name
     const std::string ending = std::filesystem::path(name).extension().string();
     if (!ending.empty()) dialog.endings = {ending};
     dialog.new_name = name;
-    dialog.chosen = [request, ending](PanelContext& context, const std::filesystem::path& path) {
+    dialog.chosen = [request](PanelContext& context, const std::filesystem::path& path) {
         PictureRequest asked = request;
         asked.path = path;
-        if (asked.path.extension() != ending) asked.path += ending;
         context.window.picture = asked;
     };
     return dialog;

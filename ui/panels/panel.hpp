@@ -21,7 +21,7 @@ struct PanelContext;
 struct FileDialog {
     std::string title;                        // "Open an experiment folder, a mesh or a project"
     std::string button;                       // "Open"
-    std::vector<std::string> endings;         // of the files that are listed, in small letters; empty: all
+    std::vector<std::string> endings;         // of the files that are listed, in small letters; empty: all. A new file gets the first, unless it has one
     bool experiments = false;                 // folders with an experiment.toml can be chosen
     bool folders = false;                     // any folder can be chosen
     std::filesystem::path start;              // a folder, or a file in it; empty: the working folder
@@ -44,7 +44,6 @@ struct WindowRequests {
     std::optional<PictureRequest> picture;    // of the 3D view
     std::optional<WindowPart> part;           // of the window as it is seen without dialogs
     bool save_view = false;                   // the dialog that asks what of the view to save
-    bool fit = false;                         // the whole motion shall be in view
     bool palette = false;
     bool about = false;
     bool clear_distances = false;
