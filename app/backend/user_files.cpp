@@ -41,8 +41,15 @@ std::string list(const std::vector<fs::path>& paths) {
     return "[" + text + (text.empty() ? "]" : "\n]");
 }
 
+std::string step_costs(const std::vector<StepCost>& costs) {
+    std::string text;
+    for (const StepCost& cost : costs)
+        text += "\n[[step_cost]]\nelement = " + quoted(to_string(cost.element)) + "\ndofs = " + format_number(cost.dofs, 12) + "\nseconds = " + format_number(cost.seconds, 6) + "\n";
+    return text;
+}
+
 Preferences read_document(const TomlValue& root) {
-    const TomlReader document(root, "", {"theme", "scale", "side_width", "strip_height", "recent", "bookmarks"});
+    const TomlReader document(root, "", {"theme", "scale", "side_width", "strip_height", "recent", "bookmarks", "step_cost"});
     Preferences p;
     if (document.has("theme")) p.theme = document.choice<ThemeName>("theme", {{"dark", ThemeName::dark}, {"light", ThemeName::light}});
     p.scale = static_cast<float>(document.number_or("scale", 0.0, between(0.0, static_cast<double>(greatest_scale))));
@@ -52,6 +59,10 @@ Preferences read_document(const TomlValue& root) {
         for (const std::string& path : document.texts("recent")) p.recent.emplace_back(path);
     if (document.has("bookmarks"))
         for (const std::string& path : document.texts("bookmarks")) p.bookmarks.emplace_back(path);
+    if (document.has("step_cost"))
+        for (const TomlReader& cost : document.tables("step_cost", {"element", "dofs", "seconds"}))
+            remember(p.step_costs, {cost.choice<CellType>("element", {{"hex8", CellType::hex8}, {"tet4", CellType::tet4}, {"tet10", CellType::tet10}}),
+                                    cost.number("dofs", positive()), cost.number("seconds", positive())});
     std::error_code ignored;
     std::erase_if(p.recent, [&](const fs::path& path) { return !fs::exists(path, ignored); });
     return p;
@@ -81,7 +92,7 @@ Result<Preferences> read_preferences(const fs::path& file) {
 Result<void> write_preferences(const fs::path& file, const Preferences& p) {
     return write_file(file, std::string("theme = ") + (p.theme == ThemeName::dark ? "'dark'" : "'light'") + "\nscale = " + format_number(static_cast<double>(p.scale), 6) +
                                 "\nside_width = " + format_number(static_cast<double>(p.layout.rail), 6) + "\nstrip_height = " + format_number(static_cast<double>(p.layout.strip), 6) +
-                                "\nrecent = " + list(p.recent) + "\nbookmarks = " + list(p.bookmarks) + "\n");
+                                "\nrecent = " + list(p.recent) + "\nbookmarks = " + list(p.bookmarks) + "\n" + step_costs(p.step_costs));
 }
 
 fs::path recovery_file() {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "commands/step_cost.hpp"
 #include "platform/theme.hpp"
 
 namespace myo {
@@ -22,6 +23,7 @@ struct Preferences {
     LayoutSizes layout;
     std::vector<std::filesystem::path> recent;       // experiments, meshes and projects, the newest first
     std::vector<std::filesystem::path> bookmarks;    // folders of the file browser
+    std::vector<StepCost> step_costs;                // of runs on this machine, the newest last
 
     bool operator==(const Preferences&) const = default;
 };

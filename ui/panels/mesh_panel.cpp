@@ -44,7 +44,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     }
     const double longest = std::max(body_size(state).maxCoeff(), 1e-3);
     const Limits range{longest / 120.0, longest / 3.0};
-    const NumberField field{"Edge length", "body/edge_length", "mm", "Edge length aimed at; the cells adapt so that the body's size is met exactly.", 1e-3, range, 0.05};
+    const NumberField field{"Edge length", "body/edge_length", "mm", "Edge length of the elements that is aimed at. Along a side of length L there are about L / edge elements, adapted so that the body's size is met exactly: half the edge, eight times the elements.", 1e-3, range, 0.05};
     Settings settings = state.settings;
     bool goes_on = false;
     if (number_row(context, field, edit_, settings.resolution_m, goes_on)) context.emit(command::ChangeSettings{settings, "resolution", goes_on});
@@ -60,6 +60,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     const std::string about = built || state.prediction.exact ? "" : "\xe2\x89\x88 ";
     const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;
     text_row(theme, "Elements, DOF", about + with_separators(elements) + ", " + about + with_separators(dofs), color);
+    tooltip(theme, "Degrees of freedom: three displacements for each node. Orange above 300,000, where a step takes seconds.");
     draw_step_cost(context, dofs);
     if (!state.mesh_is_current()) {
         if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(command::BuildMesh{});
@@ -69,21 +70,18 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
 
 void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
     const WorkbenchState& state = context.state;
-    if (!state.scene->cannot_run.empty() || !(dofs > 0.0)) return;
-    if (state.step_costs.empty()) {
-        text_row(context.theme, "Per time step", "known after a run", &context.theme.muted);
-        context.items.mark("body/step_cost");
-        return tooltip(context.theme, "The first run measures what a time step takes on this machine; then it is predicted for other meshes.");
-    }
+    if (!(dofs > 0.0)) return;
     const auto milliseconds = [](double seconds) { return value_label(1e3 * seconds, 3) + " ms"; };
-    const StepPrediction predicted = predict_step(state.step_costs, state.settings.element, dofs);
-    const bool measured = predicted.from.dofs == dofs && predicted.from.element == state.settings.element;
-    text_row(context.theme, "Per time step", measured ? milliseconds(predicted.from.seconds) + " measured"
-                                                      : "\xe2\x89\x88 " + milliseconds(predicted.seconds) + "; " + milliseconds(predicted.from.seconds) + " measured at " +
-                                                            with_separators(predicted.from.dofs) + " DOF");
+    const StepPrediction predicted = predict_step(state.preferences.step_costs, state.settings.element, dofs);
+    const bool same = predicted.measured && predicted.from.dofs == dofs && predicted.from.element == state.settings.element;
+    const std::string source = predicted.measured ? milliseconds(predicted.from.seconds) + " measured at " + with_separators(predicted.from.dofs) + " DOF" : "from the benchmark";
+    text_row(context.theme, "Per time step", same ? milliseconds(predicted.from.seconds) + " measured" : "\xe2\x89\x88 " + milliseconds(predicted.seconds) + "; " + source);
     context.items.mark("body/step_cost");
-    tooltip(context.theme, "Wall time of the newest run over the steps of all its trials, carried to another size by\nt \xe2\x88\xbc DOF^p, p = " + value_label(predicted.exponent, 3) +
-                               (predicted.fitted ? ", fitted to this session's runs with these elements." : ", as `myoloop bench scaling` measured with hexahedra.") +
+    const std::string carried = " carried to another size by\nt \xe2\x88\xbc DOF^p, p = " + value_label(predicted.exponent, 3) +
+                                (predicted.fitted ? ", fitted to this machine's runs with these elements." : ", as measured with hexahedra of small and large bodies.");
+    tooltip(context.theme, (predicted.measured ? "Wall time of the newest run on this machine over the steps of all its trials," + carried
+                                               : "No run was made on this machine yet. README's benchmark, " + milliseconds(predicted.from.seconds) + " at " +
+                                                     with_separators(predicted.from.dofs) + " DOF," + carried + "\nThe first run measures it.") +
                                "\nOther elements, steps, materials or a busy machine change it: expect a factor of two.");
 }
 
@@ -95,8 +93,10 @@ void MeshPanel::draw_report(PanelContext& context) {
     text_row(context.theme, "Elements", with_separators(static_cast<double>(body.mesh.cell_count())) + " " + to_string(body.mesh.type));
     text_row(context.theme, "Nodes", with_separators(static_cast<double>(body.mesh.node_count())));
     text_row(context.theme, "DOF", with_separators(body.dofs));
+    tooltip(context.theme, "Degrees of freedom: three displacements for each node, those of held nodes included.");
     for (const ReportLine& line : body.report) {
         text_row(context.theme, line.label, line.value, line.warning ? &context.theme.warning : nullptr);
+        tooltip(context.theme, line.explanation);
     }
 }
 
