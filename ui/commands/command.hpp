@@ -13,6 +13,8 @@
 namespace myo::command {
 
 struct Open { std::filesystem::path path; std::optional<double> metres_per_unit; };
+/// Files from elsewhere: the first body or project among them is opened, the first recording imported.
+struct Drop { std::vector<std::filesystem::path> files; };
 struct AnswerUnit { std::optional<double> metres_per_unit; };    // empty = do not open
 /// `goes_on`: the same drag as in the last frame, one step for undo.
 struct ChangeSettings { Settings settings; std::string what; bool goes_on = false; };
@@ -51,11 +53,14 @@ struct SaveAs { std::filesystem::path file; };
 struct AskWhereToSave { bool asks = true; };   // false: the person gave it up
 enum class UnsavedAnswer { save, discard, cancel };
 struct AnswerUnsaved { UnsavedAnswer answer = UnsavedAnswer::cancel; };
-/// A project of a session that did not end well: to be opened, or all of them to be thrown away.
+/// Projects of sessions that did not end well, the newest last. Until the person has taken that up, or has thrown away one after the other, nothing else is opened.
 struct OfferRecovery { std::vector<std::filesystem::path> files; };
 struct Recover { std::filesystem::path file; };
 struct DiscardRecovery {};
+/// Asked for again while the question about a running job is open, it is the answer.
 struct Quit {};
+/// Whether the running job shall be stopped to quit.
+struct AnswerStop { bool stops = false; };
 struct ChooseTrial { int trial = 0; };
 struct ChooseMarker { int marker = 0; };
 struct SetTime { double time_s = 0.0; };
@@ -87,10 +92,10 @@ struct WriteReport { std::filesystem::path folder; };
 namespace myo {
 
 using Command =
-    std::variant<command::Open, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo, command::BuildMesh, command::Run, command::ChangePreview, command::Calibrate, command::ChangeOptimize,
+    std::variant<command::Open, command::Drop, command::AnswerUnit, command::ChangeSettings, command::Undo, command::Redo, command::BuildMesh, command::Run, command::ChangePreview, command::Calibrate, command::ChangeOptimize,
                  command::Optimize, command::Diagnose, command::ChooseCandidate, command::AddEffect, command::ChooseMuscle, command::Paint, command::ImportSignal, command::ExportSignal,
                  command::ChangeBrush, command::Cancel, command::Pause, command::Unqueue, command::RestoreRecord, command::CompareRecord, command::ForgetRecord, command::Save, command::SaveAs,
-                 command::AskWhereToSave, command::AnswerUnsaved, command::OfferRecovery, command::Recover, command::DiscardRecovery, command::Quit, command::ChooseTrial, command::ChooseMarker,
+                 command::AskWhereToSave, command::AnswerUnsaved, command::OfferRecovery, command::Recover, command::DiscardRecovery, command::Quit, command::AnswerStop, command::ChooseTrial, command::ChooseMarker,
                  command::SetTime, command::Play, command::SetSpeed, command::ChangeView, command::SetDampingFrequency, command::SetTheme, command::SetLayout, command::Bookmark,
                  command::UsePreferences, command::ClearLog, command::Tell, command::WriteReport, command::ReadRecording, command::ChangeImport, command::ChooseLabel, command::ProposeMarkers,
                  command::AlignImport, command::AddRecording, command::GiveUpImport>;

@@ -62,7 +62,11 @@ Workbench::Workbench(std::shared_ptr<Backend> backend, std::function<void()> wak
     if (!state_.integrators.empty()) state_.settings.integrator = state_.integrators.front().id;
 }
 
-void Workbench::log(LogLevel level, const std::string& text) { state_.log.push_back({level, text}); }
+void Workbench::log(LogLevel level, const std::string& text) {
+    if (state_.log.size() >= most_log_lines) state_.log.erase(state_.log.begin(), state_.log.begin() + most_log_lines / 10);
+    state_.log.push_back({level, text});
+    ++state_.logged;
+}
 
 void Workbench::log_failure(const Error& error, const std::string& what) {
     log(LogLevel::failure, what + ": " + error.text());
@@ -70,7 +74,11 @@ void Workbench::log_failure(const Error& error, const std::string& what) {
 
 void Workbench::execute(const Command& asked) {
     std::visit(Overloaded{
-                   [&](const command::Open& c) { open(c.path, c.metres_per_unit); },
+                   [&](const command::Open& c) {
+                       dropped_with_body_.reset();
+                       open(c.path, c.metres_per_unit);
+                   },
+                   [&](const command::Drop& c) { drop(c.files); },
                    [&](const command::AnswerUnit& c) {
                        const auto path = std::exchange(state_.unit_question, std::nullopt);
                        if (path && c.metres_per_unit) open(*path, c.metres_per_unit);
@@ -124,6 +132,10 @@ void Workbench::execute(const Command& asked) {
                    [&](const command::Recover& c) { recover(c.file); },
                    [&](const command::DiscardRecovery&) { discard_recovery(); },
                    [&](const command::Quit&) { quit(); },
+                   [&](const command::AnswerStop& c) {
+                       if (c.stops && state_.asks_to_stop) quit();
+                       state_.asks_to_stop = false;
+                   },
                    [&](const command::ChooseTrial& c) { choose_trial(c.trial); },
                    [&](const command::ChooseMarker& c) {
                        const int count = state_.scene ? static_cast<int>(state_.scene->markers.size()) : 0;
@@ -176,6 +188,7 @@ void Workbench::execute(const Command& asked) {
 }
 
 void Workbench::advance(double seconds) {
+    take_autosaved();
     take_live();
     if (job_) {
         if (auto completion = job_->take_result()) {
@@ -184,6 +197,7 @@ void Workbench::advance(double seconds) {
             state_.job.reset();
             if (*completion) (*completion)();
             if (!job_) begin_next();
+            if (!task_) state_.asks_to_stop = false;   // whoever asked sees first what it brought
         }
         if (job_) state_.job = job_->view();
     }

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 
 #include "commands/backend.hpp"
@@ -34,8 +35,10 @@ public:
     bool animating() const { return state_.playing; }
 
     /// Writes unsaved work into a file from which it can be recovered, where it has changed since the last call; removes the file where all is
-    /// saved. A failure is logged once.
+    /// saved. Writes on a thread beside the drawing: painted bodies are large. A failure is logged once.
     void autosave(const std::filesystem::path& file);
+    /// Waits until nothing is being written any more.
+    void finish_autosave();
 
 private:
     /// A job that was asked for.
@@ -46,6 +49,7 @@ private:
         Settings settings;
         std::shared_ptr<const Scene> scene;
         std::function<void()> begin;
+        PlacedBody on;              // what it works on, once that is meshed
     };
 
     // workbench_jobs.cpp
@@ -64,9 +68,12 @@ private:
 
     // workbench_scene.cpp
     void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
+    void drop(const std::vector<std::filesystem::path>& files);   // workbench_drop.cpp
     void show_scene(Scene scene, std::optional<double> metres_per_unit);
     void show_project(const std::filesystem::path& file, Project project, Scene scene);
     void build_mesh(std::function<void()> then);
+    /// Frames on another body cannot be shown on it: they go.
+    void show_body(const PlacedBody& on);
 
     // workbench_project.cpp
     Project project() const;
@@ -80,6 +87,7 @@ private:
     void recover(const std::filesystem::path& file);
     void discard_recovery();
     void forget_recovered();
+    void take_autosaved();
 
     // workbench_search.cpp
     void run();
@@ -143,11 +151,14 @@ private:
     int next_id_ = 1;
     std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;
     std::shared_ptr<LiveValue<SearchView>> live_search_;
+    std::optional<std::filesystem::path> dropped_with_body_;   // recording that is read once the body it was dropped with is open
+    std::optional<PendingAction> after_recovery_;   // what is opened once all that could be recovered was thrown away
     Settings autosaved_;                        // as they are in the file of recovery
     bool autosave_failed_ = false;
     std::filesystem::path recovered_;           // file from which the shown project was recovered; to be removed once it is saved
     bool preview_given_up_ = false;             // what the running preview brings is not wanted any more
     // Last members: their threads end before anything they use.
+    std::future<Result<void>> autosave_job_;
     std::unique_ptr<Job> preview_job_;
     std::unique_ptr<Job> job_;
 };

@@ -22,7 +22,7 @@ void Workbench::diagnose() {
             live_diagnosis_ = std::make_shared<LiveValue<DiagnosisView>>();
             start(
                 diagnose_job,
-                [this, settings = task_->settings, scene = task_->scene, body = state_.body, live = live_diagnosis_](const Progress& progress) -> Job::Completion {
+                [this, settings = task_->settings, scene = task_->scene, body = task_->on.body, live = live_diagnosis_](const Progress& progress) -> Job::Completion {
                     const auto show = [live](std::shared_ptr<const DiagnosisView> view) { live->set(std::move(view)); };
                     auto result = std::make_shared<Result<DiagnosisView>>(backend_->diagnose(*scene, *body, settings, progress, show));
                     const bool cancelled = progress.cancelled();

@@ -49,15 +49,11 @@ bool Workbench::may_compute() {
         log(LogLevel::warning, "Open an experiment folder first.");
         return false;
     }
-    if (!state_.scene->cannot_run.empty()) {
-        log(LogLevel::warning, state_.scene->cannot_run);
-        return false;
-    }
     return true;
 }
 
 void Workbench::request(const std::string& name, std::function<void()> begin_work) {
-    Task task{next_id_++, name, "", state_.settings, state_.scene, std::move(begin_work)};
+    Task task{next_id_++, name, "", state_.settings, state_.scene, std::move(begin_work), {}};
     if (!task_) return begin(std::move(task));
     log(LogLevel::information, name + " waits until " + task_->name + " has ended.");
     queue_.push_back(std::move(task));
@@ -104,8 +100,9 @@ void Workbench::start(const std::string& name, Job::Work work, JobKind kind) {
 }
 
 void Workbench::with_body(std::function<void()> then) {
-    if (state_.body && same_mesh(task_->settings, state_.body_settings)) then();
-    else build_mesh(std::move(then));
+    if (!state_.body || !same_mesh(task_->settings, state_.body_settings)) return build_mesh(std::move(then));
+    task_->on = {state_.body, state_.ground, state_.body_settings};
+    then();
 }
 
 void Workbench::end_task(JobOutcome outcome, const std::string& summary, JobRecord with) {
@@ -116,7 +113,8 @@ void Workbench::end_task(JobOutcome outcome, const std::string& summary, JobReco
     with.outcome = outcome;
     with.summary = summary;
     if (!with.run && !with.diagnosis) with.settings = task_->settings;
-    with.on = {state_.body, state_.ground, state_.body_settings};
+    // Another body may be shown by now.
+    with.on = task_->on.body ? task_->on : PlacedBody{state_.body, state_.ground, state_.body_settings};
     state_.history.push_back(std::move(with));
     save_memory(state_.history);
 }
@@ -126,9 +124,7 @@ void Workbench::restore(int id) {
     if (!found || !found->can_be_restored()) return;
     const JobRecord record = *found;
     if (!(record.settings == state_.settings)) undo_.record(state_.settings, "restore", false);
-    state_.body = record.on.body;
-    state_.ground = record.on.ground;
-    state_.body_settings = record.on.settings;
+    show_body(record.on);
     state_.run.reset();
     state_.found.reset();
     stop_preview();

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <chrono>
 #include <system_error>
+#include <utility>
 
 #include "commands/workbench.hpp"
 
@@ -76,6 +78,10 @@ void Workbench::quit() {
         state_.pending = PendingAction{true, {}, {}};
         return;
     }
+    if (task_ && !state_.asks_to_stop) {
+        state_.asks_to_stop = true;
+        return;
+    }
     if (job_) job_->cancel();
     state_.quit = true;
 }
@@ -98,17 +104,31 @@ void Workbench::remember_recent(const fs::path& path) {
 
 void Workbench::autosave(const fs::path& file) {
     std::error_code ignored;
+    if (autosave_job_.valid()) return;   // the last one is still being written
     if (!state_.unsaved()) return remove_project(file);
     if (state_.settings == autosaved_ && fs::exists(file, ignored)) return;
-    const Result<void> written = backend_->write_project(file, project());
-    if (written) autosaved_ = state_.settings;
-    else if (!autosave_failed_) log_failure(written.error(), "Cannot keep a copy for recovery");
+    autosaved_ = state_.settings;
+    autosave_job_ = std::async(std::launch::async, [backend = backend_, file, project = project()] { return backend->write_project(file, project); });
+}
+
+void Workbench::take_autosaved() {
+    if (!autosave_job_.valid() || autosave_job_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    const Result<void> written = autosave_job_.get();
+    if (!written) autosaved_ = state_.saved_settings;   // to be tried again
+    if (!written && !autosave_failed_) log_failure(written.error(), "Cannot keep a copy for recovery");
     autosave_failed_ = !written;
 }
 
+void Workbench::finish_autosave() {
+    if (autosave_job_.valid()) autosave_job_.wait();
+    take_autosaved();
+}
+
 void Workbench::recover(const fs::path& file) {
-    std::erase(state_.recovered, file);
-    if (task_) return;
+    // What else was found is offered again at the next start.
+    state_.recovered.clear();
+    if (const auto other = std::exchange(after_recovery_, std::nullopt)) log(LogLevel::information, other->open.filename().string() + " is not opened: the recovered work is shown instead.");
+    dropped_with_body_.reset();
     recovered_ = file;
     request("Recover", [this, file] {
         start(task_->name, [this, file](const Progress& progress) -> Job::Completion {
@@ -129,8 +149,11 @@ void Workbench::recover(const fs::path& file) {
 }
 
 void Workbench::discard_recovery() {
-    for (const fs::path& file : state_.recovered) remove_project(file);
-    state_.recovered.clear();
+    if (state_.recovered.empty()) return;
+    remove_project(state_.recovered.back());
+    state_.recovered.pop_back();
+    if (!state_.recovered.empty()) return;
+    if (const auto next = std::exchange(after_recovery_, std::nullopt)) open(next->open, next->metres_per_unit);
 }
 
 }  // namespace myo

@@ -10,6 +10,11 @@ namespace myo {
 void Workbench::open(const std::filesystem::path& given, std::optional<double> metres_per_unit) {
     std::filesystem::path path = given.lexically_normal();
     if (!path.has_filename()) path = path.parent_path();   // "folder/"
+    if (!state_.recovered.empty()) {
+        // First it is settled what becomes of the work that was found.
+        after_recovery_ = PendingAction{false, path, metres_per_unit};
+        return;
+    }
     if (task_) {
         log(LogLevel::warning, "\"" + task_->name + "\" is still running. Cancel it before another file is opened.");
         return;
@@ -45,6 +50,7 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
                 if (*project) show_project(path, std::move(**project), std::move(**scene));
                 else show_scene(std::move(**scene), metres_per_unit);
                 remember_recent(path);
+                if (const auto recording = std::exchange(dropped_with_body_, std::nullopt)) read_recording(*recording, {});
                 build_mesh({});
             };
         });
@@ -68,7 +74,6 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     state_.import.reset();
     state_.view.clip = {};
     state_.history.clear();
-    state_.step_costs.clear();
     state_.candidate.clear();
     state_.muscle = 0;
     if (state_.scene->surface.vertices.cols() > 0) state_.brush = brush_for(bounding_box(state_.scene->surface.vertices).size());
@@ -112,9 +117,8 @@ void Workbench::build_mesh(std::function<void()> then) {
     const auto scene = task_->scene;
     start("Mesh", [this, settings, scene, then = std::move(then)](const Progress& progress) -> Job::Completion {
         auto body = std::make_shared<Result<MeshedBody>>(backend_->mesh(*scene, settings, progress));
+        const std::shared_ptr<const PaintGround> ground = *body ? paint_ground(scene->surface, (*body)->mesh, progress) : nullptr;
         const bool cancelled = progress.cancelled();
-        std::shared_ptr<const PaintGround> ground;
-        if (*body && !cancelled) ground = std::make_shared<const PaintGround>(scene->surface, (*body)->mesh);
         return [this, settings, body, ground, cancelled, then] {
             if (cancelled) {
                 log(LogLevel::information, "Meshing cancelled.");
@@ -126,14 +130,8 @@ void Workbench::build_mesh(std::function<void()> then) {
                 end_task(JobOutcome::failed, body->error().text());
                 return;
             }
-            state_.body = std::make_shared<MeshedBody>(std::move(**body));
-            state_.body_settings = settings;
-            state_.ground = ground;
-            place_muscles();
-            // Frames of the old mesh cannot be shown on the new one.
-            stop_preview();
-            state_.run.reset();
-            state_.found.reset();
+            task_->on = {std::make_shared<const MeshedBody>(std::move(**body)), ground, settings};
+            show_body(task_->on);
             for (const ReportLine& line : state_.body->report) {
                 if (line.warning) log(LogLevel::warning, line.label + ": " + line.value);
             }
@@ -141,6 +139,17 @@ void Workbench::build_mesh(std::function<void()> then) {
             else if (task_->name == "Mesh") end_task(JobOutcome::done, std::to_string(state_.body->mesh.cell_count()) + " " + to_string(settings.element));
         };
     });
+}
+
+void Workbench::show_body(const PlacedBody& on) {
+    if (on.body == state_.body) return;
+    state_.body = on.body;
+    state_.ground = on.ground;
+    state_.body_settings = on.settings;
+    place_muscles();
+    stop_preview();
+    state_.run.reset();
+    state_.found.reset();
 }
 
 }  // namespace myo

@@ -7,11 +7,6 @@
 // Runs of the workbench, and searches for values and signals with which they follow the measurement.
 
 namespace myo {
-namespace {
-
-std::string millimetres(double metres) { return value_label(1e3 * metres, 3) + " mm"; }
-
-}  // namespace
 
 void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings& settings) {
     state_.run = std::move(result);
@@ -26,7 +21,7 @@ void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings
 void Workbench::run() {
     if (!may_compute()) return;
     const auto simulate = [this] {
-        start(task_->name, [this, settings = task_->settings, scene = task_->scene, body = state_.body](const Progress& progress) -> Job::Completion {
+        start(task_->name, [this, settings = task_->settings, scene = task_->scene, body = task_->on.body](const Progress& progress) -> Job::Completion {
             auto result = std::make_shared<Result<RunResult>>(backend_->simulate(*scene, *body, settings, std::nullopt, progress));
             const bool cancelled = progress.cancelled();
             return [this, settings, result, cancelled] {
@@ -38,8 +33,9 @@ void Workbench::run() {
                     end_task(JobOutcome::failed, result->error().text());
                 } else {
                     const double seconds = (*result)->seconds, rms = (*result)->rms_m;
+                    if ((*result)->problem.empty() && (*result)->steps > 0.0) remember(state_.preferences.step_costs, {settings.element, task_->on.body->dofs, seconds / (*result)->steps});
                     state_.found.reset();
-                    if ((*result)->problem.empty() && (*result)->steps > 0.0) remember(state_.step_costs, {settings.element, state_.body->dofs, seconds / (*result)->steps});
+                    show_body(task_->on);
                     show_run(std::make_shared<RunResult>(std::move(**result)), settings);
                     const std::string error = std::isfinite(rms) ? "rms error " + millimetres(rms) : "";
                     log(LogLevel::done, "Simulated in " + value_label(seconds, 3) + " s" + (error.empty() ? "." : ", " + error + "."));
@@ -57,6 +53,7 @@ void Workbench::run() {
 
 void Workbench::search(const std::string& verb, Search find) {
     state_.search.reset();
+    state_.search_body = task_->on.body;
     live_search_ = std::make_shared<LiveValue<SearchView>>();
     const auto live = live_search_;
     start(
@@ -85,7 +82,7 @@ void Workbench::calibrate() {
     }
     request("Calibrate", [this] {
         with_body([this] {
-            search("Calibrated", [this, settings = task_->settings, scene = task_->scene, body = state_.body](const Progress& progress, const Backend::LiveSearch& live) {
+            search("Calibrated", [this, settings = task_->settings, scene = task_->scene, body = task_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
                 return backend_->calibrate(*scene, *body, settings, progress, live);
             });
         });
@@ -104,7 +101,7 @@ void Workbench::optimize() {
     request_of.trial = trial->name;
     request("Optimise", [this, request_of] {
         with_body([this, request_of] {
-            search("Optimised", [this, request_of, settings = task_->settings, scene = task_->scene, body = state_.body](const Progress& progress, const Backend::LiveSearch& live) {
+            search("Optimised", [this, request_of, settings = task_->settings, scene = task_->scene, body = task_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
                 return backend_->optimize(*scene, *body, settings, request_of, progress, live);
             });
         });
@@ -112,6 +109,7 @@ void Workbench::optimize() {
 }
 
 void Workbench::show_found(const std::string& verb, SearchResult result) {
+    show_body(task_->on);
     state_.found = std::make_shared<SearchResult>(std::move(result));
     const SearchResult& found = *state_.found;
     const bool untouched = state_.settings == task_->settings;

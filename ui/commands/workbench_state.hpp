@@ -15,7 +15,6 @@
 #include "commands/live_preview.hpp"
 #include "commands/preferences.hpp"
 #include "commands/settings.hpp"
-#include "commands/step_cost.hpp"
 
 namespace myo {
 
@@ -25,6 +24,8 @@ struct LogLine {
     LogLevel level = LogLevel::information;
     std::string text;
 };
+
+inline constexpr std::size_t most_log_lines = 2000;
 
 inline constexpr const char* diagnose_job = "Diagnose";
 
@@ -44,6 +45,7 @@ struct WorkbenchState {
     std::shared_ptr<const RunResult> run;
     std::shared_ptr<const SearchResult> found;              // by the last search, while its run is shown
     std::shared_ptr<const SearchView> search;               // the running search, or the last one
+    std::shared_ptr<const MeshedBody> search_body;          // that it works on
     std::shared_ptr<const DiagnosisView> diagnosis;         // the last one, or what is known of the running one
     std::string candidate;          // key of its chosen row; empty = that of the verdict
     std::shared_ptr<const RecordingImport> import;          // a recording that is being made a trial; null: none
@@ -55,7 +57,6 @@ struct WorkbenchState {
     Settings body_settings;         // with which `body` was meshed
     Settings run_settings;          // with which `run` was made
     MeshPrediction prediction;
-    std::vector<StepCost> step_costs;   // of this scene's runs, the newest last
     std::vector<Choice> materials;
     std::vector<Choice> integrators;
     std::vector<Example> examples;
@@ -75,12 +76,14 @@ struct WorkbenchState {
     ViewOptions view;
     Preferences preferences;
 
-    std::vector<LogLine> log;
+    std::vector<LogLine> log;       // the newest last; the oldest are given up beyond most_log_lines
+    std::size_t logged = 0;         // lines since the start
     std::optional<JobView> job;
     std::vector<QueuedJob> queue;                         // in the order in which they will run
     std::vector<JobRecord> history;                       // the newest last
     std::optional<std::filesystem::path> unit_question;   // a mesh file waits for its unit
     std::optional<PendingAction> pending;                 // waits for an answer about unsaved changes
+    bool asks_to_stop = false;                            // the window shall close, but a job runs
     bool asks_where_to_save = false;
     std::vector<std::filesystem::path> recovered;         // projects of a session that did not end well, to be taken up or thrown away
     bool quit = false;                                    // the window shall close
@@ -88,6 +91,8 @@ struct WorkbenchState {
     bool can_redo = false;
 
     bool busy() const { return job.has_value(); }
+    /// Something goes on in the background whose result will be seen.
+    bool works() const { return busy() || preview.working; }
     bool unsaved() const { return scene && !(settings == saved_settings); }
     float scale() const { return preferences.scale > 0.0f ? preferences.scale : 1.0f; }
     bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
@@ -113,8 +118,8 @@ struct WorkbenchState {
     const CellPaint* chosen_paint() const {
         return chosen_muscle() && static_cast<std::size_t>(muscle) < paint.size() ? paint[static_cast<std::size_t>(muscle)].get() : nullptr;
     }
-    /// What is shown of the body's motion: the best iterate of a running search, else the live preview, else the last run; null without any.
-    std::shared_ptr<const RunResult> shown_run() const { return searching() && search && search->best ? search->best : preview.run ? preview.run : run; }
+    /// What is shown of the body's motion: the best iterate of a running search on it, else the live preview, else the last run; null without any.
+    std::shared_ptr<const RunResult> shown_run() const { return searching() && search && search->best && search_body == body ? search->best : preview.run ? preview.run : run; }
     bool previewing() const { return preview.run && shown_run() == preview.run; }
     bool searching() const { return job && job->searches; }
     const SimulatedTrial* simulated_trial() const { return trial_of(shown_run().get()); }

@@ -60,9 +60,28 @@ void ask_unsaved(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+constexpr const char* stop_title = "A job is still running";
+
+void ask_to_stop(PanelContext& context) {
+    if (!begin_dialog(context.theme, stop_title, 440.0f)) return;
+    const std::string name = context.state.job ? context.state.job->name : "A job";
+    wrapped_text(name + " has not ended" + (context.state.queue.empty() ? "." : ", and others wait.") + " What it has found so far is lost when the window closes.");
+    ImGui::Spacing();
+    std::optional<bool> stops;
+    ButtonRow row(context, 2);
+    if (row.add("Stop it and quit", "stop/quit")) stops = true;
+    if (row.add("Keep running", "stop/keep", true)) stops = false;
+    if (stops) context.emit(command::AnswerStop{*stops});
+    // It may have ended meanwhile.
+    if (stops || !context.state.asks_to_stop) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 void ask_recovery(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved work was found", 480.0f)) return;
-    wrapped_text("Myoloop did not end well the last time. Work that was not saved can be taken up again.");
+    const std::size_t count = context.state.recovered.size();
+    wrapped_text("Myoloop did not end well the last time. Work that was not saved can be taken up again." +
+                 (count > 1 ? " There are " + std::to_string(count) + " pieces of it; this is the newest. What is not thrown away is offered at the next start again." : ""));
     ImGui::Spacing();
     bool decided = false;
     ButtonRow row(context, 2);
@@ -82,9 +101,10 @@ void ask_recovery(PanelContext& context) {
 
 void draw_questions(PanelContext& context) {
     const WorkbenchState& state = context.state;
-    if (state.unit_question) ask_unit(context);
+    if (!state.recovered.empty()) ask_recovery(context);
+    else if (state.unit_question) ask_unit(context);
     else if (state.pending && !state.asks_where_to_save) ask_unsaved(context);
-    else if (!state.recovered.empty() && !state.scene && !state.busy()) ask_recovery(context);
+    else if (state.asks_to_stop || ImGui::IsPopupOpen(stop_title)) ask_to_stop(context);
 }
 
 }  // namespace myo
