@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 
+#include "commands/settings_difference.hpp"
+#include "panels/job_words.hpp"
 #include "ui/driver.hpp"
 
 namespace myo {
@@ -129,6 +132,175 @@ TEST(Jobs, ComparedOnesHaveRingsInTheView) {
     driver.workbench->execute(command::CompareRecord{driver.state().history[0].id, false});
     driver.settle();
     EXPECT_FALSE(ring_drawn());
+}
+
+/// The beam with a run in its history, and a finer mesh asked for.
+void run_and_refine(Driver& driver) {
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    Settings settings = driver.state().settings;
+    settings.resolution_m *= 0.5;
+    driver.workbench->execute(command::ChangeSettings{settings, "resolution", false});
+    driver.workbench->execute(command::BuildMesh{});
+    ASSERT_TRUE(driver.wait_for_job());
+}
+
+TEST(Jobs, WhatARunBringsIsShownOnItsOwnBody) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_and_refine(driver));
+    const auto fine = driver.state().body;
+    driver.backend->step_delay_s = 0.002;
+    driver.workbench->execute(command::Run{});
+    driver.frame();
+    driver.workbench->execute(command::RestoreRecord{driver.state().history[0].id});
+    ASSERT_NE(driver.state().body, fine);
+    driver.settle();
+    EXPECT_TRUE(driver.state().run_is_current());
+    ASSERT_TRUE(driver.wait_for_job());
+    driver.workbench->execute(command::SetTime{0.3});
+    driver.settle();
+    EXPECT_EQ(driver.state().body, fine);
+    ASSERT_TRUE(driver.state().simulated_trial());
+    EXPECT_EQ(driver.state().simulated_trial()->frames.front().cols(), fine->mesh.node_count());
+    EXPECT_EQ(driver.window->scene().positions.cols(), fine->mesh.node_count());
+    EXPECT_EQ(driver.state().history.back().on.body, fine);
+    EXPECT_TRUE(driver.state().history.back().run);
+}
+
+TEST(Jobs, ASearchOnAnotherBodyIsNotShownOnTheRestoredOne) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_and_refine(driver));
+    driver.backend->hold_search = true;
+    driver.click("run/calibrate");
+    ASSERT_NO_FATAL_FAILURE(wait_for_evaluation(driver));
+    EXPECT_EQ(driver.state().shown_run(), driver.state().search->best);
+    driver.workbench->execute(command::RestoreRecord{driver.state().history[0].id});
+    driver.settle();
+    EXPECT_EQ(driver.state().shown_run(), driver.state().history[0].run);
+    EXPECT_EQ(driver.window->scene().positions.cols(), driver.state().body->mesh.node_count());
+    driver.backend->hold_search = false;
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(driver.window->scene().positions.cols(), driver.state().body->mesh.node_count());
+    EXPECT_EQ(driver.state().run->trials.front().frames.front().cols(), driver.state().body->mesh.node_count());
+}
+
+TEST(Jobs, ComparedOnesTellTheSettingsInWhichTheyDiffer) {
+    Driver driver(1600, 900);
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    set_modulus(driver, 5.0e5);
+    const Settings soft = driver.state().history[0].settings, stiff = driver.state().settings;
+    const std::vector<SettingDifference> rows = settings_differences({&soft, &stiff}, driver.state().materials, driver.state().integrators);
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].name, "Young's modulus E");
+    EXPECT_EQ(rows[0].values, (std::vector<std::string>{"260 kPa", "500 kPa"}));
+    driver.click("panel/jobs");
+    EXPECT_FALSE(driver.has("jobs/differences"));
+    driver.click("jobs/compare/" + std::to_string(driver.state().history[0].id));
+    EXPECT_TRUE(driver.has("jobs/differences"));
+    EXPECT_TRUE(driver.has("jobs/differs/Young's modulus E"));
+}
+
+TEST(Jobs, SignalsThatDifferDoNotReadAlike) {
+    Settings a, b;
+    Muscle muscle;
+    muscle.name = "upper";
+    muscle.signal = Signal{{0.0, 1.0}, {1.0, 0.8}};
+    a.muscles = {muscle};
+    muscle.signal = Signal{{0.0, 0.5}, {1.0, 0.8}};
+    b.muscles = {muscle};
+    b.effects = {{"quadratic_drag", {}, "Quadratic drag", "coefficient 903 kg/m\xc2\xb3"}};
+    const std::vector<SettingDifference> rows = settings_differences({&a, &b}, {}, {});
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].name, "Quadratic drag");
+    EXPECT_EQ(rows[1].name, "upper, signal");
+    EXPECT_NE(rows[1].values[0], rows[1].values[1]);
+    EXPECT_TRUE(settings_differences({&a, &a}, {}, {}).empty());
+}
+
+TEST(Jobs, AreAskedForBeforeTheWindowCloses) {
+    Driver driver;
+    driver.open_beam();
+    driver.backend->step_delay_s = 0.002;
+    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(command::Quit{});
+    driver.settle();
+    EXPECT_FALSE(driver.state().quit);
+    driver.click("stop/keep");
+    EXPECT_FALSE(driver.state().quit);
+    EXPECT_FALSE(driver.has("stop/keep"));
+    EXPECT_TRUE(driver.state().busy());
+    // One that ends by itself takes the question with it.
+    driver.workbench->execute(command::Quit{});
+    driver.settle();
+    ASSERT_TRUE(driver.has("stop/quit"));
+    ASSERT_TRUE(driver.wait_for_job());
+    driver.settle();
+    EXPECT_FALSE(driver.has("stop/quit"));
+    EXPECT_FALSE(driver.state().quit);
+    driver.click("run/run");
+    ASSERT_TRUE(driver.state().busy()) << "nothing is left that takes the clicks";
+    driver.workbench->execute(command::Quit{});
+    driver.settle();
+    driver.click("stop/quit");
+    EXPECT_TRUE(driver.state().quit);
+}
+
+TEST(Jobs, TellWhatTheyCountAndTheTimeLeft) {
+    JobView job;
+    job.progress = {"fit", 12.0, 40.0, "evaluations", ""};
+    job.elapsed_s = 30.0;
+    job.remaining_s = 70.0;
+    job.remaining_of = TimeLeft::at_most;
+    EXPECT_EQ(counted_words(job), "12 of 40 evaluations");
+    EXPECT_EQ(time_words(job), "at most 1 min 10 s left");
+    EXPECT_EQ(bar_words(job), "30 %");
+    job.remaining_of = TimeLeft::of_stage;
+    EXPECT_EQ(time_words(job), "1 min 10 s left of this stage");
+    // TetGen does not say how far it is, nor does a stage that is only named.
+    job.remaining_s.reset();
+    for (const ProgressEvent& event : {ProgressEvent{"tetrahedral mesh", 6.0, 0.0, "s", ""}, {"significance", 1.0, 1.0, "stage", ""}}) {
+        job.progress = event;
+        EXPECT_EQ(counted_words(job), "");
+        EXPECT_EQ(bar_words(job), "working");
+        EXPECT_EQ(job.fraction(), 0.0);
+        EXPECT_EQ(time_words(job), "30 s so far");
+    }
+}
+
+TEST(Jobs, ASearchTellsTheMostTimeThatIsLeft) {
+    Driver driver;
+    driver.open_beam();
+    driver.backend->hold_search = true;
+    driver.click("run/calibrate");
+    ASSERT_NO_FATAL_FAILURE(wait_for_evaluation(driver));
+    EXPECT_EQ(driver.state().job->remaining_of, TimeLeft::at_most);
+    driver.click("panel/jobs");
+    EXPECT_TRUE(driver.has("jobs/progress"));
+    driver.backend->hold_search = false;
+    ASSERT_TRUE(driver.wait_for_job());
+}
+
+TEST(Jobs, TimeLeftIsOfThePresentCount) {
+    std::atomic<bool> goes_on = false;
+    const auto work = [&](const Progress& progress) -> Job::Completion {
+        progress.report({"mesh", 90.0, 100.0, "rows", {}});
+        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        progress.report({"simulate", 0.0, 2.0, "s", {}});
+        std::this_thread::sleep_for(std::chrono::milliseconds(600));
+        progress.report({"simulate", 1.0, 2.0, "s", {}});
+        while (!goes_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return [] {};
+    };
+    Job job("job", work, [](const std::string&) { return [] {}; }, {});
+    while (job.view().progress.done != 1.0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const JobView view = job.view();
+    ASSERT_TRUE(view.remaining_s);
+    EXPECT_GT(view.elapsed_s, 1.25);
+    EXPECT_LT(*view.remaining_s, view.elapsed_s - 0.5) << "the time of the mesh does not count";
+    goes_on = true;
 }
 
 TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "panels/job_comparison.hpp"
+#include "panels/job_words.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
@@ -11,7 +13,6 @@
 
 namespace myo {
 namespace {
-
 
 const char* outcome_icon(JobOutcome outcome) {
     return outcome == JobOutcome::done ? icon::done : outcome == JobOutcome::stopped ? icon::stop : icon::failure;
@@ -31,8 +32,14 @@ void running_row(PanelContext& context, const JobView& job, bool wide) {
     text_cell(theme, job.name, theme.text);
     if (wide) text_cell(theme, "", theme.muted), number_cell(theme, duration_label(job.elapsed_s));
     ImGui::TableNextColumn();
-    const std::string inside = job.progress.total > 0.0 ? value_label(100.0 * job.fraction(), 2) + " %" : "working";
+    const std::string counted = counted_words(job), told = (counted.empty() ? "" : counted + " \xc2\xb7 ") + time_words(job);
+    const float room = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
+    const std::string inside = ImGui::CalcTextSize(told.c_str()).x <= room ? told : elided(time_words(job), room);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));   // on the line of the other cells
     ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, ImGui::GetTextLineHeight()}, inside.c_str());
+    ImGui::PopStyleVar();
+    context.items.mark("jobs/progress");
+    tooltip(theme, told);
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(job.cancelling);
@@ -73,7 +80,7 @@ void record_row(PanelContext& context, const JobRecord& record, bool wide) {
         if (ImGui::Checkbox("##compare", &compared)) context.emit(command::CompareRecord{record.id, compared});
         ImGui::PopStyleVar();
         context.items.mark("jobs/compare/" + id);
-        tooltip(theme, "Draw its markers beside those of the shown run: as curves in the plots, as rings of the same colour in the view");
+        tooltip(theme, "Draw its markers beside those of the shown run: as curves in the plots, as rings of the same colour in the view. The settings in which it differs are listed, too.");
     }
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(!record.can_be_restored());
@@ -95,11 +102,26 @@ void JobsPanel::draw(PanelContext& context) {
                           "others can be asked for: they wait their turn.");
         return;
     }
-    const bool wide = ImGui::GetContentRegionAvail().x > 620.0f * theme.scale;   // else the times stand in tooltips and the buttons are signs
+    // Beside the list where there is room, else below it.
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool compares = compares_jobs(state), beside = room.x > 900.0f * theme.scale;
+    ImVec2 size{0.0f, 0.0f};
+    if (compares && beside) size.x = room.x - 380.0f * theme.scale;
+    else if (compares) size.y = 0.5f * room.y;
+    draw_list(context, size);
+    if (!compares) return;
+    if (beside) ImGui::SameLine();
+    draw_job_comparison(context);
+}
+
+void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const bool wide = (size.x > 0.0f ? size.x : ImGui::GetContentRegionAvail().x) > 620.0f * theme.scale;   // else the times stand in tooltips and the buttons are signs
     struct Column { Heading heading; float width; };   // width 0: the rest
-    std::vector<Column> columns{{{"", ""}, 20.0f}, {{"Job", ""}, 110.0f}, {{"Result", ""}, 0.0f}, {{wide ? "Compare" : "", "Its markers in the plots"}, wide ? 60.0f : 22.0f}, {{"", ""}, wide ? 132.0f : 64.0f}};
+    std::vector<Column> columns{{{"", ""}, 20.0f}, {{"Job", ""}, 110.0f}, {{"Result", ""}, 0.0f}, {{wide ? "Compare" : "", "Its markers in the plots, and the settings in which it differs"}, wide ? 60.0f : 22.0f}, {{"", ""}, wide ? 132.0f : 64.0f}};
     if (wide) columns.insert(columns.begin() + 2, {{{"Begun", ""}, 64.0f}, {{"Time", "Spent on it", true}, 80.0f}});
-    if (!ImGui::BeginTable("jobs", static_cast<int>(columns.size()), ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
+    if (!ImGui::BeginTable("jobs", static_cast<int>(columns.size()), ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH, size)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     std::vector<Heading> headings;
     for (std::size_t k = 0; k < columns.size(); ++k) {

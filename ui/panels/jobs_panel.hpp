@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include "panels/panel.hpp"
 
 namespace myo {
@@ -11,6 +13,10 @@ public:
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
     void draw(PanelContext& context) override;
+
+private:
+    /// @param size  0: as much as there is
+    void draw_list(PanelContext& context, const ImVec2& size);
 };
 
 }  // namespace myo

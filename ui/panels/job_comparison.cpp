@@ -1,0 +1,78 @@
+#include "panels/job_comparison.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+#include "commands/settings_difference.hpp"
+#include "panels/tables.hpp"
+#include "panels/widgets.hpp"
+#include "plot/ticks.hpp"
+
+namespace myo {
+namespace {
+
+/// A column: an ended job, or the present.
+struct Compared {
+    std::string title, tip;
+    const Settings* settings = nullptr;
+    const RunResult* run = nullptr;
+};
+
+std::vector<Compared> columns_of(const WorkbenchState& state) {
+    std::vector<Compared> columns;
+    for (const JobRecord& record : state.history)
+        if (record.compared) columns.push_back({record.clock, record.name + ", begun " + record.clock, &record.settings, record.run.get()});
+    columns.push_back({"Now", "The present settings, and the error of the run with them", &state.settings, state.run_is_current() ? state.run.get() : nullptr});
+    return columns;
+}
+
+std::string error_of(const RunResult* run) { return run && std::isfinite(run->rms_m) ? millimetres(run->rms_m) : "\xe2\x80\x93"; }
+
+}  // namespace
+
+bool compares_jobs(const WorkbenchState& state) {
+    for (const JobRecord& record : state.history)
+        if (record.compared) return true;
+    return false;
+}
+
+void draw_job_comparison(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const std::vector<Compared> columns = columns_of(state);
+    std::vector<const Settings*> settings;
+    for (const Compared& column : columns) settings.push_back(column.settings);
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX | ImGuiTableFlags_BordersOuterH;
+    if (!ImGui::BeginTable("differences", 1 + static_cast<int>(columns.size()), flags)) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    std::vector<Heading> headings{{"Differs in", ""}};
+    ImGui::TableSetupColumn("setting", ImGuiTableColumnFlags_WidthFixed, 128.0f * theme.scale);
+    for (const Compared& column : columns) {
+        headings.push_back({column.title, column.tip, true});
+        ImGui::TableSetupColumn(column.title.c_str(), ImGuiTableColumnFlags_WidthFixed, 92.0f * theme.scale);
+    }
+    heading_row(theme, headings);
+    ImGui::TableNextRow();
+    text_cell(theme, "rms error", theme.muted);
+    for (const Compared& column : columns) number_cell(theme, error_of(column.run));
+    const std::vector<SettingDifference> differences = settings_differences(settings, state.materials, state.integrators);
+    for (const SettingDifference& row : differences) {
+        ImGui::TableNextRow();
+        text_cell(theme, row.name, theme.muted);
+        context.items.mark("jobs/differs/" + row.name);
+        for (const std::string& value : row.values) {
+            const std::string shown = elided(value, 92.0f * theme.scale);
+            number_cell(theme, shown);
+            if (shown != value) tooltip(theme, value);
+        }
+    }
+    if (differences.empty()) {
+        ImGui::TableNextRow();
+        text_cell(theme, "no setting", theme.muted);
+    }
+    ImGui::EndTable();
+    context.items.mark("jobs/differences");
+}
+
+}  // namespace myo

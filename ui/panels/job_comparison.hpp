@@ -1,0 +1,13 @@
+#pragma once
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+/// Whether an ended job is compared.
+bool compares_jobs(const WorkbenchState& state);
+
+/// Errors of the compared jobs and of the present settings side by side, and the settings in which they differ.
+void draw_job_comparison(PanelContext& context);
+
+}  // namespace myo
