@@ -149,7 +149,7 @@ public:
                        {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1,
                         "Shape of the worst element, " + shape + ": 1 is perfect, 0 flat, less turned inside out; orange below 0.1."},
                        {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge), false, "Mean length of the edges between corners, each once."}};
-        if (is_volume_file(scene.path)) body.report.insert(body.report.begin(), {"Elements", made == source.mesh ? "those of the file" : "made anew from its surface", false,
+        if (is_volume_file(scene.path)) body.report.insert(body.report.begin(), {"Made from", made == source.mesh ? "the file's own elements" : "the file's surface", false,
                                                                                  "A volume mesh keeps its own elements as long as their type and edge length are left as they were opened."});
         const Result<std::vector<FibreGroup>> groups = muscle_groups(source.experiment, *made);
         if (!groups) return groups.error();

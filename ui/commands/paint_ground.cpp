@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <functional>
 #include <vector>
 
 #include "fibre/direction_field.hpp"
@@ -20,15 +21,22 @@ std::vector<Box> boxes_of(const SurfaceMesh& surface) {
 
 }  // namespace
 
-PaintGround::PaintGround(const SurfaceMesh& body_surface, const VolumeMesh& mesh)
-    : neighbours(neighbouring_cells(mesh)),
-      places(cell_places(mesh, neighbours)),
-      volumes_m3(cell_volumes(mesh)),
-      longest_axis(directions_along_longest_axis(mesh).col(0)),
-      surface(body_surface),
-      triangles(boxes_of(body_surface)) {
+std::shared_ptr<const PaintGround> paint_ground(const SurfaceMesh& body_surface, const VolumeMesh& mesh, const Progress& progress) {
+    auto ground = std::make_shared<PaintGround>();
+    // Each part takes a good part of a second on a million cells.
+    const std::function<void()> parts[] = {[&] { ground->neighbours = neighbouring_cells(mesh); },
+                                           [&] { ground->places = cell_places(mesh, ground->neighbours); },
+                                           [&] { ground->volumes_m3 = cell_volumes(mesh); },
+                                           [&] { ground->longest_axis = directions_along_longest_axis(mesh).col(0); },
+                                           [&] { ground->surface = body_surface; },
+                                           [&] { ground->triangles = BoxTree(boxes_of(body_surface)); }};
+    for (const std::function<void()>& part : parts) {
+        if (progress.cancelled()) return nullptr;
+        part();
+    }
     const Box bounds = bounding_box(mesh.nodes);
-    middle_m = 0.5 * (bounds.lowest + bounds.highest);
+    ground->middle_m = 0.5 * (bounds.lowest + bounds.highest);
+    return ground;
 }
 
 Eigen::Vector3d outward_at(const PaintGround& ground, const Eigen::Vector3d& position_m) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+
+#include "base/progress.hpp"
 #include "fibre/brush.hpp"
 #include "mesh/box_tree.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -9,16 +12,17 @@ namespace myo {
 
 /// What painting needs to know of a meshed body, in its rest frame: made once for each mesh, which takes some frames' time.
 struct PaintGround {
-    PaintGround(const SurfaceMesh& body_surface, const VolumeMesh& mesh);
-
     Eigen::Matrix2Xi neighbours;        // of cells, 2 x k
     CellPlaces places;
     Eigen::VectorXd volumes_m3;         // of cells
     Eigen::Vector3d longest_axis;       // of the body, unit
     Eigen::Vector3d middle_m;           // of its bounding box
     SurfaceMesh surface;                // the body's own: smooth where voxels have steps
-    BoxTree triangles;                  // of it
+    BoxTree triangles{std::vector<Box>{}};   // of it
 };
+
+/// Null when cancelled.
+std::shared_ptr<const PaintGround> paint_ground(const SurfaceMesh& body_surface, const VolumeMesh& mesh, const Progress& progress = {});
 
 /// Outward normal, unit, of the body's own surface where that is nearest to a point.
 Eigen::Vector3d outward_at(const PaintGround& ground, const Eigen::Vector3d& position_m);
