@@ -124,7 +124,7 @@ void set_callbacks(GLFWwindow* window) {
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { push(w, TextTyped{character}); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        if (count > 0) workbench_of(w).open(paths[0]);
+        workbench_of(w).drop({paths, paths + count});
         workbench_of(w).wake();
     });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { workbench_of(w).wake(); });
@@ -174,8 +174,17 @@ public:
         keep_preferences();
     }
 
+    /// Before an end that nobody asked for.
+    void rescue() {
+        keep_preferences();
+        workbench_.finish_autosave();   // of what was a minute ago
+        if (const auto file = recovery_file(); !file.empty()) workbench_.autosave(file);
+        workbench_.finish_autosave();
+    }
+
     void end() {
         keep_preferences();
+        workbench_.finish_autosave();
         std::error_code ignored;
         if (const auto file = recovery_file(); !file.empty()) {
             std::filesystem::remove(file, ignored);
@@ -206,9 +215,9 @@ void take_up(Workbench& workbench) {
     if (const auto file = recovery_file(); !file.empty()) workbench.execute(command::OfferRecovery{found_recoveries(file.parent_path())});
 }
 
-Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindow& view) {
+/// Frames until the person quits, or until none can be drawn.
+Result<void> draw_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindow& view, Keeper& keeper) {
     Pointers pointers;
-    Keeper keeper(workbench);
     auto last = Clock::now();
     while (!workbench.state().quit) {
         keeper.tick(Clock::now());
@@ -219,13 +228,13 @@ Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindo
             view.wake();
             continue;
         }
-        const bool busy = workbench.state().busy();
+        const bool works = workbench.state().works();
         if (view.must_draw()) {
             glfwPollEvents();
         } else {
             // A running job's clock ticks even when it reports nothing.
-            glfwWaitEventsTimeout(busy ? 0.2 : 1.0);
-            if (busy) view.wake();
+            glfwWaitEventsTimeout(works ? 0.2 : 1.0);
+            if (works) view.wake();
             if (!view.must_draw()) continue;
         }
         int width = 0;
@@ -238,12 +247,24 @@ Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindo
         const auto now = Clock::now();
         if (const auto drawn = view.draw_frame(width, height, std::chrono::duration<double>(now - last).count()); !drawn) return drawn;
         last = now;
-        if (busy && !workbench.state().busy()) view.wake();   // what a job brought settles over several frames
+        if (works && !workbench.state().works()) view.wake();   // what a job brought settles over several frames
         pointers.apply(window);
         glfwSwapBuffers(window);
     }
-    keeper.end();
     return {};
+}
+
+Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindow& view) {
+    Keeper keeper(workbench);
+    try {
+        const Result<void> drawn = draw_frames(window, workbench, view, keeper);
+        if (drawn) keeper.end();
+        else keeper.rescue();
+        return drawn;
+    } catch (...) {
+        keeper.rescue();   // out of memory, above all
+        throw;
+    }
 }
 
 }  // namespace

@@ -132,6 +132,16 @@ TEST_F(Preview, WaitsForJobsAndGoesWithTheTrial) {
     EXPECT_LT(height_off(3.0e5), 1e-6);
 }
 
+/// The window goes on drawing as long as something works, so that what it brings is seen without any input.
+TEST_F(Preview, CountsAsWorkUntilItIsShown) {
+    EXPECT_FALSE(state().works());
+    driver.backend->step_delay_s = 0.001;
+    driver.workbench->execute(command::ChangePreview{true, 0.5});
+    EXPECT_TRUE(state().works());
+    while (state().works()) driver.frame();
+    EXPECT_TRUE(state().previewing());
+}
+
 TEST_F(Preview, PlaysAgainAndAgainAsFarAsItGoes) {
     driver.workbench->execute(command::ChangePreview{true, 0.4});
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
