@@ -5,7 +5,8 @@ in float level;
 flat in vec4 face_tint;
 uniform vec3 base_color;
 uniform vec4 edge_color;
-uniform float edge_width;                // pixels; 0 = none
+uniform float edge_width;                // pixels at a scale of 1; 0 = none
+uniform float scale;                     // pixels of the picture in one of those
 uniform float opacity;
 uniform int use_field;
 uniform sampler2D color_map;             // one map in each row
@@ -25,10 +26,10 @@ void main() {
     vec3 lit = base * (0.30 + 0.48 * diffuse + 0.16 * fill + 0.12 * facing);
 
     if (edge_width > 0.0) {
-        vec3 step_size = fwidth(corner);
+        vec3 step_size = fwidth(corner) * scale;
         vec3 distance_px = corner / max(step_size, vec3(1e-6));
         float nearest = min(distance_px.x, min(distance_px.y, distance_px.z));
-        float line = 1.0 - smoothstep(edge_width - 0.5, edge_width + 0.5, nearest);
+        float line = 1.0 - smoothstep(edge_width - 0.5 / scale, edge_width + 0.5 / scale, nearest);
         // Elements of few pixels would turn into a dark blot: their edges fade.
         float crowding = max(step_size.x, max(step_size.y, step_size.z));
         line *= 1.0 - smoothstep(0.12, 0.45, crowding);

@@ -114,14 +114,14 @@ TEST(ColorMap, LightnessRises) {
 
 TEST(ScaleBar, IsANiceLengthThatFits) {
     for (double scale = 1e-6; scale < 1e-2; scale *= 1.37) {
-        const ScaleBar bar = make_scale_bar(scale, 120.0);
+        const ScaleBar bar = make_scale_bar(scale, 120.0, "m");
         EXPECT_LE(bar.pixels, 120.0 * (1.0 + 1e-9));
         EXPECT_GT(bar.pixels, 40.0);
-        EXPECT_NEAR(bar.length_m, bar.pixels * scale, 1e-12);
+        EXPECT_NEAR(bar.length, bar.pixels * scale, 1e-12);
     }
-    EXPECT_EQ(make_scale_bar(0.2e-3, 120.0).label, "20 mm");
-    EXPECT_EQ(make_scale_bar(0.01e-3, 120.0).label, "1 mm");
-    EXPECT_EQ(make_scale_bar(0.001e-3, 120.0).label, "100 \xc2\xb5m");
+    EXPECT_EQ(make_scale_bar(0.2e-3, 120.0, "m").label, "20 mm");
+    EXPECT_EQ(make_scale_bar(0.01e-3, 120.0, "m").label, "1 mm");
+    EXPECT_EQ(make_scale_bar(0.001e-3, 120.0, "m").label, "100 \xc2\xb5m");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(DiagnosePanel, RanksWhileItRunsAndStaysLive) {
     ASSERT_TRUE(driver.state().diagnosing()) << "the ranking must show before the end";
     ASSERT_TRUE(driver.has("diagnose/row/quadratic_drag"));
     EXPECT_FALSE(driver.state().diagnosis->complete);
-    EXPECT_FALSE(driver.state().job->remaining_s) << "every stage counts anew";
+    EXPECT_EQ(driver.state().job->remaining_of, TimeLeft::of_stage) << "every stage counts anew";
     // Choosing, scrubbing and plotting go on meanwhile.
     driver.click("diagnose/row/added_mass");
     EXPECT_EQ(driver.state().candidate, "added_mass");
@@ -73,6 +73,13 @@ TEST(DiagnosePanel, CancelledItKeepsWhatItKnew) {
     EXPECT_FALSE(driver.state().diagnosis->complete);
     EXPECT_EQ(driver.state().diagnosis->rows.size(), 3u);
     EXPECT_TRUE(driver.has("diagnose/diagnose"));
+}
+
+TEST(DiagnosePanel, AFittedValueIsWrittenOut) {
+    Driver driver(1600, 900);
+    diagnose(driver);
+    driver.settle();
+    EXPECT_NEAR(driver.item("diagnose/value/linear_drag").width(), ImGui::CalcTextSize("41 \xc2\xb1 2 Pa s/m").x, 1.0f) << "without the name of its only parameter, and not cut";
 }
 
 TEST(DiagnosePanel, ShowsTheVerdictsRowAndAnyOther) {
@@ -244,10 +251,10 @@ TEST(DiagnosePanel, NothingIsCutOffAtUsualSizes) {
 }
 
 TEST(ForceBar, HasNiceNumbersAndUnits) {
-    EXPECT_EQ(make_force_bar(1e-5, 120.0).label, "1 mN");
-    EXPECT_EQ(make_force_bar(1e-8, 120.0).label, "1 \xc2\xb5N");
-    EXPECT_EQ(make_force_bar(0.2, 120.0).label, "20 N");
-    EXPECT_NEAR(make_force_bar(1e-5, 120.0).pixels, 100.0, 1e-6);
+    EXPECT_EQ(make_scale_bar(1e-5, 120.0, "N").label, "1 mN");
+    EXPECT_EQ(make_scale_bar(1e-8, 120.0, "N").label, "1 \xc2\xb5N");
+    EXPECT_EQ(make_scale_bar(0.2, 120.0, "N").label, "20 N");
+    EXPECT_NEAR(make_scale_bar(1e-5, 120.0, "N").pixels, 100.0, 1e-6);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "mesh/box_mesh.hpp"
 #include "mesh/face_table.hpp"
 #include "ui/driver.hpp"
+#include "viewport/scene_renderer.hpp"
 
 // Looking into the body: the plane that cuts it, what a click tells, and distances.
 
@@ -184,6 +185,38 @@ TEST(Distance, TwoClicksMeasureAndFollowTheMotion) {
     driver.key(ImGuiKey_Escape);
     EXPECT_FALSE(driver.window->viewport().measuring);
     EXPECT_EQ(driver.window->distance_tool().distances().size(), 1u) << "it stays until it is cleared";
+}
+
+TEST(Translucent, WhatIsInsideTheBodyIsSeenAsFarAsTheBodyLetsThrough) {
+    Driver driver;
+    driver.open_beam();
+    auto renderer = SceneRenderer::make();
+    ASSERT_TRUE(renderer);
+    DrawnScene scene = driver.window->scene();
+    scene.grid = scene.edges = false;
+    scene.markers.clear();
+    DrawnLine arrow;
+    arrow.points.resize(3, 2);
+    arrow.points << 0.02, 0.08, 0.015, 0.015, 0.015, 0.015;   // along the beam's axis
+    arrow.color = Color(1.0f, 0.0f, 0.0f, 1.0f);
+    arrow.width = 6.0;
+    const ViewSize size{400, 300};
+    const Camera camera = fit(Camera{}, size, scene.extent);
+    const auto place = project(camera, size, {0.05, 0.015, 0.015});
+    ASSERT_TRUE(place);
+    std::uint64_t revision = 0;
+    const auto color = [&](double opacity, bool with) {
+        scene.body_opacity = opacity;
+        scene.lines.clear();
+        if (with) scene.lines.push_back(arrow);
+        EXPECT_TRUE(renderer->update(scene, ++revision, view_colors(make_theme(ThemeName::dark, 1.0f)), camera, size, 4, 1.0));
+        const auto c = renderer->read().color(static_cast<int>(place->x()), static_cast<int>(place->y()));
+        return c[0] - c[1];
+    };
+    const int through_opaque = color(1.0, true) - color(1.0, false), through_glass = color(0.4, true) - color(0.4, false);
+    EXPECT_GT(through_opaque, 20) << "faintly";
+    EXPECT_GT(through_glass, 2 * through_opaque);
+    EXPECT_GT(through_glass, 110) << "of 255: the arrows of forces stand out";
 }
 
 }  // namespace

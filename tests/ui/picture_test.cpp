@@ -83,6 +83,153 @@ TEST(Picture, IsDrawnAnewInTheSizeThatIsAskedFor) {
     EXPECT_GT(colours.size(), 30u);
 }
 
+/// A picture of the view in twice its size.
+Image picture_of(Driver& driver, const fs::path& path, bool overlay = true) {
+    const ViewSize view = driver.window->viewport().size();
+    PictureRequest request{path, 2 * view.width, 2 * view.height};
+    request.overlay = overlay;
+    driver.window->draw_into(request);
+    for (int i = 0; i < 100 && !fs::exists(path); ++i) driver.frame();
+    return read_png(path);
+}
+
+TEST(Picture, HasWhatLiesOverTheViewInItsOwnSize) {
+    const Folder folder("overlay");
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ViewOptions options = driver.state().view;
+    options.field = "height";
+    driver.workbench->execute(command::ChangeView{options});
+    driver.workbench->execute(command::SetTime{0.3});
+    driver.key(key_d);
+    driver.click_at(test::pixel_of(driver, {0.031, 0.0, 0.012}));
+    driver.click_at(test::pixel_of(driver, {0.071, 0.0, 0.012}));
+    driver.key(ImGuiKey_Escape);
+    driver.click_at({driver.item("view").lowest.x + 4.0f, driver.item("view").highest.y - 4.0f});
+    ASSERT_EQ(driver.window->distance_tool().distances().size(), 1u);
+    while (driver.window->waits_for_field()) driver.frame();
+    driver.settle();
+    const Image window = driver.picture(), with = picture_of(driver, folder.path() / "with.png"), without = picture_of(driver, folder.path() / "without.png", false);
+    const Rectangle view = driver.window->viewport().pixels;
+    const auto as_in_window = [&](const Rectangle& part) {
+        double alike = 0.0, all = 0.0;
+        for (float y = part.lowest.y; y < part.highest.y; y += 1.0f)
+            for (float x = part.lowest.x; x < part.highest.x; x += 1.0f) {
+                const auto a = window.color(static_cast<int>(view.lowest.x + x), static_cast<int>(view.lowest.y + y));
+                const auto b = with.color(static_cast<int>(2.0f * x), static_cast<int>(2.0f * y));
+                alike += std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) < 60 ? 1.0 : 0.0;
+                all += 1.0;
+            }
+        return alike / all;
+    };
+    const auto drawn = [&](const Rectangle& part) {
+        return test::differing_share(with, without, {{2.0f * part.lowest.x, 2.0f * part.lowest.y}, {2.0f * part.highest.x, 2.0f * part.highest.y}});
+    };
+    const float w = view.width(), h = view.height();
+    const ImVec2 from = test::pixel_of(driver, {0.031, 0.0, 0.012});
+    const ImVec2 start{from.x - view.lowest.x, from.y - view.lowest.y};
+    struct Part { const char* name; Rectangle place; };
+    for (const auto& [name, place] : {Part{"legend", {{w - 60.0f, 20.0f}, {w - 8.0f, 190.0f}}}, Part{"scale bar", {{w - 150.0f, h - 45.0f}, {w, h}}},
+                                      Part{"axes", {{8.0f, h - 90.0f}, {88.0f, h}}}, Part{"distance", {{start.x - 5.0f, start.y - 5.0f}, {start.x + 25.0f, start.y + 5.0f}}}}) {
+        EXPECT_GT(drawn(place), 0.01) << name;
+        EXPECT_GT(as_in_window(place), 0.75) << name;
+    }
+    EXPECT_GT(drawn({{10.0f, 10.0f}, {80.0f, 30.0f}}), 0.02) << "the time";
+}
+
+TEST(Picture, LinesAndMarkersKeepTheirShareOfALargerOne) {
+    auto context = OffscreenContext::make(16, 16);
+    ASSERT_TRUE(context);
+    auto renderer = SceneRenderer::make();
+    ASSERT_TRUE(renderer);
+    DrawnScene scene;
+    scene.grid = false;
+    scene.marker_radius = 1e-6;   // the least size counts
+    scene.markers.push_back({{0.1, 0.0, 0.1}, Color(1.0f, 0.0f, 0.0f, 1.0f), false, "", -1});
+    DrawnLine line;
+    line.points.resize(3, 2);
+    line.points << -0.1, 0.1, 0.0, 0.0, -0.1, -0.1;
+    line.color = Color(1.0f, 0.0f, 0.0f, 1.0f);
+    scene.lines.push_back(line);
+    Camera camera;
+    camera.yaw = -1.5707963;
+    camera.pitch = 0.0;
+    const auto red = [&](int side, double scale) {
+        EXPECT_TRUE(renderer->update(scene, static_cast<std::uint64_t>(side), view_colors(make_theme(ThemeName::dark, 1.0f)), camera, {side, side}, 4, scale));
+        const Image image = renderer->read();
+        double sum = 0.0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += std::max(0, image.rgba[i] - image.rgba[i + 1]) / 255.0;
+        return sum / side / side;
+    };
+    const double small = red(200, 1.0);
+    EXPECT_GT(small, 1e-3);
+    EXPECT_NEAR(red(800, 4.0) / small, 1.0, 0.15);
+}
+
+TEST(Picture, IsOfTheTimeThatWasShownWhenItWasAskedFor) {
+    const Folder folder("asked");
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    driver.workbench->execute(command::SetTime{0.2});
+    driver.workbench->execute(command::Play{true});
+    for (int i = 0; i < 5; ++i) driver.frame();
+    const Image playing = picture_of(driver, folder.path() / "playing.png");
+    ASSERT_TRUE(driver.state().playing) << "it is written meanwhile";
+    const double shown = driver.state().time_s;
+    driver.workbench->execute(command::Play{false});
+    driver.workbench->execute(command::SetTime{shown});
+    driver.settle();
+    EXPECT_TRUE(playing.rgba == picture_of(driver, folder.path() / "paused.png").rgba);
+    // By the dialog: what was shown when it was opened, not when the file was chosen.
+    driver.workbench->execute(command::SetTime{0.4});
+    driver.settle();
+    const fs::path before = fs::current_path();
+    fs::create_directory(folder.path() / "dialog");
+    fs::current_path(folder.path() / "dialog");   // where the browser begins
+    driver.key(key_k, {.ctrl = true});
+    driver.type("save picture");
+    driver.key(ImGuiKey_Enter);
+    driver.settle();
+    driver.workbench->execute(command::SetTime{1.1});
+    driver.settle();
+    driver.click("picture/where");
+    driver.click("browser/open");
+    fs::current_path(before);
+    driver.settle();
+    ASSERT_TRUE(fs::exists(folder.path() / "dialog" / "picture.png"));
+    const ViewSize view = driver.window->viewport().size();
+    driver.workbench->execute(command::SetTime{0.4});
+    driver.settle();
+    driver.window->draw_into({folder.path() / "then.png", view.width, view.height});
+    driver.settle();
+    EXPECT_TRUE(read_png(folder.path() / "dialog" / "picture.png").rgba == read_png(folder.path() / "then.png").rgba);
+}
+
+/// A search that shows its best, or a person who looks at another time, must not hold a film up or get into it.
+TEST(Picture, FilmsDoNotDependOnTheTimeThatIsShown) {
+    const Folder folder("film_alone");
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ViewOptions options = driver.state().view;
+    options.field = "height";
+    driver.workbench->execute(command::ChangeView{options});
+    driver.settle();
+    const auto film = [&](const std::string& name, bool disturbed) {
+        driver.window->draw_into(motion(folder.path() / name, 20.0));
+        for (int i = 0; i < 200 && !fs::exists(folder.path() / name); ++i) {
+            if (disturbed) driver.workbench->execute(command::SetTime{0.7 + 0.01 * i});
+            if (disturbed && i == 2) driver.workbench->execute(command::Play{true});
+            driver.frame();
+        }
+        return fs::exists(folder.path() / name);
+    };
+    ASSERT_TRUE(film("alone", false));
+    ASSERT_TRUE(film("disturbed", true));
+    EXPECT_TRUE(driver.state().playing);
+    for (const char* frame : {"frame_0001.png", "frame_0006.png", "frame_0011.png"})
+        EXPECT_TRUE(read_png(folder.path() / "alone" / frame).rgba == read_png(folder.path() / "disturbed" / frame).rgba) << frame;
+}
+
 TEST(Picture, NumberedOnesShowTheMotionOverItsTime) {
     const Folder folder("frames");
     Driver driver;

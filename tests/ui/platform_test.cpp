@@ -49,7 +49,7 @@ TEST(Fonts, HoldTheLettersOfTheField) {
     interface->begin_frame(64, 64, 0.02f);
     interface->end_frame();
     if (!interface->theme().regular->FindGlyphNoFallback(0x3bd)) GTEST_SKIP() << "skipped: neither Inter nor DejaVu is installed";
-    const ImWchar needed[] = {0x2264, 0xb2, 0xb3, 0xb7, 0xb1, 0xb0, 0x2212, 0x39b, 0x3bd, 0x3c1, 0x3b6, 0x394, 0x2080, 0x2032, 0x3b1, 0x221e, 0x2013};
+    const ImWchar needed[] = {0x2264, 0xb2, 0xb3, 0xb7, 0xb1, 0xb0, 0x2212, 0x39b, 0x3bd, 0x3c1, 0x3b6, 0x394, 0x2080, 0x2032, 0x3b1, 0x221e, 0x2013, 0x221a, 0x2081, 0x1d40, 0x1d65};
     for (const ImWchar c : needed) {
         EXPECT_NE(interface->theme().regular->FindGlyphNoFallback(c), nullptr) << "U+" << std::hex << c;
         EXPECT_NE(interface->theme().strong->FindGlyphNoFallback(c), nullptr) << "U+" << std::hex << c;

@@ -39,12 +39,24 @@ std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
 
 std::vector<FieldKind> field_kinds(const Backend& backend) {
     std::vector<FieldKind> kinds = backend.fields();
-    kinds.push_back({force_field, "Force that is missing", "mN", 1e-3, false,
-                     "Size of the force that the chosen row of the diagnosis puts on each part of the body: what the declared model lacks."});
+    kinds.push_back({force_field, "Residual force |f|", "mN", 1e-3, false,
+                     "Size of the force on each part of the body that the declared model lacks, by the chosen row of the diagnosis."});
     return kinds;
 }
 
+std::optional<FieldKind> shown_field(const WorkbenchState& state, const Backend& backend) {
+    const std::vector<FieldKind> kinds = field_kinds(backend);
+    const auto shown = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.id == state.view.field; });
+    return shown != kinds.end() ? std::optional(*shown) : std::nullopt;
+}
+
 bool of_diagnosis(const FieldKind& kind) { return kind.id == force_field; }
+
+std::string needed_for(const FieldKind& kind, const WorkbenchState& state) {
+    if (!of_diagnosis(kind)) return state.simulated_trial() ? "" : "Needs a run.";
+    if (!state.diagnosis || !state.diagnosis->complete) return "Known after Diagnose.";
+    return shown_forces(state) ? "" : "The chosen row of the diagnosis has no forces on this body in this trial.";
+}
 
 void FieldStore::take(Answer answer) {
     if (!(answer.source == source_)) return;   // the person has gone on

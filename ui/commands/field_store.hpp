@@ -14,8 +14,14 @@ namespace myo {
 /// What can colour the body: the backend's fields of a run, then the force of the diagnosis' chosen row.
 std::vector<FieldKind> field_kinds(const Backend& backend);
 
+/// That which the state's view shows; empty: none, or one that is not there.
+std::optional<FieldKind> shown_field(const WorkbenchState& state, const Backend& backend);
+
 /// Whether it needs a diagnosis, not a run alone.
 bool of_diagnosis(const FieldKind& kind);
+
+/// What must be done before a field has values; empty: it has some.
+std::string needed_for(const FieldKind& kind, const WorkbenchState& state);
 
 /// Values of a field in one frame.
 struct FieldFrame {
@@ -30,7 +36,7 @@ public:
     /// Takes what has come and asks for what is missing. Null: nothing to show, or nothing yet. Another pointer whenever the content is another.
     std::shared_ptr<const FieldFrame> update(const WorkbenchState& state, const Backend& backend);
     /// Whether another update will bring more.
-    bool waits() const { return job_.valid(); }
+    bool waits() const { return job_.valid() || (frame_ && !range_); }
 
 private:
     /// What values belong to.

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -18,7 +19,34 @@ std::string label_of(const MeasuredDistance& distance) {
     return text;
 }
 
+void draw_line(ImDrawList& list, const Theme& theme, const ImVec2& a, const ImVec2& b) {
+    const float s = theme.scale;
+    const ImU32 accent = packed(theme.accent), dark = IM_COL32(0, 0, 0, 160);
+    list.AddLine(a, b, dark, 4.0f * s);
+    list.AddLine(a, b, accent, 2.0f * s);
+    for (const ImVec2& end : {a, b}) {
+        list.AddCircleFilled(end, 5.0f * s, dark);
+        list.AddCircleFilled(end, 3.5f * s, accent);
+    }
+}
+
 }  // namespace
+
+void measure(std::vector<MeasuredDistance>& distances, const DrawnScene& scene) {
+    for (MeasuredDistance& each : distances) each.now_m = (place_now(each.to, scene) - place_now(each.from, scene)).norm();
+}
+
+void draw_distances(ImDrawList& list, const Theme& theme, const std::vector<MeasuredDistance>& distances, const DrawnScene& scene, const ViewportState& view) {
+    const float s = theme.scale;
+    for (const MeasuredDistance& each : distances) {
+        const auto a = window_pixel(view, place_now(each.from, scene)), b = window_pixel(view, place_now(each.to, scene));
+        if (!a || !b) continue;
+        draw_line(list, theme, *a, *b);
+        const std::string label = label_of(each);
+        const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str()).x;
+        draw_note(list, theme, {0.5f * (a->x + b->x - width), std::max(a->y, b->y) + 12.0f * s}, label);   // below it, so that it stays in sight
+    }
+}
 
 void DistanceTool::clear() {
     distances_.clear();
@@ -43,32 +71,12 @@ void DistanceTool::update(PanelContext& context, const DrawnScene& scene, Viewpo
     }
     // The scene may still show the body before this one.
     if (state.body && scene.positions.cols() != state.body->mesh.node_count()) return;
-    for (MeasuredDistance& each : distances_) each.now_m = (place_now(each.to, scene) - place_now(each.from, scene)).norm();
-    draw(context, scene, view);
-}
-
-void DistanceTool::draw(PanelContext& context, const DrawnScene& scene, const ViewportState& view) const {
-    const Theme& theme = context.theme;
-    const float s = theme.scale;
+    measure(distances_, scene);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 accent = packed(theme.accent), dark = IM_COL32(0, 0, 0, 160);
-    const auto line = [&](const ImVec2& a, const ImVec2& b) {
-        list.AddLine(a, b, dark, 4.0f * s);
-        list.AddLine(a, b, accent, 2.0f * s);
-        for (const ImVec2& end : {a, b}) {
-            list.AddCircleFilled(end, 5.0f * s, dark);
-            list.AddCircleFilled(end, 3.5f * s, accent);
-        }
-    };
-    for (const MeasuredDistance& each : distances_) {
-        const auto a = window_pixel(view, place_now(each.from, scene)), b = window_pixel(view, place_now(each.to, scene));
-        if (!a || !b) continue;
-        line(*a, *b);
-        draw_note(theme, {0.5f * (a->x + b->x) + 10.0f * s, 0.5f * (a->y + b->y) + 8.0f * s}, label_of(each));
-    }
+    draw_distances(list, context.theme, distances_, scene, view);
     if (!view.measuring) return;
     if (begun_)
-        if (const auto a = window_pixel(view, place_now(*begun_, scene))) line(*a, view.hovered ? ImGui::GetIO().MousePos : *a);
+        if (const auto a = window_pixel(view, place_now(*begun_, scene))) draw_line(list, context.theme, *a, view.hovered ? ImGui::GetIO().MousePos : *a);
     const std::string hint = begun_ ? "Click the other end. Esc: another start." : "Click two places on the body or its markers. Esc ends.";
     draw_hint(context, view, hint, "view/distance_hint");
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,6 +19,10 @@ struct MeasuredDistance {
     double at_rest_m = 0.0;
 };
 
+/// Finds how long they are now.
+void measure(std::vector<MeasuredDistance>& distances, const DrawnScene& scene);
+void draw_distances(ImDrawList& list, const Theme& theme, const std::vector<MeasuredDistance>& distances, const DrawnScene& scene, const ViewportState& view);
+
 /// While the view measures, each two clicks make a distance. They stay, and follow the motion, until they are cleared or the body is another.
 class DistanceTool {
 public:
@@ -27,8 +33,6 @@ public:
     const std::vector<MeasuredDistance>& distances() const { return distances_; }
 
 private:
-    void draw(PanelContext& context, const DrawnScene& scene, const ViewportState& view) const;
-
     std::vector<MeasuredDistance> distances_;
     std::optional<PickedPlace> begun_;
     std::shared_ptr<const Scene> scene_;

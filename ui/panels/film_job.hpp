@@ -1,43 +1,63 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "base/stopwatch.hpp"
+#include "commands/field_store.hpp"
+#include "commands/scene_at_time.hpp"
+#include "panels/distance_tool.hpp"
 #include "panels/panel.hpp"
 #include "platform/film.hpp"
+#include "platform/picture_canvas.hpp"
 #include "viewport/scene_renderer.hpp"
 
 namespace myo {
 
-/// Draws the motion into files, one picture in each frame of the window, so that it can be stopped at any time.
+/// The 3D view when pictures of it are asked for. What happens later, as playing, a search or another run, is not in them.
+struct FilmedView {
+    WorkbenchState state;
+    MotionSummary motion;              // of its trial, the body cut as in the view
+    ViewportState view;
+    std::vector<MeasuredDistance> distances;
+    Theme theme;
+};
+
+/// Draws the view into a file, or the motion into many: one picture in each frame of the window, so that it can be stopped at any time.
 class FilmJob {
 public:
-    bool runs() const { return writer_ != nullptr; }
+    bool runs() const { return filmed_.has_value(); }
     /// Pictures so far.
     int done() const { return done_; }
 
-    /// The time at which the first picture is drawn, in the state's time. Error: cannot be written.
-    Result<void> begin(const PictureRequest& request, double shown_time_s);
-    /// Adds the scene as it is; the time of the next picture, or, after the last, the time that was shown before.
-    Result<double> add(const DrawnScene& scene, const ViewColors& colors, const Camera& camera);
-    void give_up() { writer_.reset(); }
-    double time_s() const { return request_.from_s + done_ * request_.speed / request_.rate_Hz; }
+    /// @param request  a picture without a time is of the state's
+    /// Error: cannot be written.
+    Result<void> begin(const PictureRequest& request, FilmedView filmed);
+    /// Draws the next picture, unless values that colour the body are still being computed. True when it was the last.
+    Result<bool> add(const Backend& backend);
+    void give_up();
     const PictureRequest& request() const { return request_; }
 
     /// How far it is, and Cancel; true when it was pressed.
     bool draw(PanelContext& context) const;
 
 private:
+    /// Of the next picture.
+    double time_s() const { return request_.from_s + done_ * request_.speed / request_.rate_Hz; }
+    Result<Image> picture(const DrawnScene& scene);
+    void draw_overlay(const DrawnScene& scene);
+
     PictureRequest request_;
-    std::unique_ptr<FilmWriter> writer_;
+    std::optional<FilmedView> filmed_;
+    float scale_ = 1.0f;               // of lines and letters
+    std::unique_ptr<FilmWriter> writer_;   // null: one picture alone
     std::optional<SceneRenderer> renderer_;
+    std::optional<PictureCanvas> canvas_;
+    FieldStore fields_;
     Stopwatch watch_;
-    double shown_time_s_ = 0.0;
     int done_ = 0;
 };
 
-/// The scene drawn in a size of its own. Error: the driver refuses the size.
-Result<Image> draw_picture(SceneRenderer& renderer, const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors, const Camera& camera, const ViewSize& size);
+/// Of lines and letters in a picture: as large against it as they are in the view, where that can be read.
+float picture_scale(const ViewSize& view, const ViewSize& picture, float view_scale);
 
 }  // namespace myo

@@ -23,6 +23,7 @@ void PictureDialog::open(const WorkbenchState& state, const ViewSize& view) {
     request_.from_s = std::max(0.0, span[0]);
     request_.to_s = span[1];
     request_.speed = state.speed;
+    request_.time_s = state.time_s;
     if (size_ == "view") request_.width = view.width, request_.height = view.height;
 }
 
@@ -40,6 +41,17 @@ void PictureDialog::draw_size(PanelContext& context) {
         *side = std::clamp(*side, least_side, greatest_side);
     }
     ImGui::EndDisabled();
+    row_label(context.theme, "Beside it");
+    ImGui::Checkbox("Legend, scale and names", &request_.overlay);
+    context.items.mark("picture/overlay");
+    tooltip(context.theme, "Draws what lies over the view into the pictures, too: the legend of the colours, the scale bar, axes, names of markers, distances, and the time. "
+                           "Letters and lines are as large against a picture as in the view.");
+}
+
+void PictureDialog::draw_time(PanelContext& context) {
+    const std::array<double, 2> span = time_span(context.state);
+    bool goes_on = false;
+    if (span[1] > span[0]) number_row(context, {"Time", "picture/time", "s", "Time of the picture: that which was shown when you asked for it", 1.0, {span[0], span[1]}, 1e-2}, edit_, *request_.time_s, goes_on);
 }
 
 void PictureDialog::draw_motion(PanelContext& context) {
@@ -71,7 +83,8 @@ void PictureDialog::draw(PanelContext& context) {
     }
     ImGui::Spacing();
     draw_size(context);
-    if (kind_ != Kind::picture) draw_motion(context);
+    if (kind_ == Kind::picture) draw_time(context);
+    else draw_motion(context);
     request_.moves = kind_ != Kind::picture;
     ImGui::Spacing();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);

@@ -16,6 +16,7 @@ private:
     enum class Kind { picture, frames, film };
 
     void draw_size(PanelContext& context);
+    void draw_time(PanelContext& context);
     void draw_motion(PanelContext& context);
 
     bool open_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace myo {
 
@@ -8,6 +9,8 @@ namespace myo {
 struct PictureRequest {
     std::filesystem::path path;
     int width = 0, height = 0;   // [pixels]; 0: as the view is
+    bool overlay = true;         // with legend, scale bar, axes, names, distances and the time
+    std::optional<double> time_s = {};   // of one picture; empty: as shown when it is drawn
     bool moves = false;          // a film (.mp4) or numbered pictures of the motion, else one picture of now
     double rate_Hz = 30.0;       // pictures in a second of the film
     double speed = 1.0;          // of the film against real time

@@ -7,10 +7,9 @@ ImVec2 extent_of(const Theme& theme, const std::string& text) { return theme.sma
 
 }  // namespace
 
-void draw_note(const Theme& theme, const ImVec2& at, const std::string& text) {
+void draw_note(ImDrawList& list, const Theme& theme, const ImVec2& at, const std::string& text) {
     const float s = theme.scale;
     const ImVec2 extent = extent_of(theme, text);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x - 5.0f * s, at.y - 3.0f * s}, {at.x + extent.x + 5.0f * s, at.y + extent.y + 3.0f * s}, packed(theme.popup, 0.92f), 4.0f * s);
     list.AddText(theme.small, theme.small->FontSize, at, packed(theme.text), text.c_str());
 }
@@ -18,7 +17,7 @@ void draw_note(const Theme& theme, const ImVec2& at, const std::string& text) {
 void draw_hint(PanelContext& context, const ViewportState& view, const std::string& text, const std::string& item) {
     const ImVec2 extent = extent_of(context.theme, text);
     const ImVec2 at{0.5f * (view.pixels.lowest.x + view.pixels.highest.x - extent.x), view.pixels.lowest.y + 56.0f * context.theme.scale};
-    draw_note(context.theme, at, text);
+    draw_note(*ImGui::GetWindowDrawList(), context.theme, at, text);
     context.items.add(item, {at, {at.x + extent.x, at.y + extent.y}});
 }
 

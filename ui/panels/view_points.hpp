@@ -29,7 +29,7 @@ inline bool escape_pressed() {
 }
 
 /// A note in a small box over the view, its text's upper left corner at `at` [pixels].
-void draw_note(const Theme& theme, const ImVec2& at, const std::string& text);
+void draw_note(ImDrawList& list, const Theme& theme, const ImVec2& at, const std::string& text);
 
 /// What a tool waits for, in the middle below the view's buttons; marked as `item`.
 void draw_hint(PanelContext& context, const ViewportState& view, const std::string& text, const std::string& item);

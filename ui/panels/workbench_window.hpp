@@ -41,6 +41,7 @@ public:
     /// An event came in, or a job reported.
     void wake() { pacer_.event_arrived(); }
 
+    void drop(const std::vector<std::filesystem::path>& files) { workbench_->execute(command::Drop{files}); }
     void open(const std::filesystem::path& path) { workbench_->execute(command::Open{path, std::nullopt}); }
     /// Shows a step at the side, and what belongs to it below the view.
     void show_step(Step step);
@@ -70,9 +71,9 @@ private:
     void react_to_keys(PanelContext& context);
     void follow(WindowRequests& requests);
     void update_scene();
-    /// Writes the 3D view, where that was asked for.
-    Result<void> write_picture();
-    void add_to_film();
+    /// Takes the view as it is now for the pictures that were asked for.
+    void begin_pictures();
+    void add_picture();
     void write_part(int width, int height);
 
     // What the drawn scene was made from.
@@ -106,7 +107,7 @@ private:
     Palette palette_;
     bool about_ = false;
     bool asked_where_ = false;        // to save: the dialog was opened
-    std::optional<PictureRequest> picture_;   // to be written after the next drawing of the view
+    std::optional<PictureRequest> picture_;   // to be begun after the next drawing of the view
     std::optional<WindowPart> part_;          // likewise, once the dialog that asked for it is gone
     int part_waits_ = 0;                      // frames until then
     PictureDialog picture_dialog_;

@@ -65,4 +65,7 @@ struct FontReport {
 /// Text is Inter, with DejaVu for glyphs it lacks (or alone), with ImGui's own font as the last resort.
 FontReport load_fonts(Theme& theme);
 
+/// Builds an atlas of the theme's small font alone, for labels in large pictures. The other fonts become null.
+void load_label_font(Theme& theme);
+
 }  // namespace myo

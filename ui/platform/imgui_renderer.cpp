@@ -47,10 +47,10 @@ void ImguiRenderer::upload_fonts(ImFontAtlas& atlas) {
     atlas.ClearTexData();
 }
 
-void ImguiRenderer::draw(const ImDrawData& data) const {
+void ImguiRenderer::draw(const ImDrawData& data, GLuint framebuffer) const {
     const int height = static_cast<int>(data.DisplaySize.y);
     if (data.DisplaySize.x <= 0.0f || height <= 0) return;
-    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl::Viewport(0, 0, static_cast<int>(data.DisplaySize.x), height);
     gl::Disable(GL_DEPTH_TEST);
     gl::Disable(GL_CULL_FACE);

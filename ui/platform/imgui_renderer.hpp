@@ -16,8 +16,9 @@ public:
     /// Uploads the font atlas; to be called again after the fonts were rebuilt.
     void upload_fonts(ImFontAtlas& atlas);
 
-    /// Draws into the default framebuffer, over what is there.
-    void draw(const ImDrawData& data) const;
+    /// Draws over what is there.
+    /// @param framebuffer  0: that of the window
+    void draw(const ImDrawData& data, GLuint framebuffer = 0) const;
 
 private:
     gl::Program program_;

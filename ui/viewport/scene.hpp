@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/surface_mesh.hpp"
+#include "platform/theme.hpp"
 #include "viewport/camera.hpp"
 #include "viewport/drawn_surface.hpp"
 
@@ -15,6 +16,8 @@ namespace myo {
 
 /// Red, green, blue, alpha, 0 to 1.
 using Color = Eigen::Vector4f;
+
+inline Color color_of(const ImVec4& color, float alpha = 1.0f) { return {color.x, color.y, color.z, alpha}; }
 
 struct DrawnMarker {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();   // [m]; not drawn when not finite
@@ -77,5 +80,6 @@ struct DrawnScene {
 struct ViewColors {
     Color top, bottom, grid, body, edge;
 };
+ViewColors view_colors(const Theme& theme);
 
 }  // namespace myo

@@ -1,5 +1,6 @@
 #include "viewport/scene_renderer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int segment_floats = 10;
 constexpr int marker_floats = 7;
+constexpr double least_through = 0.22;   // share that is seen of what an opaque body hides
 
 // Rows of the texture of colours: the maps of the choice, then that of values with a sign.
 int color_rows() { return static_cast<int>(color_maps().size()) + 1; }
@@ -109,7 +111,7 @@ void SceneRenderer::draw_lines(const std::vector<float>& segments, double width,
     if (segments.empty()) return;
     set_camera(line_.program);
     gl::Uniform2f(gl::uniform(line_.program, "size"), static_cast<float>(size_.width), static_cast<float>(size_.height));
-    gl::Uniform1f(gl::uniform(line_.program, "width"), static_cast<float>(width));
+    gl::Uniform1f(gl::uniform(line_.program, "width"), scale_ * static_cast<float>(width));
     gl::Uniform1f(gl::uniform(line_.program, "opacity"), static_cast<float>(opacity));
     gl::BindVertexArray(line_.vertex_array.name());
     gl::upload(line_.buffer, segments);
@@ -134,6 +136,7 @@ void SceneRenderer::draw_surface(const DrawnScene& scene, const ViewColors& colo
     gl::Uniform3f(gl::uniform(p, "base_color"), colors.body[0], colors.body[1], colors.body[2]);
     gl::Uniform4f(gl::uniform(p, "edge_color"), colors.edge[0], colors.edge[1], colors.edge[2], colors.edge[3]);
     gl::Uniform1f(gl::uniform(p, "edge_width"), scene.edges ? 0.8f : 0.0f);
+    gl::Uniform1f(gl::uniform(p, "scale"), scale_);
     gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(scene.body_opacity));
     gl::Uniform1i(gl::uniform(p, "use_field"), scene.field ? 1 : 0);
     gl::Uniform1f(gl::uniform(p, "color_row"), color_row(scene.field));
@@ -153,7 +156,7 @@ void SceneRenderer::draw_markers(const DrawnScene& scene, bool ring, double opac
     const gl::Program& p = marker_.program;
     set_camera(p);
     gl::Uniform1f(gl::uniform(p, "radius"), static_cast<float>(scene.marker_radius * (ring ? 1.55 : 1.0)));
-    gl::Uniform2f(gl::uniform(p, "pixel_limits"), ring ? 6.5f : 4.0f, ring ? 40.0f : 30.0f);
+    gl::Uniform2f(gl::uniform(p, "pixel_limits"), scale_ * (ring ? 6.5f : 4.0f), scale_ * (ring ? 40.0f : 30.0f));
     gl::Uniform1f(gl::uniform(p, "view_height"), static_cast<float>(size_.height));
     gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(opacity));
     gl::Uniform1i(gl::uniform(p, "ring"), ring ? 1 : 0);
@@ -163,13 +166,14 @@ void SceneRenderer::draw_markers(const DrawnScene& scene, bool ring, double opac
 }
 
 Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors, const Camera& camera,
-                                   const ViewSize& size, int samples) {
-    const Key key{revision, camera, size, samples};
+                                   const ViewSize& size, int samples, double scale) {
+    const Key key{revision, camera, size, samples, scale};
     if (drawn_ && *drawn_ == key) return {};
     if (const auto sized = resize(size, samples); !sized) return sized;
     if (!uploaded_ || *uploaded_ != revision) upload_scene(scene);
     uploaded_ = revision;
     size_ = size;
+    scale_ = static_cast<float>(scale);
     view_ = view_matrix(camera).cast<float>();
     projection_ = projection_matrix(camera, size).cast<float>();
 
@@ -193,11 +197,12 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
 
     std::map<double, std::vector<float>> by_width;
     for (const DrawnLine& line : scene.lines) append_segments(by_width[line.width], line);
-    // What the body hides shows through faintly, so that no marker gets lost; then what is in front.
+    // What the body hides shows through, faintly at least, so that no marker gets lost; then what is in front.
+    const double through = std::max(least_through, 1.0 - scene.body_opacity);
     gl::DepthMask(GL_FALSE);
     for (const bool hidden : {true, false}) {
         gl::DepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
-        const double opacity = hidden ? 0.22 : 1.0;
+        const double opacity = hidden ? through : 1.0;
         for (const auto& [width, segments] : by_width) draw_lines(segments, width, opacity);
         if (!hidden) gl::DepthMask(GL_TRUE);
         draw_markers(scene, false, opacity);

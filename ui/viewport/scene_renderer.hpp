@@ -17,11 +17,13 @@ public:
 
     /// Draws if anything differs from last time. `revision` stands for the scene and the colours: same number, same content.
     /// @param samples  0 while something moves, 4 at rest
+    /// @param scale    of the widths of lines and edges and the least sizes of markers
     /// Error: the driver refuses the size.
     Result<void> update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors, const Camera& camera,
-                        const ViewSize& size, int samples);
+                        const ViewSize& size, int samples, double scale);
 
-    /// The picture as it was drawn last.
+    /// Where the picture was drawn last, to draw over it.
+    GLuint framebuffer() const { return picture_.framebuffer.name(); }
     Image read() const;
 
     /// Copies the picture into the default framebuffer, lower left corner at (x, y).
@@ -41,6 +43,7 @@ private:
         Camera camera;
         ViewSize size;
         int samples = 0;
+        double scale = 1.0;
         bool operator==(const Key&) const = default;
     };
     Result<void> resize(const ViewSize& size, int samples);
@@ -60,6 +63,7 @@ private:
     Eigen::Matrix4f view_ = Eigen::Matrix4f::Identity();
     Eigen::Matrix4f projection_ = Eigen::Matrix4f::Identity();
     ViewSize size_;
+    float scale_ = 1.0f;
     int draw_count_ = 0;
 };
 

@@ -16,42 +16,31 @@ namespace {
 
 ViewSize size_of(const Rectangle& view) { return {static_cast<int>(view.width()), static_cast<int>(view.height())}; }
 
-// Text with a thin halo, legible over any picture.
-void outlined(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, ImU32 halo, const char* text) {
-    for (const ImVec2 d : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)}) {
-        list.AddText(font, font->FontSize, {at.x + d.x, at.y + d.y}, halo, text);
+// Small text with a thin halo, legible over any picture.
+void outlined(ImDrawList& list, const Theme& theme, const ImVec2& at, ImU32 color, ImU32 halo, const char* text) {
+    ImFont* const font = theme.small;
+    const float d = std::max(1.0f, std::round(theme.scale));
+    for (const ImVec2 side : {ImVec2(-d, 0), ImVec2(d, 0), ImVec2(0, -d), ImVec2(0, d)}) {
+        list.AddText(font, font->FontSize, {at.x + side.x, at.y + side.y}, halo, text);
     }
     list.AddText(font, font->FontSize, at, color, text);
 }
 
-// Without its label.
-ScaleBar nice_bar(double per_pixel, double longest) {
-    ScaleBar bar;
-    double step = nice_step(per_pixel * longest);
-    // The smallest nice step above may be too long; the one below it fits.
-    if (step > per_pixel * longest) step = nice_step(step / 2.6);
-    bar.length_m = step;
-    bar.pixels = step / per_pixel;
-    return bar;
-}
-
-// Thousandths, or millionths.
-std::string with_small_unit(double value, const std::string& unit) {
+std::string with_unit(double value, const std::string& unit) {
+    if (value >= 1.0 - 1e-9) return value_label(value, 1) + " " + unit;
     if (value >= 1e-3 * (1.0 - 1e-9)) return value_label(value * 1e3, 1) + " m" + unit;
     return value_label(value * 1e6, 1) + " \xc2\xb5" + unit;
 }
 
 // The bar ends at the given place; its label is centred above, as far as the place's margin allows.
-void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& bar, ImU32 color, const std::string& label, const Theme& theme) {
+void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& bar, ImU32 color, const Theme& theme) {
     const float s = theme.scale;
     const float left = end.x - static_cast<float>(bar.pixels);
     list.AddLine({left, end.y}, end, color, 2.0f * s);
-    list.AddLine({left, end.y - 5.0f * s}, {left, end.y + 1.0f}, color, 2.0f * s);
-    list.AddLine({end.x, end.y - 5.0f * s}, {end.x, end.y + 1.0f}, color, 2.0f * s);
-    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str()).x;
+    for (const float x : {left, end.x}) list.AddLine({x, end.y - 5.0f * s}, {x, end.y + s}, color, 2.0f * s);
+    const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, bar.label.c_str()).x;
     const float from = std::min(0.5f * (left + end.x - width), end.x - width);   // centred, or flush right where it is longer
-    outlined(list, theme.small, {from, end.y - theme.small->FontSize - 6.0f * s}, color, packed(theme.view_bottom, 0.6f),
-             label.c_str());
+    outlined(list, theme, {from, end.y - theme.small->FontSize - 6.0f * s}, color, packed(theme.view_bottom, 0.6f), bar.label.c_str());
 }
 
 /// A place beside a point where a label covers nothing, the nearest first: right or left of it, level, below or above.
@@ -68,36 +57,23 @@ std::optional<Rectangle> room_beside(const ImVec2& p, const ImVec2& extent, floa
     return std::nullopt;
 }
 
-}  // namespace
-
-ScaleBar make_scale_bar(double metres_per_pixel, double longest) {
-    ScaleBar bar = nice_bar(metres_per_pixel, longest);
-    bar.label = bar.length_m >= 1.0 ? value_label(bar.length_m, 1) + " m" : with_small_unit(bar.length_m, "m");
-    return bar;
-}
-
-ScaleBar make_force_bar(double newtons_per_pixel, double longest) {
-    ScaleBar bar = nice_bar(newtons_per_pixel, longest);
-    bar.label = bar.length_m >= 1.0 ? value_label(bar.length_m, 1) + " N" : with_small_unit(bar.length_m, "N");
-    return bar;
-}
-
 void draw_scale_bar(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {
     const float s = theme.scale;
-    const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)), 120.0 * static_cast<double>(s));
-    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 16.0f * s}, bar, packed(theme.text), bar.label, theme);
+    const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)), 120.0 * static_cast<double>(s), "m");
+    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 16.0f * s}, bar, packed(theme.text), theme);
 }
 
+/// The same for arrows of a force, above it.
 void draw_arrow_scale(ImDrawList& list, const Rectangle& view, const Camera& camera, const ArrowScale& arrows, const Theme& theme) {
     const float s = theme.scale;
-    const ScaleBar bar = make_force_bar(metres_per_pixel(camera, size_of(view)) / arrows.metres_per_N, 120.0 * static_cast<double>(s));
+    const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)) / arrows.metres_per_N, 120.0 * static_cast<double>(s), "N");
     const ImU32 color = packed({arrows.color[0], arrows.color[1], arrows.color[2], 1.0f});
-    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 56.0f * s}, bar, color, bar.label, theme);
+    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 56.0f * s}, bar, color, theme);
     const auto width_of = [&](const std::string& text) { return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text.c_str()).x; };
     const std::string whole = arrows.name + " on each part of the body";
     const std::string& title = width_of(whole) < 0.4f * view.width() ? whole : arrows.name;
     const float width = width_of(title);
-    outlined(list, theme.small, {view.highest.x - 16.0f * s - width, view.highest.y - 64.0f * s - 2.0f * theme.small->FontSize}, color, packed(theme.view_bottom, 0.6f), title.c_str());
+    outlined(list, theme, {view.highest.x - 16.0f * s - width, view.highest.y - 64.0f * s - 2.0f * theme.small->FontSize}, color, packed(theme.view_bottom, 0.6f), title.c_str());
 }
 
 void draw_axes(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {
@@ -121,7 +97,7 @@ void draw_axes(ImDrawList& list, const Rectangle& view, const Camera& camera, co
         const ImVec2 center{tip.x + out * x, tip.y + out * y};
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, axis.name);
         if (length > 0.2f) {
-            outlined(list, theme.small, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y}, packed(axis.color),
+            outlined(list, theme, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y}, packed(axis.color),
                      packed(theme.view_bottom, 0.6f), axis.name);
         }
     }
@@ -129,9 +105,11 @@ void draw_axes(ImDrawList& list, const Rectangle& view, const Camera& camera, co
 
 void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& camera, const DrawnScene& scene, const Theme& theme) {
     const float s = theme.scale;
-    // The scale bar, and that of forces above it, keep their corner.
+    // The scale bar, that of forces above it, the axes and the legend keep their corners.
     const float corner = (scene.arrows ? 96.0f : 40.0f) * s + theme.small->FontSize;
-    std::vector<Rectangle> taken{{{view.highest.x - 150.0f * s, view.highest.y - corner}, view.highest}};
+    std::vector<Rectangle> taken{{{view.highest.x - 150.0f * s, view.highest.y - corner}, view.highest},
+                                 {{view.lowest.x, view.highest.y - 88.0f * s}, {view.lowest.x + 88.0f * s, view.highest.y}}};
+    if (scene.field) taken.push_back({{view.highest.x - 80.0f * s, view.lowest.y}, {view.highest.x, view.lowest.y + 210.0f * s}});
     for (const DrawnMarker& marker : scene.markers) {
         if (marker.label.empty() || !marker.position.allFinite()) continue;
         const auto place = project(camera, size_of(view), marker.position);
@@ -142,7 +120,7 @@ void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& c
         const std::optional<Rectangle> box = room_beside(p, extent, 16.0f * s, view, taken);
         if (!box) continue;   // a click on the marker tells its name
         taken.push_back(*box);
-        outlined(list, theme.small, box->lowest, packed(theme.text), packed(theme.view_bottom, 0.8f), marker.label.c_str());
+        outlined(list, theme, box->lowest, packed(theme.text), packed(theme.view_bottom, 0.8f), marker.label.c_str());
     }
 }
 
@@ -155,7 +133,7 @@ void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField
     const float right = view.highest.x - 16.0f * s;
     const float top = view.lowest.y + 40.0f * s;
     const ImU32 halo = packed(theme.view_top, 0.8f);
-    outlined(list, theme.small, {right - title_width, top - theme.small->FontSize - 8.0f * s}, packed(theme.text), halo, title.c_str());
+    outlined(list, theme, {right - title_width, top - theme.small->FontSize - 8.0f * s}, packed(theme.text), halo, title.c_str());
     const float left = right - 14.0f * s;
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i) {
@@ -165,15 +143,40 @@ void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField
         const float y1 = top + height * static_cast<float>(i + 1) / steps;
         list.AddRectFilled({left, y0}, {right, y1}, packed({c[0], c[1], c[2], 1.0f}));
     }
-    list.AddRect({left, top}, {right, top + height}, packed(theme.muted));
+    list.AddRect({left, top}, {right, top + height}, packed(theme.muted), 0.0f, 0, s);
     const Ticks ticks = make_ticks({field.lowest, field.highest}, std::max(2, static_cast<int>(height / (28.0f * s))));
     for (const double v : ticks.values) {
         const float y = static_cast<float>(to_pixel({field.lowest, field.highest}, v, static_cast<double>(top + height), static_cast<double>(top)));
         const std::string label = tick_label(v, ticks.step);
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str());
-        list.AddLine({left - 4.0f * s, y}, {left, y}, packed(theme.muted));
-        outlined(list, theme.small, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, packed(theme.text), halo, label.c_str());
+        list.AddLine({left - 4.0f * s, y}, {left, y}, packed(theme.muted), s);
+        outlined(list, theme, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, packed(theme.text), halo, label.c_str());
     }
+}
+
+}  // namespace
+
+ScaleBar make_scale_bar(double per_pixel, double longest, const std::string& unit) {
+    ScaleBar bar;
+    bar.length = nice_step(per_pixel * longest);
+    // The smallest nice step above may be too long; the one below it fits.
+    if (bar.length > per_pixel * longest) bar.length = nice_step(bar.length / 2.6);
+    bar.pixels = bar.length / per_pixel;
+    bar.label = with_unit(bar.length, unit);
+    return bar;
+}
+
+void draw_view_overlay(ImDrawList& list, const Rectangle& view, const Camera& camera, const DrawnScene& scene, const Theme& theme, bool names) {
+    if (names) draw_marker_labels(list, view, camera, scene, theme);
+    draw_axes(list, view, camera, theme);
+    draw_scale_bar(list, view, camera, theme);
+    if (scene.arrows) draw_arrow_scale(list, view, camera, *scene.arrows, theme);
+    if (scene.field) draw_field_legend(list, view, *scene.field, theme);
+}
+
+void draw_view_title(ImDrawList& list, const Rectangle& view, const std::string& title, const Theme& theme) {
+    const float margin = 16.0f * theme.scale;
+    outlined(list, theme, {view.lowest.x + margin, view.lowest.y + margin}, packed(theme.text), packed(theme.view_top, 0.8f), title.c_str());
 }
 
 }  // namespace myo

@@ -89,11 +89,7 @@ void draw_viewport(const DrawnScene& scene, const Theme& theme, ItemRectangles& 
         state.camera = fit(state.camera, state.size(), scene.reach);
         state.fit_requested = false;
     }
-    if (labels) draw_marker_labels(list, state.pixels, state.camera, scene, theme);
-    draw_axes(list, state.pixels, state.camera, theme);
-    draw_scale_bar(list, state.pixels, state.camera, theme);
-    if (scene.arrows) draw_arrow_scale(list, state.pixels, state.camera, *scene.arrows, theme);
-    if (scene.field) draw_field_legend(list, state.pixels, *scene.field, theme);
+    draw_view_overlay(list, state.pixels, state.camera, scene, theme, labels);
 }
 
 }  // namespace myo
