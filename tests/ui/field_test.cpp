@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "commands/field_store.hpp"
 #include "ui/driver.hpp"
 #include "viewport/color_map.hpp"
 
@@ -87,6 +88,29 @@ TEST(Fields, TheColoursOfValuesWithoutASignCanBeChosen) {
     choose(driver, "height");
     open_options(driver);
     EXPECT_FALSE(driver.has("view/color_map")) << "it has a sign";
+}
+
+TEST(Fields, TheResidualForceSaysWhatItNeeds) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    choose(driver, "effect_force");
+    EXPECT_TRUE(driver.state().view.field.empty()) << "it cannot be chosen after a run alone";
+    const std::vector<FieldKind> kinds = field_kinds(driver.workbench->backend());
+    EXPECT_NE(needed_for(kinds.back(), driver.state()).find("Diagnose"), std::string::npos);
+    EXPECT_EQ(needed_for(kinds.front(), driver.state()), "");
+    const Rectangle view = driver.item("view");
+    for (int i = 0; i < 2; ++i) driver.click_at({view.lowest.x + 4.0f, view.highest.y - 4.0f});   // closes the lists
+    driver.workbench->execute(command::Diagnose{});
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(needed_for(kinds.back(), driver.state()), "");
+    choose(driver, "effect_force");
+    EXPECT_EQ(driver.state().view.field, "effect_force");
+    ASSERT_TRUE(driver.window->scene().field);
+    EXPECT_NE(driver.window->scene().field->name.find("Residual force"), std::string::npos);
+}
+
+TEST(ColorMap, EachSaysWhatItIsGoodFor) {
+    for (const ColorMap& map : color_maps()) EXPECT_FALSE(map.explanation.empty()) << map.id;
 }
 
 /// Values that take long come from beside the drawing: frames go on meanwhile, with what was known.

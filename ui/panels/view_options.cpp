@@ -43,12 +43,20 @@ void draw_color_map_choice(PanelContext& context, ViewOptions& view) {
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
     const bool open = ImGui::BeginCombo("Map", shown.label.c_str());
     context.items.mark("view/color_map");
-    if (!open) return;
+    if (!open) {
+        tooltip(context.theme, shown.explanation);
+        return;
+    }
     for (const ColorMap& map : color_maps()) {
         if (ImGui::Selectable(map.label.c_str(), map.id == shown.id)) view.color_map = map.id;
         context.items.mark("view/color_map/" + map.id);
+        tooltip(context.theme, map.explanation);
     }
     ImGui::EndCombo();
+}
+
+std::string words_about(const FieldKind& kind, const std::string& needed) {
+    return kind.explanation + (kind.unit.empty() ? "" : " In " + kind.unit + ".") + (needed.empty() ? "" : "\n\n" + needed);
 }
 
 void draw_field_choice(PanelContext& context, ViewOptions& view) {
@@ -61,14 +69,20 @@ void draw_field_choice(PanelContext& context, ViewOptions& view) {
         if (ImGui::Selectable("None", view.field.empty())) view.field.clear();
         context.items.mark("view/field/none");
         for (const FieldKind& kind : kinds) {
+            const std::string needed = needed_for(kind, context.state);
+            // A run can follow; a diagnosis takes minutes, and is chosen for itself.
+            ImGui::BeginDisabled(of_diagnosis(kind) && !needed.empty());
             if (ImGui::Selectable(kind.label.c_str(), kind.id == view.field)) view.field = kind.id;
+            ImGui::EndDisabled();
             context.items.mark("view/field/" + kind.id);
-            tooltip(context.theme, kind.explanation);
+            tooltip(context.theme, words_about(kind, needed));
         }
         ImGui::EndCombo();
+    } else {
+        tooltip(context.theme, chosen != kinds.end() ? words_about(*chosen, "") : "A quantity whose values colour the body");
     }
     if (chosen == kinds.end() || chosen->id != view.field) return;
-    if (!context.field_range) ImGui::TextDisabled("%s", of_diagnosis(*chosen) ? "Needs a diagnosis, and a row of it with forces." : "Needs a run.");
+    if (const std::string needed = needed_for(*chosen, context.state); !needed.empty()) ImGui::TextDisabled("%s", needed.c_str());
     if (!chosen->signed_values) draw_color_map_choice(context, view);
     draw_field_range(context, *chosen, view);
 }
@@ -78,24 +92,29 @@ void draw_field_choice(PanelContext& context, ViewOptions& view) {
 void draw_view_options(PanelContext& context, const Camera& camera) {
     if (ImGui::Button((std::string(icon::eye) + "  Show").c_str())) ImGui::OpenPopup("view options");
     context.items.mark("view/options");
+    tooltip(context.theme, "What the view shows, in which colours, and a plane that cuts the body open");
     const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 4.0f * context.theme.scale};
     ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup("view options")) return;
-    struct Option { const char* label; const char* name; bool ViewOptions::* value; };
-    static constexpr Option options[] = {{"Measured markers", "view/measured", &ViewOptions::measured},
-                                         {"Simulated markers", "view/simulated", &ViewOptions::simulated},
-                                         {"Trails", "view/trails", &ViewOptions::trails},
-                                         {"Error lines", "view/errors", &ViewOptions::errors},
-                                         {"Names", "view/labels", &ViewOptions::labels},
-                                         {"Element edges", "view/edges", &ViewOptions::edges},
-                                         {"Muscles and fibres", "view/fibres", &ViewOptions::fibres},
-                                         {"Force of the effect", "view/effect_force", &ViewOptions::effect_force},
-                                         {"Clamp", "view/clamp", &ViewOptions::clamp},
-                                         {"Ground grid", "view/grid", &ViewOptions::grid}};
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    struct Option { const char* label; const char* name; bool ViewOptions::* value; const char* tip; };
+    static constexpr Option options[] = {
+        {"Measured markers", "view/measured", &ViewOptions::measured, "Balls where the cameras saw the markers at the shown time"},
+        {"Simulated markers", "view/simulated", &ViewOptions::simulated, "Rings where the run, and those compared with it, have the markers at the shown time"},
+        {"Trails", "view/trails", &ViewOptions::trails, "Where measured and simulated markers were in the last half second"},
+        {"Error lines", "view/errors", &ViewOptions::errors, "From each measured marker to the simulated one: simulated \xe2\x88\x92 measured"},
+        {"Names", "view/labels", &ViewOptions::labels, "Beside the markers, where there is room; a click on a marker tells its name, too"},
+        {"Element edges", "view/edges", &ViewOptions::edges, "Edges of the elements on the body's surface"},
+        {"Muscles and fibres", "view/fibres", &ViewOptions::fibres, "Elements in the colour of their muscle, and their fibre directions F d"},
+        {"Force of the effect", "view/effect_force", &ViewOptions::effect_force,
+         "Arrows of the force that the chosen row of the diagnosis puts on each part of the body; the body is translucent then. Known after Diagnose."},
+        {"Clamp", "view/clamp", &ViewOptions::clamp, "The box in which the body is held"},
+        {"Ground grid", "view/grid", &ViewOptions::grid, "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
     ViewOptions view = context.state.view;
     for (const Option& option : options) {
         ImGui::Checkbox(option.label, &(view.*option.value));
         context.items.mark(option.name);
+        tooltip(context.theme, option.tip);
     }
     float opacity = static_cast<float>(100.0 * view.opacity);
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
@@ -103,6 +122,7 @@ void draw_view_options(PanelContext& context, const Camera& camera) {
         view.opacity = 0.01 * static_cast<double>(opacity);
     }
     context.items.mark("view/opacity");
+    tooltip(context.theme, "How opaque the body is. Ctrl and a click: type it.");
     draw_field_choice(context, view);
     draw_clip_options(context, camera, view);
     if (!(view == context.state.view)) context.emit(command::ChangeView{view});

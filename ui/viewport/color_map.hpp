@@ -16,7 +16,7 @@ Eigen::Vector3f diverging_color_map(double level);
 
 /// One of those that a person can choose for values without a sign.
 struct ColorMap {
-    std::string id, label;
+    std::string id, label, explanation;
     Eigen::Vector3f (*color)(double level);
 };
 
