@@ -13,7 +13,7 @@
 namespace myo {
 namespace {
 
-/// A large button with a title and some lines of text.
+/// A large button with a sign, a title and some lines of text: below the sign, or beside it where the button is low.
 bool card(PanelContext& context, const std::string& item, const char* sign, const std::string& title, const std::string& text, const ImVec2& size) {
     const Theme& theme = context.theme;
     const float s = theme.scale, pad = 14.0f * s;
@@ -26,19 +26,40 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     list.AddRectFilled(at, end, packed(hovered ? theme.hovered : theme.raised), 6.0f * s);
     list.AddRect(at, end, packed(hovered ? theme.accent : theme.border), 6.0f * s);
     list.AddText(theme.large, theme.large->FontSize, {at.x + pad, at.y + pad}, packed(theme.accent), sign);
-    const float text_top = at.y + pad + 1.35f * theme.large->FontSize;
-    list.AddText(theme.strong, theme.strong->FontSize, {at.x + pad, text_top}, packed(theme.text), elided(title, size.x - 2.0f * pad).c_str());
-    const float wrap = size.x - 2.0f * pad, body_top = text_top + 1.5f * theme.strong->FontSize;
+    const bool low = size.y < 4.0f * theme.large->FontSize;
+    const float left = at.x + pad + (low ? 2.0f * theme.large->FontSize : 0.0f), wrap = end.x - pad - left;
+    const float text_top = at.y + pad + (low ? 0.0f : 1.35f * theme.large->FontSize), body_top = text_top + 1.5f * theme.strong->FontSize;
+    list.AddText(theme.strong, theme.strong->FontSize, {left, text_top}, packed(theme.text), elided(title, wrap).c_str());
     const int lines = std::max(1, static_cast<int>((end.y - pad - body_top) / theme.small->FontSize));
     ImGui::PushFont(theme.small);
     const std::string words = elided_lines(text, wrap, lines);
     ImGui::PopFont();
-    list.AddText(theme.small, theme.small->FontSize, {at.x + pad, body_top}, packed(theme.muted), words.c_str(), nullptr, wrap);
+    list.AddText(theme.small, theme.small->FontSize, {left, body_top}, packed(theme.muted), words.c_str(), nullptr, wrap);
     tooltip(theme, words != text ? text : "");
     return pressed;
 }
 
+void draw_examples(PanelContext& context, float room) {
+    const std::vector<Example>& examples = context.state.examples;
+    const float s = context.theme.scale, gap = ImGui::GetStyle().ItemSpacing.x;
+    const int columns = card_columns(static_cast<int>(examples.size()), std::max(1, std::min(4, static_cast<int>(room / (200.0f * s)))));
+    const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), (columns > 1 ? 150.0f : 92.0f) * s};
+    int column = 0;
+    for (const Example& example : examples) {
+        if (column++ % columns != 0) ImGui::SameLine();
+        if (card(context, "start/example/" + example.path.filename().string(), icon::cube, example.name, example.description, size)) context.emit(command::Open{example.path, std::nullopt});
+    }
+}
+
 }  // namespace
+
+int card_columns(int cards, int most) {
+    if (cards <= most) return std::max(1, cards);
+    const int rows = (cards + most - 1) / most;
+    int columns = (cards + rows - 1) / rows;
+    while (columns > 1 && cards % columns == 1) --columns;
+    return columns;
+}
 
 void draw_start_page(PanelContext& context) {
     const WorkbenchState& state = context.state;
@@ -59,19 +80,9 @@ void draw_start_page(PanelContext& context) {
     heading(theme, "Examples");
     // Its own scroll bar is kept clear of the cards.
     const float room = width - ImGui::GetStyle().ScrollbarSize - ImGui::GetStyle().ItemSpacing.x;
-    const int columns = std::max(1, std::min(4, static_cast<int>(room / (200.0f * s))));
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 150.0f * s};
-    int column = 0;
-    const auto next = [&] {
-        if (column++ % columns != 0) ImGui::SameLine();
-    };
-    for (const Example& example : state.examples) {
-        next();
-        if (card(context, "start/example/" + example.path.filename().string(), icon::cube, example.name, example.description, size)) context.emit(command::Open{example.path, std::nullopt});
-    }
-    next();
-    if (card(context, "start/open", icon::folder, "Open a file", "An experiment folder, a surface or volume mesh, or a project. A file or folder can also be dropped on this window.", size))
+    draw_examples(context, room);
+    heading(theme, "Your own");
+    if (card(context, "start/open", icon::folder, "Open a file", "An experiment folder, a surface or volume mesh, or a project. A file or folder can also be dropped on this window.", {room, 80.0f * s}))
         context.window.file = open_dialog({});
     if (!state.preferences.recent.empty()) heading(theme, "Lately");
     for (std::size_t i = 0; i < state.preferences.recent.size(); ++i) {

@@ -1,0 +1,73 @@
+#include "panels/offered_actions.hpp"
+
+#include <algorithm>
+
+#include "commands/field_store.hpp"
+
+namespace myo {
+namespace {
+
+using Perform = std::function<void(PanelContext&, ViewportState&)>;
+
+Perform opens(const std::filesystem::path& path) {
+    return [path](PanelContext& context, ViewportState&) { context.emit(command::Open{path, std::nullopt}); };
+}
+
+void add_files(std::vector<Action>& all, const WorkbenchState& state) {
+    for (const Example& example : state.examples) all.push_back({"example/" + example.path.filename().string(), "Example", example.name, {}, opens(example.path)});
+    for (const std::filesystem::path& path : state.preferences.recent) all.push_back({"recent/" + path.string(), "Open lately", path.string(), {}, opens(path)});
+}
+
+void add_trials(std::vector<Action>& all, const WorkbenchState& state) {
+    if (!state.scene) return;
+    for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
+        const int trial = static_cast<int>(t);
+        all.push_back({"trial/" + state.scene->trials[t].name, "Trial", state.scene->trials[t].name, {},
+                       [trial](PanelContext& context, ViewportState&) { context.emit(command::ChooseTrial{trial}); }});
+    }
+}
+
+/// Titles begin with an icon, which nobody types.
+std::string without_icon(const std::string& title) {
+    const auto letter = std::find_if(title.begin(), title.end(), [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
+    return {letter, title.end()};
+}
+
+void add_panels(std::vector<Action>& all, const WorkbenchState& state, const std::vector<std::unique_ptr<Panel>>& panels) {
+    if (!state.scene) return;
+    for (const auto& panel : panels) {
+        if (panel->place() != PanelPlace::strip || !panel->offered(state)) continue;
+        all.push_back({"panel/" + panel->name(), "Below the view", without_icon(panel->title()), {},
+                       [name = panel->name()](PanelContext& context, ViewportState&) { context.window.panel = name; }});
+    }
+}
+
+void add_fields(std::vector<Action>& all, const WorkbenchState& state, const Backend& backend) {
+    if (!state.scene) return;
+    const auto colours = [](const std::string& field) {
+        return [field](PanelContext& context, ViewportState&) {
+            ViewOptions view = context.state.view;
+            view.field = field;
+            context.emit(command::ChangeView{view});
+        };
+    };
+    for (const FieldKind& kind : field_kinds(backend)) {
+        Action action{"field/" + kind.id, "Colour by", kind.label, {}, colours(kind.id)};
+        action.enabled = [kind](const WorkbenchState& s) { return needed_for(kind, s).empty(); };
+        all.push_back(std::move(action));
+    }
+    all.push_back({"field/none", "Colour by", "nothing", {}, colours("")});
+}
+
+}  // namespace
+
+std::vector<Action> offered_actions(const WorkbenchState& state, const Backend& backend, const std::vector<std::unique_ptr<Panel>>& panels) {
+    std::vector<Action> all;
+    add_trials(all, state);
+    add_panels(all, state, panels);
+    add_fields(all, state, backend);
+    add_files(all, state);
+    return all;
+}
+
+}  // namespace myo

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "panels/actions.hpp"
+
+namespace myo {
+
+/// Actions on what is there now: examples and files to open, trials and panels to show, quantities that colour the body.
+std::vector<Action> offered_actions(const WorkbenchState& state, const Backend& backend, const std::vector<std::unique_ptr<Panel>>& panels);
+
+}  // namespace myo
