@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
+#include "base/letter_case.hpp"
 #include "commands/scene_at_time.hpp"
 
 namespace myo {
@@ -79,11 +79,9 @@ void add_force_arrows(DrawnScene& drawn, const WorkbenchState& state, const Them
         const Eigen::Vector3d force = now.col(p);
         if (force.norm() > shortest_part * forces->largest_N) append_arrow(points, used, from.col(p), metres_per_N * force);
     }
-    drawn.lines.push_back({points.leftCols(used), Color(theme.force.x, theme.force.y, theme.force.z, 1.0f), 2.5});
+    drawn.lines.push_back({points.leftCols(used), color_of(theme.force), 2.5});
     const DiagnosisRow& row = *state.diagnosis_row();
-    std::string name = row.name;
-    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
-    drawn.arrows = ArrowScale{row.kind == DiagnosisRow::Kind::missing_force ? row.name : "Force of " + name, metres_per_N, drawn.lines.back().color};
+    drawn.arrows = ArrowScale{row.kind == DiagnosisRow::Kind::missing_force ? row.name : "Force of " + lower_first(row.name), metres_per_N, drawn.lines.back().color};
     drawn.body_opacity = std::min(drawn.body_opacity, translucent);
 }
 

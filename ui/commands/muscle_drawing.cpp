@@ -22,8 +22,6 @@ constexpr double lift = 0.04;               // of it, above the face
 constexpr std::size_t most_fibres = 4000;   // of a muscle: more are drawn one in so many
 constexpr float dark_fibre = 0.35f;         // on its own colour
 
-Eigen::Vector3f rgb(const ImVec4& c) { return {c.x, c.y, c.z}; }
-
 /// Columns of a matrix that belong to a cell or a face.
 Matrix3Xd nodes_of(const Matrix3Xd& positions, const Eigen::MatrixXi& nodes, Index column) { return positions(Eigen::all, nodes.col(column)); }
 
@@ -90,7 +88,7 @@ void add_muscles(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
         const bool chosen = static_cast<int>(m) == state.muscle;
         const CellPaint& paint = chosen && live ? *live : *state.paint[m];
         if (paint.count() != state.body->mesh.cell_count() || !(paint.weights.maxCoeff() > 0.0)) continue;
-        const Eigen::Vector3f color = rgb(theme.muscle(state.settings.muscles[m].color));
+        const Eigen::Vector3f color = color_of(theme.muscle(state.settings.muscles[m].color)).head<3>();
         for (Index f = 0; f < boundary.count(); ++f) {
             const auto weight = static_cast<float>(paint.weights(boundary.cell(f)));
             sums.col(f) += weight * color.homogeneous();

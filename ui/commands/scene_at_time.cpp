@@ -16,8 +16,6 @@ namespace {
 
 constexpr double trail_s = 0.5;   // how far back trails reach
 
-Color color_of(const ImVec4& c, float alpha = 1.0f) { return {c.x, c.y, c.z, alpha}; }
-
 // Grows a box, which starts empty, by points.
 struct Bounds {
     Box box;

@@ -7,8 +7,6 @@
 namespace myo {
 namespace {
 
-std::string millimetres(double metres) { return value_label(1e3 * metres, 3) + " mm"; }
-
 bool is_measured(const Scene& scene) {
     for (const SceneTrial& trial : scene.trials)
         if (!trial.measured.empty()) return true;
@@ -41,7 +39,6 @@ StepStatus fibres_status(const WorkbenchState& state) {
 }
 
 StepStatus run_status(const WorkbenchState& state) {
-    if (!state.scene->cannot_run.empty()) return {StepState::missing, state.scene->cannot_run};
     if (!state.run) return {StepState::ready, "Choose the time step, then run."};
     if (!state.run_is_current()) return {StepState::stale, "The settings changed since the last run: run again."};
     return {StepState::done, "Run in " + value_label(state.run->seconds, 2) + " s."};

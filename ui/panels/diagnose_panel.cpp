@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "panels/job_words.hpp"
+#include "base/letter_case.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
@@ -28,20 +30,21 @@ ImVec4 verdict_color(const Theme& theme, const DiagnosisView& d) {
 std::string stage_words(const JobView& job) {
     std::string words = job.progress.task.empty() ? "Starting" : job.progress.task;
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    if (job.progress.total > 1.0 && !job.progress.unit.empty())
-        words += ", " + plain_label(job.progress.done, 3) + " of " + plain_label(job.progress.total, 3) + " " + job.progress.unit;
+    if (const std::string counted = counted_words(job); !counted.empty()) words += ", " + counted;
     if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
     std::replace(words.begin(), words.end(), '_', ' ');   // ids of effects
-    return words + " \xc2\xb7 " + duration_label(job.elapsed_s);
+    if (job.remaining_s) words += " \xc2\xb7 " + time_words(job);
+    return words + " \xc2\xb7 " + duration_label(job.elapsed_s) + " so far";
 }
 
 bool can_be_added(const DiagnosisRow* row) { return row && row->fitted && row->kind == DiagnosisRow::Kind::effects; }
 
 bool is_in_model(const WorkbenchState& state, const DiagnosisRow& row) { return row.settings.effects == state.settings.effects; }
 
-std::string lower_first(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
-    return text;
+/// The fitted value as far as a cell has room for it: what is left out is told on hovering.
+std::string value_words(const DiagnosisRow& row, float width) {
+    const bool fits = ImGui::CalcTextSize(row.value.c_str()).x <= width;
+    return row.one_number || (!fits && !row.brief.empty()) ? row.brief : row.value;
 }
 
 }  // namespace
@@ -118,8 +121,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
         ImGui::EndDisabled();
         ImGui::SameLine(0.0f, 12.0f * s);
         const JobView& job = *state.job;
-        const std::string inside = job.progress.total > 1.0 ? value_label(100.0 * job.fraction(), 2) + " %" : "working";
-        ImGui::ProgressBar(static_cast<float>(job.progress.total > 1.0 ? job.fraction() : 0.0), {160.0f * s, 0.0f}, inside.c_str());
+        ImGui::ProgressBar(static_cast<float>(job.fraction()), {160.0f * s, 0.0f}, bar_words(job).c_str());
         context.items.mark("diagnose/progress");
         ImGui::SameLine(0.0f, 12.0f * s);
         ImGui::AlignTextToFramePadding();
@@ -186,7 +188,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         {"Effect", "Best first. A click shows what the effect would do."},
         {"Fitted value", "With one standard deviation, fitted together with the declared parameters."},
         {"Explains [%]", "Share of the residual's square that it could take away, after what the declared parameters absorb.", true},
-        {std::string("Held out [") + times + " noise]", "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
+        {std::string("Held out [") + times + "]", "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
         {"Weight [%]", "Share of the evidence among all that was fitted, the declared model included.", true}};
     ImGui::TableSetupColumn("rank", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00").x);
     ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch, 1.2f);
@@ -209,7 +211,10 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
             if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
         tooltip(theme, words);
         text_cell(theme, row.name + (row.chosen ? "  " + std::string(icon::done) : ""), row.chosen ? verdict_color(theme, d) : color);
-        text_cell(theme, row.value, color);
+        ImGui::TableNextColumn();
+        const float room = ImGui::GetContentRegionAvail().x;
+        ImGui::TextColored(color, "%s", elided(value_words(row, room), room).c_str());
+        context.items.add("diagnose/value/" + row.key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
         number_cell(theme, percent(row.explained), &color);
         number_cell(theme, value_label(row.held_out, 3), &color);
         number_cell(theme, percent(row.weight), &color);
@@ -326,7 +331,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const DiagnosisRow& row) 
     ImGui::TableSetupScrollFreeze(0, 1);
     const std::string of_noise = std::string(" [") + times + " noise]";
     const std::string before = "rms error over the markers of the declared model, its parameters fitted", after = "with " + lower_first(row.name) + " beside them";
-    const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials that are predicted took no part in any fit or choice."}, {"Before [mm]", before, true}, {"After [mm]", after, true},
+    const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials that are predicted took no part in any fit; with them an answer can only be refused."}, {"Before [mm]", before, true}, {"After [mm]", after, true},
                                         {"Before" + of_noise, before, true}, {"After" + of_noise, after, true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
     // In a narrow window the role is told on hovering, and what the error was in noise levels can be worked out.

@@ -174,7 +174,7 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
         const bool again = target == replaced_;
         const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x - 240.0f * theme.scale;
         ImGui::SameLine();
-        const std::string told = std::string(icon::warning) + "  " + (again ? "Enter again replaces it" : target.filename().string() + " is there already");
+        const std::string told = std::string(icon::warning) + "  " + (again ? "Enter again replaces it" : "There already: " + target.filename().string());
         ImGui::TextColored(theme.warning, "%s", elided(told, room).c_str());
         context.items.mark("browser/is_there");
         tooltip(theme, told);
@@ -242,7 +242,7 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
             typing_name_ = true;
             ImGui::CloseCurrentPopup();
         } else {
-            problem_ = "Cannot be made: " + failed.message();
+            problem_ = fs::exists(made) ? "A file of this name is there already." : "Cannot be made: " + failed.message();
             typing_folder_ = true;
         }
     }

@@ -27,7 +27,7 @@ void FitPanel::draw_calibrate(PanelContext& context) {
     text_row(theme, "Unknown", list);
     if (ImGui::Button((std::string(icon::target) + "  Calibrate").c_str(), {-1.0f, 0.0f})) context.emit(command::Calibrate{});
     context.items.mark("fit/calibrate");
-    tooltip(theme, "Fits these to all trials of role fit, by least squares on exact derivatives; trials of role validate are predicted at the end.");
+    tooltip(theme, "Fits these to all trials of role fit: the least |r|² / 2, r = (simulated − measured) / noise, on exact derivatives; trials of role validate are predicted at the end.");
 }
 
 void FitPanel::draw_optimize(PanelContext& context) {
@@ -42,16 +42,16 @@ void FitPanel::draw_optimize(PanelContext& context) {
     text_row(theme, "Follow", trial->name);
     tooltip(theme, "The trial that the timeline shows is the target.");
     bool ignored = false;
-    number_row(context, {"Knots", "fit/frequency", "1/s", "Values of each signal per second; between them it is linear.", 1.0, {0.5, 200.0}, 0.1}, edit_, request.frequency_Hz, ignored);
-    number_row(context, {"Least a", "fit/lowest", "", "No muscle's target stretch goes below this.", 1.0, {0.1, 1.0}, 0.005}, edit_, request.lowest, ignored);
-    number_row(context, {"Greatest a", "fit/highest", "", "No muscle's target stretch goes above this.", 1.0, {1.0, 4.0}, 0.005}, edit_, request.highest, ignored);
+    number_row(context, {"Knots", "fit/frequency", "1/s", "Knots of each signal a(t) per second [1/s]; between them it is linear. A trial of T seconds has about T times as many unknowns for each muscle.", 1.0, {0.5, 200.0}, 0.1}, edit_, request.frequency_Hz, ignored);
+    number_row(context, {"Least a", "fit/lowest", "", "Least target stretch a that is tried, a plain number: the length that the fibres want over their length at rest. Below 1 they pull.", 1.0, {0.1, 1.0}, 0.005}, edit_, request.lowest, ignored);
+    number_row(context, {"Greatest a", "fit/highest", "", "Greatest target stretch a that is tried, a plain number: the length that the fibres want over their length at rest. Above 1 they push.", 1.0, {1.0, 4.0}, 0.005}, edit_, request.highest, ignored);
     double evaluations = request.max_evaluations;
-    if (number_row(context, {"Evaluations", "fit/evaluations", "", "At most so many runs with their gradient.", 1.0, {1.0, 1000.0}, 1.0}, edit_, evaluations, ignored))
+    if (number_row(context, {"Evaluations", "fit/evaluations", "", "At most so many runs of the trial, each with the exact gradient of its loss by the adjoint method.", 1.0, {1.0, 1000.0}, 1.0}, edit_, evaluations, ignored))
         request.max_evaluations = static_cast<int>(std::lround(evaluations));
     if (!(request == state.optimize)) context.emit(command::ChangeOptimize{request});
     if (ImGui::Button((std::string(icon::bolt) + "  Optimise").c_str(), {-1.0f, 0.0f})) context.emit(command::Optimize{});
     context.items.mark("fit/optimize");
-    tooltip(theme, "Looks for the signals with which the markers follow the trial, by a quasi-Newton search on the exact gradient of the run. The best so far plays in the view.");
+    tooltip(theme, "Looks for the signals with which the markers follow the trial: the least mean square distance, plus a little for hasty signals, by a quasi-Newton search on its exact gradient. The best so far plays in the view.");
 }
 
 void FitPanel::draw_found(PanelContext& context) {
@@ -63,7 +63,7 @@ void FitPanel::draw_found(PanelContext& context) {
     for (const ParameterRow& row : found->parameters)
         text_row(theme, row.name, label_with_deviation(row.value, row.deviation) + " " + row.unit + "\nfrom " + plain_label(row.start, 4) + " " + row.unit);
     for (const std::string& note : found->notes) muted_text(theme, note);
-    text_row(theme, "rms error", millimetres(found->rms_before_m) + " \xe2\x86\x92 " + millimetres(found->rms_after_m) + " mm");
+    text_row(theme, "rms error", millimetres(found->rms_before_m) + " \xe2\x86\x92 " + millimetres(found->rms_after_m));
     if (!found->problem.empty()) notice(theme, LogLevel::warning, found->problem);
     for (const std::string& warning : found->warnings) notice(theme, LogLevel::warning, warning);
 }

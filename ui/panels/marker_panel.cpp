@@ -10,6 +10,7 @@
 #include "panels/file_dialogs.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
+#include "plot/legend.hpp"
 
 namespace myo {
 namespace {
@@ -196,8 +197,7 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
 /// One legend for all axes: over each plot there is no room for the names of several trials.
 void MarkerPanel::draw_legend(PanelContext& context) {
     const Theme& theme = context.theme;
-    struct Entry { std::string name; ImVec4 color; bool dots; };
-    std::vector<Entry> entries{{"measured", theme.measured, true}};
+    std::vector<LegendEntry> entries{{"measured", theme.measured, true}};
     if (context.state.simulated_trial()) entries.push_back({"simulated", theme.simulated, false});
     for (const ComparedMarker& other : compared_markers(context.state)) entries.push_back({other.name, theme.muscle(static_cast<int>(other.record)), false});
     for (const OverlaidMarker& other : overlaid_markers(context.state, overlaid_)) {
@@ -207,24 +207,16 @@ void MarkerPanel::draw_legend(PanelContext& context) {
     }
     ImGui::PushFont(theme.small);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float sample = 16.0f * theme.scale, gap = 12.0f * theme.scale, right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    for (const Entry& entry : entries) {
-        const float width = sample + ImGui::CalcTextSize(entry.name.c_str()).x;
+    const float gap = 12.0f * theme.scale, right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    for (const LegendEntry& entry : entries) {
+        const float width = legend_width(entry, theme);
         if (&entry != &entries.front()) {
             ImGui::SameLine(0.0f, gap);
             if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
         }
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float height = ImGui::GetTextLineHeight();
-        if (ImGui::InvisibleButton(entry.name.c_str(), {width, height})) {
-            if (hidden_.erase(entry.name) == 0) hidden_.insert(entry.name);
-        }
+        const bool pressed = ImGui::InvisibleButton(entry.name.c_str(), {width, ImGui::GetTextLineHeight()});
         context.items.mark("markers/legend/" + entry.name);
-        const float alpha = hidden_.count(entry.name) > 0 ? 0.35f : 1.0f;
-        const float middle = at.y + 0.5f * height;
-        if (entry.dots) list.AddCircleFilled({at.x + 0.4f * sample, middle}, 3.0f * theme.scale, packed(entry.color, alpha), 12);
-        else list.AddLine({at.x, middle}, {at.x + 0.8f * sample, middle}, packed(entry.color, alpha), 2.0f * theme.scale);
-        list.AddText({at.x + sample, at.y}, packed(ImGui::IsItemHovered() ? theme.text : theme.muted, alpha), entry.name.c_str());
+        draw_legend_entry(list, entry, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::IsItemHovered(), pressed, theme, hidden_);
     }
     ImGui::PopFont();
 }

@@ -31,7 +31,7 @@ void draw_trial_errors(PanelContext& context, const std::string& item, const Run
         context.items.mark(item + trial.name);
         ImGui::PopID();
         text_cell(context.theme, trial.role, context.theme.muted);
-        number_cell(context.theme, run && t < run->trials.size() && std::isfinite(run->trials[t].rms_m) ? millimetres(run->trials[t].rms_m) : "\xe2\x80\x93");
+        number_cell(context.theme, run && t < run->trials.size() && std::isfinite(run->trials[t].rms_m) ? value_label(1e3 * run->trials[t].rms_m, 3) : "\xe2\x80\x93");
     }
     ImGui::EndTable();
 }

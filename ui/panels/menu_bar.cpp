@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
+#include "base/letter_case.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
@@ -15,11 +15,6 @@ namespace myo {
 namespace {
 
 constexpr std::array<const char*, 5> menus{"File", "Edit", "View", "Run", "Help"};
-
-std::string lower(std::string text) {
-    text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
-    return text;
-}
 
 void draw_recent(PanelContext& context) {
     const auto& recent = context.state.preferences.recent;
@@ -62,7 +57,7 @@ void draw_menus(PanelContext& context, ViewportState& viewport) {
     for (const char* menu : menus) {
         if (menu != menus.front()) ImGui::SameLine(0.0f, 2.0f * theme.scale);
         const bool pressed = ImGui::Button(menu);
-        context.items.mark("menu/" + lower(menu));
+        context.items.mark("menu/" + lower_first(menu));
         const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 2.0f * theme.scale};
         // With one menu open, the mouse goes from one to the next.
         const bool passes = any_open && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup) && !ImGui::IsPopupOpen(id(menu).c_str());

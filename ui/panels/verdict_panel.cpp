@@ -23,7 +23,11 @@ void VerdictPanel::draw(PanelContext& context) {
     context.items.mark("verdict/headline");
     if (!d.complete) return;
     text_row(theme, "Confidence", value_label(100.0 * d.confidence, 2) + " %");
-    text_row(theme, "Noise", millimetres(d.noise_m) + " mm");
+    tooltip(theme, "How credible the verdict is among all that was tried, the declared model and \"none of these\" included: its share of the evidence, less where the data say that the verdict may be off.");
+    context.items.mark("verdict/confidence");
+    text_row(theme, "Noise", millimetres(d.noise_m));
+    tooltip(theme, "Root mean square error [mm] that a right model would leave: the measurement's own. Errors \"times the noise\" are in units of it.");
+    context.items.mark("verdict/noise");
     if (!d.because.empty()) muted_text(theme, d.because);
     for (const std::string& each : d.confounded) notice(theme, LogLevel::information, "Not to be told apart here: " + each + ".");
     const DiagnosisRow* const row = state.diagnosis_row();
@@ -31,7 +35,7 @@ void VerdictPanel::draw(PanelContext& context) {
     heading(theme, "Errors with " + row->name);
     for (std::size_t t = 0; t < d.trials.size(); ++t) {
         const double after = t < row->after_m.size() ? row->after_m[t] : std::nan("");
-        text_row(theme, d.trials[t].name, millimetres(d.trials[t].before_m) + " \xe2\x86\x92 " + millimetres(after) + " mm" + (d.trials[t].fitted ? "" : ", predicted"),
+        text_row(theme, d.trials[t].name, millimetres(d.trials[t].before_m) + " \xe2\x86\x92 " + millimetres(after) + (d.trials[t].fitted ? "" : ", predicted"),
                  after < d.trials[t].before_m ? &theme.success : nullptr);
     }
 }

@@ -19,7 +19,8 @@ float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax
 void tooltip(const Theme& theme, const std::string& text, float width) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
-    wrapped_text(text, width * theme.scale);
+    // In a small window with large letters the words would reach beyond its edge.
+    wrapped_text(text, std::min(width * theme.scale, ImGui::GetIO().DisplaySize.x - 24.0f * theme.scale));
     ImGui::EndTooltip();
 }
 
@@ -44,8 +45,6 @@ void heading(const Theme& theme, const std::string& text) {
     ImGui::PopFont();
 }
 
-std::string millimetres(double metres) { return value_label(1e3 * metres, 3); }
-
 std::string duration_label(double seconds) {
     const long whole = std::lround(std::max(0.0, seconds));
     if (seconds < 9.95) return value_label(std::max(0.0, seconds), 2) + " s";
@@ -65,13 +64,16 @@ void row_label(const Theme& theme, const std::string& label, const std::string& 
 }
 
 void text_row(const Theme& theme, const std::string& label, const std::string& value, const ImVec4* color) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::BeginGroup();
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
     wrapped_text(label, label_width() - 4.0f);
     ImGui::PopStyleColor();
-    ImGui::SameLine(label_width());
+    ImGui::SameLine(label_width() - left);   // within a group it counts from there
     ImGui::PushStyleColor(ImGuiCol_Text, color != nullptr ? *color : theme.text);
     wrapped_text(value);
     ImGui::PopStyleColor();
+    ImGui::EndGroup();
 }
 
 void muted_text(const Theme& theme, const std::string& text) {

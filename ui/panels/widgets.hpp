@@ -16,8 +16,6 @@ bool tab(const Theme& theme, const char* label, bool chosen);
 void right_aligned(const std::string& text);
 void heading(const Theme& theme, const std::string& text);
 
-/// "1.23", of metres in millimetres.
-std::string millimetres(double metres);
 /// "42 s", "3 min 5 s", "1 h 2 min"
 std::string duration_label(double seconds);
 
@@ -26,7 +24,7 @@ std::string duration_label(double seconds);
 /// Label in the left column; leaves the cursor at the right one with the remaining width set for the next item.
 void row_label(const Theme& theme, const std::string& label, const std::string& tip = {});
 
-/// A label and a text that wraps.
+/// A label and a text that wraps; both together are the last item then.
 void text_row(const Theme& theme, const std::string& label, const std::string& value, const ImVec4* color = nullptr);
 
 /// Wrapped text in the secondary colour.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot/legend.hpp"
+
 namespace myo {
 namespace {
 
@@ -106,32 +108,18 @@ void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea
 
 void draw_plot_legend(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme, ItemRectangles& items,
                       HiddenSeries& hidden) {
-    ImFont* font = theme.small;
-    const float row = font->FontSize + 6.0f * theme.scale;
+    const float row = theme.small->FontSize + 6.0f * theme.scale;
     float right = area.pixels.highest.x;
     for (std::size_t i = plot.series.size(); i-- > 0;) {
         const PlotSeries& series = plot.series[i];
-        const float sample = 14.0f * theme.scale;
-        const float width = extent(font, series.name).x + sample + 14.0f * theme.scale;
-        const Rectangle box{{right - width, area.pixels.lowest.y - row}, {right, area.pixels.lowest.y}};
-        right -= width;
-        if (right < area.pixels.lowest.x) break;
-        const std::string name = plot.id + "/legend/" + series.name;
-        items.add(name, box);
+        const LegendEntry entry{series.name, series.color, series.dots};
+        const float left = right - legend_width(entry, theme);
+        if (left < area.pixels.lowest.x) break;
+        const Rectangle box{{left, area.pixels.lowest.y - row}, {right, area.pixels.lowest.y}};
+        right = left - 10.0f * theme.scale;
+        items.add(plot.id + "/legend/" + series.name, box);
         const bool hovered = ImGui::IsWindowHovered() && box.contains(ImGui::GetIO().MousePos);
-        if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-            if (hidden.erase(series.name) == 0) hidden.insert(series.name);
-        }
-        const float alpha = hidden.count(series.name) > 0 ? 0.35f : 1.0f;
-        const float y = 0.5f * (box.lowest.y + box.highest.y);
-        const float x = box.lowest.x + 6.0f * theme.scale;
-        if (series.dots) {
-            list.AddCircleFilled({x + 0.5f * sample, y}, 3.0f * theme.scale, packed(series.color, alpha), 12);
-        } else {
-            list.AddLine({x, y}, {x + sample - 2.0f, y}, packed(series.color, alpha), 2.0f * theme.scale);
-        }
-        text(list, font, {x + sample + 2.0f * theme.scale, y - 0.5f * font->FontSize}, packed(hovered ? theme.text : theme.muted, alpha),
-             series.name);
+        draw_legend_entry(list, entry, box, hovered, hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left), theme, hidden);
     }
 }
 

@@ -71,11 +71,11 @@ std::string value_label(double value, int significant_digits) {
     if (!std::isfinite(value)) return "\xe2\x80\x93";
     const double magnitude = std::abs(value);
     if (magnitude != 0.0 && (magnitude >= 1e7 || magnitude < 1e-5)) return printed("%.*g", significant_digits, value);
-    const int before = magnitude >= 1.0 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : magnitude > 0.0
-                           ? static_cast<int>(std::floor(std::log10(magnitude))) + 1
-                           : 1;
+    const int before = magnitude > 0.0 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
     return printed("%.*f", std::max(0, significant_digits - before), value);
 }
+
+std::string millimetres(double metres) { return value_label(1e3 * metres, 3) + " mm"; }
 
 Range range_of(const std::vector<const double*>& starts, const std::vector<long>& counts) {
     assert(starts.size() == counts.size());

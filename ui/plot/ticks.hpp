@@ -30,6 +30,9 @@ std::string tick_label(double value, double step);
 /// Value with the given number of significant digits, a true minus sign, "-" when not finite.
 std::string value_label(double value, int significant_digits);
 
+/// "1.23 mm", of metres.
+std::string millimetres(double metres);
+
 /// As value_label without trailing zeros: "30", "0.25".
 std::string plain_label(double value, int significant_digits);
 

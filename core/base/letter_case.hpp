@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cctype>
+#include <string>
+
+namespace myo {
+
+/// With all ASCII letters in lower case.
+inline std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// With its first letter in lower case, as within a sentence.
+inline std::string lower_first(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+}  // namespace myo
