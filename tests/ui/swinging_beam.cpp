@@ -89,7 +89,6 @@ Result<Scene> SwingingBeam::open(const std::filesystem::path& path, std::optiona
     if (path.filename() == "missing") return Error{"no such folder", path.string()};
     if (metres_per_unit) {
         scene.surface.vertices *= *metres_per_unit / 1e-3;
-        scene.cannot_run = "A mesh alone cannot be simulated: open an experiment folder that says how it is held.";
         return scene;
     }
     scene.name = "Swinging beam, batch 3";
@@ -290,6 +289,7 @@ Result<Project> SwingingBeam::read_project(const std::filesystem::path& file) co
 }
 
 Result<void> SwingingBeam::write_project(const std::filesystem::path& file, const Project& project) const {
+    std::this_thread::sleep_for(std::chrono::duration<double>(write_delay_s.load()));
     if (file.parent_path() == "/forbidden") return Error{"cannot be written", file.string()};
     projects[file] = project;
     return {};
@@ -320,7 +320,9 @@ DiagnosisRow candidate(const DiagnosisView& view, const Settings& settings, cons
     row.name = name;
     row.explained = 1.0 - (1.0 - part) * (1.0 - part);
     row.fitted = part > 0.3;
-    row.value = row.fitted ? "coefficient " + std::to_string(static_cast<int>(value)) + " \xc2\xb1 2 Pa s/m" : "not fitted";
+    row.brief = row.fitted ? std::to_string(static_cast<int>(value)) + " \xc2\xb1 2 Pa s/m" : "";
+    row.one_number = row.fitted;
+    row.value = row.fitted ? "coefficient " + row.brief : "not fitted";
     for (const DiagnosisTrial& trial : view.trials) {
         row.predicted_m.emplace_back();
         for (const Eigen::Matrix3Xd& track : trial.residual_m) row.predicted_m.back().push_back(part * track);

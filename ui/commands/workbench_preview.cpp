@@ -39,7 +39,7 @@ void Workbench::stop_preview() {
 
 void Workbench::begin_preview() {
     if (!state_.preview.working || preview_job_ || task_) return;
-    const bool possible = state_.scene && state_.scene->cannot_run.empty() && state_.scene_trial() && state_.mesh_is_current();
+    const bool possible = state_.scene_trial() && state_.mesh_is_current();
     // What was run whole needs no preview.
     if (!possible || state_.run_is_current()) return stop_preview();
     const RunExtent extent{static_cast<std::size_t>(state_.trial), preview_length_s(state_)};

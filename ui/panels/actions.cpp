@@ -16,9 +16,6 @@ using Enabled = std::function<bool(const WorkbenchState&)>;
 Enabled with_scene() {
     return [](const WorkbenchState& s) { return s.scene != nullptr; };
 }
-Enabled runnable() {
-    return [](const WorkbenchState& s) { return s.scene && s.scene->cannot_run.empty(); };
-}
 Enabled working() {
     return [](const WorkbenchState& s) { return s.busy(); };
 }
@@ -100,11 +97,11 @@ void add_view_actions(std::vector<Action>& all) {
 
 void add_run_actions(std::vector<Action>& all) {
     all.push_back({"run.mesh", "Run", "Build the mesh", {key_m, true, false, "Ctrl+M"}, emits(command::BuildMesh{}), with_scene()});
-    all.push_back({"run.run", "Run", "Run", {key_r, true, false, "Ctrl+R"}, emits(command::Run{}), runnable()});
+    all.push_back({"run.run", "Run", "Run", {key_r, true, false, "Ctrl+R"}, emits(command::Run{}), with_scene()});
     all.push_back({"run.preview", "Run", "Live preview", {key_p, true, false, "Ctrl+P"}, [](PanelContext& context, ViewportState&) {
                        const LivePreview& preview = context.state.preview;
                        context.emit(command::ChangePreview{!preview.on, preview.length_s});
-                   }, runnable(), [](const WorkbenchState& s) { return s.preview.on; }});
+                   }, with_scene(), [](const WorkbenchState& s) { return s.preview.on; }});
     all.push_back({"run.calibrate", "Run", "Calibrate", {}, emits(command::Calibrate{}), [](const WorkbenchState& s) { return s.scene && !s.scene->calibrated.empty(); }});
     all.push_back({"run.optimize", "Run", "Optimise the signals", {}, emits(command::Optimize{}), [](const WorkbenchState& s) { return s.scene && !s.settings.muscles.empty(); }});
     all.push_back({"run.diagnose", "Run", "Diagnose", {key_d, true, false, "Ctrl+D"}, emits(command::Diagnose{}), [](const WorkbenchState& s) { return s.scene && can_be_diagnosed(*s.scene); }});

@@ -28,7 +28,7 @@ void BodyPanel::draw(PanelContext& context) {
     context.items.mark("body/browse");
     tooltip(theme, "Choose from a list (Ctrl+O)");
     if (!state.scene) {
-        muted_text(theme, "A folder with an experiment.toml brings body, clamp, material and measured markers. A closed surface alone is taken as silicone, "
+        muted_text(theme, "A folder with an experiment.toml brings body, clamp, material and measured markers. A closed surface or a volume mesh alone is taken as silicone, "
                           "held at the lower end of its longest axis.");
         return;
     }
@@ -43,7 +43,6 @@ void BodyPanel::draw(PanelContext& context) {
     if (!scene.markers.empty()) text_row(theme, "Markers", std::to_string(scene.markers.size()));
     text_row(theme, "Trials", std::to_string(scene.trials.size()));
     if (!state.project.empty()) text_row(theme, "Project", state.project.filename().string() + (state.unsaved() ? ", with changes" : ", saved"));
-    if (!scene.cannot_run.empty()) notice(theme, LogLevel::information, scene.cannot_run);
     for (const std::string& warning : scene.warnings) notice(theme, LogLevel::warning, warning);
 }
 

@@ -6,7 +6,7 @@ namespace myo {
 
 void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
     const WorkbenchState& state = context.state;
-    if (!state.scene || !state.scene->cannot_run.empty()) return;
+    if (!state.scene) return;
     row_label(context.theme, "Live preview", "Every edit of a value is followed by a short run of the shown trial, beside the work: view and curves show it as soon as it is there. "
                                              "It is no result; Run makes one.");
     bool on = state.preview.on;
@@ -15,7 +15,7 @@ void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
     ImGui::PopID();
     context.items.mark("preview/on");
     if (!state.preview.on) return;
-    static const NumberField field{"Preview length", "preview/length", "s", "How much of the trial is run, from t = 0. The shorter, the sooner it is there.", 1.0, {0.01, 1e3}, 0.01};
+    static const NumberField field{"Preview length", "preview/length", "s", "Seconds of the trial that are run, from t = 0 on: length / h steps. The shorter, the sooner it is there.", 1.0, {0.01, 1e3}, 0.01};
     double length = preview_length_s(state);
     bool goes_on = false;
     if (number_row(context, field, edit, length, goes_on)) context.emit(command::ChangePreview{true, length});

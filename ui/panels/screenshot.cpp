@@ -83,7 +83,7 @@ Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const Screenshot
         if (const auto opened = wait_for_jobs(workbench, progress); !opened) return opened.error();
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
-    if (workbench.state().scene && workbench.state().scene->cannot_run.empty()) {
+    if (workbench.state().scene) {
         if (options.calibrate) workbench.execute(command::Calibrate{});
         else if (options.optimize) workbench.execute(command::Optimize{});
         else if (options.run) workbench.execute(command::Run{});
