@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "base/text.hpp"
+#include "measurement/noise.hpp"
+#include "measurement/spikes.hpp"
 #include "project/read_experiment.hpp"
 
 namespace myo {
@@ -70,6 +73,20 @@ Result<void> check_window(const Experiment& experiment, const TrialDeclaration& 
     return {};
 }
 
+// Reflections and markers taken for another: such samples count as hidden.
+void leave_out_spikes(const Experiment& experiment, const std::string& key, TrialRecording& read) {
+    for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
+        Eigen::Matrix3Xd& track = read.recording.tracks[i];
+        const double sigma = experiment.markers.noise_m.value_or(estimate_track_noise(track).sigma_m);
+        const Spikes spikes = find_spikes(track, read.recording.time_s, sigma);
+        if (spikes.samples.empty()) continue;
+        for (const Eigen::Index t : spikes.samples) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
+        read.warnings.push_back(key + ": marker \"" + read.recording.labels[i] + "\" stands out from its own motion by up to " + format_number(1e3 * spikes.largest_m, 3) + " mm in " +
+                                std::to_string(spikes.samples.size()) + (spikes.samples.size() == 1 ? " sample, which is" : " samples, which are") + " left out, the first at " +
+                                format_number(read.recording.time_s(spikes.samples.front()), 4) + " s");
+    }
+}
+
 }  // namespace
 
 std::string trial_key(const Experiment& experiment, const TrialDeclaration& trial) {
@@ -95,6 +112,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
+    leave_out_spikes(experiment, key, read);
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         const Eigen::Index occluded = occluded_samples(read.recording.tracks[i]);
         if (2 * occluded > read.recording.sample_count())

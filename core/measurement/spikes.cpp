@@ -1,0 +1,108 @@
+#include "measurement/spikes.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <optional>
+
+#include "measurement/gaps.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr double least_deviations = 10.0, least_ratio = 6.0;
+constexpr std::size_t longest_run = 3;
+/// Runs nearby whose own distance from a cubic is looked at, on each side; of all so many at least.
+constexpr std::size_t nearby = 4, least_nearby = 4;
+/// Missing samples within a cubic's points: over a longer gap a cubic tells nothing.
+constexpr Index most_missing = 3;
+
+/// The samples that were seen, without those taken out so far.
+class Seen {
+public:
+    Seen(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s) : track_(track), time_s_(time_s) {
+        for (Index t = 0; t < track.cols(); ++t)
+            if (is_seen(track, t)) samples_.push_back(t);
+    }
+
+    std::size_t count() const { return samples_.size(); }
+    Index sample(std::size_t place) const { return samples_[place]; }
+    void take_out(std::size_t first, std::size_t length) { samples_.erase(samples_.begin() + static_cast<std::ptrdiff_t>(first), samples_.begin() + static_cast<std::ptrdiff_t>(first + length)); }
+
+    /// Distance of the sample at `place` from the cubic through two samples before and two after the run [first, first + length), which holds it.
+    /// None at the ends and beside gaps.
+    std::optional<double> distance(std::size_t place, std::size_t first, std::size_t length) const {
+        if (first < 2 || first + length + 2 > count()) return std::nullopt;
+        const Index points[4] = {samples_[first - 2], samples_[first - 1], samples_[first + length], samples_[first + length + 1]};
+        if (points[3] - points[0] > static_cast<Index>(length) + 3 + most_missing) return std::nullopt;
+        const Index at = samples_[place];
+        Vector3d cubic = Vector3d::Zero();
+        for (int i = 0; i < 4; ++i) {
+            double weight = 1.0;   // of Lagrange
+            for (int j = 0; j < 4; ++j)
+                if (j != i) weight *= (time_s_(at) - time_s_(points[j])) / (time_s_(points[i]) - time_s_(points[j]));
+            cubic += weight * track_.col(points[i]);
+        }
+        return (track_.col(at) - cubic).norm();
+    }
+
+    /// The least and the largest distance of a run's samples; none where one has none.
+    struct Range {
+        double least = std::numeric_limits<double>::infinity(), largest = 0.0;
+    };
+    std::optional<Range> distances(std::size_t first, std::size_t length) const {
+        Range range;
+        for (std::size_t place = first; place < first + length; ++place) {
+            const std::optional<double> one = distance(place, first, length);
+            if (!one) return std::nullopt;
+            range.least = std::min(range.least, *one);
+            range.largest = std::max(range.largest, *one);
+        }
+        return range;
+    }
+
+    /// How far runs of this length before and after `place` are from their own neighbours; none where too few can tell.
+    std::optional<double> unrest_around(std::size_t place, std::size_t length) const {
+        double largest = 0.0;
+        std::size_t told = 0;
+        const std::size_t before = nearby + length - 1;
+        for (std::size_t first = place - std::min(before, place); first < std::min(place + nearby, count()); ++first)
+            if (const std::optional<Range> run = distances(first, length)) {
+                largest = std::max(largest, run->largest);
+                ++told;
+            }
+        return told >= least_nearby ? std::optional(largest) : std::nullopt;
+    }
+
+private:
+    const Eigen::Matrix3Xd& track_;
+    const Eigen::VectorXd& time_s_;
+    std::vector<Index> samples_;
+};
+
+}  // namespace
+
+Spikes find_spikes(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s, double sigma_m) {
+    assert(track.cols() == time_s.size());
+    Spikes spikes;
+    Seen seen(track, time_s);
+    for (std::size_t length = 1; length <= longest_run; ++length)
+        for (std::size_t first = 2; first + length + 2 <= seen.count(); ++first) {
+            const auto out = seen.distances(first, length);
+            if (!out || !(out->least > least_deviations * sigma_m)) continue;
+            Seen without = seen;
+            without.take_out(first, length);
+            const std::optional<double> unrest = without.unrest_around(first, length);
+            if (!unrest || !(out->least > least_ratio * *unrest)) continue;
+            for (std::size_t place = first; place < first + length; ++place) spikes.samples.push_back(seen.sample(place));
+            spikes.largest_m = std::max(spikes.largest_m, out->largest);
+            seen.take_out(first, length);
+        }
+    std::sort(spikes.samples.begin(), spikes.samples.end());
+    return spikes;
+}
+
+}  // namespace myo
