@@ -6,7 +6,6 @@
 
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
-#include "base/throttle.hpp"
 
 namespace myo {
 namespace {
@@ -46,10 +45,9 @@ const ResidualEvaluation& FitEvaluations::at(const VectorXd& values) {
     if (progress_.cancelled()) return stopped_;
     const auto show = [&](double done) { progress_.report({"fit", done, most_evaluations_, "evaluations", last_words_}); };
     if (report_.evaluations == 0) show(0.0);   // something is seen while the first one is under way
-    Throttle throttle;
     const Progress inside = progress_.with_sink([&](const ProgressEvent& event) {
         // Whole when evaluated.
-        if (throttle.ready()) show(report_.evaluations + (event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 0.999) : 0.0));
+        if (throttle_.ready()) show(report_.evaluations + (event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 0.999) : 0.0));
     });
     FitIterate iterate{values, std::numeric_limits<double>::infinity()};
     const Stopwatch watch;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/throttle.hpp"
 #include "inverse/least_squares.hpp"
 
 namespace myo {
@@ -35,6 +36,7 @@ private:
     const Progress& progress_;
     double most_evaluations_;
     LeastSquaresReport& report_;
+    Throttle throttle_;   // of what is shown within evaluations, however short these are
     std::string last_words_;
     ResidualEvaluation best_;
     std::vector<Point> latest_;
