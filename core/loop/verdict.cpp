@@ -53,12 +53,22 @@ JudgedFit none(Diagnosis& d) {
     return d.declared;
 }
 
+/// A number of an effect, other than a place, has gone as far as it may.
+bool effect_at_bound(const JointFit& fit) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
+        const double value = value_of(p, fit.values), little = 1e-6 * std::abs(value);
+        return p.kind == StudyParameter::Kind::effect && p.component < 0 && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
+    });
+}
+
 JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.kind = VerdictKind::effects;
     d.verdict.effects = fit.fit.effects;
-    d.verdict.confidence = trust * weight;
+    const bool at_bound = effect_at_bound(fit.fit);
+    d.verdict.confidence = trust * weight * (at_bound ? at_bound_trust : 1.0);
     d.verdict.because = "with " + effect_words(fit.fit.effects.front()) + (fit.fit.effects.size() > 1 ? " and " + effect_words(fit.fit.effects.back()) : "") +
                         " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
+    if (at_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
     return fit;
 }
 
@@ -78,14 +88,6 @@ bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
     return takes(&JudgedFit::rms_m) && takes(&JudgedFit::held_out_rms) && (!untested_by_trials || takes(&JudgedFit::held_out_in_time_rms));
 }
 
-/// A number of an effect, other than a place, has gone as far as it may.
-bool effect_at_bound(const JointFit& fit) {
-    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
-        const double value = value_of(p, fit.values), little = 1e-6 * std::abs(value);
-        return p.kind == StudyParameter::Kind::effect && p.component < 0 && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
-    });
-}
-
 /// The second effect of a pair hardly does anything.
 bool is_idle(const JudgedFit& pair, const JudgedFit& first) { return pair.tests.systematic.rms > most_of_what_was * first.tests.systematic.rms; }
 
@@ -100,6 +102,9 @@ bool takes_nearly_all(const Diagnosis& d, const JudgedFit& fit) {
     return fit.usable() && presence(d, fit) > 0.5 && !modulus_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
 }
 
+/// That it acts and is all there is: where seconds beside it would fit better still, though it explains the residual alone, they may be fitting the mesh.
+double alone(const Diagnosis& d, const JudgedFit& fit) { return std::max(fit.weight, other_form_trust * presence(d, fit)); }
+
 /// One effect takes away nearly all, and which does the rest beside it is open.
 bool any_would_do(const Diagnosis& d, const JudgedFit& first) { return takes_nearly_all(d, first) && d.pairs.front().weight < decided; }
 
@@ -112,9 +117,7 @@ JudgedFit nearly_all_of_it(Diagnosis& d, const JudgedFit& fit) {
 
 JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit, double weight) {
     const double left = fit.rms_m / d.declared.rms_m;
-    const bool at_bound = effect_at_bound(fit.fit);
-    effects(d, fit, weight * (1.0 - 0.5 * left) * (at_bound ? at_bound_trust : 1.0));
-    if (at_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
+    effects(d, fit, weight * (1.0 - 0.5 * left));
     d.verdict.because += " What is left is unexplained: the noise was taken from still markers, and no model of a real body comes down to that.";
     return fit;
 }
@@ -126,7 +129,7 @@ JudgedFit decide(Diagnosis& d) {
     const Candidate* const first = !d.candidates.empty() && d.candidates.front().judged ? &d.candidates.front() : nullptr;
     const JudgedFit* const pair = d.pairs.empty() ? nullptr : &d.pairs.front();
     if (!needs_explanation(d.declared, d.data, d.numerics)) fit = none(d);
-    else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, first->judged->weight);
+    else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, alone(d, *first->judged));
     else if (pair && explains(*pair, d.declared, d.data, d.numerics) && !(first && (is_idle(*pair, *first->judged) || any_would_do(d, *first->judged))))
         fit = effects(d, *pair, pair->weight);
     else if (first && takes_nearly_all(d, *first->judged)) fit = nearly_all_of_it(d, *first->judged);

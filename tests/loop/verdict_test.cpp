@@ -206,16 +206,33 @@ TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
     decide(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
 
-    double confidence[2];
-    for (const bool at_bound : {false, true}) {
-        d = with_candidate(5.0);
-        d.data.noise_declared = false;
-        end_at(*d.candidates[0].judged, StudyParameter::Kind::effect, at_bound ? 100.0 : 50.0);
-        decide(d);
-        EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
-        confidence[at_bound] = d.verdict.confidence;
+    for (const double leaves : {0.3, 5.0}) {
+        double confidence[2];
+        for (const bool at_bound : {false, true}) {
+            d = with_candidate(leaves);
+            d.data.noise_declared = leaves < 1.0;
+            end_at(*d.candidates[0].judged, StudyParameter::Kind::effect, at_bound ? 100.0 : 50.0);
+            decide(d);
+            EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+            EXPECT_EQ(d.verdict.because.find("as far as it may") != std::string::npos, at_bound);
+            confidence[at_bound] = d.verdict.confidence;
+        }
+        EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
     }
-    EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
+}
+
+/// An effect that explains the residual alone, with which pairs fit better still, acts as surely as the pairs it is in; that it is all is less sure.
+TEST(Verdict, BetterPairsDoNotDenyWhatExplainsTheResidualAlone) {
+    Diagnosis d = with_candidate(0.3);
+    decide(d);
+    const double undisputed = d.verdict.confidence;
+    d = with_candidate(0.3);
+    d.candidates[0].judged->weight = 1e-6;
+    d.pairs.push_back(pair_that_leaves(0.25));
+    decide(d);
+    EXPECT_EQ(d.verdict.effects.size(), 1u);
+    EXPECT_GT(d.verdict.confidence, 0.4);
+    EXPECT_LT(d.verdict.confidence, 0.7 * undisputed);
 }
 
 }  // namespace
