@@ -33,6 +33,7 @@ Table rate_table(const TrustSummary& s) {
     add("false alarm without an effect", s.false_alarms);
     add("deleted effect answered unknown", s.unknown);
     add("deleted effect mimicked by another, held-out trial within 1.3 noise levels", s.mimicked);
+    add("deleted effects answered unknown where not mimicked", s.unknown_unmimicked);
     add("parameters within 10 %, places within 5 mm", s.parameters_good);
     return table;
 }

@@ -89,7 +89,9 @@ TrustSummary trust_summary(const std::vector<CaseRecord>& records) {
         if (record.kind == CaseKind::none) s.false_alarms.add(!says_none);
         if (record.kind == CaseKind::deleted) {
             s.unknown.add(says_unknown);
-            s.mimicked.add(!says_unknown && !says_none && record.after_over_noise <= explained_over_noise);
+            const bool mimicked = !says_unknown && !says_none && record.after_over_noise <= explained_over_noise;
+            s.mimicked.add(mimicked);
+            if (!mimicked) s.unknown_unmimicked.add(says_unknown);
         }
         if (record.kind != CaseKind::named) continue;
         s.missed.add(says_none);
@@ -131,6 +133,7 @@ std::string summary_text(const TrustSummary& s) {
     text += "\nmissed effects:         " + at_most_words(s.missed);
     text += "\nfalse alarms:           " + at_most_words(s.false_alarms);
     text += "\ndeleted -> unknown:     " + at_least_words(s.unknown) + "; mimicked by another within 1.3 noise levels: " + std::to_string(s.mimicked.count);
+    text += "\n  where not mimicked:   " + at_least_words(s.unknown_unmimicked);
     text += "\nparameters within 10 %, places within 5 mm: " + at_least_words(s.parameters_good);
     text += "\nheld-out trial, medians: " + format_number(s.validation_before, 3) + " -> " + format_number(s.validation_after, 3) + " noise levels";
     text += "\ncalibration error:      " + format_number(s.calibration_error, 3);
@@ -158,6 +161,7 @@ Json summary_json(const TrustSummary& s) {
     json["false_alarms"] = proportion_json(s.false_alarms);
     json["deleted_unknown"] = proportion_json(s.unknown);
     json["deleted_mimicked"] = proportion_json(s.mimicked);
+    json["deleted_unknown_unmimicked"] = proportion_json(s.unknown_unmimicked);
     json["parameters_good"] = proportion_json(s.parameters_good);
     json["parameters"] = Json::array();
     for (const ParameterQuality& q : s.parameters)

@@ -35,6 +35,7 @@ struct TrustSummary {
     Proportion missed;                           // over cases with an effect: `none`
     Proportion unknown;                          // over cases whose effect was deleted
     Proportion mimicked;                         // of the deleted: another effect that predicts the held-out trial within 1.3 noise levels
+    Proportion unknown_unmimicked;               // over the deleted less those: what the experiment, its unused trial included, speaks against
     Proportion parameters_good;                  // of all parameters of effects named rightly
     std::vector<ParameterQuality> parameters;
     /// truth -> answer -> count; a deleted effect as "(its id)", two effects as "a + b".

@@ -75,6 +75,8 @@ TEST(TrustSummary, CountsWhatItSays) {
     EXPECT_EQ(s.unknown.count, 1);
     EXPECT_EQ(s.unknown.of, 2);
     EXPECT_EQ(s.mimicked.count, 1);
+    EXPECT_EQ(s.unknown_unmimicked.count, 1);
+    EXPECT_EQ(s.unknown_unmimicked.of, 1);
     EXPECT_EQ(s.parameters_good.count, 1);
     EXPECT_EQ(s.confusion.at("linear_drag").at("quadratic_drag"), 1);
     EXPECT_EQ(s.confusion.at("(clamp_slip)").at("unknown"), 1);
