@@ -52,6 +52,21 @@ protected:
     Folder folder_;
 };
 
+/// A reflection taken for the marker in one sample is as good as none seen.
+TEST_F(ReadTrial, LeavesOutASampleThatStandsOutAndSaysSo) {
+    std::string csv = release_csv.substr(0, release_csv.find('\n') + 1);
+    for (int k = 0; k < 20; ++k)
+        csv += std::to_string(0.5 * k) + ",7,8,9,1,2," + (k == 9 ? "3.02" : std::to_string(3.0 + 1e-4 * (k % 2) + 1e-3 * k * k)) + ",4,5,6\n";
+    folder_.write("release.csv", csv);
+    const Experiment e = experiment();
+    const Result<TrialRecording> read = read_trial(e, e.trials.front());
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->warnings.size(), 1u);
+    EXPECT_THAT(read->warnings[0], HasSubstr("\"tip\" stands out from its own motion by up to 61"));
+    EXPECT_THAT(read->warnings[0], HasSubstr("1 sample, which is left out, the first at 4.5 s"));
+    for (Eigen::Index t = 0; t < 20; ++t) EXPECT_EQ(read->recording.tracks[0].col(t).allFinite(), t != 9) << t;
+}
+
 TEST_F(ReadTrial, PutsTracksUnderDeclaredNamesAndOrder) {
     const Experiment e = experiment();
     for (const TrialDeclaration& trial : e.trials) {
