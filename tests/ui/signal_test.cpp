@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "panels/signal_panel.hpp"
+#include "support/folder.hpp"
 #include "ui/driver.hpp"
 
 namespace myo {
@@ -82,6 +83,27 @@ TEST_F(SignalPanelTest, ADoubleClickAddsAKnotAndARightClickTakesIt) {
     EXPECT_EQ(signal().times_s.size(), 2u);
 }
 
+TEST_F(SignalPanelTest, ABoxThatEndsOnAKnotTakesNone) {
+    const Signal before = signal();
+    const ImVec2 knot = driver.item("signals/knot/1").center();
+    driver.drag({knot.x - 60.0f, knot.y - 60.0f}, knot, 1);
+    EXPECT_EQ(signal(), before);
+    EXPECT_GT(driver.item("signals/knot/1").center().x, knot.x + 60.0f) << "it zooms instead";
+}
+
+TEST_F(SignalPanelTest, ADragBesideTheKnotsMovesTheView) {
+    const Signal before = signal();
+    for (const int button : {0, 2}) {
+        const ImVec2 knot = driver.item("signals/knot/1").center();
+        const ImVec2 beside{knot.x + 100.0f, knot.y - 40.0f};
+        driver.drag(beside, {beside.x - 30.0f, beside.y + 12.0f}, button);
+        const ImVec2 moved = driver.item("signals/knot/1").center();
+        EXPECT_NEAR(moved.x, knot.x - 30.0f, 8.0f) << button;
+        EXPECT_NEAR(moved.y, knot.y + 12.0f, 4.0f) << button;
+    }
+    EXPECT_EQ(signal(), before);
+}
+
 TEST_F(SignalPanelTest, GeneratesASine) {
     driver.click("signals/generate");
     driver.click("signals/shape");
@@ -101,6 +123,46 @@ TEST_F(SignalPanelTest, GoesToAFileAndBack) {
     driver.workbench->execute(command::ImportSignal{0, "/signals/none.csv"});
     EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
     EXPECT_EQ(signal(), before);
+}
+
+TEST_F(SignalPanelTest, FilesAreChosenInTheBrowser) {
+    const test::Folder folder("signals");
+    const Signal before = signal();
+    const auto go_to = [&](const std::filesystem::path& path) {
+        driver.double_click("browser/path");
+        driver.key(ImGuiKey_A, {.ctrl = true});
+        driver.type(path.string());
+        driver.key(ImGuiKey_Enter);
+    };
+    driver.click("signals/file");
+    driver.click("signals/export");
+    go_to(folder.path());
+    driver.click("browser/open");
+    const std::filesystem::path file = folder.path() / "muscle 1.csv";
+    ASSERT_EQ(driver.backend->signals.count(file), 1u) << "under the muscle's name";
+    EXPECT_EQ(driver.backend->signals[file], before);
+    folder.write("muscle 1.csv", "");   // the list shows what is on the disk
+    folder.write("notes.md", "");
+    driver.click("signals/generate");
+    driver.click("signals/shape");
+    driver.click("signals/shape/sine");
+    driver.click("signals/use");
+    ASSERT_NE(signal(), before);
+    driver.click("signals/file");
+    driver.click("signals/import");
+    go_to(folder.path());
+    EXPECT_FALSE(driver.has("browser/entry/notes.md"));
+    driver.click("browser/entry/muscle 1.csv");
+    driver.click("browser/open");
+    EXPECT_EQ(signal(), before);
+    // What is there is replaced only after it was said, and Cancel leaves it.
+    driver.backend->signals[file] = Signal::constant(0.5);
+    driver.click("signals/file");
+    driver.click("signals/export");
+    go_to(folder.path());
+    EXPECT_TRUE(driver.has("browser/is_there"));
+    driver.click("browser/cancel");
+    EXPECT_EQ(driver.backend->signals[file], Signal::constant(0.5));
 }
 
 TEST_F(SignalPanelTest, AnAntagonistFollows) {

@@ -1,7 +1,6 @@
 #include "panels/signal_panel.hpp"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +42,32 @@ ImVec2 pixel_of(const PlotArea& area, double time_s, double value) {
     const auto wide = [](float v) { return static_cast<double>(v); };
     return {static_cast<float>(to_pixel(area.x, time_s, wide(area.pixels.lowest.x), wide(area.pixels.highest.x))),
             static_cast<float>(to_pixel(area.y, value, wide(area.pixels.highest.y), wide(area.pixels.lowest.y)))};
+}
+
+std::filesystem::path folder_of(const Scene& scene) { return scene.path.has_extension() ? scene.path.parent_path() : scene.path; }
+
+FileDialog import_dialog(const WorkbenchState& state) {
+    FileDialog dialog;
+    dialog.title = "Import the signal of " + state.chosen_muscle()->name;
+    dialog.button = "Import";
+    dialog.endings = {".csv"};
+    dialog.start = folder_of(*state.scene);
+    dialog.chosen = [muscle = state.muscle](PanelContext& context, const std::filesystem::path& path) { context.emit(command::ImportSignal{muscle, path}); };
+    return dialog;
+}
+
+FileDialog export_dialog(const WorkbenchState& state) {
+    const Muscle& muscle = *state.chosen_muscle();
+    FileDialog dialog;
+    dialog.title = "Export the signal of " + muscle.name;
+    dialog.button = "Export";
+    dialog.endings = {".csv"};
+    dialog.start = folder_of(*state.scene);
+    dialog.new_name = muscle.name + ".csv";
+    dialog.chosen = [name = muscle.name, signal = signal_of(state, muscle)](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(command::ExportSignal{name, signal, path});
+    };
+    return dialog;
 }
 
 }  // namespace
@@ -94,13 +119,14 @@ void SignalPanel::draw_head(PanelContext& context) {
         plot_ = {};
     }
     context.items.mark("signals/fit");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the whole signal");
+    tooltip(context.theme, "Show the whole signal.\n\nIn the curve, a double click adds a knot, a drag moves it and a right click takes it away. The wheel zooms in time, with Shift in a; a drag beside the "
+                           "knots moves the view, one with the right button zooms to a box.");
     if (muscle.declared.empty()) return;
     ImGui::SameLine();
     if (muscle.signal) {
         if (ImGui::Button("As recorded")) give_signal(context, std::nullopt, "signal as recorded", false);
         context.items.mark("signals/recorded");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Take each trial's own signal again");
+        tooltip(context.theme, "Take each trial's own signal again");
     } else {
         ImGui::AlignTextToFramePadding();
         const std::string words = "as the trial recorded it; an edit replaces it in all trials";
@@ -113,7 +139,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
     const Muscle& muscle = *context.state.chosen_muscle();
     if (ImGui::Button("Generate")) ImGui::OpenPopup("generate");
     context.items.mark("signals/generate");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("A constant, a step, a ramp or a sine");
+    tooltip(context.theme, "A constant, a step, a ramp or a sine");
     if (!begin_popup_above(context.theme, "generate", 320.0f)) return;
     if (recipe_muscle_ != muscle.name || (recipe_.level > 1.0) != muscle.extends) {
         recipe_muscle_ = muscle.name;
@@ -125,12 +151,12 @@ void SignalPanel::draw_generator(PanelContext& context) {
             if (shape_choices()[i].id == shape) recipe_.shape = static_cast<SignalShape>(i);
     bool ignored = false;
     const auto number = [&](const NumberField& field, double& value) { number_row(context, field, edit_, value, ignored); };
-    number({"Level a", "signals/level", "", "Length that the fibres want, over their length at rest.", 1.0, {0.05, 5.0}, 0.005}, recipe_.level);
-    if (recipe_.shape != SignalShape::constant) number({"Start", "signals/start", "s", "Passive before.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.start_s);
-    if (recipe_.shape == SignalShape::ramp) number({"Rise", "signals/rise", "s", "Time from passive to the level.", 1.0, {1e-3, 1e3}, 0.01}, recipe_.rise_s);
+    number({"Level a", "signals/level", "", "Target stretch a, a plain number: the length that the fibres want over their length at rest, in the energy per rest volume w/2 (|F m| − a)². 1 is passive.", 1.0, {0.05, 5.0}, 0.005}, recipe_.level);
+    if (recipe_.shape != SignalShape::constant) number({"Start", "signals/start", "s", "Time t₀ [s] up to which the muscle is passive, a = 1.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.start_s);
+    if (recipe_.shape == SignalShape::ramp) number({"Rise", "signals/rise", "s", "Time [s] from passive to the level: a = 1 + (level − 1) (t − t₀) / rise.", 1.0, {1e-3, 1e3}, 0.01}, recipe_.rise_s);
     if (recipe_.shape == SignalShape::sine) {
-        number({"Frequency", "signals/frequency", "Hz", "Swings per second.", 1.0, {0.01, 100.0}, 0.01}, recipe_.frequency_Hz);
-        number({"End", "signals/end", "s", "It stops there.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.end_s);
+        number({"Frequency", "signals/frequency", "Hz", "Swings per second f [Hz]: a = 1 + (level − 1) (1 − cos 2π f (t − t₀)) / 2.", 1.0, {0.01, 100.0}, 0.01}, recipe_.frequency_Hz);
+        number({"End", "signals/end", "s", "Time [s] at which it stops; from there on a stays.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.end_s);
     }
     // A sine of many thousand knots is no curve to edit.
     const bool fits = recipe_.shape != SignalShape::sine || (recipe_.end_s > recipe_.start_s && (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
@@ -147,32 +173,20 @@ void SignalPanel::draw_generator(PanelContext& context) {
 }
 
 void SignalPanel::draw_file(PanelContext& context) {
-    const Muscle& muscle = *context.state.chosen_muscle();
-    if (ImGui::Button("CSV")) {
-        if (path_.empty()) path_ = (context.state.scene->path.has_extension() ? context.state.scene->path.parent_path() : context.state.scene->path) / (muscle.name + ".csv");
-        ImGui::OpenPopup("signal file");
-    }
+    const std::string& name = context.state.chosen_muscle()->name;
+    if (ImGui::Button("CSV")) ImGui::OpenPopup("signal file");
     context.items.mark("signals/file");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Read or write a file time_s,%s", muscle.name.c_str());
-    if (!begin_popup_above(context.theme, "signal file", 480.0f)) return;
-    muted_text(context.theme, "A table time_s," + muscle.name + ": linear between its rows, constant outside.");
-    ImGui::SetNextItemWidth(-1.0f);
-    ImGui::InputTextWithHint("##signal path", "file.csv", &path_);
-    context.items.mark("signals/path");
-    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    ImGui::BeginDisabled(path_.empty());
-    if (ImGui::Button("Import", {half, 0.0f})) {
-        context.emit(command::ImportSignal{context.state.muscle, path_});
+    tooltip(context.theme, "Read or write a table time_s," + name + ": linear between its rows, constant outside them");
+    if (!begin_popup_above(context.theme, "signal file", 200.0f)) return;
+    const auto choice = [&](const char* label, const char* item, FileDialog (*dialog)(const WorkbenchState&)) {
+        const bool pressed = ImGui::Button(label, {-1.0f, 0.0f});
+        context.items.mark(item);
+        if (!pressed) return;
+        context.window.file = dialog(context.state);
         ImGui::CloseCurrentPopup();
-    }
-    context.items.mark("signals/import");
-    ImGui::SameLine();
-    if (ImGui::Button("Export", {half, 0.0f})) {
-        context.emit(command::ExportSignal{muscle.name, signal_of(context.state, muscle), path_});
-        ImGui::CloseCurrentPopup();
-    }
-    context.items.mark("signals/export");
-    ImGui::EndDisabled();
+    };
+    choice("Import\xe2\x80\xa6", "signals/import", import_dialog);
+    choice("Export\xe2\x80\xa6", "signals/export", export_dialog);
     ImGui::EndPopup();
 }
 
@@ -191,6 +205,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.legend = state.settings.muscles.size() > 1;
     plot.y_least = least_range;
     plot.editable = muscle.follows.empty();
+    plot.held = grabbed_.has_value();
     for (const Muscle& other : state.settings.muscles) {
         if (other.name == muscle.name) continue;
         ImVec4 faint = theme.muscle(other.color);
@@ -239,7 +254,8 @@ void SignalPanel::edit_knots(PanelContext& context, const Signal& signal, const 
         moved_ = true;
     } else if (drawn.hovered && !near && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         give_signal(context, with_knot_added(signal, time, std::clamp(value, 0.05, 5.0)), "knot of a signal", false);
-    } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+    } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) && ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < 16.0f) {
+        // A click, not the end of a box.
         give_signal(context, with_knot_removed(signal, *near), "knot of a signal", false);
     }
 }

@@ -7,7 +7,7 @@
 
 namespace myo {
 
-/// The signal a(t) of the chosen muscle, as a curve whose knots are dragged: double click adds one, a right click takes one away.
+/// The signal a(t) of the chosen muscle, as a curve whose knots are dragged: a double click adds one, a right click takes one away.
 class SignalPanel : public Panel {
 public:
     std::string name() const override { return "signals"; }
@@ -25,7 +25,6 @@ private:
 
     SignalRecipe recipe_;
     std::string recipe_muscle_;               // whose sense the recipe's level has
-    std::string path_;
     OpenEdit edit_;
     LinkedAxis time_;
     PlotState plot_;

@@ -71,6 +71,12 @@ void react_to_pan(const PlotArea& area, LinkedAxis& x_axis, PlotState& state) {
     state.y = Range{area.y.lowest + dy, area.y.highest + dy};
 }
 
+void react_to_middle_button(const PlotArea& area, bool hovered, LinkedAxis& x_axis, PlotState& state) {
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) state.panning = true;
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Middle)) state.panning = false;
+    if (state.panning) react_to_pan(area, x_axis, state);
+}
+
 void react_to_box(ImDrawList& list, const PlotArea& area, const Theme& theme, bool hovered, LinkedAxis& x_axis, PlotState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) state.box_start = mouse;
@@ -95,6 +101,11 @@ void react_to_choice(const PlotArea& area, LinkedAxis& x_axis, PlotState& state)
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.chosen_from.reset();
 }
 
+bool dragged_left() {
+    const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4.0f);
+    return dragged.x != 0.0f || dragged.y != 0.0f;
+}
+
 // Dragging or clicking; returns where the cursor line shall go.
 std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& area, bool active, float grab_width, LinkedAxis& x_axis,
                                            PlotState& state) {
@@ -110,8 +121,7 @@ std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& are
     }
     const auto clamped_x = [&] { return std::clamp(x_at(area, mouse.x), area.x.lowest, area.x.highest); };
     if (active && state.dragging_cursor) return clamped_x();
-    const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4.0f);
-    const bool far = dragged.x != 0.0f || dragged.y != 0.0f;
+    const bool far = dragged_left();
     if (active && far) react_to_pan(area, x_axis, state);
     if (ImGui::IsItemDeactivated()) {
         const bool was_drag = state.dragging_cursor || far;
@@ -175,6 +185,8 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
     result.hovered = hovered;
     result.active = active;
     if (!plot.editable) result.cursor = react_to_left_button(plot, area, active, 6.0f * theme.scale, x_axis, state);
+    else if (active && !plot.held && dragged_left()) react_to_pan(area, x_axis, state);
+    react_to_middle_button(area, hovered, x_axis, state);
     react_to_box(list, area, theme, hovered, x_axis, state);
     if (hovered) {
         react_to_zoom(area, x_axis, state);

@@ -38,7 +38,8 @@ struct Plot {
     bool zero_line = false;        // y = 0 drawn, and always inside the range
     std::optional<Range> y_least;  // always inside the range
     bool selectable = false;       // Shift and left drag choose a range of x
-    bool editable = false;         // the left button is for whoever draws over it
+    bool editable = false;         // clicks are for whoever draws over it
+    bool held = false;             // of an editable one: what is drawn over it is being dragged, so that the plot stays
 };
 
 /// The x range of plots that belong together; empty = all data.
@@ -53,6 +54,7 @@ struct PlotState {
     std::optional<ImVec2> box_start;          // corner of a box being drawn [pixels]
     std::optional<double> chosen_from;        // where a range of x being chosen began
     bool dragging_cursor = false;
+    bool panning = false;                     // with the middle button
 };
 
 /// Shared by all plots of a panel: names switched off in the legend.
@@ -78,7 +80,8 @@ float plot_margin_left(const Theme& theme);
 /// Draws a plot of the given size at ImGui's cursor and reacts to the mouse.
 ///
 /// Wheel: zoom in x about the mouse (with Shift in y); left drag: pan, or move the cursor line when it is grabbed; click: cursor
-/// goes there; right drag: zoom to a box; Shift and left drag in a selectable one: a range of x (Shift and click: none); double click: all data again. Left button and double click do nothing in an editable one.
+/// goes there; middle drag: pan; right drag: zoom to a box; Shift and left drag in a selectable one: a range of x (Shift and click: none); double click: all data again. Clicks do nothing in an
+/// editable one.
 PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, ItemRectangles& items, LinkedAxis& x_axis,
                      PlotState& state, HiddenSeries& hidden);
 
