@@ -204,7 +204,7 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     const auto button = [&](const char* label, const char* name, const char* tip) {
         const bool pressed = ImGui::Button(label, {third, 0.0f});
         context.items.mark(name);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+        tooltip(theme, tip);
         return pressed;
     };
     ImGui::BeginDisabled(!ready || !(paint->weights.maxCoeff() > 0.0));
@@ -251,22 +251,22 @@ void FibrePanel::draw_brush(PanelContext& context) {
         if (ImGui::Button((std::string(tool.icon) + " " + tool.label).c_str(), {width, 0.0f})) brush.tool = tool.tool;
         ImGui::PopStyleColor(2);
         context.items.mark(tool.name);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tool.tip);
+        tooltip(theme, tool.tip);
     }
     ImGui::EndDisabled();
     const double reach = state.body ? bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
     bool ignored = false;
     const auto number = [&](const NumberField& field, double& value) { number_row(context, field, edit_, value, ignored); };
     if (brush.tool == BrushTool::add || brush.tool == BrushTool::erase) {
-        number({"Radius", "fibres/radius", "mm", "Of the brush, along the surface.", 1e-3, {1e-3 * reach, 0.5 * reach}, 0.05}, brush.radius_m);
+        number({"Radius", "fibres/radius", "mm", "Radius r of the brush [mm]: it paints the elements whose middle lies no farther from the stroke, measured along the surface.", 1e-3, {1e-3 * reach, 0.5 * reach}, 0.05}, brush.radius_m);
         ImGui::BeginDisabled(brush.through);
-        number({"Depth", "fibres/depth", "mm", "How far below the surface the brush reaches.", 1e-3, {1e-3 * reach, reach}, 0.05}, brush.depth_m);
+        number({"Depth", "fibres/depth", "mm", "How far below the surface the brush reaches [mm], along the surface's normal.", 1e-3, {1e-3 * reach, reach}, 0.05}, brush.depth_m);
         ImGui::EndDisabled();
         row_label(theme, "", "");
         ImGui::Checkbox("through the body", &brush.through);
         context.items.mark("fibres/through");
-        number({"Soft edge", "fibres/falloff", "%", "Share of the radius over which the weight falls to nothing.", 0.01, {0.0, 1.0}, 0.5}, brush.falloff);
-        number({"Strength", "fibres/strength", "%", "Weight in the middle: the share of an element that becomes muscle.", 0.01, {0.01, 1.0}, 0.5}, brush.strength);
+        number({"Soft edge", "fibres/falloff", "%", "Share q of the radius over which the weight falls to nothing: at the distance d from the stroke it is the strength times s² (3 − 2 s), s = (r − d) / (q r), no more than 1.", 0.01, {0.0, 1.0}, 0.5}, brush.falloff);
+        number({"Strength", "fibres/strength", "%", "Weight in the middle: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − a)² counts by it.", 0.01, {0.01, 1.0}, 0.5}, brush.strength);
     }
     if (brush.tool == BrushTool::add || brush.tool == BrushTool::fill)
         choose(context, "Direction", "fibres/direction", "Where the fibres run.", direction_choices(), brush.direction);

@@ -13,13 +13,14 @@ namespace {
 
 const std::vector<SettingField>& material_fields() {
     static const std::vector<SettingField> fields{
-        {{"E", "model/youngs_modulus", "kPa", "Young's modulus E. Shear modulus \xce\xbc = E / (2 (1 + \xce\xbd)), bulk modulus E / (3 (1 \xe2\x88\x92 2\xce\xbd)).",
-          1e3, youngs_modulus_limits, 0.1}, &Settings::youngs_modulus_Pa},
-        {{"\xce\xbd", "model/poissons_ratio", "", "Poisson's ratio \xce\xbd; silicone is nearly incompressible, \xce\xbd \xe2\x89\x88 0.49 to 0.499.",
-          1.0, poissons_ratio_limits, 1e-4}, &Settings::poissons_ratio},
-        {{"\xcf\x81", "model/density", "kg/m\xc2\xb3", "Density \xcf\x81.", 1.0, density_limits, 1.0}, &Settings::density_kg_m3},
-        {{"Damping \xcf\x84", "model/damping", "ms", "Kelvin\xe2\x80\x93Voigt time \xcf\x84: stress S = 2 \xcf\x84 \xce\xbc dev(dE/dt). A vibration of angular "
-          "frequency \xcf\x89 has the damping ratio \xce\xb6 = \xcf\x84 \xcf\x89 / 2.", 1e-3, damping_limits, 0.01}, &Settings::damping_s}};
+        {{"E", "model/youngs_modulus", "kPa", "Young's modulus E [Pa]: stress over strain in a small pull. With Poisson's ratio it gives the shear modulus μ = E / (2 (1 + ν)) and the bulk modulus "
+                                              "κ = E / (3 (1 − 2ν)).", 1e3, youngs_modulus_limits, 0.1}, &Settings::youngs_modulus_Pa},
+        {{"ν", "model/poissons_ratio", "", "Poisson's ratio ν, a plain number: how much thinner a pulled bar becomes, ν = −ε_across / ε_along. Silicone is nearly incompressible, ν ≈ 0.49 to "
+                                           "0.499. Lamé's λ = E ν / ((1 + ν) (1 − 2ν)).", 1.0, poissons_ratio_limits, 1e-4}, &Settings::poissons_ratio},
+        {{"ρ", "model/density", "kg/m³", "Density ρ [kg/m³] at rest. The mass matrix M in M dv/dt = f is ρ times the integrals of the shape functions' products, m = ρ V in all.", 1.0, density_limits, 1.0},
+         &Settings::density_kg_m3},
+        {{"Damping τ", "model/damping", "ms", "Kelvin–Voigt time τ [s]: stress S = 2 τ μ dev(dE/dt), E Green's strain. A vibration of angular frequency ω has the damping ratio ζ = τ ω / 2.",
+          1e-3, damping_limits, 0.01}, &Settings::damping_s}};
     return fields;
 }
 
@@ -29,7 +30,7 @@ std::string place_label(const Eigen::Vector3d& p) { return plain_label(1e3 * p.x
 
 void MaterialPanel::draw(PanelContext& context) {
     const WorkbenchState& state = context.state;
-    setting_choice(context, "Material", "model/material", "Elastic energy.", state.materials, &Settings::material);
+    setting_choice(context, "Material", "model/material", "Energy per rest volume ψ [J/m³] of the deformation gradient F; the stress is P = ∂ψ/∂F.", state.materials, &Settings::material);
     setting_rows(context, material_fields(), edit_);
     draw_preview_rows(context, preview_edit_);
     if (!state.scene) return;
@@ -44,6 +45,7 @@ void MaterialPanel::draw(PanelContext& context) {
     text_row(context.theme, "Gravity", g > 0.0 ? plain_label(state.scene->gravity_m_s2.x(), 3) + ", " + plain_label(state.scene->gravity_m_s2.y(), 3) + ", " +
                                                      plain_label(state.scene->gravity_m_s2.z(), 3) + " m/s\xc2\xb2"
                                                : std::string("none"));
+    tooltip(context.theme, "Acceleration g [m/s²] of the trial's weight, f = M g, as the experiment declares it.");
     draw_effects(context);
 }
 
@@ -67,7 +69,7 @@ void MaterialPanel::draw_effects(PanelContext& context) {
             context.emit(command::ChangeSettings{settings, "effects", false});
         }
         context.items.mark("model/remove/" + effect.id);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Take it out of the model");
+        tooltip(context.theme, "Take it out of the model");
         ImGui::PopID();
     }
 }

@@ -21,8 +21,8 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     ImGui::TextUnformatted((std::to_string(runs) + (runs == 1 ? " evaluation" : " evaluations")).c_str());
     ImGui::PopFont();
     context.items.mark("search/evaluations");
-    std::vector<Heading> headings{{"Value", ""}, {"Best so far", "", true}, {"Unit", ""}};
-    if (starts) headings.insert(headings.begin() + 1, {"Start", "", true});
+    std::vector<Heading> headings{{"Value", "What the search moves"}, {"Best so far", "Of the evaluation with the least loss", true}, {"Unit", ""}};
+    if (starts) headings.insert(headings.begin() + 1, {"Start", "Where the search began", true});
     if (!ImGui::BeginTable("values", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
@@ -69,7 +69,7 @@ void SearchPanel::draw(PanelContext& context) {
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 size{std::floor((room.x - 4.0f * s * static_cast<float>(curves - 1)) / static_cast<float>(curves)), room.y};
-    const auto curve = [&](const char* id, const std::string& title, const Eigen::VectorXd& values, const ImVec4& color, PlotState& plot_state) {
+    const auto curve = [&](const char* id, const std::string& title, const std::string& tip, const Eigen::VectorXd& values, const ImVec4& color, PlotState& plot_state) {
         Plot plot;
         plot.id = id;
         plot.title = title;
@@ -77,12 +77,18 @@ void SearchPanel::draw(PanelContext& context) {
         plot.y_unit = "";
         plot.series.push_back({"line", number, values, color, false});
         plot.series.push_back({"dots", number, values, color, true});
-        draw_plot(plot, size, theme, context.items, evaluations_, plot_state, hidden_);
+        const PlotResult drawn = draw_plot(plot, size, theme, context.items, evaluations_, plot_state, hidden_);
+        // Below the title the crosshair tells the values.
+        if (ImGui::GetIO().MousePos.y < drawn.area.pixels.lowest.y) tooltip(theme, tip);
+        const ImVec2 corner = ImGui::GetItemRectMin();
+        context.items.add(std::string(id) + "/title", {corner, {ImGui::GetItemRectMax().x, drawn.area.pixels.lowest.y}});
     };
+    const bool calibrates = search.loss_unit.empty();
+    const std::string what = calibrates ? "the loss |r|² / 2, r = (simulated − measured) / noise" : "the loss [mm²], the markers' mean square distance plus a little for hasty signals";
     const std::string unit = search.loss_unit.empty() ? "" : " [" + search.loss_unit + "]";
-    curve("search/rms", "rms error [mm]", rms, theme.simulated, error_);
-    if (curves > 1) ImGui::SameLine(0.0f, 4.0f * s), curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit, loss, theme.accent, loss_);
-    if (curves > 2) ImGui::SameLine(0.0f, 4.0f * s), curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit, gradient, theme.force, gradient_);
+    curve("search/rms", "rms error [mm]", "Root mean square distance of simulated and measured coordinates [mm], over the evaluations of the search", rms, theme.simulated, error_);
+    if (curves > 1) ImGui::SameLine(0.0f, 4.0f * s), curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit, "What the search makes small: " + what + ". One less on the scale is a tenth of it.", loss, theme.accent, loss_);
+    if (curves > 2) ImGui::SameLine(0.0f, 4.0f * s), curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit, "Length of the gradient of " + what + (calibrates ? ", each parameter in its scale" : ", of the part that the bounds do not stop") + ". It is 0 at the best.", gradient, theme.force, gradient_);
     ImGui::EndChild();
 }
 
