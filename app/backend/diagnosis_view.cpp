@@ -183,6 +183,15 @@ private:
         }
     }
 
+    void set_value(DiagnosisRow& row, const JointFit& fit) const {
+        row.value = fitted_words(study_, fit);
+        const std::vector<EffectEstimate> numbers = effect_estimates(study_, fit);
+        if (numbers.size() > 1) row.brief = std::to_string(numbers.size()) + " values";
+        if (numbers.size() != 1) return;
+        row.brief = estimate_words(numbers.front());
+        row.one_number = row.value.ends_with(row.brief);   // else words follow it
+    }
+
     DiagnosisRow fitted_row(const std::string& key, const std::string& name, const JudgedFit& fit) const {
         DiagnosisRow row;
         row.key = key;
@@ -191,7 +200,7 @@ private:
         row.fitted = true;
         // What the verdict stands on was fitted once more at the end.
         const JudgedFit& last = row.chosen && d_.augmented.usable() ? d_.augmented : fit;
-        row.value = fitted_words(study_, last.fit);
+        set_value(row, last.fit);
         row.rms_m = last.rms_m;
         row.held_out = fit.held_out_rms;
         row.weight = fit.weight;

@@ -32,6 +32,8 @@ struct EffectEstimate {
 };
 /// All numbers that were fitted of the effects that were tried.
 std::vector<EffectEstimate> effect_estimates(const Study& study, const JointFit& fit);
+/// "903 ± 12 kg/m³".
+std::string estimate_words(const EffectEstimate& estimate);
 /// "coefficient 903 ± 12 kg/m³, ..." and what is no number, for a cell of a table.
 std::string fitted_words(const Study& study, const JointFit& fit);
 

@@ -70,11 +70,13 @@ std::vector<EffectEstimate> effect_estimates(const Study& study, const JointFit&
     return list;
 }
 
+std::string estimate_words(const EffectEstimate& e) { return e.value + (e.deviation.empty() ? "" : " ± " + e.deviation) + (e.unit.empty() ? "" : "\u00a0" + e.unit); }
+
 std::string fitted_words(const Study& study, const JointFit& fit) {
     std::string words;
     for (const EffectEstimate& e : effect_estimates(study, fit)) {
         const std::string name = fit.effects.size() > 1 ? in_sentence(e.name) : e.name.substr(std::min(e.name.size(), e.name.find(", ") + 2));
-        words += (words.empty() ? "" : ", ") + name + " " + e.value + (e.deviation.empty() ? "" : " ± " + e.deviation) + (e.unit.empty() ? "" : "\u00a0" + e.unit);
+        words += (words.empty() ? "" : ", ") + name + " " + estimate_words(e);
     }
     for (const EffectDeclaration& effect : fit.effects)
         if (const std::string other = other_words(effect); !other.empty()) words += (words.empty() ? "" : ", ") + other;

@@ -36,6 +36,8 @@ struct DiagnosisRow {
     std::string key;                              // ids, as "quadratic_drag+clamp_slip"; does not change while the ranking does
     std::string name;                             // "Quadratic drag"
     std::string value;                            // "coefficient 903 ± 12 kg/m³"; of what was not fitted why
+    std::string brief;                            // "903 ± 12 kg/m³" of one number, "5 values" of several; empty: as value
+    bool one_number = false;                      // brief says all that value does, but for the parameter's name
     std::string like;                             // names of effects that this experiment cannot tell from it; may be empty
     double explained = std::numeric_limits<double>::quiet_NaN();   // share of the residual, before any fit
     double rms_m = std::numeric_limits<double>::quiet_NaN();       // over the fit trials

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "panels/job_words.hpp"
 #include "base/letter_case.hpp"
+#include "panels/job_words.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
