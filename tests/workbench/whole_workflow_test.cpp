@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 
 #include "backend/workbench_backend.hpp"
@@ -25,11 +26,24 @@ protected:
         ASSERT_TRUE(driver.wait_for_job(seconds));
         ASSERT_NE(state().log.back().level, LogLevel::failure) << state().log.back().text;
     }
-    void type_into(const std::string& item, const std::string& text) {
+    void type_into(const std::string& item, const std::string& text, bool enter = true) {
         driver.double_click(item);
         driver.key(ImGuiKey_A, {.ctrl = true});
         driver.type(text);
-        driver.key(ImGuiKey_Enter);
+        if (enter) driver.key(ImGuiKey_Enter);
+    }
+    /// In the dialog that is open: goes to a folder by typing where it is.
+    void browse_to(const std::filesystem::path& folder) {
+        type_into("browser/path", folder.string());
+    }
+    void choose(const std::filesystem::path& path) {
+        browse_to(path.parent_path());
+        driver.click("browser/entry/" + path.filename().string());
+        driver.click("browser/open");
+    }
+    void from_menu(const std::string& menu, const std::string& item) {
+        driver.click("menu/" + menu);
+        driver.click("menu/" + item);
     }
     void stroke(double y) {
         driver.drag(test::pixel_of(driver, {0.03, y, 0.02}), test::pixel_of(driver, {0.095, y, 0.02}));
@@ -60,7 +74,8 @@ TEST_F(Person, GoesTheWholeWay) {
     // Open an example.
     ASSERT_EQ(step(Step::mesh), StepState::missing);
     const std::filesystem::path beam = tilted_beam_in(folder);
-    driver.workbench->execute(command::Open{beam, std::nullopt});
+    driver.click("start/open");
+    choose(beam);
     ASSERT_NO_FATAL_FAILURE(wait(60));
     ASSERT_TRUE(state().body);
     EXPECT_EQ(step(Step::mesh), StepState::done);
@@ -112,7 +127,9 @@ TEST_F(Person, GoesTheWholeWay) {
     EXPECT_TRUE(driver.has("measure/marker/tip_left"));
 
     // Another recording of the same motion, by cameras that stood elsewhere, is to be predicted.
-    driver.workbench->execute(command::ReadRecording{test::take_of(folder, beam / "gravity_release.csv")});
+    const std::filesystem::path take = test::take_of(folder, beam / "gravity_release.csv");
+    from_menu("file", "file.import");
+    choose(take);
     ASSERT_NO_FATAL_FAILURE(wait(30));
     ASSERT_TRUE(state().import);
     EXPECT_LT(state().import->view.rms_m, 5e-4);
@@ -135,12 +152,10 @@ TEST_F(Person, GoesTheWholeWay) {
     EXPECT_TRUE(!state().found || state().found->stopped);
     EXPECT_TRUE(state().found || state().settings == before);
 
-    // Look for the muscle's signal instead, as far as ten evaluations go. The best plays while the search works.
-    OptimizeRequest request = state().optimize;
-    request.max_evaluations = 6;
-    request.frequency_Hz = 5.0;
-    driver.workbench->execute(command::ChangeOptimize{request});
-    driver.settle();
+    // Look for the muscle's signal instead, as far as six evaluations go. The best plays while the search works.
+    type_into("fit/evaluations", "6");
+    type_into("fit/frequency", "5");
+    EXPECT_EQ(state().optimize.max_evaluations, 6);
     driver.click("fit/optimize");
     bool played = false;
     while (state().busy()) {
@@ -181,19 +196,24 @@ TEST_F(Person, GoesTheWholeWay) {
     driver.click("view/options");
     driver.click("view/effect_force");   // of the diagnosis, which a project does not keep
     driver.key(ImGuiKey_Escape);
+    EXPECT_FALSE(driver.has("view/effect_force"));
     const auto in_the_swing = [&] {
-        driver.workbench->execute(command::ChooseTrial{0});
-        driver.workbench->execute(command::SetTime{0.15});
-        driver.settle();
+        driver.click("timeline/trial");
+        driver.click("timeline/trial/" + state().scene->trials[0].name);
+        const Rectangle line = driver.item("timeline/track");
+        driver.click_at({line.lowest.x + 0.3f * line.width(), line.center().y});
         return view();
     };
     const Image before_saving = in_the_swing();
-    driver.workbench->execute(command::SaveAs{folder.path() / "model"});
-    driver.settle();
+    from_menu("file", "file.save_as");
+    browse_to(folder.path());
+    type_into("browser/name", "model.myoloop", false);
+    driver.click("browser/open");
     ASSERT_TRUE(std::filesystem::exists(folder.path() / "model.myoloop")) << state().log.back().text;
     EXPECT_FALSE(state().unsaved());
     EXPECT_GE(state().history.size(), 3u);
-    driver.workbench->execute(command::Open{folder.path() / "model.myoloop", std::nullopt});
+    driver.key(key_o, {.ctrl = true});
+    choose(folder.path() / "model.myoloop");
     ASSERT_NO_FATAL_FAILURE(wait(60));
     EXPECT_EQ(state().project, folder.path() / "model.myoloop");
     ASSERT_EQ(state().settings.effects.size(), 1u);
@@ -208,14 +228,14 @@ TEST_F(Person, GoesTheWholeWay) {
 /// The README's way from an example to a painted, optimised and compared muscle, click by click: the muscles of a filmed tail are not
 /// known; two are painted, and a signal is found with which the tail follows what was filmed.
 TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
-    driver.workbench->execute(command::Open{std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/fish_tail", std::nullopt});
+    from_menu("file", "examples");
+    driver.click("menu/example/fish_tail");
     ASSERT_NO_FATAL_FAILURE(wait(60));
     driver.click("step/mesh");
     driver.click("body/element");
     driver.click("body/element/hex8");
-    Settings coarse = state().settings;
-    coarse.resolution_m = 0.008;
-    driver.workbench->execute(command::ChangeSettings{coarse, "resolution"});
+    type_into("body/edge_length", "8");
+    EXPECT_NEAR(state().settings.resolution_m, 8e-3, 1e-12);
     driver.click("body/build");
     ASSERT_NO_FATAL_FAILURE(wait(60));
 
@@ -238,10 +258,13 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
 
     driver.click("run/run");
     ASSERT_NO_FATAL_FAILURE(wait(120));
+    RecordProperty("rms_at_rest_um", static_cast<int>(1e6 * state().run->rms_m));
     driver.click("step/fit");
     type_into("fit/evaluations", "12");
     driver.click("fit/optimize");
+    const auto start = std::chrono::steady_clock::now();
     ASSERT_NO_FATAL_FAILURE(wait(300));
+    RecordProperty("search_ms", static_cast<int>(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()));
     ASSERT_TRUE(state().found) << state().log.back().text;
     RecordProperty("rms_before_um", static_cast<int>(1e6 * state().found->rms_before_m));
     RecordProperty("rms_after_um", static_cast<int>(1e6 * state().found->rms_after_m));
