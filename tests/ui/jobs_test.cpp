@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <stdexcept>
 #include <thread>
 
 #include "commands/settings_difference.hpp"
@@ -340,6 +341,28 @@ TEST(Jobs, OptimisesTheSignalOfAMuscle) {
     EXPECT_TRUE(driver.state().run_is_current());
     driver.click("bar/undo");
     EXPECT_DOUBLE_EQ(driver.state().settings.muscles[0].signal->times_s.back(), 0.5) << "the signal that was drawn";
+}
+
+TEST(Job, ExceptionsBecomeMessages) {
+    std::string told;
+    Job job(
+        "work", [](const Progress&) -> Job::Completion { throw std::runtime_error("out of everything"); },
+        [&told](const std::string& what) -> Job::Completion { return [&told, what] { told = what; }; }, {});
+    std::optional<Job::Completion> completion;
+    for (int i = 0; i < 500 && !completion; ++i) {
+        completion = job.take_result();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ASSERT_TRUE(completion);
+    (*completion)();
+    EXPECT_EQ(told, "out of everything");
+    EXPECT_FALSE(job.take_result()) << "a result is handed over once";
+}
+
+TEST(Job, TimeLeftIsToldOnceItMeansSomething) {
+    EXPECT_FALSE(remaining_time(0.0, 10.0));
+    EXPECT_FALSE(remaining_time(0.5, 0.1));
+    EXPECT_NEAR(remaining_time(0.25, 10.0).value(), 30.0, 1e-12);
 }
 
 }  // namespace

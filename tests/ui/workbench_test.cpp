@@ -257,34 +257,6 @@ TEST(Workbench, ShowsHowMuchVelocityForceTheStepBears) {
     EXPECT_FALSE(driver.state().is_unstable());
 }
 
-TEST(Workbench, PredictsTheTimeOfAStepAfterARun) {
-    Driver driver;
-    driver.open_beam();
-    driver.click("step/mesh");
-    EXPECT_TRUE(driver.has("body/step_cost"));
-    const std::vector<StepCost>& costs = driver.state().preferences.step_costs;
-    EXPECT_TRUE(costs.empty());
-    // Before any run the documented benchmark tells.
-    EXPECT_FALSE(predict_step(costs, CellType::hex8, 4608.0).measured);
-    EXPECT_NEAR(predict_step(costs, CellType::hex8, 4608.0).seconds, 6.8e-3, 1e-12);
-    EXPECT_NEAR(predict_step(costs, CellType::hex8, 1080.0).seconds, 1.6e-3, 1e-5) << "small ones cost in proportion";
-    EXPECT_NEAR(predict_step(costs, CellType::tet10, 4.0 * 4608.0).seconds, 8.0 * 6.8e-3, 1e-9);
-    driver.workbench->execute(command::Run{});
-    ASSERT_TRUE(driver.wait_for_job());
-    ASSERT_EQ(costs.size(), 1u);
-    const StepCost cost = costs.front();
-    EXPECT_TRUE(predict_step(costs, cost.element, cost.dofs).measured);
-    EXPECT_NEAR(cost.seconds, 1.3 / 200.0, 1e-12);
-    EXPECT_EQ(cost.dofs, driver.state().body->dofs);
-    EXPECT_NEAR(predict_step({cost}, cost.element, 4.0 * cost.dofs).seconds, 8.0 * cost.seconds, 1e-9);
-    // Runs of two sizes tell the exponent.
-    const StepPrediction fitted = predict_step({{cost.element, 2.0 * cost.dofs, 2.0 * cost.seconds}, cost}, cost.element, 4.0 * cost.dofs);
-    EXPECT_TRUE(fitted.fitted);
-    EXPECT_NEAR(fitted.seconds, 4.0 * cost.seconds, 1e-9);
-    driver.open_beam();
-    EXPECT_EQ(costs.size(), 1u) << "they are the machine's, whatever is opened";
-}
-
 TEST(Workbench, WarnsOfAVelocityForceThatMakesTheMotionGrow) {
     Driver driver;
     driver.open_beam();
@@ -491,28 +463,6 @@ TEST(Screenshot, SaysWhatIsWrong) {
     options.panels.clear();
     options.trial = "nonsense";
     EXPECT_NE(draw_screenshot(std::make_shared<test::SwingingBeam>(), options).error().text().find("gravity_release"), std::string::npos);
-}
-
-TEST(Job, ExceptionsBecomeMessages) {
-    std::string told;
-    Job job(
-        "work", [](const Progress&) -> Job::Completion { throw std::runtime_error("out of everything"); },
-        [&told](const std::string& what) -> Job::Completion { return [&told, what] { told = what; }; }, {});
-    std::optional<Job::Completion> completion;
-    for (int i = 0; i < 500 && !completion; ++i) {
-        completion = job.take_result();
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    ASSERT_TRUE(completion);
-    (*completion)();
-    EXPECT_EQ(told, "out of everything");
-    EXPECT_FALSE(job.take_result()) << "a result is handed over once";
-}
-
-TEST(Job, TimeLeftIsToldOnceItMeansSomething) {
-    EXPECT_FALSE(remaining_time(0.0, 10.0));
-    EXPECT_FALSE(remaining_time(0.5, 0.1));
-    EXPECT_NEAR(remaining_time(0.25, 10.0).value(), 30.0, 1e-12);
 }
 
 TEST(TimePlace, HoldsTheEndsAndLeavesGapsOpen) {
