@@ -9,7 +9,4 @@ namespace myo {
 /// The bundled examples: beside the program's sources, or where it was installed. Empty when they are in neither place.
 std::vector<Example> bundled_examples();
 
-/// What is known of a file before it is opened. Only declarations are read.
-std::vector<ReportLine> preview_of(const std::filesystem::path& path);
-
 }  // namespace myo

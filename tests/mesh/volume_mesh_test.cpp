@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/boundary_surface.hpp"
 #include "mesh/face_shape.hpp"
+#include "mesh/surface_check.hpp"
 #include "mesh/test_meshes.hpp"
 
 namespace myo {
@@ -35,6 +37,17 @@ BoundaryIntegrals integrate(const VolumeMesh& mesh, const BoundaryFaces& faces) 
         }
     }
     return sum;
+}
+
+TEST(BoundarySurface, EnclosesTheCellsOfAllTypes) {
+    for (const VolumeMesh& mesh : test::one_of_each()) {
+        const SurfaceMesh surface = boundary_surface(mesh);
+        const SurfaceReport report = check_surface(surface);
+        EXPECT_TRUE(report.meshable()) << to_string(mesh.type);
+        EXPECT_TRUE(report.outward) << to_string(mesh.type);
+        EXPECT_NEAR(enclosed_volume(surface), cell_volumes(mesh).sum(), 1e-12) << to_string(mesh.type);
+        EXPECT_LT(surface.vertices.cols(), mesh.node_count()) << "nodes inside are no part of it";
+    }
 }
 
 TEST(BoundaryFaces, AreClosedAndOutwardOnAllTypes) {
