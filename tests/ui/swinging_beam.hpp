@@ -65,6 +65,8 @@ public:
     /// Files of signals.
     mutable std::map<std::filesystem::path, Signal> signals;
     mutable std::map<std::filesystem::path, Project> projects;
+    /// Writing a project takes this long [s].
+    std::atomic<double> write_delay_s = 0.0;
     mutable std::vector<std::filesystem::path> reports;
     /// It finds no effect that explains, and a force instead.
     std::atomic<bool> unexplained = false;

@@ -10,10 +10,30 @@ namespace myo {
 std::string LogPanel::title() const { return std::string(icon::list) + "  Messages"; }
 
 void LogPanel::draw(PanelContext& context) {
-    if (context.state.log.empty()) muted_text(context.theme, "No messages yet.");
-    for (const LogLine& line : context.state.log) notice(context.theme, line.level, line.text);
-    if (context.state.log.size() != seen_) ImGui::SetScrollHereY(1.0f);
-    seen_ = context.state.log.size();
+    const std::vector<LogLine>& lines = context.state.log;
+    if (lines.empty()) muted_text(context.theme, "No messages yet.");
+    const std::size_t logged = context.state.logged;
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (width != width_ || context.theme.scale != scale_) heights_.clear();
+    width_ = width;
+    scale_ = context.theme.scale;
+    // Wrapped lines are of many heights: each is measured once, and after that drawn only where it is seen.
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::size_t number = logged - lines.size() + i;
+        const auto known = heights_.find(number);
+        if (known != heights_.end() && !ImGui::IsRectVisible({width, known->second})) {
+            ImGui::Dummy({1.0f, known->second});
+            continue;
+        }
+        ImGui::BeginGroup();
+        notice(context.theme, lines[i].level, lines[i].text);
+        ImGui::EndGroup();
+        context.items.mark("messages/line/" + std::to_string(i));
+        heights_[number] = ImGui::GetItemRectSize().y;
+    }
+    heights_.erase(heights_.begin(), heights_.lower_bound(logged - lines.size()));
+    if (logged != seen_) ImGui::SetScrollHereY(1.0f);
+    seen_ = logged;
 }
 
 }  // namespace myo

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "panels/panel.hpp"
 
 namespace myo {
@@ -13,7 +15,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    std::size_t seen_ = 0;
+    std::size_t seen_ = 0;                       // lines since the start
+    std::map<std::size_t, float> heights_;       // of lines that were drawn, by their number since the start, at this width and scale
+    float width_ = 0.0f, scale_ = 0.0f;
 };
 
 }  // namespace myo
