@@ -15,7 +15,7 @@ struct UnitSuffix {
 };
 /// The longer of two that fit stands first.
 constexpr UnitSuffix unit_suffixes[] = {
-    {"_kg_m3", "kg/m³", 1.0}, {"_kg_m2", "kg/m²", 1.0},   {"_Pa_s_m", "Pa s/m", 1.0}, {"_Pa_per_m", "Pa/m", 1.0}, {"_J_m3", "J/m³", 1.0}, {"_N_m", "N/m", 1.0},
+    {"_kg_m3", "kg/m³", 1.0}, {"_kg_m2", "kg/m²", 1.0},   {"_Pa_s_m", "Pa s/m", 1.0}, {"_Pa_per_m", "MPa/m", 1e-6}, {"_J_m3", "J/m³", 1.0}, {"_N_m", "N/m", 1.0},
     {"_1_m", "1/m", 1.0},     {"_1_s", "1/s", 1.0},       {"_kg", "g", 1e3},          {"_deg", "°", 1.0},         {"_Pa", "kPa", 1e-3},   {"_m", "mm", 1e3},
     {"_s", "ms", 1e3},        {"relative_change", "%", 100.0}, {"relative_error", "%", 100.0},
 };
