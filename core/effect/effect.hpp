@@ -99,6 +99,7 @@ struct Effect {
     std::vector<EffectParameterEntry> parameters;
     void (*apply)(const EffectSite&, const EffectParameters&, Affected&) = nullptr;
     std::vector<EffectProbe> (*probes)(const EffectSearch&) = nullptr;   // empty: it cannot show in this experiment
+    EffectParameters (*plainest)(const Model& declared, const EffectParameters&) = nullptr;   // the same effect, where several numbers say the same; may be null
 
     const EffectParameterEntry* parameter(const std::string& name) const;
 };

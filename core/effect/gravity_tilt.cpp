@@ -12,10 +12,13 @@ using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+Vector3d tilted(const Vector3d& gravity, const EffectParameters& parameters) {
     const Vector3d axis = vector(parameters, "axis");
-    if (axis.norm() > 0.0)
-        affected.model.gravity_m_s2 = Eigen::AngleAxisd(degree * number(parameters, "tilt_deg"), axis.normalized()) * affected.model.gravity_m_s2;
+    return axis.norm() > 0.0 ? Vector3d(Eigen::AngleAxisd(degree * number(parameters, "tilt_deg"), axis.normalized()) * gravity) : gravity;
+}
+
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    affected.model.gravity_m_s2 = tilted(affected.model.gravity_m_s2, parameters);
 }
 
 /// Small turns add up like vectors.
@@ -39,11 +42,18 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return {probe};
 }
 
+/// The smallest turn with which gravity points there: about an axis across it. A part of an axis along gravity does nothing but make the angle larger.
+EffectParameters plainest(const Model& declared, const EffectParameters& parameters) {
+    const Vector3d g = declared.gravity_m_s2, turned = tilted(g, parameters), axis = g.cross(turned);
+    if (!(axis.norm() > 0.0)) return parameters;
+    return {{"tilt_deg", std::atan2(axis.norm(), g.dot(turned)) / degree}, {"axis", Eigen::VectorXd(axis.normalized())}};
+}
+
 }  // namespace
 
 Effect gravity_tilt() {
     return {"gravity_tilt", EffectStage::force, "the mount is tilted: gravity turned by an angle about an axis",
-            {fitted_number("tilt_deg", -180.0, 180.0, 2.0), {"axis", EffectParameterKind::vector3, false, -1.0, 1.0, 0.3}}, apply, probes};
+            {fitted_number("tilt_deg", -180.0, 180.0, 2.0), {"axis", EffectParameterKind::vector3, false, -1.0, 1.0, 0.3}}, apply, probes, plainest};
 }
 
 }  // namespace myo

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "effect/catalogue.hpp"
 #include "project/predict_trials.hpp"
 
 namespace myo {
@@ -196,6 +197,10 @@ JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& s
         [&](const VectorXd& p, const ResidualEvaluation&, const Progress& inner) { return residuals.jacobian(p, {}, inner); }, informed, progress);
     if (fit.report.jacobian.rows() < fit.residual.size()) fit.residual.resize(0);   // it ran there, but nowhere beside: nothing to judge it by
     if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
+    for (std::size_t e = study.experiment.effects.size(); e < fit.values.effects.size(); ++e) {
+        EffectDeclaration& tried = fit.values.effects[e];
+        if (const Effect* const effect = find_effect(tried.id); effect && effect->plainest) tried.parameters = effect->plainest(study.trials.front().model, tried.parameters);
+    }
     fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(study.experiment.effects.size()), fit.values.effects.end());
     fit.seconds = watch.seconds();
     return fit;

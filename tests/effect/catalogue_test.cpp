@@ -54,6 +54,27 @@ TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
     EXPECT_EQ(find_effect("none"), nullptr);
 }
 
+/// A fit may end at an axis that leans along gravity, with a larger angle for it: the smallest turn that does the same is told.
+TEST(GravityTilt, IsToldAsTheSmallestTurnThatDoesTheSame) {
+    const test::HeldBeam beam = test::held_beam({6, 2, 2});
+    const Effect& tilt = *find_effect("gravity_tilt");
+    Affected declared = beam.affected;
+    declared.model.gravity_m_s2 = {0.3, 0.0, -9.8};
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(0.755, 0.036, -0.655), Eigen::Vector3d(-2.0, 1.0, 0.5), Eigen::Vector3d(1.0, 0.0, 0.0306)}) {
+        const EffectParameters fitted{{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(axis)}}, plain = tilt.plainest(declared.model, fitted);
+        Affected once = declared, again = declared;
+        tilt.apply(beam.site, fitted, once);
+        tilt.apply(beam.site, plain, again);
+        EXPECT_NEAR((once.model.gravity_m_s2 - again.model.gravity_m_s2).norm(), 0.0, 1e-12);
+        EXPECT_GT((once.model.gravity_m_s2 - declared.model.gravity_m_s2).norm(), 0.1);
+        EXPECT_NEAR(vector(plain, "axis").norm(), 1.0, 1e-12);
+        EXPECT_NEAR(vector(plain, "axis").dot(declared.model.gravity_m_s2), 0.0, 1e-12);
+        EXPECT_LE(std::abs(number(plain, "tilt_deg")), 5.3 + 1e-12);
+    }
+    EXPECT_LT(number(tilt.plainest(declared.model, {{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(Eigen::Vector3d(0.755, 0.0, -0.655))}}), "tilt_deg"), 4.2);
+    EXPECT_NEAR(number(tilt.plainest(declared.model, {{"tilt_deg", 0.0}, {"axis", Eigen::VectorXd(Eigen::Vector3d::UnitX())}}), "tilt_deg"), 0.0, 1e-12);
+}
+
 /// What a slanted spring does to first order, as a sum of a probe's springs, leads back to it.
 TEST(CableTug, IsSoughtAlongTheSpringWhoseTensorTheColumnsAddUpTo) {
     const test::HeldBeam beam = test::held_beam({6, 2, 2});
