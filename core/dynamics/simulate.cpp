@@ -54,7 +54,8 @@ public:
 
     Trace take(const Progress& progress) {
         const std::vector<double> ends = step_ends(model(), options_.h_s, options_.end_s);
-        if (!stand_at_start(ends)) return std::move(trace_);
+        solver_.heed(progress);
+        if (!stand_at_start(ends)) return progress.cancelled() ? ended(RunStatus::cancelled, "stopped at the start") : std::move(trace_);
         while (point_.step < std::min(ends.size(), part_.until_step)) {
             const double end = ends[point_.step];
             std::vector<double> goals{end};   // the next one last: a step that fails is halved

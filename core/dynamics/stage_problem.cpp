@@ -54,16 +54,21 @@ StageConstants stage_constants(const Model& model) {
     return constants;
 }
 
-StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times)
+StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times, const Progress* heeded)
     : constants_(constants),
       stage_(stage),
       times_(times),
+      heeded_(heeded),
       activation_(activations(*constants.model, stage.time_s, stage.before_jump)),
       dead_(stage.constant + external_forces(*constants.model, constants.mass, stage.time_s, stage.before_jump)) {
     if (model().creep && stage.rate_history.size() > 0) viscous_history_ = viscous_history(model(), stage.rate_factor_1_s, stage.rate_history);
 }
 
 StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind kind, const VectorXd* pressure) const {
+    if (heeded_ && heeded_->cancelled()) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return {none, VectorXd::Constant(constants_.inertia.cols(), none), constants_.inertia};
+    }
     double untimed = 0.0;
     const TimedScope scope(!times_ ? untimed : kind == HessianKind::none ? times_->forces_s : times_->stiffness_s);
     InternalInput input;

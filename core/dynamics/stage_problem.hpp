@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "dynamics/stage.hpp"
 #include "model/force_element.hpp"
 #include "model/internal_forces.hpp"
@@ -30,8 +31,9 @@ ForceState force_state(const Stage& stage, const Eigen::Matrix3Xd& x, const Eige
 /// A stage as a minimisation over the free unknowns.
 class StageProblem {
 public:
-    /// times: where evaluations are entered; may be null.
-    StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times = nullptr);
+    /// times: where evaluations are entered. heeded: once it is cancelled, evaluations are done at once and not finite, so that whoever iterates on
+    /// them ends. Both may be null.
+    StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times = nullptr, const Progress* heeded = nullptr);
 
     struct Evaluation {
         double potential = 0.0;         // [J], up to a constant
@@ -56,6 +58,7 @@ private:
     const StageConstants& constants_;
     const Stage& stage_;
     SolverTimes* times_;
+    const Progress* heeded_;
     std::vector<double> activation_;
     Eigen::VectorXd viscous_history_;    // of a creeping body
     Eigen::Matrix3Xd dead_;              // constant + f_ext

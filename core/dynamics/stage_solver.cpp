@@ -44,7 +44,7 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
         report.residual = result.residual;
         factor_.charge(result.iterations, body);
         if (result.converged) return true;
-        if (fresh || !std::isfinite(result.residual)) return false;
+        if (fresh || !std::isfinite(result.residual) || heeded_.cancelled()) return false;
         if (!factor_.renew(problem, x, report)) return false;
         fresh = true;
     }
@@ -52,7 +52,12 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
 
 StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     StageReport report;
-    const StageProblem problem(constants_, stage, &report.times);
+    if (heeded_.cancelled()) {
+        report.status = SolveStatus::not_converged;
+        report.message = "stopped";
+        return report;
+    }
+    const StageProblem problem(constants_, stage, &report.times, &heeded_);
     const double scale = problem.force_scale(x, options_.tolerance);
     const auto converged = [&]() {
         report.status = SolveStatus::converged;

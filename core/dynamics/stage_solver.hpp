@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "base/progress.hpp"
 #include "dynamics/lagged_factor.hpp"
 #include "dynamics/projective_metric.hpp"
 #include "dynamics/solver_options.hpp"
@@ -21,6 +22,9 @@ public:
     const Model& model() const { return *constants_.model; }
     const MassMatrix& mass() const { return constants_.mass; }
     const Stiffness& stiffness() const { return constants_.stiffness; }
+
+    /// Solves end unconverged as soon as this is cancelled: within an evaluation of the forces, or a factorisation.
+    void heed(const Progress& progress) { heeded_ = progress.with_sink({}); }
 
     /// Cells whose elastic moduli are these parts of the model's from now on; empty: virgin ones, as at first.
     void soften(const Eigen::VectorXd& factors);
@@ -47,6 +51,7 @@ private:
     bool lagged_newton(const StageProblem& problem, double scale, Eigen::Matrix3Xd& x, StageReport& report);
 
     SolverOptions options_;
+    Progress heeded_;
     StageConstants constants_;
     Eigen::VectorXd softening_;
     LaggedFactor factor_;

@@ -5,6 +5,7 @@
 
 #include "dynamics/simulate.hpp"
 #include "dynamics/statics.hpp"
+#include "model/force_element.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
 
@@ -178,6 +179,49 @@ TEST(Run, StopsAfterTheCurrentStepWhenCancelled) {
     EXPECT_EQ(trace.times_s.size(), 4u);
     EXPECT_FALSE(trace.message.empty());
     EXPECT_TRUE(all_finite(trace));
+}
+
+/// No force, but a count of how often it is asked; at the `last` time the run is to be stopped.
+class CountedForce : public ForceElement {
+public:
+    CountedForce(int last, std::atomic<bool>& stop, std::atomic<int>& asked) : last_(last), stop_(stop), asked_(asked) {}
+    void add(const Body&, const ForceState&, HessianKind, InternalEnergy&) const override {
+        if (++asked_ == last_) stop_ = true;
+    }
+    std::vector<ForceParameter> parameters() const override { return {}; }
+    std::shared_ptr<const ForceElement> changed(const Eigen::VectorXd&) const override { return std::make_shared<CountedForce>(last_, stop_, asked_); }
+    void add_tangent(const Body&, const ForceState&, const Eigen::VectorXd&, Matrix3Xd&) const override {}
+
+private:
+    int last_;
+    std::atomic<bool>& stop_;
+    std::atomic<int>& asked_;
+};
+
+/// Steps of large bodies take seconds: a run that is stopped does not finish the one it is in, nor halves it.
+TEST(Run, StopsWithinAStepOrTheStart) {
+    for (const StartKind start : {StartKind::straight, StartKind::equilibrium})
+        for (const Strategy strategy : {Strategy::lagged_newton, Strategy::newton, Strategy::projective}) {
+            const auto run = [&](int last) {
+                std::atomic<bool> stop{false};
+                std::atomic<int> asked{0};
+                Model model = test::make_beam(soft("hex8"));
+                model.force_elements.push_back(std::make_shared<CountedForce>(last, stop, asked));
+                SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 3);
+                options.start = start;
+                options.solver.strategy = strategy;
+                const Trace trace = simulate(model, options, Progress({}, &stop));
+                return std::pair(trace, asked.load());
+            };
+            const int whole = run(-1).second;
+            for (int last = 1; last < whole; last += 1 + whole / 17) {
+                const auto [trace, asked] = run(last);
+                if (trace.complete()) EXPECT_GE(last, whole - 4) << "the run was at its end";
+                else EXPECT_EQ(trace.status, RunStatus::cancelled) << trace.message;
+                EXPECT_LE(asked - last, 2) << last << " of " << whole;
+                EXPECT_TRUE(all_finite(trace));
+            }
+        }
 }
 
 TEST(Run, IntegratorNamesGoThereAndBack) {
