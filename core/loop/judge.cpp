@@ -13,12 +13,16 @@ namespace {
 
 /// Systematic residuals below this share of the noise are nobody's concern: two simulators of one model differ by as much.
 constexpr double least_systematic = 0.3;
+/// Up to here they may, on thin bodies, and are put down to it where nothing takes them away.
+constexpr double faint = 0.5;
 /// Where little is left of the mesh's error after extrapolation, it may really be twice as much, up to this [noise levels].
 constexpr double rough = 2.0, most_rough = 0.8;
 /// A mesh whose error is larger excuses nothing: it has to be refined.
 constexpr double most_allowed = 1.0;
 /// What a fit leaves may be so many times what is left of the mesh's error: that was extrapolated.
 constexpr double generous = 1.5;
+/// Of a faint residual an effect has to take away half: what two simulators of one model differ by is mimicked by many.
+constexpr double most_of_what_is_faint = 0.5;
 /// What an effect leaves, over what was there: another program's form of the same effect differs by as much.
 constexpr double share_of_form = 0.05;
 /// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights().
@@ -119,11 +123,14 @@ bool needs_explanation(const JudgedFit& fit, const FitData& data, const Numerica
     return fit.tests.significant() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
 }
 
+bool is_faint(const JudgedFit& fit) { return fit.tests.systematic.rms <= faint; }
+
 bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, MeshDoubt mesh) {
     if (!fit.usable() || modulus_at_bound(fit.fit)) return false;
     const double doubt = numerical_doubt(data, fit.numerics ? *fit.numerics : numerics);
     const double allowed = std::max({least_systematic, (mesh == MeshDoubt::generous ? generous : 1.0) * doubt, share_of_form * before.tests.systematic.rms});
-    return !fit.tests.significant() || fit.tests.systematic.rms <= std::min(allowed, most_of_what_was * before.tests.systematic.rms);
+    if (fit.tests.systematic.rms > (is_faint(before) ? most_of_what_is_faint : most_of_what_was) * before.tests.systematic.rms) return false;
+    return !fit.tests.significant() || fit.tests.systematic.rms <= allowed;
 }
 
 }  // namespace myo

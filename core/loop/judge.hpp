@@ -32,6 +32,9 @@ bool modulus_at_bound(const JointFit& fit);
 /// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance.
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 
+/// Whether what is systematic is so small that another simulator of the same model may make it: where no effect takes most of it away, nothing is missing.
+bool is_faint(const JudgedFit& fit);
+
 /// How much of what a fit leaves is put down to the mesh: half as much again as was found, for a verdict, or that alone, to end the search.
 enum class MeshDoubt { generous, strict };
 

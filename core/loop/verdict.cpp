@@ -49,7 +49,8 @@ JudgedFit none(Diagnosis& d) {
     const double share = d.declared.tests.systematic.rms / numerical_allowance(d.data, d.numerics);
     d.verdict.confidence = trust * (d.declared.tests.significant() ? std::clamp(1.5 - share, 0.3, 1.0) : 1.0);
     d.verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
-                        times_noise(d.declared.tests.systematic.rms) + " is systematic: no more than the program's own error may be.";
+                        times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
+                        (share > 1.0 ? "little, and no effect takes most of it away." : "no more than the program's own error may be.");
     return d.declared;
 }
 
@@ -135,6 +136,7 @@ JudgedFit decide(Diagnosis& d) {
     else if (first && takes_nearly_all(d, *first->judged)) fit = nearly_all_of_it(d, *first->judged);
     else if (pair && takes_most(d, *pair) && first && pair->criterion < first->judged->criterion && !is_idle(*pair, *first->judged)) fit = most_of_it(d, *pair, pair->weight);
     else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged, presence(d, *first->judged));
+    else if (is_faint(d.declared)) fit = none(d);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
     if (d.numerics.left_rms_m > d.noise_m)
         d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");

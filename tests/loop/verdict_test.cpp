@@ -104,6 +104,25 @@ TEST(Verdict, WhatLeavesNearlyAllExplainsNothing) {
     EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
 }
 
+/// What thin plates were told of a thread that tugs: two simulators of one model differ by as much, and a cable took away a third of it.
+TEST(Verdict, AFaintResidualIsNoEffectUnlessOneTakesHalfOfItAway) {
+    for (const double left : {0.1, 0.29}) {
+        Diagnosis d = with_candidate(left);
+        d.candidates[0].judged->tests.variance.p = 1.0;   // the tests are silent with the effect
+        d.declared = fit_that_leaves(0.47);
+        d.declared.tests.variance.p = 0.0;
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, left < 0.2 ? VerdictKind::effects : VerdictKind::none);
+        EXPECT_EQ(d.verdict.confidence < 0.5, left > 0.2);
+    }
+    Diagnosis d = with_candidate(0.45);
+    d.candidates[0].judged->tests.variance.p = 0.0;
+    d.declared = fit_that_leaves(0.7);
+    d.declared.tests.variance.p = 0.0;
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown) << "that much is not put down to simulators";
+}
+
 /// A second effect that finds little left to do is not named; the first one is where it leaves next to nothing.
 TEST(Verdict, ASecondEffectHasToDoSomething) {
     for (const double pair_leaves : {0.2, 0.9}) {
