@@ -4,12 +4,12 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 myoloop=$(realpath "${MYOLOOP:-$here/../../build/bin/myoloop}")
-examples=$here/../examples
+examples=examples   # as seen from assets: pictures show no folder of anybody's
 all=false
 [[ ${1:-} == --all ]] && { all=true; shift; }
 mkdir -p "${1:-$here}"
 out=$(realpath "${1:-$here}")
-cd /   # pictures show where a report would go: no folder of anybody's
+cd "$here/.."
 
 shot() {   # NAME ARGUMENTS...
     local name=$1
@@ -32,4 +32,7 @@ shot import "$examples/silicone_beam" --as-opened --import "$examples/silicone_b
 shot fit "$examples/silicone_beam" --calibrate --panel fit,search --time 0.2
 shot optimise "$examples/soft_arm" --optimize --trial reach --panel fit,signals --time 0.5
 shot diagnose "$examples/unexplained_beam" --diagnose --panel verdict,diagnose --time 0.2
+# This one shows where a report would go.
+examples=$here/../examples
+cd /
 shot report "$examples/silicone_beam" --calibrate --panel report,jobs --time 0.2
