@@ -9,6 +9,7 @@
 #include <set>
 
 #include "backend/core_scene.hpp"
+#include "backend/examples.hpp"
 #include "measurement/gaps.hpp"
 #include "measurement/marker_match.hpp"
 #include "measurement/motion_start.hpp"
@@ -56,6 +57,12 @@ const SceneMarker* declared(const std::vector<SceneMarker>& markers, const std::
     return found != markers.end() ? &*found : nullptr;
 }
 
+bool is_bundled(const Scene& scene) {
+    const std::vector<Example> examples = bundled_examples();
+    std::error_code ignored;
+    return std::any_of(examples.begin(), examples.end(), [&](const Example& example) { return fs::equivalent(example.path, scene.path, ignored); });
+}
+
 bool has_trials(const Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
 
 std::string problem_of(const Scene& scene, const ImportChoices& choices, const ImportView& view) {
@@ -78,7 +85,11 @@ std::string problem_of(const Scene& scene, const ImportChoices& choices, const I
                 return "This experiment compares displacements, so " + own.name + " must be seen before the start.";
         }
     if (choices.trial.empty()) return "The trial has no name.";
+    const auto& trials = experiment.trials;
+    if (std::any_of(trials.begin(), trials.end(), [&](const TrialDeclaration& trial) { return trial.name == choices.trial; }))
+        return "The experiment has a trial " + choices.trial + " already: choose another name.";
     if (!has_trials(scene) && choices.folder.empty()) return "Choose a new folder for the experiment.";
+    if (is_bundled(scene) && choices.folder.empty()) return "Bundled examples stay as they are: choose a folder for a copy of this one.";
     return "";
 }
 

@@ -46,6 +46,9 @@ TEST(CoreImport, ARecordingByOtherCamerasBecomesTheTrialThatItWas) {
     foreign.markers[0] = {"own_name", Eigen::Vector3d::Zero()};
     driver.workbench->execute(command::ChangeImport{foreign});
     EXPECT_EQ(driver.state().import->view.problem, "The experiment has no marker own_name.");
+    choices.trial = "gravity_release";
+    driver.workbench->execute(command::ChangeImport{choices});
+    EXPECT_EQ(driver.state().import->view.problem, "The experiment has a trial gravity_release already: choose another name.");
     choices.start_s = 0.6;
     choices.fit = false;
     choices.trial = "again";
@@ -61,6 +64,30 @@ TEST(CoreImport, ARecordingByOtherCamerasBecomesTheTrialThatItWas) {
     ASSERT_TRUE(driver.wait_for_job(120));
     EXPECT_NEAR(driver.state().run->trials.back().rms_m, rms, 0.05 * rms) << "the same motion, from another folder of files";
     EXPECT_NEAR(driver.state().run->trials.front().rms_m, rms, 1e-6);
+}
+
+TEST(CoreImport, BundledExamplesStayAsTheyAre) {
+    Folder folder("import_bundled");
+    Driver driver(make_core_backend(), 1400, 900);
+    const fs::path beam = fs::path(MYOLOOP_SOURCE_DIR) / "assets/examples/silicone_beam";
+    driver.workbench->execute(command::Open{beam, std::nullopt});
+    ASSERT_TRUE(driver.wait_for_job(60));
+    driver.workbench->execute(command::ReadRecording{beam / "side_pluck.csv"});
+    ASSERT_TRUE(driver.wait_for_job(30));
+    ASSERT_TRUE(driver.state().import);
+    ImportChoices choices = driver.state().import->choices;
+    choices.trial = "again";
+    driver.workbench->execute(command::ChangeImport{choices});
+    EXPECT_EQ(driver.state().import->view.problem, "Bundled examples stay as they are: choose a folder for a copy of this one.");
+    driver.workbench->execute(command::AddRecording{});
+    EXPECT_FALSE(driver.state().busy());
+    choices.folder = folder.path() / "copy";
+    driver.workbench->execute(command::ChangeImport{choices});
+    EXPECT_EQ(driver.state().import->view.problem, "");
+    driver.workbench->execute(command::AddRecording{});
+    ASSERT_TRUE(driver.wait_for_job(60));
+    EXPECT_TRUE(fs::exists(folder.path() / "copy/again.csv"));
+    EXPECT_FALSE(fs::exists(beam / "again.csv"));
 }
 
 TEST(CoreImport, APlainMeshBecomesAnExperiment) {
