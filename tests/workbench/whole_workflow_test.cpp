@@ -234,8 +234,8 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     driver.click("step/mesh");
     driver.click("body/element");
     driver.click("body/element/hex8");
-    type_into("body/edge_length", "8");
-    EXPECT_NEAR(state().settings.resolution_m, 8e-3, 1e-12);
+    type_into("body/edge_length", "5");
+    EXPECT_NEAR(state().settings.resolution_m, 5e-3, 1e-12);
     driver.click("body/build");
     ASSERT_NO_FATAL_FAILURE(wait(60));
 
