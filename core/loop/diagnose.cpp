@@ -87,7 +87,7 @@ public:
         const Stopwatch watch;
         if (declared_fit() && numbers() && tests()) {
             if (needs_explanation(result_.declared, result_.data, result_.numerics)) {
-                if (single_effects()) second_effects();
+                if (single_effects() && !is_faint(result_.declared)) second_effects();
             }
             if (!progress_.cancelled()) conclude();
         }
