@@ -128,7 +128,7 @@ bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit,
     // Typed text may hold anything that reads as a number.
     if (!std::isfinite(shown)) changed = false;
     goes_on = edit.goes_on(field.name, changed);
-    if (!ImGui::IsItemActive()) tooltip(context.theme, field.tip + "\n\nDrag, or double-click to type.");
+    if (!ImGui::IsItemActive()) tooltip(context.theme, field.tip + "\n\nDrag, or double-click to type" + (field.unit.empty() ? "." : " a number in " + field.unit + "."));
     if (changed) value = std::clamp(shown * field.per_unit, field.limits.lowest, field.limits.highest);
     return changed;
 }
