@@ -45,6 +45,12 @@ void hold_clamped(const Body& body, Matrix3Xd& x) {
         if (body.clamped[static_cast<std::size_t>(i)]) x.col(i) = body.mesh.nodes.col(i);
 }
 
+void set_start_strains(const Model& model, StartKind start, Kinematics& state) {
+    state.strain = strains(*model.body, state.x);
+    state.rate = strain_tangent(*model.body, state.x, state.v);
+    if (model.creep) add_dashpots(*model.creep, start == StartKind::equilibrium, state);
+}
+
 bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics& state, Trace& trace) {
     const Body& body = *solver.model().body;
     const InitialState& initial = options.initial;
@@ -67,9 +73,7 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
         trace.message = report.message;
         if (!report.ok()) return false;
     }
-    state.strain = strains(body, state.x);
-    state.rate = strain_tangent(body, state.x, state.v);
-    if (solver.model().creep) add_dashpots(*solver.model().creep, options.start == StartKind::equilibrium, state);
+    set_start_strains(solver.model(), options.start, state);
     return true;
 }
 

@@ -9,6 +9,9 @@ namespace myo {
 /// Puts clamped nodes where they are held.
 void hold_clamped(const Body& body, Eigen::Matrix3Xd& x);
 
+/// Strains and their rates at the positions and velocities of the start.
+void set_start_strains(const Model& model, StartKind start, Kinematics& state);
+
 /// Positions, velocities and strains at t = 0; forces are not set yet. False: there is no such start, and the trace says why.
 bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics& state, Trace& trace);
 

@@ -76,7 +76,6 @@ public:
             trial.options.keep_path = 8.0 * stages * study_.body->dofs() < most_path_bytes;
         }
         serial_ = study_;
-        study_.settings.derivatives = serial_.settings.derivatives = Derivatives::differences;
         serial_.settings.threads = 1;
         result_.settings = settings;
         if (settings.fits) store_ = std::make_unique<FitStore>(*settings.fits, study_words(study));
@@ -190,17 +189,14 @@ private:
     /// The numerical error at a fit, and the fit with it taken off; again while that takes the fit elsewhere: an error of another motion is another
     /// error.
     bool settle(JudgedFit& judged_fit, const std::string& name, const Effort& effort, double settled_change) {
-        Study exact = study_;
-        exact.settings.derivatives = Derivatives::central;
         for (int round = 0; round < most_rounds; ++round) {
             const NumericalError* const known = judged_fit.numerics ? &*judged_fit.numerics : nullptr;   // the declared fit may be damped far more
             NumericalError numerics = stage("numerical error", 3 * fit_count(), [&] { return errors_.at(judged_fit.fit.values, result_.data.trials, known, progress_); });
             if (progress_.cancelled()) return false;
             const bool is_first = !result_.declared.numerics;   // until then no error was taken off
             if (is_first) match_stiffness(judged_fit.fit, numerics);
-            exact.modulus_factor = study_.modulus_factor;
             result_.data.shift = numerics.shift;
-            JointFit again = stage(name, 0, [&] { return fit(exact, judged_fit.fit.values, EffectFreedom::all, effort, neighbourhood_of(judged_fit.fit), progress_); });
+            JointFit again = stage(name, 0, [&] { return fit(study_, judged_fit.fit.values, EffectFreedom::all, effort, neighbourhood_of(judged_fit.fit), progress_); });
             if (progress_.cancelled()) return false;
             cost_of(name).runs += again.runs(fit_count());
             if (!again.usable() || (!is_first && again.squares() > gone_astray * judged_fit.fit.squares())) break;

@@ -89,10 +89,10 @@ Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPredic
     return J;
 }
 
-VectorXd flat_tangent(const FitData& data, const std::vector<const ResidualTangent*>& tangents) {
+VectorXd flat_tangent(const FitData& data, const TrialTangents& tangents) {
     const std::vector<std::size_t> place = places(data);
     return gathered(data, [&](const ResidualSeries& at, int sample) {
-        return tangents[place[static_cast<std::size_t>(at.trial)]]->tangent[static_cast<std::size_t>(at.marker)](at.axis, sample);
+        return tangents[place[static_cast<std::size_t>(at.trial)]][static_cast<std::size_t>(at.marker)](at.axis, sample);
     }).cwiseQuotient(data.noise_m);
 }
 

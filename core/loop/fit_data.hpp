@@ -32,8 +32,11 @@ Eigen::VectorXd flat_shift(const FitData& data, const PredictionShift& shift);
 /// Derivatives of the same, N x parameters.
 Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<TrialPrediction>& predictions, std::size_t parameters);
 
-/// One derivative of the same from those of data.trials.
-Eigen::VectorXd flat_tangent(const FitData& data, const std::vector<const ResidualTangent*>& tangents);
+/// Derivatives of residuals by one number: [trial of data.trials][marker], 3 x samples [m per unit].
+using TrialTangents = std::vector<std::vector<Eigen::Matrix3Xd>>;
+
+/// One derivative of the same.
+Eigen::VectorXd flat_tangent(const FitData& data, const TrialTangents& tangents);
 
 /// Root mean square of a flat residual [m].
 double flat_rms_m(const FitData& data, const Eigen::VectorXd& residual);

@@ -111,7 +111,6 @@ public:
         if (last_at_.size() == 0 || p != last_at_) evaluate(p, progress);
         if (!last_.ok) return {};
         const StudyValues values = values_at(fit_.parameters, p, start_);
-        const auto trials = data_.trials.size();
         const auto count = static_cast<Index>(fit_.parameters.size());
         MatrixXd J(last_.residuals.size(), count);
         J.bottomRows(priors_.size()) = priors_.jacobian(count);
@@ -121,21 +120,27 @@ public:
             if (found == known.names.end()) wanted.push_back(i);
             else J.col(i).head(known.columns.rows()) = known.columns.col(found - known.names.begin());
         }
-        std::vector<ResidualTangent> tangents(trials * wanted.size());
-        parallel_tasks(static_cast<int>(tangents.size()), study_.settings.threads, [&](int task) {
-            const auto k = static_cast<std::size_t>(task), t = k % trials;
-            tangents[k] = residual_tangent(study_, data_.trials[t], values, fit_.parameters[static_cast<std::size_t>(wanted[k / trials])], predictions_[t], progress);
-        });
-        for (std::size_t k = 0; k < wanted.size(); ++k) {
-            std::vector<const ResidualTangent*> of_trials;
-            for (std::size_t t = 0; t < trials; ++t) of_trials.push_back(&tangents[k * trials + t]);
-            if (!std::all_of(of_trials.begin(), of_trials.end(), [](const ResidualTangent* tangent) { return tangent->ok(); })) return {};
-            J.col(wanted[k]).head(data_.layout.size()) = flat_tangent(data_, of_trials);
-        }
+        std::vector<StudyParameter> sought;
+        for (const Index i : wanted) sought.push_back(fit_.parameters[static_cast<std::size_t>(i)]);
+        const std::vector<TrialTangents> columns = tangents(values, sought, progress);
+        if (columns.size() < wanted.size()) return {};
+        for (std::size_t k = 0; k < wanted.size(); ++k) J.col(wanted[k]).head(data_.layout.size()) = flat_tangent(data_, columns[k]);
         return J;
     }
 
 private:
+    /// Per number; empty: the model could not be run.
+    std::vector<TrialTangents> tangents(const StudyValues& values, const std::vector<StudyParameter>& parameters, const Progress& progress) const {
+        std::vector<PredictionTask> tasks;
+        for (std::size_t t = 0; t < data_.trials.size(); ++t) tasks.push_back({data_.trials[t], &values, predictions_[t].trace.path});
+        std::vector<TrialPrediction> runs = predict_trials(study_, tasks, parameters, progress);
+        if (!all_ok(runs)) return {};
+        std::vector<TrialTangents> columns(parameters.size());
+        for (TrialPrediction& run : runs)
+            for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(std::move(run.tangents[k]));
+        return columns;
+    }
+
     const Study& study_;
     const FitData& data_;
     const StudyValues& start_;

@@ -13,6 +13,7 @@ struct StressSoftening {
     double energy_scale_J_m3 = 1.0;    // W0, above 0
 
     double factor(double peak_energy_J_m3) const { return 1.0 + damage_max * std::expm1(-peak_energy_J_m3 / energy_scale_J_m3); }
+    double slope(double peak_energy_J_m3) const { return -damage_max / energy_scale_J_m3 * std::exp(-peak_energy_J_m3 / energy_scale_J_m3); }
 };
 
 }  // namespace myo

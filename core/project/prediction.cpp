@@ -6,6 +6,7 @@
 
 #include "effect/catalogue.hpp"
 #include "measurement/rigid_motion.hpp"
+#include "project/parameter_tangent.hpp"
 
 namespace myo {
 namespace {
@@ -17,19 +18,6 @@ using Kind = StudyParameter::Kind;
 bool is_calibrated(const Study& study, const std::string& name, const std::vector<std::string>& names) {
     const std::vector<std::string>& list = names.empty() ? study.experiment.material.calibrate : names;
     return std::find(list.begin(), list.end(), name) != list.end();
-}
-
-ModelTangent tangent_of(const Study& study, std::size_t trial, const Model& model, const StudyParameter& parameter, double youngs_modulus) {
-    if (parameter.kind == Kind::youngs_modulus) return youngs_modulus_tangent(model, youngs_modulus);
-    if (parameter.kind == Kind::damping) return damping_tangent();
-    ModelTangent tangent;
-    if (parameter.trial == trial) tangent.activation = level_tangent(study.experiment, parameter.index);
-    return tangent;
-}
-
-bool moves_the_body(const StudyParameter& parameter, std::size_t trial) {
-    return parameter.kind == Kind::youngs_modulus || parameter.kind == Kind::damping ||
-           (parameter.kind == Kind::level && parameter.trial == trial);
 }
 
 }  // namespace
@@ -179,20 +167,12 @@ SeenMotion seen_motion(const Study& study, std::size_t index, const StudyValues&
     return result;
 }
 
-/// A change of a number over which the motion is compared, towards the inside of its bounds.
-double difference_step(const StudyParameter& p, double value) {
-    const double size = p.parameter.over_decades ? std::max(std::abs(value), 0.05 * p.parameter.scale) : p.parameter.scale;
-    const double step = (p.kind == Kind::effect ? 0.01 : 0.003) * size;
-    return value + step > p.parameter.upper ? -step : step;
+bool is_seen_alone(const Study& study, std::size_t index, const StudyValues& values, const StudyParameter& p) {
+    return p.kind == Kind::effect && is_seen_only(values.effects[p.index]) && acts_on(effect_site(study, index), values.effects[p.index].parameters);
 }
 
-/// Memory of damage and responses of actuators stand between a modulus or a level and the motion: there, differences of runs tell.
-bool needs_differences(const Study& study, const StudyParameter& parameter, const StudyValues& values) {
-    return study.settings.derivatives != Derivatives::tangents || std::any_of(values.effects.begin(), values.effects.end(), [&](const EffectDeclaration& effect) {
-        const EffectStage stage = find_effect(effect.id)->stage;
-        return (parameter.kind == Kind::level && stage == EffectStage::actuation) || effect.id == "stress_softening";
-    });
-}
+/// Of what matters of a number: changes over which motions are compared, and what is seen of one motion.
+constexpr double part_of_effect = 0.01, part_of_constant = 0.003, part_of_sight = 1e-4;
 
 }  // namespace
 
@@ -211,10 +191,11 @@ TrialPrediction predict_trial(const Study& study, std::size_t index, const Study
     std::vector<ModelTangent> model_tangents;
     std::vector<int> row_of(parameters.size(), -1);   // which of the run's tangents belongs to a parameter
     for (std::size_t p = 0; p < parameters.size(); ++p)
-        if (moves_the_body(parameters[p], index) && !needs_differences(study, parameters[p], values)) {
-            row_of[p] = static_cast<int>(model_tangents.size());
-            model_tangents.push_back(tangent_of(study, index, affected.model, parameters[p], values.youngs_modulus_Pa));
-        }
+        if (moves_the_body(study, index, values, parameters[p]))
+            if (std::optional<ModelTangent> tangent = parameter_tangent(study, index, values, parameters[p])) {
+                row_of[p] = static_cast<int>(model_tangents.size());
+                model_tangents.push_back(std::move(*tangent));
+            }
 
     TrialPrediction result;
     SensitiveTrace run = simulate_with_tangents(affected.model, affected.options, model_tangents, study.markers.nodes, progress);
@@ -274,20 +255,21 @@ ResidualTangent residual_tangent(const Study& study, std::size_t index, const St
         const Eigen::Matrix3d R = small_rotation(values.rotation_rad);
         result.tangent = seen_tangents(error, tracks.velocities, trial.measured.time_s);
         for (Matrix3Xd& marker : result.tangent) marker = by_displacement(study) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
-    } else if (parameter.kind == Kind::effect || moves_the_body(parameter, index)) {
-        if (parameter.kind == Kind::effect && !acts_on(effect_site(study, index), values.effects[parameter.index].parameters)) return result;
-        const double value = value_of(parameter, values), step = difference_step(parameter, value);
-        const bool seen_only = parameter.kind == Kind::effect && is_seen_only(values.effects[parameter.index]);
+    } else if (const bool moves = moves_the_body(study, index, values, parameter); moves || is_seen_alone(study, index, values, parameter)) {
+        const double value = value_of(parameter, values);
+        const double part = !moves ? part_of_sight : parameter.kind == Kind::effect ? part_of_effect : part_of_constant;
+        double step = difference_step(parameter, value, part);
+        if (value + step > parameter.parameter.upper) step = -step;   // towards the inside of its bounds
         const auto beside = [&](double at) {
             StudyValues changed = values;
             set_value(parameter, at, changed);
-            return seen_only ? observe_trial(study, index, changed, there.trace) : predict_trial(study, index, changed, {}, progress, there.trace.path);
+            return moves ? predict_trial(study, index, changed, {}, progress, there.trace.path) : observe_trial(study, index, changed, there.trace);
         };
         const TrialPrediction other = beside(value + step);
         result.status = other.status;
         result.message = other.message;
         if (!other.ok()) return result;
-        const bool both_sides = study.settings.derivatives == Derivatives::central && value - step >= parameter.parameter.lower && value - step <= parameter.parameter.upper;
+        const bool both_sides = value - step >= parameter.parameter.lower && value - step <= parameter.parameter.upper;
         const TrialPrediction opposite = both_sides ? beside(value - step) : TrialPrediction{};
         for (std::size_t m = 0; m < result.tangent.size(); ++m)
             result.tangent[m] = opposite.ok() ? Matrix3Xd((other.residual_m[m] - opposite.residual_m[m]) / (2.0 * step)) : Matrix3Xd((other.residual_m[m] - there.residual_m[m]) / step);

@@ -19,13 +19,6 @@
 
 namespace myo {
 
-/// How predictions are differentiated by what moves the body.
-enum class Derivatives {
-    tangents,      // exact, side by side: about six runs for the first parameter and a tenth for each other
-    differences,   // one run more for each: faster for few
-    central,       // two runs more for each: a phase that drifts over many periods is no longer linear in a modulus
-};
-
 /// How the experiment is to be simulated; what is left open is chosen for the data.
 struct StudySettings {
     MeshRequest mesh;
@@ -37,7 +30,6 @@ struct StudySettings {
     double velocity_force_1_s = 0.0;       // Lambda
     MassModel mass_model = MassModel::consistent;
     double assumed_damping_s = 0.003;      // where none is declared: 9 % of critical damping at 10 Hz, as silicones have
-    Derivatives derivatives = Derivatives::tangents;
     bool as_published = false;             // it started from published_settings()
     int threads = 1;
 

@@ -2,11 +2,13 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 #include "model/force_element.hpp"
 #include "model/internal_forces.hpp"
 #include "model/model.hpp"
+#include "sensitivity/model_change.hpp"
 
 namespace myo {
 
@@ -16,6 +18,8 @@ struct ModelTangent {
     double damping_s = 0.0;
     std::vector<Signal> activation;    // per fibre group: d a(t)
     std::vector<Eigen::VectorXd> force_elements;   // per element: change of its parameters; empty ones are zero
+    std::shared_ptr<const ModelPair> between;      // for what has no part above: the models on both sides; null: nothing
+    Eigen::Matrix3Xd start_m;                      // 3 x n, of positions of one's own at the start [m per unit]
 };
 
 /// d/dE: the moduli over E. Asserts youngs_modulus_Pa > 0.

@@ -25,7 +25,6 @@ struct SensitiveTrace {
 /// nodes: those whose derivatives are kept. Each stage costs one Hessian and one linear solve per parameter; the stage
 /// recursions are those of the run itself, which are linear but for the stage solves. Parameters share the passes over cells, mass and
 /// factor, so that many together cost a fraction of as many runs.
-/// Where a body softens the derivative is that with the softening of every step held: good for an optimiser's directions, not exact.
 SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOptions& options,
                                       const std::vector<ModelTangent>& parameters, const std::vector<int>& nodes,
                                       const Progress& progress = {});

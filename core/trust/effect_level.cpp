@@ -31,7 +31,6 @@ LeastSquaresOptions recalibration(int evaluations) {
 }  // namespace
 
 EffectLevel::EffectLevel(const SyntheticCase& c, Study study, const Progress& progress) : study_(std::move(study)), progress_(progress.with_sink({})) {
-    study_.settings.derivatives = Derivatives::differences;
     study_.noise_m.setConstant(c.noise_m);   // an estimate would be that of the traces, which are still to be made
     data_ = fit_data(study_, trials_with_role(study_, TrialRole::fit));
     without_ = true_values(c, study_);

@@ -64,7 +64,6 @@ Result<Study> truth_study(const SyntheticCase& c, const Experiment& experiment, 
     settings.integrator = c.truth.scheme.integrator;
     settings.spectral_radius = c.truth.scheme.rho_inf;
     settings.h_s = 1.0 / (c.rate_Hz * c.truth.steps_per_sample);
-    settings.derivatives = Derivatives::differences;
     const bool deep = c.body.held_m > 0.0;
     settings.mesh.element = deep ? ElementKind::hex8_mean_dilatation : ElementKind::tet10;
     if (deep) settings.mesh.resolution_m = finer_hexes * automatic_resolution(*surface, CellType::hex8);

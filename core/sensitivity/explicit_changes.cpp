@@ -1,0 +1,144 @@
+#include "sensitivity/explicit_changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/creep.hpp"
+#include "sensitivity/tangent_columns.hpp"
+
+namespace myo {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// A model on both sides along a parameter's moduli; to its first order nothing else tells how much energy a cell has at a position.
+ModelPair pair_along(const Model& model, const ModelTangent& parameter) {
+    ModelPair pair{model, model, 1.0};
+    if (parameter.moduli.empty()) return pair;
+    double most = 0.0;
+    for (std::size_t c = 0; c < model.moduli.size(); ++c) most = std::max(most, std::abs(parameter.moduli[c].mu / model.moduli[c].mu));
+    if (most > 0.0) pair.width = 1e-3 / most;
+    for (std::size_t c = 0; c < model.moduli.size(); ++c) {
+        pair.over.moduli[c].mu += 0.5 * pair.width * parameter.moduli[c].mu;
+        pair.under.moduli[c].mu -= 0.5 * pair.width * parameter.moduli[c].mu;
+    }
+    return pair;
+}
+
+}  // namespace
+
+ExplicitChanges::ExplicitChanges(const Model& model, const std::vector<ModelTangent>& parameters) : model_(model), parameters_(parameters) {
+    for (const ModelTangent& parameter : parameters) {
+        stiffness_.push_back(stiffness_tangent(model, parameter));
+        changes_.emplace_back();
+        if (parameter.between) changes_.back().emplace(model_change(parameter.between));
+        if (model.softening) pairs_.push_back(parameter.between ? *parameter.between : pair_along(model, parameter));
+    }
+}
+
+bool ExplicitChanges::change_masses() const {
+    return std::any_of(changes_.begin(), changes_.end(), [](const auto& change) { return change && changes_mass(*change); });
+}
+
+void ExplicitChanges::soften(const Matrix3Xd& x, const NodalColumns& dx, bool afresh) {
+    if (!model_.softening) return;
+    if (afresh) peaks_ = {};
+    raise_peaks(model_, x, dx, pairs_, peaks_);
+}
+
+void ExplicitChanges::add_mass_changes(const MotionTerms& motion, NodalColumns& momentum) const {
+    Matrix3Xd sum;
+    for (std::size_t p = 0; p < changes_.size(); ++p) {
+        if (!changes_[p] || !changes_mass(*changes_[p])) continue;
+        if (sum.size() == 0) {
+            sum = Matrix3Xd::Zero(3, model_.body->node_count());
+            for (const auto& [factor, field] : motion)
+                if (factor != 0.0 && field->size() > 0) sum += factor * *field;
+        }
+        if (momentum.size() == 0) momentum = NodalColumns::Zero(3 * static_cast<Index>(parameters_.size()), model_.body->node_count());
+        nodal_column(momentum, static_cast<Index>(p)) += times_mass(sum, changes_[p]->mass);
+    }
+}
+
+void ExplicitChanges::add_strain_changes(const Stage& stage, const Matrix3Xd& x, MatrixXd& strains) const {
+    for (std::size_t p = 0; p < changes_.size(); ++p)
+        if (changes_[p]) strains.col(static_cast<Index>(p)) += held_strain_change(*changes_[p], stage, x);
+}
+
+MatrixXd ExplicitChanges::viscous_changes(const Stage& stage, const VectorXd& rates, const MatrixXd& d_rates) const {
+    const Index count = rates.size() / 2;
+    MatrixXd result = d_rates.size() > 0 ? viscous_history(model_, stage.rate_factor_1_s, d_rates) : MatrixXd::Zero(count, static_cast<Index>(parameters_.size()));
+    for (std::size_t p = 0; p < parameters_.size(); ++p)
+        if (parameters_[p].damping_s != 0.0) result.col(static_cast<Index>(p)) += parameters_[p].damping_s * rates.head(count);
+    return result;
+}
+
+MatrixXd ExplicitChanges::residuals(const StageSolver& solver, const Stage& stage, const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates, const NodalColumns& d_velocities) {
+    MatrixXd result = gather_columns(model_.body->pattern, gradient(solver, stage, x, rates, d_rates, d_velocities));
+    for (std::size_t p = 0; p < changes_.size(); ++p) {
+        if (!changes_[p]) continue;
+        myo::soften(*changes_[p], solver.softening());
+        result.col(static_cast<Index>(p)) += held_residual_change(*changes_[p], stage, x);
+    }
+    return result;
+}
+
+std::vector<Stiffness> ExplicitChanges::stiffness_of(const StageSolver& solver) const {
+    std::vector<Stiffness> result = stiffness_;
+    if (solver.softening().size() == 0) return result;
+    const MatrixXd d_factors = factor_tangents(*model_.softening, pairs_, peaks_);
+    for (std::size_t p = 0; p < result.size(); ++p) {
+        std::vector<Moduli>& elastic = result[p].elastic;
+        elastic = elastic.empty() ? std::vector<Moduli>(model_.moduli.size()) : softened(std::move(elastic), solver.softening());
+        for (std::size_t c = 0; c < elastic.size(); ++c) {
+            const double d = d_factors(static_cast<Index>(c), static_cast<Index>(p));
+            elastic[c].mu += d * model_.moduli[c].mu;
+            elastic[c].kappa += d * model_.moduli[c].kappa;
+        }
+    }
+    return result;
+}
+
+NodalColumns ExplicitChanges::gradient(const StageSolver& solver, const Stage& stage, const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates, const NodalColumns& d_velocities) const {
+    const std::vector<Stiffness> stiffness = stiffness_of(solver);
+    bool elastic = false, viscous = false;
+    for (const Stiffness& s : stiffness) {
+        elastic = elastic || !s.elastic.empty();
+        viscous = viscous || !s.viscous.empty();
+    }
+    UnitForces forces;
+    if (elastic || viscous) forces = unit_forces(model_, x, !viscous ? VectorXd() : model_.creep ? VectorXd(viscous_history(model_, 0.0, rates)) : rates);
+    const MatrixXd changes = model_.creep ? viscous_changes(stage, rates, d_rates) : with_strains() ? d_rates : MatrixXd();
+    NodalColumns result = gradient_columns(model_, x, forces, stiffness, changes);
+    for (std::size_t g = 0; g < model_.fibres->size(); ++g) {
+        Matrix3Xd of_group;   // per unit of its activation
+        for (std::size_t p = 0; p < parameters_.size(); ++p) {
+            const std::vector<double> d = activation_tangent(parameters_[p], stage.time_s, stage.before_jump);
+            if (d.empty() || d[g] == 0.0) continue;
+            if (of_group.size() == 0) {
+                std::vector<double> unit(model_.fibres->size(), 0.0);
+                unit[g] = 1.0;
+                of_group = activation_gradient(model_, x, unit);
+            }
+            nodal_column(result, static_cast<Index>(p)) += d[g] * of_group;
+        }
+    }
+    if (!model_.force_elements.empty()) add_force_elements(stage, x, d_velocities, result);
+    return result;
+}
+
+void ExplicitChanges::add_force_elements(const Stage& stage, const Matrix3Xd& x, const NodalColumns& d_velocities, NodalColumns& result) const {
+    const Matrix3Xd v = stage_velocities(stage, x);
+    const ForceState at = force_state(stage, x, v);
+    for (std::size_t p = 0; p < parameters_.size(); ++p) {
+        auto column = nodal_column(result, static_cast<Index>(p));
+        column += force_element_tangent(model_, parameters_[p], at);
+        if (d_velocities.size() > 0) column += velocity_tangent(model_, at, nodal_column(d_velocities, static_cast<Index>(p)));
+    }
+}
+
+}  // namespace myo

@@ -1,0 +1,57 @@
+#include "sensitivity/model_change.hpp"
+
+#include <utility>
+
+#include "dynamics/creep.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+Sparse difference(const Sparse& over, const Sparse& under, double width) {
+    Sparse result;
+    if (over.size() == 0 && under.size() == 0) return result;
+    if (under.size() == 0) result = over / width;
+    else if (over.size() == 0) result = -under / width;
+    else result = (over - under) / width;
+    result.prune(0.0);
+    return result;
+}
+
+VectorXd stage_strains(const Model& model, const Stage& stage, const Matrix3Xd& x) {
+    VectorXd result = strains(*model.body, x);
+    if (model.creep) result = with_dashpots(*model.creep, stage.rate_factor_1_s, result, stage.rate_history);
+    return result;
+}
+
+}  // namespace
+
+ModelChange model_change(std::shared_ptr<const ModelPair> pair) {
+    ModelChange change{std::move(pair), {}, {}, {}};
+    const Model &under = change.pair->under, &over = change.pair->over;
+    const double width = change.pair->width;
+    change.under = stage_constants(under);
+    change.over = stage_constants(over);
+    change.mass = {difference(change.over.mass.isotropic, change.under.mass.isotropic, width),
+                   difference(change.over.mass.directional, change.under.mass.directional, width)};
+    return change;
+}
+
+void soften(ModelChange& change, const VectorXd& factors) {
+    for (StageConstants* side : {&change.under, &change.over}) side->stiffness.elastic = softened(side->model->moduli, factors);
+}
+
+VectorXd held_residual_change(const ModelChange& change, const Stage& stage, const Matrix3Xd& x) {
+    const auto residual = [&](const StageConstants& side) { return StageProblem(side, stage).evaluate(x, HessianKind::none).residual; };
+    return (residual(change.over) - residual(change.under)) / change.pair->width;
+}
+
+VectorXd held_strain_change(const ModelChange& change, const Stage& stage, const Matrix3Xd& x) {
+    return (stage_strains(change.pair->over, stage, x) - stage_strains(change.pair->under, stage, x)) / change.pair->width;
+}
+
+}  // namespace myo

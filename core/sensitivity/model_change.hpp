@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+
+#include "dynamics/stage.hpp"
+#include "dynamics/stage_problem.hpp"
+#include "model/model.hpp"
+
+namespace myo {
+
+/// A model on both sides of another along a parameter, by which it may change in any way that leaves the same nodes free.
+struct ModelPair {
+    Model under, over;
+    double width = 0.0;   // between them, in units of the parameter
+};
+
+/// What a pair says of the model between: derivatives per unit of the parameter, exact where the model is linear in it and otherwise to the
+/// square of the width.
+struct ModelChange {
+    std::shared_ptr<const ModelPair> pair;
+    StageConstants under, over;
+    MassMatrix mass;                   // no entries: it stays
+};
+ModelChange model_change(std::shared_ptr<const ModelPair> pair);
+
+inline bool changes_mass(const ModelChange& change) { return change.mass.isotropic.nonZeros() > 0 || change.mass.directional.nonZeros() > 0; }
+
+/// Factors of the cells' elastic moduli from now on, as in StageSolver; empty: virgin cells.
+void soften(ModelChange& change, const Eigen::VectorXd& factors);
+
+/// Derivative of a stage's residual over the free unknowns [N per unit] with its positions, its constant, its histories and the softening held.
+Eigen::VectorXd held_residual_change(const ModelChange& change, const Stage& stage, const Eigen::Matrix3Xd& x);
+
+/// The same of the strains of a stage's solution, those of dashpots included.
+Eigen::VectorXd held_strain_change(const ModelChange& change, const Stage& stage, const Eigen::Matrix3Xd& x);
+
+}  // namespace myo

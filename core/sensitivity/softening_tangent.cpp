@@ -1,0 +1,44 @@
+#include "sensitivity/softening_tangent.hpp"
+
+#include <cmath>
+
+#include "model/cell_energy.hpp"
+
+namespace myo {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+void raise_peaks(const Model& model, const Matrix3Xd& x, const NodalColumns& dx, const std::vector<ModelPair>& pairs, PeakTangents& peaks) {
+    const VectorXd now = isochoric_energy_densities(model, x);
+    const auto count = static_cast<Index>(pairs.size());
+    MatrixXd derivative(now.size(), count);
+    for (Index p = 0; p < count; ++p) {
+        const ModelPair& pair = pairs[static_cast<std::size_t>(p)];
+        const Matrix3Xd half = 0.5 * pair.width * nodal_column(dx, p);
+        derivative.col(p) = (isochoric_energy_densities(pair.over, x + half) - isochoric_energy_densities(pair.under, x - half)) / pair.width;
+    }
+    if (peaks.energy_J_m3.size() == 0) peaks = {VectorXd::Zero(now.size()), MatrixXd::Zero(now.size(), count)};
+    for (Index c = 0; c < now.size(); ++c)
+        if (std::isfinite(now(c)) && now(c) > peaks.energy_J_m3(c)) {
+            peaks.energy_J_m3(c) = now(c);
+            peaks.derivative.row(c) = derivative.row(c);
+        }
+}
+
+MatrixXd factor_tangents(const StressSoftening& softening, const std::vector<ModelPair>& pairs, const PeakTangents& peaks) {
+    MatrixXd result(peaks.energy_J_m3.size(), static_cast<Index>(pairs.size()));
+    for (Index c = 0; c < result.rows(); ++c) {
+        const double W = peaks.energy_J_m3(c);
+        for (Index p = 0; p < result.cols(); ++p) {
+            const ModelPair& pair = pairs[static_cast<std::size_t>(p)];
+            const double own = (pair.over.softening->factor(W) - pair.under.softening->factor(W)) / pair.width;
+            result(c, p) = own + softening.slope(W) * peaks.derivative(c, p);
+        }
+    }
+    return result;
+}
+
+}  // namespace myo
