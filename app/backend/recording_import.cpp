@@ -58,7 +58,7 @@ const SceneMarker* declared(const std::vector<SceneMarker>& markers, const std::
 }
 
 bool is_bundled(const Scene& scene) {
-    const std::vector<Example> examples = bundled_examples();
+    static const std::vector<Example> examples = bundled_examples();   // they do not come and go
     std::error_code ignored;
     return std::any_of(examples.begin(), examples.end(), [&](const Example& example) { return fs::equivalent(example.path, scene.path, ignored); });
 }

@@ -27,6 +27,8 @@ using Eigen::VectorXd;
 constexpr double step_doubt = 1.0;
 /// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
 constexpr double solver_tolerance = 1e-6;
+/// Of the linear systems of derivatives: a fit needs the direction, not all digits.
+constexpr double tangent_tolerance = 1e-4;
 /// Where a candidate explains so much from the fit with what is bent put back, that is the place to start from.
 constexpr double sure_base = 0.8;
 /// Runs start their stages near those of others, where these can be kept.
@@ -72,6 +74,7 @@ public:
         : study_(study), serial_(study_), progress_(progress), live_(live), errors_(study_, settings.refine_mesh) {
         for (StudyTrial& trial : study_.trials) {
             trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
+            trial.options.solver.tangent_tolerance = std::max(tangent_tolerance, trial.options.solver.tangent_tolerance);
             const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
             trial.options.keep_path = 8.0 * stages * study_.body->dofs() < most_path_bytes;
         }
@@ -432,7 +435,7 @@ private:
         result_.after = result_.verdict.kind == VerdictKind::none
                             ? result_.before
                             : scored(result_.augmented.fit.values, result_.augmented.numerics->shift, fitted_predictions(study_, all, result_.augmented.fit.values, progress_));
-        refute(result_);
+        note_worse_predictions(result_);
     }
 
     Study study_;

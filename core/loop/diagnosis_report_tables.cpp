@@ -87,7 +87,7 @@ Section error_section(const Study& study, const Diagnosis& d) {
         by_marker.caption = trial.name;
         markers.blocks.push_back(std::move(by_marker));
     }
-    const std::string words = std::string("Root mean square over all marker coordinates, simulation against measurement; what the mesh and the step add is taken off. Trials marked “predicted” took no part in any fit; with them an answer can only be refused.") +
+    const std::string words = std::string("Root mean square over all marker coordinates, simulation against measurement; what the mesh and the step add is taken off. Trials marked “predicted” took no part in any fit or choice.") +
                               (two ? " Before: the declared model, fitted. After: " + after_words(d) + "." : "");
     return {"Errors", {Paragraph{words}, table, markers}};
 }

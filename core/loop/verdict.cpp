@@ -144,17 +144,13 @@ JudgedFit decide(Diagnosis& d) {
     return fit;
 }
 
-void refute(Diagnosis& d) {
+void note_worse_predictions(Diagnosis& d) {
     const double before = d.before.validation_rms_m, after = d.after.validation_rms_m;
     if (d.verdict.kind != VerdictKind::effects || !(after > worse * before) || !(after > as_good_as_noise * d.noise_m)) return;
     std::string names = effect_words(d.verdict.effects.front());
     if (d.verdict.effects.size() > 1) names += " and " + effect_words(d.verdict.effects.back());
-    d.verdict = {};
-    d.verdict.kind = VerdictKind::unknown;
-    d.verdict.confidence = trust * surely_unknown;
-    d.verdict.because = names + " would explain the fitted trials, but those that took no part are predicted worse with it: " + times_noise(after / d.noise_m) + " instead of " +
-                        times_noise(before / d.noise_m) + ". What is missing is something else.";
-    rank(d);
+    d.notes.push_back("trials that took no part are predicted worse with " + names + ", " + times_noise(after / d.noise_m) + " instead of " + times_noise(before / d.noise_m) +
+                      ": do not rely on this answer; what is missing may be something else, or differ in these trials");
 }
 
 }  // namespace myo

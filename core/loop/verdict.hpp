@@ -8,8 +8,8 @@ namespace myo {
 /// attempt where nothing explains the residual.
 JudgedFit decide(Diagnosis& diagnosis);
 
-/// Takes effects back with which the trials that took no part are predicted worse than without, `before` and `after` being known: what is missing
-/// is something else. These trials refuse an answer here; they never choose one.
-void refute(Diagnosis& diagnosis);
+/// Tells a person where the trials that took no part are predicted worse with the verdict's effects than without, `before` and `after` being
+/// known. The verdict stands as it was: these trials choose nothing.
+void note_worse_predictions(Diagnosis& diagnosis);
 
 }  // namespace myo

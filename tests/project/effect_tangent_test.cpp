@@ -5,6 +5,7 @@
 #include "effect/affected_tangent.hpp"
 #include "effect/effect_site.hpp"
 #include "project/study_effects.hpp"
+#include "support/figures.hpp"
 #include "sensitivity/tangent_run.hpp"
 
 namespace myo {
@@ -67,8 +68,8 @@ struct DroppedBeam {
 };
 
 /// Compares the tangent of the whole run along each number that a fit moves with differences of runs, extrapolated to none; returns how many
-/// of the numbers moved the body.
-int compare_numbers(const DroppedBeam& dropped, const EffectDeclaration& effect, double tolerance) {
+/// of the numbers moved the body. Keeps their relative errors.
+int compare_numbers(const DroppedBeam& dropped, const EffectDeclaration& effect, double tolerance, std::vector<double>& errors) {
     int compared = 0;
     for (const EffectNumber& number : effect_numbers(effect)) {
         const double value = effect_number(effect, number.parameter, number.component);
@@ -81,22 +82,29 @@ int compare_numbers(const DroppedBeam& dropped, const EffectDeclaration& effect,
         const MatrixXd extrapolated = (4.0 * narrow - wide) / 3.0;
         const double least = 1e-6 / size;   // a micrometre for a change that matters: some numbers of a probe move nothing
         EXPECT_LT((exact - extrapolated).norm(), tolerance * std::max(extrapolated.norm(), least)) << number.name << " at " << value;
-        if (extrapolated.norm() > least) ++compared;
+        if (!(extrapolated.norm() > least)) continue;
+        errors.push_back((exact - extrapolated).norm() / extrapolated.norm());
+        ++compared;
     }
     return compared;
 }
 
 TEST(EffectTangents, AreThoseOfTheWholeRunForEveryEffectOfTheCatalogue) {
     const DroppedBeam dropped;
+    std::vector<double> errors;
     for (const Effect& effect : effect_catalogue()) {
         const std::vector<EffectProbe> probes = effect.probes && effect.stage != EffectStage::measurement ? effect.probes(dropped.search()) : std::vector<EffectProbe>{};
         if (probes.empty()) continue;
         int compared = 0;
         // Where a delayed signal bends within a difference of 1 %, that is off by more than rounding.
         const double tolerance = effect.id == "actuation_delay" ? 1e-4 : 1e-5;
-        for (const EffectProbe& probe : probes) compared += compare_numbers(dropped, {effect.id, probe.columns.back(), false}, tolerance);
+        for (const EffectProbe& probe : probes) compared += compare_numbers(dropped, {effect.id, probe.columns.back(), false}, tolerance, errors);
         EXPECT_GT(compared, 0) << effect.id;
     }
+    std::sort(errors.begin(), errors.end());
+    test::record("numbers", static_cast<double>(errors.size()));
+    test::record("median_relative_error", errors[errors.size() / 2]);
+    test::record("worst_relative_error", errors.back());
 }
 
 /// What changes a run beyond the forces at a position: inertia, memory, shapes at rest and starts.
@@ -107,6 +115,7 @@ TEST(EffectTangents, HoldForEveryIntegratorFromAnEquilibriumAndWithAVelocityForc
         {"intrinsic_curvature", {{"curvature_1_m", 0.5}, {"axis", 2.0}}, false}, {"clamp_compliance", {{"stiffness_Pa_per_m", 2e7}}, false}};
     for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler, Integrator::bdf2, Integrator::trapezoidal, Integrator::generalized_alpha})
         for (const StartKind start : {StartKind::straight, StartKind::equilibrium}) {
+            std::vector<double> errors;
             DroppedBeam dropped;
             dropped.beam.affected.options.integrator = integrator;
             dropped.beam.affected.options.start = start;
@@ -116,7 +125,7 @@ TEST(EffectTangents, HoldForEveryIntegratorFromAnEquilibriumAndWithAVelocityForc
                 SCOPED_TRACE(effect.id + ", " + to_string(integrator) + (start == StartKind::straight ? ", dropped" : ", from equilibrium"));
                 // The equilibrium of softened cells is found to 1e-6 of their factors.
                 const bool fixed_point = effect.id == "stress_softening" && start == StartKind::equilibrium;
-                EXPECT_GT(compare_numbers(dropped, effect, fixed_point ? 1e-3 : 1e-5), 0);
+                EXPECT_GT(compare_numbers(dropped, effect, fixed_point ? 1e-3 : 1e-5, errors), 0);
             }
         }
 }

@@ -331,7 +331,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const DiagnosisRow& row) 
     ImGui::TableSetupScrollFreeze(0, 1);
     const std::string of_noise = std::string(" [") + times + " noise]";
     const std::string before = "rms error over the markers of the declared model, its parameters fitted", after = "with " + lower_first(row.name) + " beside them";
-    const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials that are predicted took no part in any fit; with them an answer can only be refused."}, {"Before [mm]", before, true}, {"After [mm]", after, true},
+    const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials that are predicted took no part in any fit or choice."}, {"Before [mm]", before, true}, {"After [mm]", after, true},
                                         {"Before" + of_noise, before, true}, {"After" + of_noise, after, true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
     // In a narrow window the role is told on hovering, and what the error was in noise levels can be worked out.
