@@ -119,6 +119,13 @@ bool modulus_at_bound(const JointFit& fit) {
     });
 }
 
+bool effect_at_bound(const JointFit& fit) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
+        const double value = value_of(p, fit.values), little = 1e-6 * std::abs(value);
+        return p.kind == StudyParameter::Kind::effect && p.component < 0 && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
+    });
+}
+
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
     return fit.tests.significant() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
 }
@@ -128,7 +135,10 @@ bool is_faint(const JudgedFit& fit) { return fit.tests.systematic.rms <= faint; 
 bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, MeshDoubt mesh) {
     if (!fit.usable() || modulus_at_bound(fit.fit)) return false;
     const double doubt = numerical_doubt(data, fit.numerics ? *fit.numerics : numerics);
-    const double allowed = std::max({least_systematic, (mesh == MeshDoubt::generous ? generous : 1.0) * doubt, share_of_form * before.tests.systematic.rms});
+    // An effect that went as far as it may and leaves something would have gone on: the rest is neither a matter of its form nor of a doubtful mesh.
+    const bool at_bound = effect_at_bound(fit.fit);
+    const double of_mesh = doubt * (mesh == MeshDoubt::generous && !at_bound ? generous : 1.0), of_form = at_bound ? 0.0 : share_of_form * before.tests.systematic.rms;
+    const double allowed = std::max({least_systematic, of_mesh, of_form});
     if (fit.tests.systematic.rms > (is_faint(before) ? most_of_what_is_faint : most_of_what_was) * before.tests.systematic.rms) return false;
     return !fit.tests.significant() || fit.tests.systematic.rms <= allowed;
 }

@@ -29,6 +29,9 @@ double numerical_allowance(const FitData& data, const NumericalError& numerics);
 /// A modulus that ends where it may not go on stands in for something else.
 bool modulus_at_bound(const JointFit& fit);
 
+/// Whether a number of an effect, other than a place, has gone as far as it may.
+bool effect_at_bound(const JointFit& fit);
+
 /// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance.
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 

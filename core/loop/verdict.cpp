@@ -54,14 +54,6 @@ JudgedFit none(Diagnosis& d) {
     return d.declared;
 }
 
-/// A number of an effect, other than a place, has gone as far as it may.
-bool effect_at_bound(const JointFit& fit) {
-    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
-        const double value = value_of(p, fit.values), little = 1e-6 * std::abs(value);
-        return p.kind == StudyParameter::Kind::effect && p.component < 0 && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
-    });
-}
-
 JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.kind = VerdictKind::effects;
     d.verdict.effects = fit.fit.effects;
@@ -89,6 +81,14 @@ bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
     return takes(&JudgedFit::rms_m) && takes(&JudgedFit::held_out_rms) && (!untested_by_trials || takes(&JudgedFit::held_out_in_time_rms));
 }
 
+bool acts_in_one_trial(const EffectDeclaration& effect) { return has(effect.parameters, "trial"); }
+
+/// Two effects at once fit much that neither makes. Where one of their numbers can be told from one trial only, as how much a material drifts between
+/// two, no other trial tests it: of single effects the residual itself does, of two it hardly does. What acts in one trial cannot be tested by others.
+bool is_untested(const Diagnosis& d, const JudgedFit& pair) {
+    return pair.told_by_one > d.declared.told_by_one && std::none_of(pair.fit.effects.begin(), pair.fit.effects.end(), acts_in_one_trial);
+}
+
 /// The second effect of a pair hardly does anything.
 bool is_idle(const JudgedFit& pair, const JudgedFit& first) { return pair.tests.systematic.rms > most_of_what_was * first.tests.systematic.rms; }
 
@@ -100,7 +100,7 @@ double presence(const Diagnosis& d, const JudgedFit& first) {
 }
 
 bool takes_nearly_all(const Diagnosis& d, const JudgedFit& fit) {
-    return fit.usable() && presence(d, fit) > 0.5 && !modulus_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
+    return fit.usable() && presence(d, fit) > 0.5 && !modulus_at_bound(fit.fit) && !effect_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
 }
 
 /// That it acts and is all there is: where seconds beside it would fit better still, though it explains the residual alone, they may be fitting the mesh.
@@ -128,7 +128,7 @@ JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit, double weight) {
 JudgedFit decide(Diagnosis& d) {
     JudgedFit fit;
     const Candidate* const first = !d.candidates.empty() && d.candidates.front().judged ? &d.candidates.front() : nullptr;
-    const JudgedFit* const pair = d.pairs.empty() ? nullptr : &d.pairs.front();
+    const JudgedFit* const pair = d.pairs.empty() || is_untested(d, d.pairs.front()) ? nullptr : &d.pairs.front();
     if (!needs_explanation(d.declared, d.data, d.numerics)) fit = none(d);
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, alone(d, *first->judged));
     else if (pair && explains(*pair, d.declared, d.data, d.numerics) && !(first && (is_idle(*pair, *first->judged) || any_would_do(d, *first->judged))))

@@ -64,6 +64,7 @@ CaseRecord run_case(const TrustStudyOptions& options, int number, const std::fil
     const Result<Study> study = prepare_study(*experiment, {}, silent);
     if (!study) return failed_case(c, study.error().text());
     DiagnoseSettings settings = options.diagnose;
+    settings.fits = folder / "fits.json";   // a case that was stopped goes on
     if (c.kind == CaseKind::deleted) settings.without.push_back(c.effect->id);
     const Diagnosis diagnosis = diagnose(*study, settings, silent);
     if (progress.cancelled()) return failed_case(c, cancelled_words);

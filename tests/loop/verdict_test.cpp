@@ -136,6 +136,20 @@ TEST(Verdict, ASecondEffectHasToDoSomething) {
     }
 }
 
+/// What one trial alone tells of two effects no other tests; that of an effect which acts in one trial cannot be tested.
+TEST(Verdict, TwoEffectsHaveToBeTestedByOtherTrials) {
+    for (const int told_by_one : {0, 1})
+        for (const bool of_one_trial : {false, true}) {
+            Diagnosis d = with_candidate(5.0);
+            d.pairs.push_back(pair_that_leaves(0.2));
+            d.pairs[0].told_by_one = told_by_one;
+            if (of_one_trial) d.pairs[0].fit.effects[1] = {"held_pose", {{"trial", std::string("release")}}};
+            decide(d);
+            const bool untested = told_by_one > 0 && !of_one_trial;
+            EXPECT_EQ(d.verdict.kind, untested ? VerdictKind::unknown : VerdictKind::effects);
+        }
+}
+
 /// Small rests, of the mesh say, are taken away by many second effects: the first one is named alone where they are about as good.
 TEST(Verdict, ASecondEffectIsNamedOnlyWhereItIsLikelierThanTheOthers) {
     for (const double weight : {0.45, 0.95}) {
@@ -238,6 +252,20 @@ TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
         }
         EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
     }
+}
+
+/// Another program's form of an effect leaves a share of what was there, and a coarse mesh more than was found; not so where the effect could not be larger.
+TEST(Verdict, WhatAnEffectAtItsBoundLeavesIsNotExcused) {
+    for (const bool of_mesh : {false, true})
+        for (const bool at_bound : {false, true}) {
+            Diagnosis d = with_candidate(1.2);
+            d.candidates[0].judged->tests.variance.p = 0.0;
+            if (of_mesh) d.numerics.left_rms_m = 0.9 * noise_m;
+            else d.declared = fit_that_leaves(30.0);
+            end_at(*d.candidates[0].judged, StudyParameter::Kind::effect, at_bound ? 100.0 : 50.0);
+            decide(d);
+            EXPECT_EQ(d.verdict.kind, at_bound ? VerdictKind::unknown : VerdictKind::effects);
+        }
 }
 
 /// An effect that explains the residual alone, with which pairs fit better still, acts as surely as the pairs it is in; that it is all is less sure.
