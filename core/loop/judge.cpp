@@ -42,6 +42,11 @@ double mean_noise_m(const FitData& data) { return std::sqrt(data.noise_m.squared
 /// What the program's own errors may be after they were taken off [noise levels].
 double numerical_doubt(const FitData& data, const NumericalError& numerics) { return std::min(most_allowed, numerics.left_rms_m / mean_noise_m(data)); }
 
+bool at_bound(const StudyParameter& p, const StudyValues& values) {
+    const double value = value_of(p, values), little = 1e-6 * std::abs(value);
+    return value <= p.parameter.lower + little || value >= p.parameter.upper - little;
+}
+
 }  // namespace
 
 JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& settings) {
@@ -113,17 +118,13 @@ double numerical_allowance(const FitData& data, const NumericalError& numerics) 
 }
 
 bool modulus_at_bound(const JointFit& fit) {
-    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
-        const double value = value_of(p, fit.values), little = 1e-6 * value;
-        return p.kind == StudyParameter::Kind::youngs_modulus && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
-    });
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(),
+                       [&](const StudyParameter& p) { return p.kind == StudyParameter::Kind::youngs_modulus && at_bound(p, fit.values); });
 }
 
 bool effect_at_bound(const JointFit& fit) {
-    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const StudyParameter& p) {
-        const double value = value_of(p, fit.values), little = 1e-6 * std::abs(value);
-        return p.kind == StudyParameter::Kind::effect && p.component < 0 && (value <= p.parameter.lower + little || value >= p.parameter.upper - little);
-    });
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(),
+                       [&](const StudyParameter& p) { return p.kind == StudyParameter::Kind::effect && p.component < 0 && at_bound(p, fit.values); });
 }
 
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
@@ -136,8 +137,8 @@ bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data
     if (!fit.usable() || modulus_at_bound(fit.fit)) return false;
     const double doubt = numerical_doubt(data, fit.numerics ? *fit.numerics : numerics);
     // An effect that went as far as it may and leaves something would have gone on: the rest is neither a matter of its form nor of a doubtful mesh.
-    const bool at_bound = effect_at_bound(fit.fit);
-    const double of_mesh = doubt * (mesh == MeshDoubt::generous && !at_bound ? generous : 1.0), of_form = at_bound ? 0.0 : share_of_form * before.tests.systematic.rms;
+    const bool excused = !effect_at_bound(fit.fit);
+    const double of_mesh = doubt * (mesh == MeshDoubt::generous && excused ? generous : 1.0), of_form = excused ? share_of_form * before.tests.systematic.rms : 0.0;
     const double allowed = std::max({least_systematic, of_mesh, of_form});
     if (fit.tests.systematic.rms > (is_faint(before) ? most_of_what_is_faint : most_of_what_was) * before.tests.systematic.rms) return false;
     return !fit.tests.significant() || fit.tests.systematic.rms <= allowed;
