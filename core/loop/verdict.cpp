@@ -54,13 +54,16 @@ JudgedFit none(Diagnosis& d) {
     return d.declared;
 }
 
+std::string names_of(const std::vector<EffectDeclaration>& effects) {
+    return effect_words(effects.front()) + (effects.size() > 1 ? " and " + effect_words(effects.back()) : "");
+}
+
 JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.kind = VerdictKind::effects;
     d.verdict.effects = fit.fit.effects;
     const bool at_bound = effect_at_bound(fit.fit);
     d.verdict.confidence = trust * weight * (at_bound ? at_bound_trust : 1.0);
-    d.verdict.because = "with " + effect_words(fit.fit.effects.front()) + (fit.fit.effects.size() > 1 ? " and " + effect_words(fit.fit.effects.back()) : "") +
-                        " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
+    d.verdict.because = "with " + names_of(fit.fit.effects) + " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
     if (at_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
     return fit;
 }
@@ -138,6 +141,8 @@ JudgedFit decide(Diagnosis& d) {
     else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged, presence(d, *first->judged));
     else if (is_faint(d.declared)) fit = none(d);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
+    if (d.verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d, d.pairs.front()) && explains(d.pairs.front(), d.declared, d.data, d.numerics))
+        d.notes.push_back(names_of(d.pairs.front().fit.effects) + " together would explain it, but one of their numbers rests on a single trial: a further trial to fit would tell");
     if (d.numerics.left_rms_m > d.noise_m)
         d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");
     rank(d);
@@ -147,9 +152,7 @@ JudgedFit decide(Diagnosis& d) {
 void note_worse_predictions(Diagnosis& d) {
     const double before = d.before.validation_rms_m, after = d.after.validation_rms_m;
     if (d.verdict.kind != VerdictKind::effects || !(after > worse * before) || !(after > as_good_as_noise * d.noise_m)) return;
-    std::string names = effect_words(d.verdict.effects.front());
-    if (d.verdict.effects.size() > 1) names += " and " + effect_words(d.verdict.effects.back());
-    d.notes.push_back("trials that took no part are predicted worse with " + names + ", " + times_noise(after / d.noise_m) + " instead of " + times_noise(before / d.noise_m) +
+    d.notes.push_back("trials that took no part are predicted worse with " + names_of(d.verdict.effects) + ", " + times_noise(after / d.noise_m) + " instead of " + times_noise(before / d.noise_m) +
                       ": do not rely on this answer; what is missing may be something else, or differ in these trials");
 }
 

@@ -147,6 +147,7 @@ TEST(Verdict, TwoEffectsHaveToBeTestedByOtherTrials) {
             decide(d);
             const bool untested = told_by_one > 0 && !of_one_trial;
             EXPECT_EQ(d.verdict.kind, untested ? VerdictKind::unknown : VerdictKind::effects);
+            EXPECT_EQ(d.notes.size(), untested ? 1u : 0u) << "a person is told what a further trial would test";
         }
 }
 
