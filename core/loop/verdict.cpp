@@ -27,7 +27,7 @@ constexpr double decided = 0.8;
 constexpr double surely_unknown = 0.8;
 /// A prediction is worse where it is farther off by this factor and not as good as noise allows.
 constexpr double worse = 1.1, as_good_as_noise = 1.3;
-/// Of the confidence in an effect whose size ends at its bound.
+/// Of the confidence in an effect whose size, or beside which the modulus, ends at its bound.
 constexpr double at_bound_trust = 0.5;
 
 std::string times_noise(double rms) { return format_number(rms, 3) + " times the noise"; }
@@ -61,10 +61,11 @@ std::string names_of(const std::vector<EffectDeclaration>& effects) {
 JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.kind = VerdictKind::effects;
     d.verdict.effects = fit.fit.effects;
-    const bool at_bound = effect_at_bound(fit.fit);
-    d.verdict.confidence = trust * weight * (at_bound ? at_bound_trust : 1.0);
+    const bool effect_bound = effect_at_bound(fit.fit), modulus_bound = modulus_at_bound(fit.fit);
+    d.verdict.confidence = trust * weight * (effect_bound || modulus_bound ? at_bound_trust : 1.0);
     d.verdict.because = "with " + names_of(fit.fit.effects) + " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
-    if (at_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
+    if (effect_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
+    if (modulus_bound) d.verdict.because += " The modulus ends at a bound with the effect as without it: its value is not to be relied on.";
     return fit;
 }
 
@@ -77,8 +78,9 @@ JudgedFit unknown(Diagnosis& d, const JudgedFit& best) {
     return best;
 }
 
+/// A modulus that the declared model left at a bound, too, says nothing against the effect: muscles at unknown levels, for one, hardly determine it.
 bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
-    if (d.data.noise_declared || !fit.usable() || modulus_at_bound(fit.fit)) return false;
+    if (d.data.noise_declared || !fit.usable() || (modulus_at_bound(fit.fit) && !modulus_at_bound(d.declared.fit))) return false;
     const auto takes = [&](double JudgedFit::*rms) { return fit.*rms <= most_left * d.declared.*rms; };
     const bool untested_by_trials = fit.told_by_one > d.declared.told_by_one;
     return takes(&JudgedFit::rms_m) && takes(&JudgedFit::held_out_rms) && (!untested_by_trials || takes(&JudgedFit::held_out_in_time_rms));

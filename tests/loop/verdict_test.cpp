@@ -255,6 +255,22 @@ TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
     }
 }
 
+/// Where the data leave the modulus open, as of a real body with muscles at unknown levels, its bound says nothing against an effect that takes most away.
+TEST(Verdict, AModulusThatWasAtABoundBeforeDoesNotDenyAnEffect) {
+    double confidence[2];
+    for (const bool at_bound : {false, true}) {
+        Diagnosis d = with_candidate(5.0);
+        d.data.noise_declared = false;
+        end_at(d.declared, StudyParameter::Kind::youngs_modulus, at_bound ? 1.0 : 50.0);
+        end_at(*d.candidates[0].judged, StudyParameter::Kind::youngs_modulus, at_bound ? 100.0 : 50.0);
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
+        EXPECT_EQ(d.verdict.because.find("The modulus ends at a bound") != std::string::npos, at_bound);
+        confidence[at_bound] = d.verdict.confidence;
+    }
+    EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
+}
+
 /// Another program's form of an effect leaves a share of what was there, and a coarse mesh more than was found; not so where the effect could not be larger.
 TEST(Verdict, WhatAnEffectAtItsBoundLeavesIsNotExcused) {
     for (const bool of_mesh : {false, true})
