@@ -14,6 +14,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// A number over decades moves by no more than a factor of e squared at once.
+constexpr double most_decades = 2.0;
+
 std::string quality_words(const ResidualEvaluation& evaluation) {
     if (!evaluation.ok) return evaluation.message;
     const auto count = static_cast<double>(std::max<Index>(1, evaluation.residuals.size()));
@@ -35,6 +38,18 @@ double physical_slope(const Parameter& p, double internal) { return p.over_decad
 
 VectorXd physical_values(const std::vector<Parameter>& parameters, const VectorXd& internal) { return for_each_number(parameters, internal, physical_value); }
 VectorXd physical_slopes(const std::vector<Parameter>& parameters, const VectorXd& internal) { return for_each_number(parameters, internal, physical_slope); }
+
+StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const VectorXd& internal) {
+    StepBounds bounds{VectorXd(internal.size()), VectorXd(internal.size())};
+    for (Index i = 0; i < internal.size(); ++i) {
+        const Parameter& p = parameters[static_cast<std::size_t>(i)];
+        const double most = p.over_decades ? most_decades : std::numeric_limits<double>::infinity();
+        const auto room = [&](double bound) { return std::isfinite(bound) ? internal_value(p, bound) - internal(i) : bound; };
+        bounds.lower(i) = std::min(0.0, std::max(room(p.lower), -most));
+        bounds.upper(i) = std::max(0.0, std::min(room(p.upper), most));
+    }
+    return bounds;
+}
 
 FitEvaluations::FitEvaluations(const ResidualFunction& function, const LeastSquaresOptions& options, const Progress& progress, LeastSquaresReport& report)
     : function_(function), progress_(progress), most_evaluations_(options.max_evaluations), report_(report) {}

@@ -14,6 +14,12 @@ double physical_slope(const Parameter& p, double internal);
 Eigen::VectorXd physical_values(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 Eigen::VectorXd physical_slopes(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
+/// How far the numbers may go at once from where they are, in what a fit moves: to their bounds, and over decades by a factor of e squared.
+struct StepBounds {
+    Eigen::VectorXd lower, upper;
+};
+StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
+
 /// The evaluations of a fit: each point once, the best one kept, all of them in the report and its progress.
 class FitEvaluations {
 public:

@@ -16,8 +16,6 @@ using Eigen::VectorXd;
 /// A Jacobian is asked for where the last one misses so large a share of a step's change, and at the end where the last that was asked for,
 /// or given, misses so much of the way from there.
 constexpr double bad_secant = 0.5, trusted_end = 0.1;
-/// A number over decades moves by no more than a factor of e squared at once.
-constexpr double most_decades = 2.0;
 
 /// Residuals with their Jacobian at a point, all in the fit's own units.
 struct Linear {
@@ -97,14 +95,7 @@ private:
         const Eigen::HouseholderQR<MatrixXd> qr(J);
         const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
         const VectorXd c = (qr.householderQ().adjoint() * r).head(n);
-        VectorXd lower(n), upper(n);
-        for (Index i = 0; i < n; ++i) {
-            const Parameter& p = parameters_[static_cast<std::size_t>(i)];
-            const double most = p.over_decades ? most_decades : std::numeric_limits<double>::infinity();
-            const auto room = [&](double bound) { return std::isfinite(bound) ? internal_value(p, bound) - here_.u(i) : bound; };
-            lower(i) = std::min(0.0, std::max(room(p.lower), -most));
-            upper(i) = std::max(0.0, std::min(room(p.upper), most));
-        }
+        const StepBounds bounds = internal_step_bounds(parameters_, here_.u);
         // Marquardt's damping: as much as brings the step within the radius.
         MatrixXd A(2 * n, n);
         VectorXd b = VectorXd::Zero(2 * n);
@@ -112,7 +103,7 @@ private:
         b.head(n) = c;
         const auto damped = [&](double lambda) -> VectorXd {
             A.bottomRows(n) = MatrixXd((std::sqrt(lambda) * scale).asDiagonal());
-            return bounded_step(A, b, lower, upper);
+            return bounded_step(A, b, bounds.lower, bounds.upper);
         };
         const auto length = [&](const VectorXd& s) { return s.cwiseProduct(scale).norm(); };
         VectorXd step = damped(1e-12);

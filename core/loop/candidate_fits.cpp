@@ -8,22 +8,42 @@
 #include <mutex>
 
 #include "base/parallel.hpp"
+#include "inverse/bounded_step.hpp"
+#include "inverse/fit_evaluations.hpp"
 #include "loop/judge.hpp"
 
 namespace myo {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-/// A candidate's amount before the best go on, also where the way is not straight, the best of these and those
+/// A candidate's amount before the best go on, also where the way is not straight, and where it fell short of its promise; the best of these and those
 /// that promise much, and the others that do.
-constexpr Effort amount_effort{4, 1e-3, 0}, winding_effort{10, 1e-3, 1}, leader_effort{20, 3e-4}, other_effort{20, 1e-3, 1};
+constexpr Effort amount_effort{4, 1e-3, 0}, winding_effort{10, 1e-3, 1}, short_effort{8, 1e-3, 1}, leader_effort{20, 3e-4}, other_effort{20, 1e-3, 1};
 
 /// Secants do not do for those that promise to take away more than this share.
 constexpr double promising = 0.3;
 
 /// What promised at least this share of what the best did is hoped for longer: its way may only be less straight.
 constexpr double as_promising = 0.9;
+/// An amount that leaves so many times the squares that its score promised fell short of it, on a way that leads somewhere where it leaves at most
+/// this share of those that were there. It is asked anew where it promised at least this share of what the best did.
+constexpr double fell_short = 1.5, leads_somewhere = 0.95, nearly_as_promising = 0.8;
+
+/// Squares that a fit's slopes foretell of its best step within its bounds.
+double foretold_squares(const JointFit& fit) {
+    std::vector<Parameter> parameters;
+    VectorXd at(static_cast<Index>(fit.parameters.size()));
+    for (const StudyParameter& p : fit.parameters) {
+        at(static_cast<Index>(parameters.size())) = internal_value(p.parameter, value_of(p, fit.values));
+        parameters.push_back(p.parameter);
+    }
+    const StepBounds bounds = internal_step_bounds(parameters, at);
+    const MatrixXd J = fit.jacobian * physical_slopes(parameters, at).asDiagonal();
+    return (fit.residual + J * bounded_step(J, fit.residual, bounds.lower, bounds.upper)).squaredNorm();
+}
 
 /// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
 double stepped(const Parameter& p, double value, double step) {
@@ -32,6 +52,9 @@ double stepped(const Parameter& p, double value, double step) {
     const double upper = p.over_decades ? std::min(p.upper, (value + p.scale) * most - p.scale) : p.upper;
     return std::clamp(value + step, lower, upper);
 }
+
+/// What a fit knows of derivatives where it starts: those of the fits before, or none.
+enum class Slopes { of_neighbours, anew };
 
 class Rounds {
 public:
@@ -49,11 +72,11 @@ public:
 
     /// Fits those that are wanted, from these values; what was better before stays.
     void run(const Study& study, EffectFreedom freedom, const Effort& effort, const std::function<bool(std::size_t)>& wanted,
-             const std::function<StudyValues(std::size_t)>& from) {
+             const std::function<StudyValues(std::size_t)>& from, Slopes slopes = Slopes::of_neighbours) {
         parallel_tasks(static_cast<int>(starts_.size()), fitting_.study.settings.threads, [&](int task) {
             const auto i = static_cast<std::size_t>(task);
             if (progress_.cancelled() || !wanted(i)) return;
-            Neighbourhood known = fit(i).usable() ? neighbourhood_of(fit(i).fit) : of_base_;
+            Neighbourhood known = slopes == Slopes::anew ? Neighbourhood{} : fit(i).usable() ? neighbourhood_of(fit(i).fit) : of_base_;
             known.paths = of_base_.paths;   // those of all candidates would fill the memory
             JointFit found = stored_fit(fitting_.store, study, fitting_.data, from(i), freedom, effort, known, progress_.with_sink({}));
             if (!found.usable() || progress_.cancelled()) return;
@@ -123,6 +146,14 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
         return values;
     });
     const auto found_so_far = [&](std::size_t i) { return rounds.fit(i).fit.values; };
+    double most_promised = 0.0;
+    for (const CandidateStart& start : starts) most_promised = std::max(most_promised, start.promise);
+    const auto has_fallen_short = [&](std::size_t i) {
+        if (!rounds.is_unfinished(i) || rounds.fit(i).fit.report.converged() || starts[i].promise < nearly_as_promising * most_promised) return false;
+        const double squares = rounds.fit(i).fit.squares();
+        return squares > fell_short * (1.0 - starts[i].promise) * base.squares() && squares < leads_somewhere * base.squares();
+    };
+    rounds.run(fitting.serial, EffectFreedom::amount, short_effort, has_fallen_short, found_so_far, Slopes::anew);
     const auto promises_much = [&](std::size_t i) { return starts[i].promise > promising; };
     std::vector<bool> went_on(starts.size(), false);
     // The best go first, with all threads: what they come to may leave the others no hope.
@@ -138,7 +169,9 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
         std::vector<std::size_t> next;
         for (std::size_t i = 0; i < starts.size(); ++i) {
             const double patience = starts[i].promise > as_promising * promised ? std::max(hope * hope, patience_yet) : patience_yet;
-            if (!went_on[i] && rounds.is_unfinished(i) && rounds.fit(i).fit.squares() < patience * least) next.push_back(i);
+            if (went_on[i] || !rounds.is_unfinished(i)) continue;
+            // Fits that are still falling are asked how far they would.
+            if (rounds.fit(i).fit.squares() < patience * least || foretold_squares(rounds.fit(i).fit) < hope * least) next.push_back(i);
         }
         if (next.empty()) break;
         const bool first = std::find(went_on.begin(), went_on.end(), true) == went_on.end();
