@@ -10,7 +10,7 @@ namespace {
 
 /// From this cosine on two effects count as one to this experiment.
 constexpr double alike = 0.97;
-/// What explains a smaller share of the residual than this part of what the best does is out of the question anyway.
+/// What is foretold to explain a smaller share of the residual than this part of what the best does is out of the question, unless it fits as well.
 constexpr double worth_naming = 0.3;
 /// Fits that both have this share of the evidence are as good as each other.
 constexpr double as_good = 0.05;
@@ -43,8 +43,8 @@ void find_confusions(Diagnosis& d) {
         for (std::size_t j = i + 1; j < d.candidates.size(); ++j) {
             Candidate& a = d.candidates[i];
             Candidate& b = d.candidates[j];
-            if (!a.score.usable() || !b.score.usable() || std::min(a.score.test.explained, b.score.test.explained) < worth_naming * most) continue;
-            const double cosine = std::max(std::abs(principal_cosine(a.score.candidate, b.score.candidate)), cosine_of_fits(a, b, d.declared.fit));
+            const bool foretold = a.score.usable() && b.score.usable() && std::min(a.score.test.explained, b.score.test.explained) >= worth_naming * most;
+            const double cosine = std::max(foretold ? std::abs(principal_cosine(a.score.candidate, b.score.candidate)) : 0.0, cosine_of_fits(a, b, d.declared.fit));
             if (cosine < alike) continue;
             a.like.push_back(b.score.id);
             b.like.push_back(a.score.id);

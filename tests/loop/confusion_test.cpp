@@ -41,6 +41,9 @@ TEST(Confusion, IsAlsoWhatFitsAlike) {
     const auto with_weight = [&](double weight) { return of({candidate("clock_offset", 0, {1.0, 0.0, 0.0}, 0.6), candidate("actuation_delay", 1, nearly, weight)}); };
     ASSERT_EQ(with_weight(0.4).confusions.size(), 1u);
     EXPECT_NEAR(with_weight(0.4).confusions[0].cosine, nearly.normalized()(0), 1e-12);
+    Candidate unforeseen = candidate("actuation_delay", 1, nearly, 0.4);
+    unforeseen.score.test.explained = 0.05;   // of its probe; the fit found more
+    EXPECT_EQ(of({candidate("clock_offset", 0, {1.0, 0.0, 0.0}, 0.6), unforeseen}).confusions.size(), 1u);
     EXPECT_TRUE(with_weight(0.001).confusions.empty()) << "data that choose clearly between two fits tell them apart";
 }
 
