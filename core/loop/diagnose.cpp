@@ -44,6 +44,8 @@ constexpr int most_rounds = 3;
 constexpr double gone_astray = 1.2;
 /// For so many candidates before the verdict.
 constexpr std::size_t settled_candidates = 2;
+/// Those that leave at most so many times the squares of the best compete with it.
+constexpr double close_rival = 1.5;
 /// Where nothing explains the residual so many fits go on so far.
 constexpr std::size_t polished_candidates = 3;
 /// A run that takes so many times the iterations of the declared fit's is given up: its numbers are absurd.
@@ -53,8 +55,8 @@ constexpr double hopeful = 4.0, hopeful_pair = 1.5;
 /// Two effects are tried where the better one leaves at most this share of what noise does not make.
 constexpr double worth_a_second = 0.6;
 /// Once the best candidate has been found to explain all, no probe that takes away less than the first share of what the best does is worth a fit; once
-/// it leaves at most so much of the squares, less than the second.
-constexpr double worth_beside_all = 0.4, worth_beside_most = 0.25, most_of_all = 0.5;
+/// it leaves at most so much of the squares, and systematic ones like noise, less than the second.
+constexpr double worth_beside_all = 0.4, worth_beside_most = 0.25, most_of_all = 0.5, like_noise = 1.0;
 /// A fit that leaves less than this share of what noise does not make of the declared one's squares is nearer to the truth than that.
 constexpr double far_better = 0.3;
 /// A candidate whose fit leaves more than this share of the squares has perhaps not found its way.
@@ -89,7 +91,7 @@ public:
         const Stopwatch watch;
         if (declared_fit() && numbers() && tests()) {
             if (needs_explanation(result_.declared, result_.data, result_.numerics)) {
-                if (single_effects() && !is_faint(result_.declared)) second_effects();
+                if (single_effects() && !is_faint(result_.declared, result_.data, result_.numerics)) second_effects();
             }
             if (!progress_.cancelled()) conclude();
         }
@@ -297,19 +299,21 @@ private:
         if (!refit(starts, 0, std::min(first_fits, starts.size())) || !settle_the_best() || !polish()) return false;
         std::size_t last = starts.size();
         const JudgedFit* const best = !result_.candidates.empty() && result_.candidates.front().judged ? &*result_.candidates.front().judged : nullptr;
-        const bool surely = explained(MeshDoubt::strict);
-        if (best && (surely || best->fit.squares() < most_of_all * result_.declared.fit.squares())) {
+        const bool surely = explained(Leniency::strict);
+        if (best && (surely || (best->fit.squares() < most_of_all * result_.declared.fit.squares() && best->tests.systematic.rms < like_noise))) {
             const double worth = (surely ? worth_beside_all : worth_beside_most) * scores[chosen[0]].test.explained;
             last = std::min(first_fits, last);
             while (last < starts.size() && scores[chosen[last]].test.explained > worth) ++last;
         }
         starts.resize(last);
-        if (!surely) {
+        const bool faint = is_faint(result_.declared, result_.data, result_.numerics);   // what hardly shows is not worth a long search
+        if (!surely && !faint) {
             const std::vector<CandidateStart> winding = winding_starts(scores, [this](const EffectScore& score) { return left_by(score.id) >= little_better * base().squares(); });
             starts.insert(starts.end(), winding.begin(), winding.end());
         }
         if (!refit(starts, std::min(first_fits, last), starts.size())) return false;
-        if (!explained() && (!settle_the_best() || !polish())) return false;
+        if (!explained() && !faint && (!settle_the_best() || !polish())) return false;
+        if (!settle_rivals()) return false;
         find_confusions(result_);
         show();
         return true;
@@ -322,9 +326,9 @@ private:
         return std::numeric_limits<double>::infinity();
     }
 
-    bool explained(MeshDoubt mesh = MeshDoubt::generous) const {
+    bool explained(Leniency leniency = Leniency::generous) const {
         const std::vector<Candidate>& ranked = result_.candidates;
-        return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics, mesh);
+        return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, result_.declared, result_.data, result_.numerics, leniency);
     }
 
     /// Where nothing explains the residual: the best ones that had to do with secants, or with few evaluations, go on with derivatives of their own.
@@ -351,6 +355,20 @@ private:
             if (!best || best->numerics || best->fit.excess() > far_better * result_.declared.fit.excess()) continue;
             if (explains(*best, result_.declared, result_.data, result_.numerics)) break;
             if (!settle(*best, "last fit", last_effort, effect_settled)) return false;
+            result_.data.shift = result_.numerics.shift;
+        }
+        order_candidates(result_);
+        return true;
+    }
+
+    /// Where the numerical error was found anew with the best candidate, also with those that leave hardly more: they are compared on equal terms.
+    bool settle_rivals() {
+        if (result_.candidates.empty() || !result_.candidates.front().judged || !result_.candidates.front().judged->numerics) return true;
+        const double best = result_.candidates.front().judged->fit.squares();
+        for (std::size_t i = 1; i < std::min(settled_candidates + 1, result_.candidates.size()); ++i) {
+            std::optional<JudgedFit>& rival = result_.candidates[i].judged;
+            if (!rival || rival->numerics || rival->fit.squares() > close_rival * best) continue;
+            if (!settle(*rival, "last fit", last_effort, effect_settled)) return false;
             result_.data.shift = result_.numerics.shift;
         }
         order_candidates(result_);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 
 #include "diagnosis/autocorrelation.hpp"
 #include "diagnosis/evidence.hpp"
@@ -25,8 +27,18 @@ constexpr double generous = 1.5;
 constexpr double most_of_what_is_faint = 0.5;
 /// What an effect leaves, over what was there: another program's form of the same effect differs by as much.
 constexpr double share_of_form = 0.05;
-/// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights().
-constexpr double temperature = 8.0;
+/// What was extrapolated of the mesh's error may be off by this share of the whole error, up to this [noise levels]; it excuses what an effect leaves
+/// that takes away all but this share.
+constexpr double share_of_mesh = 1.0 / 3.0, most_of_mesh = 0.5, little_left = 0.4;
+/// A residual below this share of the mesh's whole error is faint, too, up to this [noise levels].
+constexpr double faint_share_of_mesh = 2.0 / 3.0, most_faint = 0.8;
+/// An effect is told from nothing where its amount is so many deviations, with all other numbers free.
+constexpr double told_deviations = 3.0;
+/// Of the squares on held-out data that noise does not make an effect has to take at least the rest away; so much is left to chance in any case.
+constexpr double most_held_out = 0.5, chance_held_out = 0.05;
+/// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights(). The likeliest for pairs of effects
+/// that both explained a case of the study is 15 to 30.
+constexpr double temperature = 16.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
 constexpr double guard_s = 0.05;
 
@@ -41,6 +53,15 @@ double mean_noise_m(const FitData& data) { return std::sqrt(data.noise_m.squared
 
 /// What the program's own errors may be after they were taken off [noise levels].
 double numerical_doubt(const FitData& data, const NumericalError& numerics) { return std::min(most_allowed, numerics.left_rms_m / mean_noise_m(data)); }
+
+/// Of squares on held-out data, per sample and in those of the noise, what noise does not make.
+double held_out_excess(double rms) { return std::max(0.0, rms * rms - 1.0); }
+
+/// Whether effects predict what they were not fitted to: other trials, or other times where one trial alone tells of their numbers.
+bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before) {
+    const auto rms = fit.told_by_one > before.told_by_one ? &JudgedFit::held_out_in_time_rms : &JudgedFit::held_out_rms;
+    return held_out_excess(fit.*rms) <= std::max(chance_held_out, most_held_out * held_out_excess(before.*rms));
+}
 
 bool at_bound(const StudyParameter& p, const StudyValues& values) {
     const double value = value_of(p, values), little = 1e-6 * std::abs(value);
@@ -96,10 +117,17 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
     for (std::size_t i = 0; i < fits.size(); ++i) fits[i]->weight = weights[i];
 }
 
+double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others) {
+    std::vector<double> criteria{fit.criterion};
+    for (const JudgedFit* other : others) criteria.push_back(other->criterion);
+    return evidence_weights(criteria, temperature).front();
+}
+
 void order_candidates(Diagnosis& d) {
     weigh(d.data, single_fits(d));
-    std::stable_sort(d.candidates.begin(), d.candidates.end(), [](const Candidate& a, const Candidate& b) {
-        if (a.judged.has_value() != b.judged.has_value()) return a.judged.has_value();
+    const auto rank = [&](const Candidate& c) { return !c.judged ? 2 : explains(*c.judged, d.declared, d.data, d.numerics) ? 0 : 1; };
+    std::stable_sort(d.candidates.begin(), d.candidates.end(), [&](const Candidate& a, const Candidate& b) {
+        if (rank(a) != rank(b)) return rank(a) < rank(b);
         if (a.judged) return a.judged->criterion < b.judged->criterion;
         return a.score.share() > b.score.share();
     });
@@ -127,21 +155,47 @@ bool effect_at_bound(const JointFit& fit) {
                        [&](const StudyParameter& p) { return p.kind == StudyParameter::Kind::effect && p.component < 0 && at_bound(p, fit.values); });
 }
 
+bool is_told_from_nothing(const JointFit& fit) {
+    if (fit.report.deviations.size() != static_cast<Eigen::Index>(fit.parameters.size())) return true;
+    const std::size_t first_tried = fit.values.effects.size() - std::min(fit.values.effects.size(), fit.effects.size());
+    struct Amount {
+        std::string name;
+        double deviations = 0.0;   // of a vector the largest component's
+    };
+    std::map<std::size_t, Amount> amounts;
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+        const StudyParameter& p = fit.parameters[i];
+        if (p.kind != StudyParameter::Kind::effect || p.index < first_tried) continue;
+        Amount& amount = amounts.try_emplace(p.index, Amount{p.of_effect}).first->second;
+        if (amount.name != p.of_effect) continue;
+        const double deviations = std::abs(value_of(p, fit.values)) / fit.report.deviations(static_cast<Eigen::Index>(i));
+        if (deviations > amount.deviations) amount.deviations = deviations;   // not where it is not a number
+    }
+    return std::all_of(amounts.begin(), amounts.end(), [](const auto& amount) { return amount.second.deviations >= told_deviations; });
+}
+
+bool may_explain(const JudgedFit& fit, const JudgedFit& before) {
+    return fit.usable() && !modulus_at_bound(fit.fit) && is_told_from_nothing(fit.fit) && predicts_held_out(fit, before);
+}
+
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
     return fit.tests.significant() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
 }
 
-bool is_faint(const JudgedFit& fit) { return fit.tests.systematic.rms <= faint; }
+bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
+    return fit.tests.systematic.rms <= std::max(faint, std::min(most_faint, faint_share_of_mesh * numerics.mesh_rms_m / mean_noise_m(data)));
+}
 
-bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, MeshDoubt mesh) {
-    if (!fit.usable() || modulus_at_bound(fit.fit)) return false;
-    const double doubt = numerical_doubt(data, fit.numerics ? *fit.numerics : numerics);
+bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, Leniency leniency) {
+    if (!may_explain(fit, before)) return false;
+    const NumericalError& own = fit.numerics ? *fit.numerics : numerics;
+    const double doubt = numerical_doubt(data, own), left = fit.tests.systematic.rms, was = before.tests.systematic.rms;
     // An effect that went as far as it may and leaves something would have gone on: the rest is neither a matter of its form nor of a doubtful mesh.
-    const bool excused = !effect_at_bound(fit.fit);
-    const double of_mesh = doubt * (mesh == MeshDoubt::generous && excused ? generous : 1.0), of_form = excused ? share_of_form * before.tests.systematic.rms : 0.0;
-    const double allowed = std::max({least_systematic, of_mesh, of_form});
-    if (fit.tests.systematic.rms > (is_faint(before) ? most_of_what_is_faint : most_of_what_was) * before.tests.systematic.rms) return false;
-    return !fit.tests.significant() || fit.tests.systematic.rms <= allowed;
+    const bool excused = leniency == Leniency::generous && !effect_at_bound(fit.fit);
+    const double of_mesh = doubt * (excused ? generous : 1.0), of_form = excused ? share_of_form * was : 0.0;
+    const double of_whole_mesh = excused && left <= little_left * was ? std::min(most_of_mesh, share_of_mesh * own.mesh_rms_m / mean_noise_m(data)) : 0.0;
+    if (left > (is_faint(before, data, numerics) ? most_of_what_is_faint : most_of_what_was) * was) return false;
+    return !fit.tests.significant() || left <= std::max({least_systematic, of_mesh, of_form, of_whole_mesh});
 }
 
 }  // namespace myo

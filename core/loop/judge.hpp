@@ -17,7 +17,12 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
 /// others of which one trial alone tells.
 void weigh(const FitData& data, const std::vector<JudgedFit*>& fits);
 
-/// Weighs the declared fit and those of the candidates, and sorts these, the best first; those not fitted follow by what their scores promise.
+/// Weight of a fit beside others alone, by criteria that weigh() gave.
+double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others);
+
+/// Weighs the declared fit and those of the candidates, and sorts these: first those that explain the residual, then the others, each by criterion: what
+/// leaves a part unexplained is not the answer, though it may predict held-out trials better than one with a number that few trials tell of. Those not
+/// fitted follow by what their scores promise.
 void order_candidates(Diagnosis& diagnosis);
 
 /// Weighs all fits, of single effects and of pairs, and sorts the pairs.
@@ -32,16 +37,25 @@ bool modulus_at_bound(const JointFit& fit);
 /// Whether a number of an effect, other than a place, has gone as far as it may.
 bool effect_at_bound(const JointFit& fit);
 
+/// Whether how much there is of each tried effect is told from nothing, its other numbers and the declared ones being free.
+bool is_told_from_nothing(const JointFit& fit);
+
+/// Whether a fit's effects, whatever they leave, may be an explanation: they are told from nothing, the modulus is within its bounds, and of the squares on
+/// held-out data that noise does not make they take half away, of other trials, or of other times where one trial alone tells of their numbers.
+bool may_explain(const JudgedFit& fit, const JudgedFit& before);
+
 /// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance.
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 
-/// Whether what is systematic is so small that another simulator of the same model may make it: where no effect takes most of it away, nothing is missing.
-bool is_faint(const JudgedFit& fit);
+/// Whether what is systematic is so small that another simulator of the same model may make it, or the mesh, of whose error it is a part: where no
+/// effect takes most of it away, nothing is missing.
+bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 
-/// How much of what a fit leaves is put down to the mesh: half as much again as was found, for a verdict, or that alone, to end the search.
-enum class MeshDoubt { generous, strict };
+/// What a fit may leave: for a verdict half as much again as was found of the mesh's error, and a share of what was there, which another form of the effect
+/// makes; to end the search neither.
+enum class Leniency { generous, strict };
 
 /// Whether a fit explains what another left: what remains is of the size of the program's own errors, or a small part of what was there.
-bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, MeshDoubt mesh = MeshDoubt::generous);
+bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, Leniency leniency = Leniency::generous);
 
 }  // namespace myo

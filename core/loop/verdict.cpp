@@ -14,8 +14,8 @@ namespace {
 /// 98 %), where a sixth of the effects is not in the catalogue.
 constexpr double trust = 0.93;
 /// Cameras alone, at rest, are far better than any model of a real body. Where nobody says how good a model could be, an effect is named that
-/// leaves at most this share of the rms, also on samples it was not fitted to.
-constexpr double most_left = 0.7;
+/// leaves at most this share of the rms, and this on samples it was not fitted to: of the squares a quarter, and a half.
+constexpr double most_left = 0.5, most_left_held_out = 0.7;
 /// An effect that leaves less of what was systematic is named though a test still fires: its law may be of another form than ours.
 constexpr double nearly_all = 0.125;
 /// Of the confidence in it.
@@ -80,10 +80,11 @@ JudgedFit unknown(Diagnosis& d, const JudgedFit& best) {
 
 /// A modulus that the declared model left at a bound, too, says nothing against the effect: muscles at unknown levels, for one, hardly determine it.
 bool takes_most(const Diagnosis& d, const JudgedFit& fit) {
-    if (d.data.noise_declared || !fit.usable() || (modulus_at_bound(fit.fit) && !modulus_at_bound(d.declared.fit))) return false;
-    const auto takes = [&](double JudgedFit::*rms) { return fit.*rms <= most_left * d.declared.*rms; };
+    if (d.data.noise_declared || !fit.usable() || !is_told_from_nothing(fit.fit) || (modulus_at_bound(fit.fit) && !modulus_at_bound(d.declared.fit))) return false;
+    const auto leaves = [&](double JudgedFit::*rms, double share) { return fit.*rms <= share * d.declared.*rms; };
     const bool untested_by_trials = fit.told_by_one > d.declared.told_by_one;
-    return takes(&JudgedFit::rms_m) && takes(&JudgedFit::held_out_rms) && (!untested_by_trials || takes(&JudgedFit::held_out_in_time_rms));
+    return leaves(&JudgedFit::rms_m, most_left) && leaves(&JudgedFit::held_out_rms, most_left_held_out) &&
+           (!untested_by_trials || leaves(&JudgedFit::held_out_in_time_rms, most_left_held_out));
 }
 
 bool acts_in_one_trial(const EffectDeclaration& effect) { return has(effect.parameters, "trial"); }
@@ -97,19 +98,35 @@ bool is_untested(const Diagnosis& d, const JudgedFit& pair) {
 /// The second effect of a pair hardly does anything.
 bool is_idle(const JudgedFit& pair, const JudgedFit& first) { return pair.tests.systematic.rms > most_of_what_was * first.tests.systematic.rms; }
 
-/// That the first candidate's effect acts, alone or beside another: pairs are tried with it only.
-double presence(const Diagnosis& d, const JudgedFit& first) {
-    double weight = first.weight;
-    for (const JudgedFit& pair : d.pairs) weight += pair.weight;
+/// That the effect of a fit acts, alone or beside another.
+double presence(const Diagnosis& d, const JudgedFit& fit) {
+    const auto is_it = [&](const EffectDeclaration& effect) { return effect.id == fit.fit.effects.front().id; };
+    double weight = fit.weight;
+    for (const JudgedFit& pair : d.pairs)
+        if (std::any_of(pair.fit.effects.begin(), pair.fit.effects.end(), is_it)) weight += pair.weight;
     return std::min(1.0, weight);
 }
 
 bool takes_nearly_all(const Diagnosis& d, const JudgedFit& fit) {
-    return fit.usable() && presence(d, fit) > 0.5 && !modulus_at_bound(fit.fit) && !effect_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
+    return may_explain(fit, d.declared) && presence(d, fit) > 0.5 && !effect_at_bound(fit.fit) && fit.tests.systematic.rms <= nearly_all * d.declared.tests.systematic.rms;
+}
+
+/// Of what explains the residual, this: fits that do not may predict held-out trials better, and are not the answer.
+double among_explaining(const Diagnosis& d, const JudgedFit& fit) {
+    std::vector<const JudgedFit*> others;
+    const auto add = [&](const JudgedFit& other) {
+        if (&other != &fit && explains(other, d.declared, d.data, d.numerics)) others.push_back(&other);
+    };
+    for (const Candidate& candidate : d.candidates)
+        if (candidate.judged) add(*candidate.judged);
+    for (const JudgedFit& pair : d.pairs) add(pair);
+    return weight_among(fit, others);
 }
 
 /// That it acts and is all there is: where seconds beside it would fit better still, though it explains the residual alone, they may be fitting the mesh.
-double alone(const Diagnosis& d, const JudgedFit& fit) { return std::max(fit.weight, other_form_trust * presence(d, fit)); }
+double alone(const Diagnosis& d, const JudgedFit& fit) {
+    return std::max(fit.weight, other_form_trust * std::max(presence(d, fit), among_explaining(d, fit)));
+}
 
 /// One effect takes away nearly all, and which does the rest beside it is open.
 bool any_would_do(const Diagnosis& d, const JudgedFit& first) { return takes_nearly_all(d, first) && d.pairs.front().weight < decided; }
@@ -141,7 +158,7 @@ JudgedFit decide(Diagnosis& d) {
     else if (first && takes_nearly_all(d, *first->judged)) fit = nearly_all_of_it(d, *first->judged);
     else if (pair && takes_most(d, *pair) && first && pair->criterion < first->judged->criterion && !is_idle(*pair, *first->judged)) fit = most_of_it(d, *pair, pair->weight);
     else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged, presence(d, *first->judged));
-    else if (is_faint(d.declared)) fit = none(d);
+    else if (is_faint(d.declared, d.data, d.numerics)) fit = none(d);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
     if (d.verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d, d.pairs.front()) && explains(d.pairs.front(), d.declared, d.data, d.numerics))
         d.notes.push_back(names_of(d.pairs.front().fit.effects) + " together would explain it, but one of their numbers rests on a single trial: a further trial to fit would tell");

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "loop/judge.hpp"
+
 namespace myo {
 namespace {
 
@@ -182,10 +186,13 @@ TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) 
     EXPECT_LT(d.verdict.confidence, 0.75);
     EXPECT_NE(d.verdict.because.find("unexplained"), std::string::npos);
 
-    d = with_candidate(8.0);
-    d.data.noise_declared = false;
-    decide(d);
-    EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+    for (const auto& [left, left_held_out, named] : {std::tuple{8.0, 4.0, false}, {4.0, 8.0, false}, {4.0, 6.5, true}}) {
+        d = with_candidate(left);
+        d.data.noise_declared = false;
+        d.candidates[0].judged->held_out_rms = left_held_out;
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, named ? VerdictKind::effects : VerdictKind::unknown) << left << " " << left_held_out;
+    }
 
     // Holding out trials does not test numbers of which one trial alone tells: blocks of time have to be predicted, too.
     d = with_candidate(5.0);
@@ -269,6 +276,89 @@ TEST(Verdict, AModulusThatWasAtABoundBeforeDoesNotDenyAnEffect) {
         confidence[at_bound] = d.verdict.confidence;
     }
     EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
+}
+
+/// A fit of an effect and its place may take a residual away, and the amount be anything: that is a name for noise.
+TEST(Verdict, AnAmountThatIsNotToldFromNothingExplainsNothing) {
+    for (const bool noise_declared : {true, false})
+        for (const double deviation : {1.0, 30.0}) {
+            Diagnosis d = with_candidate(noise_declared ? 0.3 : 5.0);
+            d.data.noise_declared = noise_declared;
+            JudgedFit& fit = *d.candidates[0].judged;
+            end_at(fit, StudyParameter::Kind::effect, 50.0);
+            fit.fit.report.deviations = Eigen::VectorXd::Constant(1, deviation);
+            decide(d);
+            EXPECT_EQ(d.verdict.kind, deviation > 20.0 ? VerdictKind::unknown : VerdictKind::effects);
+            fit.fit.report.deviations(0) = std::numeric_limits<double>::quiet_NaN();   // the data do not determine it
+            decide(d);
+            EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
+        }
+}
+
+/// Fits of two trials may follow both, and tell nothing of the one that was left out.
+TEST(Verdict, WhatPredictsNoHeldOutDataExplainsNothing) {
+    for (const bool by_time : {false, true})
+        for (const double held_out : {1.3, 1.05}) {
+            Diagnosis d = with_candidate(0.3);
+            d.declared.held_out_rms = d.declared.held_out_in_time_rms = 1.4;
+            JudgedFit& fit = *d.candidates[0].judged;
+            fit.told_by_one = by_time ? 1 : 0;   // then other times test it
+            fit.held_out_rms = by_time ? 1.4 : held_out;
+            fit.held_out_in_time_rms = by_time ? held_out : 1.4;
+            decide(d);
+            EXPECT_EQ(d.verdict.kind, held_out > 1.2 ? VerdictKind::unknown : VerdictKind::effects);
+        }
+}
+
+/// A residual that is less than two thirds of the mesh's error, which was taken off, may be what was taken off wrongly.
+TEST(Verdict, APartOfTheMeshErrorIsNoMissingEffect) {
+    for (const double mesh : {0.3, 1.2}) {
+        Diagnosis d = with_candidate(0.6);
+        d.candidates[0].judged->tests.variance.p = 0.0;
+        d.declared = fit_that_leaves(0.7);
+        d.declared.tests.variance.p = 0.0;
+        d.numerics.mesh_rms_m = mesh * noise_m;
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, mesh > 1.0 ? VerdictKind::none : VerdictKind::unknown);
+        EXPECT_TRUE(mesh < 1.0 || d.verdict.confidence < 0.5);
+    }
+}
+
+/// Where a mesh is wrong by more than the noise, what is extrapolated of that is uncertain: it may leave a part of what an effect explains well.
+TEST(Verdict, AMeshThatIsFarOffExcusesAPartOfWhatIsLeft) {
+    for (const auto& [mesh, was, named] : {std::tuple{0.5, 3.0, false}, {1.5, 3.0, true}, {1.5, 0.9, false}}) {
+        Diagnosis d = with_candidate(0.48);
+        d.candidates[0].judged->tests.variance.p = 0.0;
+        d.declared = fit_that_leaves(was);
+        d.declared.tests.variance.p = 0.0;
+        d.numerics.mesh_rms_m = mesh * noise_m;
+        decide(d);
+        EXPECT_EQ(d.verdict.kind, named ? VerdictKind::effects : VerdictKind::unknown) << mesh << " " << was;
+    }
+}
+
+/// What predicts held-out trials a little better and leaves a part unexplained comes after what explains the residual.
+TEST(Verdict, WhatExplainsTheResidualComesFirst) {
+    Diagnosis d = with_candidate(0.6);
+    d.data.layout.series = {{0, 0, 0, 0, 100}};
+    for (int k = 0; k < 100; ++k) {
+        d.data.layout.sample.push_back(k);
+        d.data.layout.time_s.push_back(0.01 * k);
+    }
+    d.candidates[0].judged->tests.variance.p = 0.0;
+    Candidate other;
+    other.score.id = "gravity_tilt";
+    other.judged = fit_that_leaves(0.2, "gravity_tilt");
+    other.judged->held_out_rms = 3.0;
+    d.candidates.push_back(other);
+    order_candidates(d);
+    ASSERT_LT(d.candidates[1].judged->criterion, d.candidates[0].judged->criterion) << "or nothing is tested";
+    EXPECT_EQ(d.candidates[0].score.id, "gravity_tilt");
+    decide(d);
+    ASSERT_EQ(d.verdict.effects.size(), 1u);
+    EXPECT_EQ(d.verdict.effects[0].id, "gravity_tilt");
+    EXPECT_GT(d.verdict.confidence, 0.3);
+    EXPECT_LT(d.verdict.confidence, 0.7);
 }
 
 /// Another program's form of an effect leaves a share of what was there, and a coarse mesh more than was found; not so where the effect could not be larger.
