@@ -78,6 +78,7 @@ struct EffectProbe {
     std::string amount;
     bool reciprocal = false;
     EffectParameters (*joined)(const std::vector<EffectParameters>& columns, const Eigen::VectorXd& multiples) = nullptr;
+    bool large = false;   // of an amount far from small, for what goes with its square: tried where small ones explain nothing
 };
 
 /// What the search for an effect may know of the whole experiment.

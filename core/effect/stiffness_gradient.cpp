@@ -13,7 +13,14 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 std::vector<EffectProbe> probes(const EffectSearch&) {
     std::vector<EffectProbe> list;
-    for (const double axis : {0.0, 1.0, 2.0}) list.push_back(probe({{"relative_change", 0.05}, {"axis", axis}}, "relative_change"));
+    for (const double axis : {0.0, 1.0, 2.0}) {
+        list.push_back(probe({{"relative_change", 0.05}, {"axis", axis}}, "relative_change"));
+        // Across a body that bends, a small gradient makes one side as much stiffer as the other softer.
+        for (const double change : {1.0, -1.0}) {
+            list.push_back(probe({{"relative_change", change}, {"axis", axis}}, "relative_change"));
+            list.back().large = true;
+        }
+    }
     return list;
 }
 

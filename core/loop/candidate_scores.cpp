@@ -16,14 +16,14 @@ constexpr double least_explained = 0.02;
 
 }  // namespace
 
-std::vector<EffectScore> score_coarsely(const Study& study, const FitData& data, const JointFit& base, const EffectFilter& allowed, const Progress& progress) {
+std::vector<EffectScore> score_coarsely(const Study& study, const FitData& data, const JointFit& base, const EffectFilter& allowed, ProbeSize size, const Progress& progress) {
     Study longer = study;
     for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
     const std::vector<TrialPrediction> unaffected = predict_trials_with(longer, base.values, data.trials, progress);
     if (progress.cancelled()) return {};
     if (all_ok(unaffected) && (flat_residual(data, unaffected) - base.residual).norm() < step_in_scores * base.residual.norm())
-        return score_effects(longer, data, base, unaffected, allowed, progress);
-    return score_effects(study, data, base, base.predictions, allowed, progress);
+        return score_effects(longer, data, base, unaffected, allowed, size, progress);
+    return score_effects(study, data, base, base.predictions, allowed, size, progress);
 }
 
 EffectScore best_score(const std::vector<EffectScore>& scores) {

@@ -6,7 +6,7 @@ namespace myo {
 
 /// score_effects() by runs of twice the step, where that changes the predictions by less than a share of the residual; otherwise by the
 /// study's own steps.
-std::vector<EffectScore> score_coarsely(const Study& study, const FitData& data, const JointFit& base, const EffectFilter& allowed, const Progress& progress);
+std::vector<EffectScore> score_coarsely(const Study& study, const FitData& data, const JointFit& base, const EffectFilter& allowed, ProbeSize size, const Progress& progress);
 
 /// The score that would leave least; an empty one where there is none.
 EffectScore best_score(const std::vector<EffectScore>& scores);

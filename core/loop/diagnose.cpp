@@ -271,11 +271,11 @@ private:
         const EffectFilter may_be_named = [this](const std::string& id) { return allowed(id); };
         std::vector<EffectScore> scores = stage("score", 2 * fit_count(), [&] {
             unbent_ = unbent();
-            return score_coarsely(study_, result_.data, base(), may_be_named, progress_);
+            return score_coarsely(study_, result_.data, base(), may_be_named, ProbeSize::small, progress_);
         });
         // What was bent may also be right, or no better elsewhere: then from where the declared fit ended.
         if (!progress_.cancelled() && unbent_ && best_score(scores).test.explained < sure_base) {
-            std::vector<EffectScore> others = stage("score", fit_count(), [&] { return score_coarsely(study_, result_.data, result_.declared.fit, may_be_named, progress_); });
+            std::vector<EffectScore> others = stage("score", fit_count(), [&] { return score_coarsely(study_, result_.data, result_.declared.fit, may_be_named, ProbeSize::small, progress_); });
             if (best_score(others).left < best_score(scores).left) {
                 scores = std::move(others);
                 unbent_.reset();
@@ -313,10 +313,27 @@ private:
         }
         if (!refit(starts, std::min(first_fits, last), starts.size())) return false;
         if (!explained() && !faint && (!settle_the_best() || !polish())) return false;
+        if (!explained() && !faint && !large_effects()) return false;
         if (!settle_rivals()) return false;
         find_confusions(result_);
         show();
         return true;
+    }
+
+    /// Effects that go with the square of their amount, so that small probes do not show what they would explain.
+    bool large_effects() {
+        const std::vector<EffectScore> scores = stage("score", fit_count(), [&] {
+            return score_coarsely(study_, result_.data, base(), [this](const std::string& id) { return allowed(id); }, ProbeSize::large, progress_);
+        });
+        if (progress_.cancelled()) return false;
+        std::vector<CandidateStart> starts;
+        for (const std::size_t i : worth_fitting(scores, result_.settings.refits))
+            for (Candidate& candidate : result_.candidates)
+                if (candidate.score.id == scores[i].id && scores[i].share() > candidate.score.share()) {
+                    candidate.score = scores[i];
+                    starts.push_back(start_of(scores[i]));
+                }
+        return starts.empty() || (refit(starts, 0, starts.size()) && settle_the_best() && polish());
     }
 
     /// What a candidate's fit leaves; infinite where it was not fitted.
@@ -400,7 +417,7 @@ private:
         if (progress_.cancelled()) return;
         const std::string first_id = result_.candidates.front().score.id;
         const std::vector<EffectScore> scores = stage("score of pairs", 0, [&] {
-            return score_coarsely(study_, result_.data, base, [&](const std::string& id) { return id != first_id && allowed(id); }, progress_);
+            return score_coarsely(study_, result_.data, base, [&](const std::string& id) { return id != first_id && allowed(id); }, ProbeSize::small, progress_);
         });
         if (progress_.cancelled()) return;
         std::vector<CandidateStart> starts;

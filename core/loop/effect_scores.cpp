@@ -162,7 +162,7 @@ EffectSearch effect_search(const Study& study, const FitData& data, const StudyV
 }
 
 std::vector<EffectScore> score_effects(const Study& study, const FitData& data, const JointFit& fit, const std::vector<TrialPrediction>& unaffected,
-                                       const EffectFilter& allowed, const Progress& progress) {
+                                       const EffectFilter& allowed, ProbeSize size, const Progress& progress) {
     EffectSearch search = effect_search(study, data, fit.values);
     search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, unaffected);
     std::vector<Probe> probes;
@@ -171,6 +171,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
     for (const Effect& effect : effect_catalogue()) {
         if (!effect.probes || !allowed(effect.id)) continue;
         for (EffectProbe& probe : effect.probes(search)) {
+            if (probe.large != (size == ProbeSize::large)) continue;
             for (std::size_t c = 0; c < probe.columns.size(); ++c) {
                 Column column{probes.size(), static_cast<Index>(c), fit.values, std::vector<TrialPrediction>(data.trials.size()), {}};
                 column.values.effects.push_back({effect.id, probe.columns[c]});
@@ -218,6 +219,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
         const auto p = static_cast<std::size_t>(task);
         if (scores[p].failure.empty()) finish(probes[p], nuisance, outside, data, fit, own, S[p], scores[p]);
     });
+    if (size == ProbeSize::large) return scores;
     for (EffectScore& score : scan_markers(study, data, fit, nuisance, allowed)) {
         if (score.usable()) score.left = (1.0 - score.test.explained) * own.squares;
         scores.push_back(std::move(score));

@@ -38,13 +38,16 @@ struct EffectScore {
 /// Whether an effect is among those that may be named.
 using EffectFilter = std::function<bool(const std::string& id)>;
 
+/// Which probes: the small ones, from which most is straight, or the large ones of what goes with the square of its amount.
+enum class ProbeSize { small, large };
+
 /// Scores every probe of every effect on a fit's residual, its own parameters projected out.
 ///
 /// One run per column and trial, on the study's threads side by side. A probe whose best amount has the wrong sign explains nothing.
 /// unaffected: predictions of data.trials with the fit's values, which those with a probe are compared with. They, and the study, may have
 /// longer steps than the fit: what an effect does needs to be known to some percent only. Progress counts runs.
 std::vector<EffectScore> score_effects(const Study& study, const FitData& data, const JointFit& fit, const std::vector<TrialPrediction>& unaffected,
-                                       const EffectFilter& allowed, const Progress& progress);
+                                       const EffectFilter& allowed, ProbeSize size, const Progress& progress);
 
 /// What effects may know of the experiment with a fit's values.
 EffectSearch effect_search(const Study& study, const FitData& data, const StudyValues& values);

@@ -143,7 +143,7 @@ TEST(EffectScores, GiveStartsWhereAProbeGoesBeyondTheResidual) {
     const Recorded recorded({{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}}});
     const FitData data = recorded.data();
     const JointFit fit = test::unmoved_fit(recorded.study, data, declared_values(recorded.study));
-    const auto scores = score_effects(recorded.study, data, fit, fit.predictions, [](const std::string& id) { return id == "quadratic_drag" || id == "stress_softening"; }, {});
+    const auto scores = score_effects(recorded.study, data, fit, fit.predictions, [](const std::string& id) { return id == "quadratic_drag" || id == "stress_softening"; }, ProbeSize::small, {});
     int starts = 0;
     for (const EffectScore& score : scores) {
         ASSERT_TRUE(score.failure.empty()) << score.failure;
@@ -158,6 +158,25 @@ TEST(EffectScores, GiveStartsWhereAProbeGoesBeyondTheResidual) {
         }
     }
     EXPECT_GT(starts, 0);
+}
+
+/// A gradient across a body that bends makes one side as much stiffer as the other softer: what it does goes with its square.
+TEST(EffectScores, SeeALargeGradientAcrossTheBodyByLargeProbesOnly) {
+    const Recorded recorded({{"stiffness_gradient", {{"relative_change", 1.2}, {"axis", 2.0}}}});
+    const FitData data = recorded.data();
+    const JointFit fit = test::unmoved_fit(recorded.study, data, declared_values(recorded.study));
+    const auto best = [&](ProbeSize size) {
+        EffectScore found;
+        for (const EffectScore& score : score_effects(recorded.study, data, fit, fit.predictions, [](const std::string& id) { return id == "stiffness_gradient"; }, size, {}))
+            if (score.share() > found.share()) found = score;
+        return found;
+    };
+    const EffectScore small = best(ProbeSize::small), large = best(ProbeSize::large);
+    EXPECT_EQ(number(large.best.effect, "axis"), 2.0);
+    const double of_noise = static_cast<double>(fit.residual.size());
+    EXPECT_LT(large.left - of_noise, 0.8 * (small.left - of_noise));   // the modulus takes most of it back either way
+    for (const EffectScore& score : score_effects(recorded.study, data, fit, fit.predictions, [](const std::string& id) { return id == "quadratic_drag"; }, ProbeSize::large, {}))
+        ADD_FAILURE() << score.id << " has no large probe";
 }
 
 }  // namespace
