@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "project/predict_trials.hpp"
 
@@ -13,6 +14,17 @@ namespace {
 constexpr double step_in_scores = 0.3;
 /// A probe that takes away less of the residual is not worth a fit.
 constexpr double least_explained = 0.02;
+/// Other places of an effect are tried that promise at least this share of what its best one does, and so many.
+constexpr double as_good_elsewhere = 0.5;
+constexpr int most_elsewhere = 2;
+constexpr std::size_t most_elsewhere_of_all = 6;
+
+std::vector<std::size_t> by_share(const std::vector<EffectScore>& scores) {
+    std::vector<std::size_t> order(scores.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a].share() > scores[b].share(); });
+    return order;
+}
 
 }  // namespace
 
@@ -32,13 +44,26 @@ EffectScore best_score(const std::vector<EffectScore>& scores) {
 }
 
 std::vector<std::size_t> worth_fitting(const std::vector<EffectScore>& scores, int count) {
-    std::vector<std::size_t> order(scores.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a].share() > scores[b].share(); });
     std::vector<std::size_t> chosen;
-    std::map<std::string, int> times;
-    for (const std::size_t i : order)
-        if (static_cast<int>(chosen.size()) < count && scores[i].share() > least_explained && times[scores[i].id]++ == 0) chosen.push_back(i);
+    std::set<std::string> there;
+    for (const std::size_t i : by_share(scores))
+        if (static_cast<int>(chosen.size()) < count && scores[i].share() > least_explained && there.insert(scores[i].id).second) chosen.push_back(i);
+    return chosen;
+}
+
+std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, const EffectFilter& wanted) {
+    std::vector<std::size_t> chosen;
+    struct Found {
+        double best = 0.0;
+        int further = 0;
+    };
+    std::map<std::string, Found> found;
+    for (const std::size_t i : by_share(scores)) {
+        const auto [place, is_best] = found.try_emplace(scores[i].id, Found{scores[i].share()});
+        Found& effect = place->second;
+        if (is_best || !wanted(scores[i].id) || scores[i].share() < std::max(least_explained, as_good_elsewhere * effect.best)) continue;
+        if (effect.further++ < most_elsewhere && chosen.size() < most_elsewhere_of_all) chosen.push_back(i);
+    }
     return chosen;
 }
 

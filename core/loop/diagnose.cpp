@@ -246,11 +246,8 @@ private:
     }
 
     std::vector<JudgedFit> fits_from(const std::string& name, const JointFit& base, const std::vector<CandidateStart>& starts, double hope) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Candidate& candidate : result_.candidates)
-            if (candidate.judged) least = std::min(least, candidate.judged->fit.squares());
         CandidateFits found = stage(name, 0, [&] {
-            return fit_candidates({study_, serial_, result_.data, result_.settings, *store_}, base, starts, least, hope, name, progress_);
+            return fit_candidates({study_, serial_, result_.data, result_.settings, *store_}, base, starts, least_left(), hope, name, progress_);
         });
         cost_of(name).runs += found.runs;
         return std::move(found.fits);
@@ -312,6 +309,7 @@ private:
             starts.insert(starts.end(), winding.begin(), winding.end());
         }
         if (!refit(starts, std::min(first_fits, last), starts.size())) return false;
+        if (!explained(Leniency::strict) && !faint && !refit_elsewhere(scores)) return false;
         if (!explained() && !faint && (!settle_the_best() || !polish())) return false;
         if (!explained() && !faint && !large_effects()) return false;
         if (!settle_rivals()) return false;
@@ -341,6 +339,12 @@ private:
         for (const Candidate& candidate : result_.candidates)
             if (candidate.score.id == id && candidate.judged) return candidate.judged->fit.squares();
         return std::numeric_limits<double>::infinity();
+    }
+
+    double least_left() const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Candidate& candidate : result_.candidates) least = std::min(least, left_by(candidate.score.id));
+        return least;
     }
 
     bool explained(Leniency leniency = Leniency::generous) const {
@@ -404,6 +408,14 @@ private:
                     candidate.judged = std::move(fits[i]);
         order_candidates(result_);
         return true;
+    }
+
+    /// Effects of a place or an axis that come close to the best, from other places and axes.
+    bool refit_elsewhere(const std::vector<EffectScore>& scores) {
+        const auto hopeful_fit = [&](const std::string& id) { return left_by(id) <= hopeful * least_left(); };
+        std::vector<CandidateStart> starts;
+        for (const std::size_t i : other_places(scores, hopeful_fit)) starts.push_back(start_of(scores[i]));
+        return refit(starts, 0, starts.size());
     }
 
     /// Where one effect leaves something, a second beside the best one, and the first is asked whether it is still needed.
