@@ -18,7 +18,7 @@ constexpr double trust = 0.93;
 constexpr double most_left = 0.5, most_left_held_out = 0.7;
 /// An effect that leaves less of what was systematic is named though a test still fires: its law may be of another form than ours.
 constexpr double nearly_all = 0.125;
-/// Of the confidence in it.
+/// Of the confidence in it, and in two effects that explain the residual: they may stand in for one that acts in another form.
 constexpr double other_form_trust = 0.6;
 /// A second effect is named where it is that likely: small rests, of the mesh say, are taken away by many.
 constexpr double decided = 0.8;
@@ -154,7 +154,7 @@ JudgedFit decide(Diagnosis& d) {
     if (!needs_explanation(d.declared, d.data, d.numerics)) fit = none(d);
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, alone(d, *first->judged));
     else if (pair && explains(*pair, d.declared, d.data, d.numerics) && !(first && (is_idle(*pair, *first->judged) || any_would_do(d, *first->judged))))
-        fit = effects(d, *pair, pair->weight);
+        fit = effects(d, *pair, other_form_trust * pair->weight);
     else if (first && takes_nearly_all(d, *first->judged)) fit = nearly_all_of_it(d, *first->judged);
     else if (pair && takes_most(d, *pair) && first && pair->criterion < first->judged->criterion && !is_idle(*pair, *first->judged)) fit = most_of_it(d, *pair, pair->weight);
     else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged, presence(d, *first->judged));

@@ -136,7 +136,7 @@ TEST(Verdict, ASecondEffectHasToDoSomething) {
         decide(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 0.5 ? 2u : 1u);
-        EXPECT_EQ(d.verdict.confidence < 0.6, pair_leaves > 0.5);
+        EXPECT_LT(d.verdict.confidence, 0.6) << "two may stand in for one that acts in another form";
     }
 }
 
