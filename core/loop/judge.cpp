@@ -39,6 +39,9 @@ constexpr double most_held_out = 0.5, chance_held_out = 0.05;
 /// Criteria of dynamic fits exaggerate, as their residuals share errors of the model's form; see evidence_weights(). The likeliest for pairs of effects
 /// that both explained a case of the study is 15 to 30.
 constexpr double temperature = 16.0;
+/// Odds against an effect at its bound, beside one within its bounds that is as good: it is a limit of another kind, as a hysteresis of no width is a
+/// gain.
+constexpr double odds_against_limits = 4.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
 constexpr double guard_s = 0.05;
 
@@ -100,7 +103,8 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
             fit->criterion = std::numeric_limits<double>::infinity();
             if (fit->usable())
                 fit->criterion = 0.5 * (information_criterion(fit->fit.squares(), samples, effective, static_cast<int>(fit->fit.parameters.size())) +
-                                        information_criterion(samples * std::pow(fit->*held_out, 2), samples, effective, 0));
+                                        information_criterion(samples * std::pow(fit->*held_out, 2), samples, effective, 0)) +
+                                 (effect_at_bound(fit->fit) ? 2.0 * temperature * std::log(odds_against_limits) : 0.0);
         }
     };
     const auto order = [](const JudgedFit* a, const JudgedFit* b) { return a->criterion < b->criterion; };

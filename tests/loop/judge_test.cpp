@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace myo {
 namespace {
 
@@ -14,14 +16,19 @@ JudgedFit fit(double held_out, double held_out_in_time, int told_by_one) {
     return fit;
 }
 
-/// A number that one trial alone tells of is as it was fitted when that is held out: it wins there without being tested.
-TEST(Weigh, ComparesByTimeWhatHoldingOutATrialDoesNotTest) {
+FitData data_of_one_marker() {
     FitData data;
     data.layout.series = {{0, 0, 0, 0, 400}};
     for (int k = 0; k < 400; ++k) {
         data.layout.sample.push_back(k);
         data.layout.time_s.push_back(0.01 * k);
     }
+    return data;
+}
+
+/// A number that one trial alone tells of is as it was fitted when that is held out: it wins there without being tested.
+TEST(Weigh, ComparesByTimeWhatHoldingOutATrialDoesNotTest) {
+    const FitData data = data_of_one_marker();
     for (const double in_time : {0.8, 1.6}) {
         JudgedFit of_one_trial = fit(0.9, in_time, 2), of_all = fit(1.2, 1.2, 1), broken = fit(0.1, 0.1, 0);
         broken.fit.residual.resize(0);
@@ -32,6 +39,31 @@ TEST(Weigh, ComparesByTimeWhatHoldingOutATrialDoesNotTest) {
     JudgedFit worse = fit(1.4, 0.5, 2), better = fit(1.2, 1.2, 1);   // not even flattered it is best: nothing to be asked again
     weigh(data, {&worse, &better});
     EXPECT_LT(better.criterion, worse.criterion);
+}
+
+/// A hysteresis of no width is a gain: of two that are as good the one at its bound is the less likely; where it is far better it stays.
+TEST(Weigh, WhatEndsAtItsBoundIsTheLimitOfAnotherKind) {
+    const FitData data = data_of_one_marker();
+    for (const double within_held_out : {1.0, 2.0}) {
+        JudgedFit at_bound = fit(1.0, 1.0, 0), within = fit(within_held_out, within_held_out, 0);
+        for (JudgedFit* of : {&at_bound, &within}) {
+            for (Eigen::Index k = 0; k < 400; ++k) of->fit.residual(k) = std::sin(static_cast<double>(k * k));   // without memory
+            of->fit.values.effects.push_back({"actuation_hysteresis", {{"width", of == &at_bound ? 1e-4 : 0.02}}});
+            StudyParameter width;
+            width.kind = StudyParameter::Kind::effect;
+            width.of_effect = "width";
+            width.parameter.lower = 1e-4;
+            width.parameter.upper = 10.0;
+            of->fit.parameters.push_back(width);
+        }
+        ASSERT_TRUE(effect_at_bound(at_bound.fit));
+        ASSERT_FALSE(effect_at_bound(within.fit));
+        weigh(data, {&at_bound, &within});
+        EXPECT_EQ(within.weight > at_bound.weight, within_held_out == 1.0);
+        if (within_held_out == 1.0) {
+            EXPECT_NEAR(within.weight, 0.8, 1e-12) << "four to one";
+        }
+    }
 }
 
 }  // namespace
