@@ -202,4 +202,21 @@ bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data
     return !fit.tests.significant() || left <= std::max({least_systematic, of_mesh, of_form, of_whole_mesh});
 }
 
+bool explained(const Diagnosis& diagnosis, Leniency leniency) {
+    const std::vector<Candidate>& ranked = diagnosis.candidates;
+    return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, diagnosis.declared, diagnosis.data, diagnosis.numerics, leniency);
+}
+
+double left_by(const Diagnosis& diagnosis, const std::string& effect) {
+    for (const Candidate& candidate : diagnosis.candidates)
+        if (candidate.score.id == effect && candidate.judged) return candidate.judged->fit.squares();
+    return std::numeric_limits<double>::infinity();
+}
+
+double least_left(const Diagnosis& diagnosis) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : diagnosis.candidates) least = std::min(least, left_by(diagnosis, candidate.score.id));
+    return least;
+}
+
 }  // namespace myo

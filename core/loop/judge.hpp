@@ -51,11 +51,18 @@ bool needs_explanation(const JudgedFit& fit, const FitData& data, const Numerica
 /// effect takes most of it away, nothing is missing.
 bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 
+/// Squares that a candidate's fit leaves, and the least of all; infinite where none was fitted.
+double left_by(const Diagnosis& diagnosis, const std::string& effect);
+double least_left(const Diagnosis& diagnosis);
+
 /// What a fit may leave: for a verdict half as much again as was found of the mesh's error, and a share of what was there, which another form of the effect
 /// makes; to end the search neither.
 enum class Leniency { generous, strict };
 
 /// Whether a fit explains what another left: what remains is of the size of the program's own errors, or a small part of what was there.
 bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, Leniency leniency = Leniency::generous);
+
+/// Whether the first of the candidates does.
+bool explained(const Diagnosis& diagnosis, Leniency leniency = Leniency::generous);
 
 }  // namespace myo

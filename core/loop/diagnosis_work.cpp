@@ -1,0 +1,80 @@
+#include "loop/diagnosis_work.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace myo {
+namespace {
+
+/// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
+constexpr double solver_tolerance = 1e-6;
+/// Of the linear systems of derivatives: a fit needs the direction, not all digits.
+constexpr double tangent_tolerance = 1e-4;
+/// Runs start their stages near those of others, where these can be kept.
+constexpr double most_path_bytes = 1e8;
+
+std::string study_words(const Study& study) {
+    return study.experiment.name + ", " + to_string(study.mesh.element) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
+           std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator);
+}
+
+Study prepared(Study study) {
+    for (StudyTrial& trial : study.trials) {
+        trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
+        trial.options.solver.tangent_tolerance = std::max(tangent_tolerance, trial.options.solver.tangent_tolerance);
+        const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
+        trial.options.keep_path = 8.0 * stages * study.body->dofs() < most_path_bytes;
+    }
+    return study;
+}
+
+Study on_one_thread(Study study) {
+    study.settings.threads = 1;
+    return study;
+}
+
+}  // namespace
+
+DiagnosisWork::DiagnosisWork(const Study& as_declared, const DiagnoseSettings& settings, const Progress& told, const std::function<void(const Diagnosis&)>& shown)
+    : study(prepared(as_declared)),
+      serial(on_one_thread(study)),
+      progress(told),
+      live(shown),
+      store(settings.fits ? std::make_unique<FitStore>(*settings.fits, study_words(study)) : std::make_unique<FitStore>()),
+      errors(study, settings.refine_mesh) {
+    result.settings = settings;
+}
+
+bool DiagnosisWork::allowed(const std::string& effect) const {
+    const std::vector<std::string>& without = result.settings.without;
+    return std::find(without.begin(), without.end(), effect) == without.end();
+}
+
+std::vector<std::size_t> DiagnosisWork::all_trials() const {
+    std::vector<std::size_t> all(study.trials.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+void DiagnosisWork::show() const {
+    if (live) live(result);
+}
+
+StageCost& DiagnosisWork::cost_of(const std::string& stage) {
+    const auto same = std::find_if(result.cost.begin(), result.cost.end(), [&](const StageCost& cost) { return cost.stage == stage; });
+    return same != result.cost.end() ? *same : result.cost.emplace_back(StageCost{stage, 0.0, 0});
+}
+
+JointFit DiagnosisWork::fit(const std::string& name, const StudyValues& start, const Effort& effort, const Neighbourhood& known) {
+    JointFit found = stage(name, 0, [&] { return stored_fit(*store, study, result.data, start, EffectFreedom::all, effort, known, progress); });
+    cost_of(name).runs += found.runs(fit_count());
+    return found;
+}
+
+std::vector<JudgedFit> DiagnosisWork::fit_all(const std::string& name, const JointFit& base, const std::vector<CandidateStart>& starts, double least_yet, double hope) {
+    CandidateFits found = stage(name, 0, [&] { return fit_candidates({study, serial, result.data, result.settings, *store}, base, starts, least_yet, hope, name, progress); });
+    cost_of(name).runs += found.runs;
+    return std::move(found.fits);
+}
+
+}  // namespace myo
