@@ -112,15 +112,19 @@ bool settle_the_best(DiagnosisWork& work) {
     return true;
 }
 
-/// Where the numerical error was found anew with the best candidate, also with those that leave hardly more: they are compared on equal terms.
+/// Fits that leave hardly more than the best are compared on equal terms: each with the numerical error of its own motion, as that of the declared fit's is
+/// nearer to the motion of one than of another (a delayed signal bends between steps, drag and damping act on other speeds).
 bool settle_rivals(DiagnosisWork& work) {
     Diagnosis& result = work.result;
-    if (result.candidates.empty() || !result.candidates.front().judged || !result.candidates.front().judged->numerics) return true;
-    const double best = result.candidates.front().judged->fit.squares();
-    for (std::size_t i = 1; i < std::min(settled_candidates + 1, result.candidates.size()); ++i) {
-        std::optional<JudgedFit>& rival = result.candidates[i].judged;
-        if (!rival || rival->numerics || rival->fit.squares() > close_rival * best) continue;
-        if (!settle(work, *rival, "last fit", settled_effect)) return false;
+    const double best = least_left(result);
+    const auto competes = [&](const Candidate& candidate) { return candidate.judged && candidate.judged->fit.squares() <= close_rival * best; };
+    const std::size_t count = std::min(settled_candidates + 1, result.candidates.size());
+    const std::ptrdiff_t rivals = std::count_if(result.candidates.begin(), result.candidates.begin() + static_cast<std::ptrdiff_t>(count), competes);
+    if (rivals < 2) return true;
+    for (std::size_t i = 0; i < count; ++i) {
+        Candidate& candidate = result.candidates[i];
+        if (!competes(candidate) || candidate.judged->numerics) continue;
+        if (!settle(work, *candidate.judged, "last fit", settled_effect)) return false;
         result.data.shift = result.numerics.shift;
     }
     order_candidates(result);
