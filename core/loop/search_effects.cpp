@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "loop/candidate_scores.hpp"
 #include "loop/confusion.hpp"
@@ -96,6 +97,13 @@ bool refit(Search& search, const std::vector<CandidateStart>& starts, std::size_
     return true;
 }
 
+/// settle() of one candidate: the others stay with the shift of the declared fit.
+bool settle_among_others(DiagnosisWork& work, JudgedFit& candidate) {
+    const bool settled = settle(work, candidate, "last fit", settled_effect);
+    work.result.data.shift = work.result.numerics.shift;
+    return settled;
+}
+
 /// The numerical error was found with the declared fit, whose motion may be far off: where the best candidates explain most but not all, it is
 /// found anew with them.
 bool settle_the_best(DiagnosisWork& work) {
@@ -105,8 +113,7 @@ bool settle_the_best(DiagnosisWork& work) {
         std::optional<JudgedFit>& best = result.candidates[i].judged;
         if (!best || best->numerics || best->fit.excess() > far_better * result.declared.fit.excess()) continue;
         if (explains(*best, result.declared, result.data, result.numerics)) break;
-        if (!settle(work, *best, "last fit", settled_effect)) return false;
-        result.data.shift = result.numerics.shift;
+        if (!settle_among_others(work, *best)) return false;
     }
     order_candidates(result);
     return true;
@@ -124,8 +131,7 @@ bool settle_rivals(DiagnosisWork& work) {
     for (std::size_t i = 0; i < count; ++i) {
         Candidate& candidate = result.candidates[i];
         if (!competes(candidate) || candidate.judged->numerics) continue;
-        if (!settle(work, *candidate.judged, "last fit", settled_effect)) return false;
-        result.data.shift = result.numerics.shift;
+        if (!settle_among_others(work, *candidate.judged)) return false;
     }
     order_candidates(result);
     return true;
