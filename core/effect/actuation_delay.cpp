@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "effect/bends_between_steps.hpp"
 #include "effect/effects.hpp"
 #include "effect/signal_response.hpp"
 
@@ -15,6 +16,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
         if (signal.times_s.size() < 2) continue;
         // What stood before the start has been so for ever: the motion of the file begins at t = 0.
         for (double& time : signal.times_s) time += delay;
+        signal = with_bends_between_steps(signal, affected.options.h_s, affected.options.end_s);
     }
 }
 
