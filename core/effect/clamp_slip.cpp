@@ -16,9 +16,12 @@ constexpr const char* length = "free_length_m";
 constexpr double stiffer_than_material = 300.0;
 
 /// As a share of those of a cell that is held altogether, the springs of one whose part f is held: it bends like one of length (1 - f) h, which
-/// springs of E / h f / (1 - f) per area of its free face make of it. Lumped at the nodes, half of a cell's springs are there. So the free length
-/// moves evenly through the cells, which springs of f alone would hold nearly rigidly.
-double held_share(double f, double relative_modulus) { return f < 1.0 ? std::min(1.0, 2.0 * relative_modulus * f / (1.0 - f) / stiffer_than_material) : 1.0; }
+/// springs of E / h f / (1 - f) per area of its free face make of it, in series with those that hold a cell altogether. Lumped at the nodes, half of a
+/// cell's springs are there. So the free length moves evenly through the cells, which springs of f alone would hold nearly rigidly.
+double held_share(double f, double relative_modulus) {
+    const double springs = 2.0 * relative_modulus / stiffer_than_material * f;
+    return f < 1.0 ? springs / (1.0 - f + springs) : 1.0;
+}
 
 /// Everything inside the clamp is released, and what still holds is tied to its place cell by cell.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {

@@ -31,7 +31,8 @@ bool ErrorFinder::match(const StudyValues& fitted, const FitData& data, Numerica
     return true;
 }
 
-NumericalError ErrorFinder::at(const StudyValues& fitted, const std::vector<std::size_t>& trials, const NumericalError* known, const Progress& progress) {
+NumericalError ErrorFinder::at(const StudyValues& fitted, const std::vector<std::size_t>& trials, const NumericalError* known, const Progress& progress,
+                               const AlikeValues* alike) {
     if (!refined_ && refine_mesh_) {
         const double ratio = std::clamp(std::cbrt(study_.body->dofs() / fine_unknowns), finest_ratio, coarsest_ratio);
         Result<Study> finer = refined_study(study_, ratio, progress);
@@ -41,8 +42,16 @@ NumericalError ErrorFinder::at(const StudyValues& fitted, const std::vector<std:
             for (std::size_t t = 0; t < study_.trials.size(); ++t) refined_->trials[t].options.h_s = study_.trials[t].options.h_s;
         }
     }
-    const std::vector<TrialPrediction> base = fitted_predictions(study_, trials, fitted, progress);
-    NumericalError error = numerical_error(study_, refined_.get(), with_predicted_levels(study_, fitted), trials, base, known, plain_.stiffening, progress);
+    const AlikeValues same = alike ? *alike : AlikeValues{fitted, fitted, fitted};
+    const AlikeValues values{with_predicted_levels(study_, same.study), with_predicted_levels(study_, same.finer_step), with_predicted_levels(study_, same.finer_mesh)};
+    const std::vector<TrialPrediction> base = fitted_predictions(study_, trials, same.study, progress);
+    NumericalError error = numerical_error(study_, refined_.get(), values, trials, base, known, plain_.stiffening, progress);
+    if (alike) {
+        const std::vector<TrialPrediction> there = fitted_predictions(study_, trials, fitted, progress);
+        for (std::size_t i = 0; i < trials.size(); ++i)
+            if (base[i].ok() && there[i].ok() && !error.shift[trials[i]].empty()) add_scaled(difference(base[i], there[i]), 1.0, error.shift[trials[i]]);
+        error.alike = *alike;
+    }
     if (plain_.stiffening.any()) {   // the cells' own error, as it was without
         error.by_stiffness = plain_.by_stiffness;
         error.step_rms_m = plain_.step_rms_m;

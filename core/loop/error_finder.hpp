@@ -22,8 +22,9 @@ public:
     /// match_stiffness() for all that is found from now on. True: the study is to take the modulus factor of error.stiffening.
     bool match(const StudyValues& fitted, const FitData& data, NumericalError& error, const Progress& progress);
 
-    /// numerical_error() with a fit's values.
-    NumericalError at(const StudyValues& fitted, const std::vector<std::size_t>& trials, const NumericalError* known, const Progress& progress);
+    /// numerical_error() with a fit's values, in all runs or, where `alike` is given, with those; the shift is to be added to predictions with `fitted` in any case.
+    NumericalError at(const StudyValues& fitted, const std::vector<std::size_t>& trials, const NumericalError* known, const Progress& progress,
+                      const AlikeValues* alike = nullptr);
 
 private:
     const Study& study_;

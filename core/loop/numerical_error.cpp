@@ -32,13 +32,7 @@ struct Sum {
     double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
 };
 
-double change_rms(const std::vector<Matrix3Xd>& tracks) {
-    Sum sum;
-    sum.add(tracks);
-    return sum.rms();
-}
-
-constexpr double step_order = 2.0;
+constexpr double step_ratio = 0.5, step_order = 2.0;
 
 /// At which displacements converge with the edge where nothing locks: hex8 2.5 by a manufactured solution, tet10 3.6 at ν 0.3 and 3.1 at 0.499.
 double mesh_order(ElementKind element) {
@@ -54,6 +48,12 @@ bool moves_modulus(const JointFit& fit) {
 }
 
 }  // namespace
+
+double step_extrapolation() { return extrapolation(step_ratio, step_order); }
+
+bool is_negligible_step(const Study& study, const NumericalError* known) {
+    return known && known->step_rms_m < negligible_step * study.noise_m.minCoeff() && known->step_shift.size() == study.trials.size();
+}
 
 std::vector<Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser) {
     std::vector<Matrix3Xd> result;
@@ -77,12 +77,12 @@ Result<Study> refined_study(const Study& study, double ratio, const Progress& pr
     return prepare_study(study.experiment, settings, progress);
 }
 
-NumericalError numerical_error(const Study& study, Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
+NumericalError numerical_error(const Study& study, Study* refined, const AlikeValues& values, const std::vector<std::size_t>& trials,
                                const std::vector<TrialPrediction>& base, const NumericalError* known, const Stiffening& stiffening, const Progress& progress) {
     NumericalError error;
     error.stiffening = stiffening;
-    error.step_ratio = 0.5;
-    const bool negligible = known && known->step_rms_m < negligible_step * study.noise_m.minCoeff() && known->step_shift.size() == study.trials.size();
+    error.step_ratio = step_ratio;
+    const bool negligible = is_negligible_step(study, known);
     std::vector<TrialPrediction> finer_step(trials.size());
     if (!negligible) {
         Study halved = study;
@@ -92,13 +92,13 @@ NumericalError numerical_error(const Study& study, Study* refined, const StudyVa
             trial.options.most_iterations = SimulationOptions().most_iterations;   // it has more steps
             trial.options.keep_path = false;
         }
-        finer_step = predict_trials_with(halved, values, trials, progress);
+        finer_step = predict_trials_with(halved, values.finer_step, trials, progress);
     }
     std::vector<TrialPrediction> finer_mesh(trials.size());
     if (refined) {
         refined->modulus_factor = stiffening.factor_of_finer_mesh();
         error.mesh_ratio = refined->mesh.resolution_m / study.mesh.resolution_m;
-        if (!progress.cancelled()) finer_mesh = predict_trials_with(*refined, values, trials, progress);
+        if (!progress.cancelled()) finer_mesh = predict_trials_with(*refined, values.finer_mesh, trials, progress);
     } else {
         error.message = "no finer mesh could be made";
     }
@@ -113,23 +113,25 @@ NumericalError numerical_error(const Study& study, Study* refined, const StudyVa
         if (finer_step[i].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_step[i], base[i]);
             by_step.add(change);
-            add_scaled(change, extrapolation(error.step_ratio, step_order), error.step_shift[t]);
+            add_scaled(change, step_extrapolation(), error.step_shift[t]);
         }
         error.shift[t] = error.step_shift[t];
         if (finer_mesh[i].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_mesh[i], base[i]);
             by_mesh.add(change);
             error.mesh_change[t] = change;
-            // A mesh so coarse that its error is far from small does not follow its order: then the finer one is taken as it is.
-            const bool small = change_rms(change) < asymptotic_over_noise * study.noise_m.maxCoeff();
-            add_scaled(change, small ? extrapolation(error.mesh_ratio, mesh_order(study.mesh.element)) : 1.0, error.shift[t]);
         }
     }
+    // A mesh so coarse that its error is far from small does not follow its order: then the finer one is taken as it is.
+    if (by_mesh.rms() < asymptotic_over_noise * study.noise_m.maxCoeff() && refined)
+        error.mesh_factor = extrapolation(error.mesh_ratio, mesh_order(study.mesh.element));
+    for (const std::size_t t : trials)
+        if (!error.mesh_change[t].empty()) add_scaled(error.mesh_change[t], error.mesh_factor, error.shift[t]);
     error.step_rms_m = negligible ? known->step_rms_m : by_step.rms();
     error.mesh_rms_m = by_mesh.rms();
     error.rest_rms_m = shift_rms_m(error.shift);
     const StudyTrial& first = study.trials.front();
-    error.numerical_damping = check_integration(trial_model(study, 0, values), first.options.integrator, first.options.h_s).numerical_damping_ratio;
+    error.numerical_damping = check_integration(trial_model(study, 0, values.study), first.options.integrator, first.options.h_s).numerical_damping_ratio;
     return error;
 }
 

@@ -21,6 +21,11 @@ struct Stiffening {
     double factor_of_finer_step() const { return 1.0 + mesh + finer_step; }
 };
 
+/// Values with which a study moves alike on its cells with its step, with half the step, and on finer cells.
+struct AlikeValues {
+    StudyValues study, finer_step, finer_mesh;
+};
+
 /// How much of a residual is the program's own doing: what a finer step and a finer mesh change in the predictions.
 struct NumericalError {
     double step_rms_m = 0.0;            // half the step against the step
@@ -34,22 +39,30 @@ struct NumericalError {
     PredictionShift shift;              // extrapolated to zero step and edge, to be added to predictions; empty where unknown
     PredictionShift step_shift;         // the step's part of it
     PredictionShift mesh_change;        // the finer mesh less the mesh
+    double mesh_factor = 1.0;           // from that to its limit
+    std::optional<AlikeValues> alike;   // between which the changes were found; none: with the values themselves
     Stiffening stiffening;              // with which the shift was found
     PredictionShift by_stiffness;       // what that takes off the shift, to first order
 };
 
+/// From the change by half the step to its limit.
+double step_extrapolation();
+
+/// Whether the step's error is so far below the noise that it is taken over for other values. known: may be null
+bool is_negligible_step(const Study& study, const NumericalError* known);
+
 /// The study with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
 Result<Study> refined_study(const Study& study, double ratio, const Progress& progress);
 
-/// Runs these trials with these values on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by
-/// Richardson's rule for the order of each. Shifts of other trials stay empty.
+/// Runs these trials on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by Richardson's rule for the
+/// order of each. Shifts of other trials stay empty.
 ///
-/// @param base   the study's predictions with these values, one per trial of `trials`, with their traces or without; failed ones are left alone
+/// @param base   the study's predictions with values.study, one per trial of `trials`, with their traces or without; failed ones are left alone
 /// @param refined  gets its modulus factor here
 /// @param known  the error with values near these, null: none. What the step changes there is taken over where that is far below the noise
 /// @param stiffening  that of the study, whose modulus factor is set
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
-NumericalError numerical_error(const Study& study, Study* refined, const StudyValues& values, const std::vector<std::size_t>& trials,
+NumericalError numerical_error(const Study& study, Study* refined, const AlikeValues& values, const std::vector<std::size_t>& trials,
                                const std::vector<TrialPrediction>& base, const NumericalError* known, const Stiffening& stiffening, const Progress& progress);
 
 /// finer - coarser of what is compared, per marker; 0 where nothing is.
