@@ -15,7 +15,7 @@ constexpr double settled_share = 0.3;
 constexpr int most_rounds = 3;
 /// It is not taken over where the fit then leaves so many times the squares.
 constexpr double gone_astray = 1.2;
-/// An error above this rms is not taken off by its shift alone, and one below the next is [noise levels].
+/// An error above this rms is not taken off by its shift alone, and one below the next is; in units of the noise, or of what the fit leaves where that is more.
 constexpr double worth_matching = 1.0, well_matched = 0.2;
 /// How often numbers are moved so that motions are alike, while each time leaves less than this share of the error.
 constexpr int most_matching_steps = 6;
@@ -33,8 +33,8 @@ void match_stiffness(DiagnosisWork& work, JointFit& declared, NumericalError& nu
 /// The error of a fit where its own numbers make up for most of it in the other runs. None where that is not needed, or cannot be.
 std::optional<NumericalError> matched_error(DiagnosisWork& work, const JointFit& fit, const NumericalError& plain, const std::string& stage) {
     const FitData& data = work.result.data;
-    const double noise = work.result.noise_m;
-    if (!(shift_rms_m(plain.shift) > worth_matching * noise)) return {};
+    const double unit_m = std::max(work.result.noise_m, flat_rms_m(data, fit.residual));
+    if (!(shift_rms_m(plain.shift) > worth_matching * unit_m)) return {};
     const JointFit fresh = work.fit(stage, fit.values, Effort{1});   // with derivatives there: those of a search are secants
     if (!fresh.usable()) return {};
     std::optional<NumericalError> best;
@@ -46,7 +46,7 @@ std::optional<NumericalError> matched_error(DiagnosisWork& work, const JointFit&
         const double was = shift_rms_m(before.shift), is = shift_rms_m(numerics.shift);
         if (work.progress.cancelled() || !(is < was)) break;
         best = std::move(numerics);
-        if (is < well_matched * noise || is > little_gained * was) break;
+        if (is < well_matched * unit_m || is > little_gained * was) break;
     }
     return best;
 }
