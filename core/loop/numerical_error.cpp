@@ -51,10 +51,6 @@ bool moves_modulus(const JointFit& fit) {
 
 double step_extrapolation() { return extrapolation(step_ratio, step_order); }
 
-bool is_negligible_step(const Study& study, const NumericalError* known) {
-    return known && known->step_rms_m < negligible_step * study.noise_m.minCoeff() && known->step_shift.size() == study.trials.size();
-}
-
 std::vector<Matrix3Xd> difference(const TrialPrediction& finer, const TrialPrediction& coarser) {
     std::vector<Matrix3Xd> result;
     for (std::size_t m = 0; m < coarser.residual_m.size(); ++m) {
@@ -82,7 +78,7 @@ NumericalError numerical_error(const Study& study, Study* refined, const AlikeVa
     NumericalError error;
     error.stiffening = stiffening;
     error.step_ratio = step_ratio;
-    const bool negligible = is_negligible_step(study, known);
+    const bool negligible = known && known->step_rms_m < negligible_step * study.noise_m.minCoeff() && known->step_shift.size() == study.trials.size();
     std::vector<TrialPrediction> finer_step(trials.size());
     if (!negligible) {
         Study halved = study;

@@ -48,9 +48,6 @@ struct NumericalError {
 /// From the change by half the step to its limit.
 double step_extrapolation();
 
-/// Whether the step's error is so far below the noise that it is taken over for other values. known: may be null
-bool is_negligible_step(const Study& study, const NumericalError* known);
-
 /// The study with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
 Result<Study> refined_study(const Study& study, double ratio, const Progress& progress);
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Edges of the truth's cells over those that the diagnosis would choose for cells of this type.
 constexpr double finer_tets = 0.75, finer_hexes = 0.7;
-/// Through the thickness: one layer of quadratic tetrahedra bends up to 5 % too far, two are off by 1 % (Locking, DepthOfOneLayer), and what a truth's own
+/// Through the thickness: one layer of quadratic tetrahedra bends up to 5 % too far, two are off by 1 % (test SmallLoad.LayersOfQuadraticCells), and what a truth's own
 /// cells add would be found as an effect. Hexahedra with all their points lock in bending, less with the square of the layers.
 constexpr double least_layers_of_tets = 2.0, least_layers_of_hexes = 5.0;
 
