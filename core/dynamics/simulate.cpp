@@ -190,8 +190,7 @@ private:
         // are measured against those at the guess, and one that is far off makes little of what is left of them: it is solved twice.
         bool found = false;
         for (int attempt = 0; attempt < 3 && !found; ++attempt) {
-            solution.x = guess(attempt);
-            hold_clamped(body, solution.x);
+            solution.x = held_by(body, guess(attempt));
             found = solve() && (attempt < 2 || solve());
         }
         if (!found) return false;

@@ -40,9 +40,10 @@ void count(const StageReport& report, Trace& trace) {
     trace.times += report.times;
 }
 
-void hold_clamped(const Body& body, Matrix3Xd& x) {
+Matrix3Xd held_by(const Body& body, Matrix3Xd x) {
     for (int i = 0; i < body.node_count(); ++i)
         if (body.clamped[static_cast<std::size_t>(i)]) x.col(i) = body.mesh.nodes.col(i);
+    return x;
 }
 
 void set_start_strains(const Model& model, StartKind start, Kinematics& state) {
@@ -56,9 +57,8 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
     const InitialState& initial = options.initial;
     assert(initial.positions.size() == 0 || initial.positions.cols() == body.node_count());
     assert(initial.velocities.size() == 0 || initial.velocities.cols() == body.node_count());
-    state.x = initial.positions.size() > 0 ? initial.positions : body.mesh.nodes;
+    state.x = held_by(body, initial.positions.size() > 0 ? initial.positions : body.mesh.nodes);
     state.v = initial.velocities.size() > 0 ? initial.velocities : Matrix3Xd::Zero(3, body.node_count());
-    hold_clamped(body, state.x);
     for (int i = 0; i < body.node_count(); ++i)
         if (body.clamped[static_cast<std::size_t>(i)]) state.v.col(i).setZero();
     trace.status = RunStatus::failed;

@@ -6,8 +6,8 @@
 
 namespace myo {
 
-/// Puts clamped nodes where they are held.
-void hold_clamped(const Body& body, Eigen::Matrix3Xd& x);
+/// Positions with the clamped nodes where the body is held.
+Eigen::Matrix3Xd held_by(const Body& body, Eigen::Matrix3Xd x);
 
 /// Strains and their rates at the positions and velocities of the start.
 void set_start_strains(const Model& model, StartKind start, Kinematics& state);

@@ -1,46 +1,68 @@
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
+#include "effect/changed_body.hpp"
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
-#include "effect/released_body.hpp"
-#include "mesh/region.hpp"
-#include "model/anchorage.hpp"
+#include "fibre/moved_fibres.hpp"
 
 namespace myo {
 namespace {
 
 constexpr const char* length = "free_length_m";
 
-/// How fast the anchorage lets go: stiff beside the material, so that what is held stands still.
-constexpr double stiffer_than_material = 300.0;
+/// Cells take up the free length as far as so much of the body's length.
+constexpr double farthest = 0.5;
 
-/// As a share of those of a cell that is held altogether, the springs of one whose part f is held: it bends like one of length (1 - f) h, which
-/// springs of E / h f / (1 - f) per area of its free face make of it, in series with those that hold a cell altogether. Lumped at the nodes, half of a
-/// cell's springs are there. So the free length moves evenly through the cells, which springs of f alone would hold nearly rigidly.
-double held_share(double f, double relative_modulus) {
-    const double springs = 2.0 * relative_modulus / stiffer_than_material * f;
-    return f < 1.0 ? springs / (1.0 - f + springs) : 1.0;
+/// How far in front of the clamp the first node lies that a marker or a muscle hangs on.
+double first_load(const EffectSite& site, const Model& model, const ClampAxis& clamp) {
+    const VolumeMesh& mesh = model.body->mesh;
+    double first = farthest * clamp.length_m;
+    const auto at = [&](int node) { first = std::min(first, clamp.ahead(mesh.nodes.col(node))); };
+    for (const MarkerBinding& marker : site.markers) std::for_each(marker.nodes.begin(), marker.nodes.end(), at);
+    for (const FibreGroup& group : *model.fibres)
+        for (const FibrePoint& point : group.points)
+            for (const int node : mesh.cells.col(point.cell)) at(node);
+    return first;
 }
 
-/// Everything inside the clamp is released, and what still holds is tied to its place cell by cell.
+/// The clamp stands further back: what it holds moves there, and the cells in front of it reach as far, those next to it alone or all that carry nothing. So the
+/// free length grows evenly, with the same unknowns, whether it is a part of a cell or several, and the cells at the clamp hardly change, which hold a nearly
+/// incompressible body the firmer the shorter they are.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    const Body& body = *site.body;
     const ClampAxis clamp = clamp_axis(site);
     const double free_m = std::min(number(parameters, length), clamp.held_m);
-    if (!(free_m > 0.0) || !(clamp.held_m > 0.0)) return;
-    const double edge = clamp.begin_m - clamp.sign * free_m;
-    std::vector<int> released;
-    for (int i = 0; i < body.node_count(); ++i)
-        if (body.clamped[static_cast<std::size_t>(i)] && clamp.sign * (body.mesh.nodes(clamp.axis, i) - edge) > -0.5 * clamp.held_m) released.push_back(i);
-    Box held = bounding_box(body.mesh.nodes);
-    (clamp.sign > 0.0 ? held.highest : held.lowest)(clamp.axis) = edge;
-    const Moduli& material = affected.model.moduli.front();
-    const double spread = std::cbrt(body.unit_mass.sum() / body.cell_count());
-    const double relative_modulus = young_from_moduli(material).youngs_modulus_Pa / material.mu;
-    const Eigen::VectorXd share = volume_fractions(body.mesh, held).unaryExpr([&](double f) { return held_share(f, relative_modulus); });
-    affected.model.body = released_body(*affected.model.body, released);
-    affected.model.force_elements.push_back(anchorage(body, share, stiffer_than_material * material.mu / (spread * spread)));
+    if (!(free_m > 0.0)) return;
+    Model& model = affected.model;
+    const VolumeMesh declared = model.body->mesh;
+    const double reach = first_load(site, model, clamp);
+    const std::vector<bool>& held = site.body->clamped;
+    Eigen::Vector3d back = Eigen::Vector3d::Zero();
+    back(clamp.axis) = -clamp.sign * free_m;
+    const auto moved = [&](Eigen::Matrix3Xd nodes) {
+        for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
+            const double ahead = clamp.ahead(declared.nodes.col(i));
+            if (held[static_cast<std::size_t>(i)]) nodes.col(i) += back;
+            else if (reach > 0.0) nodes.col(i) += std::clamp(1.0 - ahead / reach, 0.0, 1.0) * back;
+        }
+        return nodes;
+    };
+
+    model.body = on_nodes(*model.body, moved(declared.nodes));
+    auto fibres = std::make_shared<std::vector<FibreGroup>>();
+    for (const FibreGroup& group : *model.fibres) fibres->push_back(moved_fibres(declared, model.body->mesh, group));
+    model.fibres = fibres;
+    Eigen::Matrix3Xd& start = affected.options.initial.positions;
+    if (start.size() > 0) start = moved(start);
+
+    // Nobody moved the markers on the first cells.
+    for (std::size_t m = 0; m < site.markers.size(); ++m) {
+        const MarkerBinding& marker = site.markers[m];
+        double share = 0.0;
+        for (std::size_t a = 0; a < marker.nodes.size(); ++a)
+            if (held[static_cast<std::size_t>(marker.nodes[a])]) share += marker.weights(static_cast<Eigen::Index>(a));
+        if (share != 0.0) affected.seen.shifts.push_back({m, -share * back, -std::numeric_limits<double>::infinity()});
+    }
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
@@ -48,7 +70,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     // A clamp that is a face alone has no part that could slip.
     if (clamp.held_m > 0.0)
-        for (const double part : {0.25, 0.6}) list.push_back(probe({{length, part * clamp.held_m}}, length));
+        for (const double part : {0.05, 0.5}) list.push_back(probe({{length, part * clamp.held_m}}, length));
     return list;
 }
 

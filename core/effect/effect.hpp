@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dynamics/simulate.hpp"
+#include "measurement/marker_binding.hpp"
 #include "measurement/observation_error.hpp"
 #include "mesh/surface_mesh.hpp"
 
@@ -53,6 +54,7 @@ struct EffectSite {
     Box held;                                           // the clamp
     std::vector<std::string> marker_names;
     std::vector<Eigen::Vector3d> marker_rest_m;
+    std::vector<MarkerBinding> markers;                 // on the body's cells
     std::vector<std::string> muscle_names;
     std::string trial;
     double session_time_s = 0.0;

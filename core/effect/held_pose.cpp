@@ -16,9 +16,9 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     Vector3d end = Vector3d::Zero();
     if (std::holds_alternative<Eigen::VectorXd>(parameters.at(offset))) end = vector(parameters, offset);
     else end = number(parameters, offset) * up;
-    Eigen::Matrix3Xd x = affected.options.initial.positions.size() > 0 ? affected.options.initial.positions : site.body->mesh.nodes;
+    Eigen::Matrix3Xd x = affected.options.initial.positions.size() > 0 ? affected.options.initial.positions : affected.model.body->mesh.nodes;
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
-        const double s = clamp.sign * (site.body->mesh.nodes(clamp.axis, i) - clamp.begin_m) / clamp.length_m;
+        const double s = clamp.ahead(site.body->mesh.nodes.col(i)) / clamp.length_m;
         if (s > 0.0) x.col(i) += 0.5 * s * s * (3.0 - s) * end;
     }
     affected.options.initial.positions = std::move(x);

@@ -32,6 +32,9 @@ struct ClampAxis {
     double begin_m = 0.0;    // coordinate of the clamp's last held plane
     double length_m = 0.0;   // from there to the body's end
     double held_m = 0.0;     // depth of the clamp
+
+    /// How far in front of the last held plane a point lies; negative within the clamp [m].
+    double ahead(const Eigen::Vector3d& point_m) const { return sign * (point_m(axis) - begin_m); }
 };
 ClampAxis clamp_axis(const EffectSite& site);
 

@@ -15,6 +15,7 @@ EffectSite effect_site(const Study& study, std::size_t index) {
     site.held = experiment.clamp_box_m;
     site.marker_names = study.marker_names;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) site.marker_rest_m.push_back(marker.rest_m);
+    site.markers = study.markers.bindings;
     for (const MuscleDeclaration& muscle : experiment.muscles) site.muscle_names.push_back(muscle.name);
     site.trial = trial.name;
     site.session_time_s = experiment.trials[index].session_time_s;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "dynamics/creep.hpp"
+#include "dynamics/start_state.hpp"
 
 namespace myo {
 namespace {
@@ -23,7 +24,7 @@ Sparse difference(const Sparse& over, const Sparse& under, double width) {
 }
 
 VectorXd stage_strains(const Model& model, const Stage& stage, const Matrix3Xd& x) {
-    VectorXd result = strains(*model.body, x);
+    VectorXd result = strains(*model.body, held_by(*model.body, x));
     if (model.creep) result = with_dashpots(*model.creep, stage.rate_factor_1_s, result, stage.rate_history);
     return result;
 }
@@ -46,7 +47,15 @@ void soften(ModelChange& change, const VectorXd& factors) {
 }
 
 VectorXd held_residual_change(const ModelChange& change, const Stage& stage, const Matrix3Xd& x) {
-    const auto residual = [&](const StageConstants& side) { return StageProblem(side, stage).evaluate(x, HessianKind::none).residual; };
+    const auto residual = [&](const StageConstants& side) {
+        const Matrix3Xd held = held_by(*side.model->body, x);
+        if (held == x) return StageProblem(side, stage).evaluate(x, HessianKind::none).residual;
+        // A clamp that stands elsewhere has stood there all the time.
+        Stage standing = stage;
+        standing.constant += stage.inertia_1_s2 * times_mass(held - x, side.mass);
+        if (standing.velocity_history.size() > 0) standing.velocity_history -= stage.rate_factor_1_s * (held - x);
+        return StageProblem(side, standing).evaluate(held, HessianKind::none).residual;
+    };
     return (residual(change.over) - residual(change.under)) / change.pair->width;
 }
 

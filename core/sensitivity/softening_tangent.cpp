@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dynamics/start_state.hpp"
 #include "model/cell_energy.hpp"
 
 namespace myo {
@@ -18,7 +19,7 @@ void raise_peaks(const Model& model, const Matrix3Xd& x, const NodalColumns& dx,
     for (Index p = 0; p < count; ++p) {
         const ModelPair& pair = pairs[static_cast<std::size_t>(p)];
         const Matrix3Xd half = 0.5 * pair.width * nodal_column(dx, p);
-        derivative.col(p) = (isochoric_energy_densities(pair.over, x + half) - isochoric_energy_densities(pair.under, x - half)) / pair.width;
+        derivative.col(p) = (isochoric_energy_densities(pair.over, held_by(*pair.over.body, x + half)) - isochoric_energy_densities(pair.under, held_by(*pair.under.body, x - half))) / pair.width;
     }
     if (peaks.energy_J_m3.size() == 0) peaks = {VectorXd::Zero(now.size()), MatrixXd::Zero(now.size(), count)};
     for (Index c = 0; c < now.size(); ++c)

@@ -176,7 +176,7 @@ private:
             const double width = pair ? pair->width : most > 0.0 ? 1e-3 * size / most : 1.0;
             const auto at = [&](const Model& model, double side) {
                 Kinematics beside;
-                beside.x = state.x + 0.5 * side * width * moved;
+                beside.x = held_by(*model.body, state.x + 0.5 * side * width * moved);
                 beside.v = state.v;
                 set_start_strains(model, options_.start, beside);
                 return beside;

@@ -108,12 +108,13 @@ TEST(EffectTangents, AreThoseOfTheWholeRunForEveryEffectOfTheCatalogue) {
     test::record("worst_relative_error", errors.back());
 }
 
-/// What changes a run beyond the forces at a position: inertia, memory, shapes at rest and starts.
+/// What changes a run beyond the forces at a position: inertia, memory, shapes at rest, what is held and starts.
 TEST(EffectTangents, HoldForEveryIntegratorFromAnEquilibriumAndWithAVelocityForce) {
     const std::vector<EffectDeclaration> effects{
         {"point_mass", {{"mass_kg", 0.01}, {"position_m", VectorXd(Eigen::Vector3d(0.11, 0.01, 0.03))}}, false}, {"hung_mass", {{"inertia_ratio", 0.5}}, false},
         {"viscoelastic_creep", {{"modulus_ratio", 0.3}, {"relaxation_time_s", 0.02}}, false}, {"stress_softening", {{"damage_max", 0.4}, {"energy_scale_J_m3", 20.0}}, false},
-        {"intrinsic_curvature", {{"curvature_1_m", 0.5}, {"axis", 2.0}}, false}, {"clamp_compliance", {{"stiffness_Pa_per_m", 2e7}}, false}};
+        {"intrinsic_curvature", {{"curvature_1_m", 0.5}, {"axis", 2.0}}, false}, {"clamp_compliance", {{"stiffness_Pa_per_m", 2e7}}, false},
+        {"clamp_slip", {{"free_length_m", 0.006}}, false}};
     for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler, Integrator::bdf2, Integrator::trapezoidal, Integrator::generalized_alpha})
         for (const StartKind start : {StartKind::straight, StartKind::equilibrium}) {
             std::vector<double> errors;

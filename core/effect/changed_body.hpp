@@ -9,4 +9,7 @@ namespace myo {
 /// The same body, free at nodes that were clamped.
 BodyPointer released_body(const Body& body, const std::vector<int>& nodes);
 
+/// The same body with its nodes elsewhere at rest, 3 x n [m]: the same cells, held at the same nodes.
+BodyPointer on_nodes(const Body& body, Eigen::Matrix3Xd nodes_m);
+
 }  // namespace myo

@@ -1,0 +1,23 @@
+#include "effect/changed_body.hpp"
+
+#include <utility>
+
+namespace myo {
+
+BodyPointer released_body(const Body& body, const std::vector<int>& nodes) {
+    auto released = std::make_shared<Body>(body);
+    for (const int node : nodes) released->clamped[static_cast<std::size_t>(node)] = false;
+    released->pattern = block_pattern(released->mesh, released->clamped);
+    return released;
+}
+
+BodyPointer on_nodes(const Body& body, Eigen::Matrix3Xd nodes_m) {
+    VolumeMesh mesh = body.mesh;
+    mesh.nodes = std::move(nodes_m);
+    std::vector<int> held;
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) held.push_back(i);
+    return make_body(std::move(mesh), body.kind, held);
+}
+
+}  // namespace myo

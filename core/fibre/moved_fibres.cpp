@@ -1,0 +1,27 @@
+#include "fibre/moved_fibres.hpp"
+
+#include <Eigen/LU>
+
+#include <cassert>
+#include <utility>
+
+namespace myo {
+
+FibreGroup moved_fibres(const VolumeMesh& from, const VolumeMesh& to, FibreGroup group) {
+    assert(from.cells.cols() == to.cells.cols() && group.gradients.size() == group.points.size());
+    for (std::size_t k = 0; k < group.points.size(); ++k) {
+        FibrePoint& point = group.points[k];
+        const auto cell = from.cells.col(point.cell);
+        if (to.nodes(Eigen::all, cell) == from.nodes(Eigen::all, cell)) continue;
+        auto& gradient = group.gradients[k];
+        const Eigen::Matrix3Xd X = to.nodes(Eigen::all, cell);
+        const Eigen::Matrix3d moved = X * gradient;   // dX' / dX
+        const Eigen::Vector3d direction = (X * point.shape).normalized();
+        gradient = (gradient * moved.inverse()).eval();
+        point.shape = gradient * direction;
+        point.volume *= moved.determinant();
+    }
+    return group;
+}
+
+}  // namespace myo
