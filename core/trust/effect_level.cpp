@@ -92,7 +92,7 @@ std::optional<EffectDeclaration> visible_effect(const SyntheticCase& c, const Ef
             last_level = found->first_order;
             next = amount * std::pow(wanted / found->first_order, 1.0 / power);
         }
-        next = std::clamp(next, draw.lowest, draw.highest);
+        next = std::clamp(next, draw.lowest, most_amount(c));
         if (next == amount) return {};
         effect = with_amount(effect, next);
         found = levels.of(effect);

@@ -84,6 +84,9 @@ EffectParameters swapped(const SyntheticCase& c, RandomStream& random) {
     return {{"markers", std::vector<std::string>{marker_name(first), marker_name(second)}}, {"time_s", some_time(c, random)}, {"trial", some_fit_trial(c, random)}};
 }
 
+/// A clamp that still holds.
+double most_slip(const SyntheticCase& c) { return 0.8 * c.body.held_m; }
+
 constexpr EffectNeeds none{}, muscles{.muscles = true}, straight{.straight_start = true};
 
 const std::map<std::string, EffectDraw>& draws() {
@@ -96,7 +99,7 @@ const std::map<std::string, EffectDraw>& draws() {
         {"hung_mass", {{.hung_weight = true}, "inertia_ratio", 0.1, 3.0, true, nothing}},
         {"gravity_tilt", {none, "tilt_deg", 0.5, 20.0, true, level_axis}},
         {"clamp_compliance", {none, "stiffness_Pa_per_m", 5e5, 1e9, false, nothing}},
-        {"clamp_slip", {{.deep_clamp = true}, "free_length_m", 1e-3, 0.02, true, nothing}},
+        {"clamp_slip", {{.deep_clamp = true}, "free_length_m", 1e-3, 0.02, true, nothing, most_slip}},
         {"held_pose", {straight, "offset_m", 3e-4, 0.02, true, held}},
         {"extra_damping", {{.known_damping = true}, "excess_damping_s", 2e-4, 0.03, true, nothing}},
         {"viscoelastic_creep", {none, "modulus_ratio", 0.02, 2.0, true, creep}},
@@ -132,6 +135,11 @@ bool has_sign(const std::string& id) {
 const EffectDraw* find_effect_draw(const std::string& id) {
     const auto at = draws().find(id);
     return at == draws().end() ? nullptr : &at->second;
+}
+
+double most_amount(const SyntheticCase& c) {
+    const EffectDraw& draw = *find_effect_draw(c.effect->id);
+    return draw.most ? std::min(draw.highest, draw.most(c)) : draw.highest;
 }
 
 EffectDeclaration drawn_effect(const std::string& id, const SyntheticCase& c, RandomStream& random) {

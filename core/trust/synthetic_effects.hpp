@@ -22,7 +22,11 @@ struct EffectDraw {
     double lowest = 0.0, highest = 0.0;   // plausible sizes of the amount
     bool grows = true;             // larger with a larger amount
     EffectParameters (*others)(const SyntheticCase&, RandomStream&) = nullptr;   // all but the amount
+    double (*most)(const SyntheticCase&) = nullptr;   // that a body can have of it; null: as many as is plausible
 };
+
+/// The largest amount of a case's own effect, which is in the catalogue.
+double most_amount(const SyntheticCase& c);
 
 /// Null for an id that is not in the catalogue.
 const EffectDraw* find_effect_draw(const std::string& id);
