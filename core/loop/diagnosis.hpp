@@ -18,7 +18,7 @@ namespace myo {
 
 struct DiagnoseSettings {
     double alpha = 0.01;                          // false-alarm rate of the significance tests, all together
-    int refits = 8;                               // candidates that are fitted after the score test
+    int refits = 10;                              // candidates that are fitted after the score test
     int pairs = 5;                                // seconds that are fitted beside the best one
     bool refine_mesh = true;                      // bound and take off the mesh's error
     std::vector<std::string> without;             // effects that may not be named

@@ -19,13 +19,13 @@ constexpr double sure_base = 0.8;
 constexpr std::size_t settled_candidates = 2;
 /// Those that leave at most so many times the squares of the best compete with it.
 constexpr double close_rival = 1.5;
-/// Where nothing explains the residual so many fits go on so far.
-constexpr std::size_t polished_candidates = 3;
+/// Where nothing explains the residual so many fits go on so far; of those that compete with the best so many.
+constexpr std::size_t polished_candidates = 3, polished_rivals = 5;
 /// Of a first round of fits those go on that leave at most so many times the squares of the best.
 constexpr double hopeful = 4.0;
-/// Once the best candidate has been found to explain all, no probe that takes away less than the first share of what the best does is worth a fit; once
-/// it leaves at most so much of the squares, and systematic ones like noise, less than the second.
-constexpr double worth_beside_all = 0.4, worth_beside_most = 0.25, most_of_all = 0.5, like_noise = 1.0;
+/// Once the best candidate has been found to explain all, or leaves at most so much of the squares and systematic ones like noise, no probe that takes away less
+/// than this share of what the best does is worth a fit. What is bent by the declared fit hides up to two thirds of what a right one takes away.
+constexpr double worth_beside = 0.25, most_of_all = 0.5, like_noise = 1.0;
 /// A fit that leaves less than this share of what noise does not make of the declared one's squares is nearer to the truth than that.
 constexpr double far_better = 0.3;
 /// A candidate whose fit leaves more than this share of the squares has perhaps not found its way.
@@ -119,12 +119,25 @@ bool settle_the_best(DiagnosisWork& work) {
     return true;
 }
 
+/// A fit that had to do with secants, or with few evaluations, goes on with derivatives of its own. False: cancelled.
+bool polish(DiagnosisWork& work, JudgedFit& found) {
+    if (found.numerics || (found.fit.report.jacobians > 1 && found.fit.report.converged())) return true;
+    JointFit again = work.fit("refit", found.fit.values, polish_effort);
+    if (work.progress.cancelled()) return false;
+    if (again.usable() && again.squares() < found.fit.squares()) found = judged(work.result.data, std::move(again), work.result.settings);
+    else found.fit.report.jacobians += again.report.jacobians;   // as many were spent on it
+    return true;
+}
+
 /// Fits that leave hardly more than the best are compared on equal terms: each with the numerical error of its own motion, as that of the declared fit's is
 /// nearer to the motion of one than of another (a delayed signal bends between steps, drag and damping act on other speeds).
 bool settle_rivals(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     const double best = least_left(result);
     const auto competes = [&](const Candidate& candidate) { return candidate.judged && candidate.judged->fit.squares() <= close_rival * best; };
+    for (std::size_t i = 0; i < std::min(polished_rivals, result.candidates.size()); ++i)
+        if (competes(result.candidates[i]) && !polish(work, *result.candidates[i].judged)) return false;
+    order_candidates(result);
     const std::size_t count = std::min(settled_candidates + 1, result.candidates.size());
     const std::ptrdiff_t rivals = std::count_if(result.candidates.begin(), result.candidates.begin() + static_cast<std::ptrdiff_t>(count), competes);
     if (rivals < 2) return true;
@@ -137,17 +150,13 @@ bool settle_rivals(DiagnosisWork& work) {
     return true;
 }
 
-/// Where nothing explains the residual: the best ones that had to do with secants, or with few evaluations, go on with derivatives of their own.
-bool polish(DiagnosisWork& work) {
+/// Where nothing explains the residual, the best ones are polished.
+bool polish_the_best(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     const std::size_t count = explained(result) ? 0 : std::min(polished_candidates, result.candidates.size());
     for (std::size_t i = 0; i < count; ++i) {
         std::optional<JudgedFit>& found = result.candidates[i].judged;
-        if (!found || found->numerics || (found->fit.report.jacobians > 1 && found->fit.report.converged())) continue;
-        JointFit again = work.fit("refit", found->fit.values, polish_effort);
-        if (work.progress.cancelled()) return false;
-        if (again.usable() && again.squares() < found->fit.squares()) found = judged(result.data, std::move(again), result.settings);
-        else found->fit.report.jacobians += again.report.jacobians;   // as many were spent on it
+        if (found && !polish(work, *found)) return false;
     }
     return count == 0 || settle_the_best(work);
 }
@@ -157,7 +166,7 @@ std::size_t worth_going_on(const Diagnosis& result, const std::vector<CandidateS
     const JudgedFit* const best = !result.candidates.empty() && result.candidates.front().judged ? &*result.candidates.front().judged : nullptr;
     const bool mostly = best && best->fit.squares() < most_of_all * result.declared.fit.squares() && best->tests.systematic.rms < like_noise;
     if (!surely && !mostly) return starts.size();
-    const double worth = (surely ? worth_beside_all : worth_beside_most) * starts.front().promise;
+    const double worth = worth_beside * starts.front().promise;
     std::size_t last = std::min(first_fits, starts.size());
     while (last < starts.size() && starts[last].promise > worth) ++last;
     return last;
@@ -184,7 +193,7 @@ bool refit_by_large_probes(Search& search) {
                 candidate.score = scores[i];
                 starts.push_back(start_of(scores[i]));
             }
-    return starts.empty() || (refit(search, starts, 0, starts.size()) && settle_the_best(work) && polish(work));
+    return starts.empty() || (refit(search, starts, 0, starts.size()) && settle_the_best(work) && polish_the_best(work));
 }
 
 }  // namespace
@@ -198,7 +207,7 @@ bool search_effects(DiagnosisWork& work) {
     work.show();
     std::vector<CandidateStart> starts;
     for (const std::size_t i : worth_fitting(scores, result.settings.refits)) starts.push_back(start_of(scores[i]));
-    if (!refit(search, starts, 0, std::min(first_fits, starts.size())) || !settle_the_best(work) || !polish(work)) return false;
+    if (!refit(search, starts, 0, std::min(first_fits, starts.size())) || !settle_the_best(work) || !polish_the_best(work)) return false;
     const bool surely = explained(result, Leniency::strict);
     const bool faint = is_faint(result.declared, result.data, result.numerics);   // what hardly shows is not worth a long search
     const std::size_t last = worth_going_on(result, starts, surely);
@@ -210,7 +219,7 @@ bool search_effects(DiagnosisWork& work) {
     }
     if (!refit(search, starts, std::min(first_fits, last), starts.size())) return false;
     if (!explained(result, Leniency::strict) && !faint && !refit_elsewhere(search, scores)) return false;
-    if (!explained(result) && !faint && (!settle_the_best(work) || !polish(work))) return false;
+    if (!explained(result) && !faint && (!settle_the_best(work) || !polish_the_best(work))) return false;
     if (!explained(result) && !faint && !refit_by_large_probes(search)) return false;
     if (!settle_rivals(work)) return false;
     find_confusions(result);
