@@ -26,42 +26,43 @@ double first_load(const EffectSite& site, const Model& model, const ClampAxis& c
     return first;
 }
 
-/// The clamp stands further back: what it holds moves there, and the cells in front of it reach as far, those next to it alone or all that carry nothing. So the
-/// free length grows evenly, with the same unknowns, whether it is a part of a cell or several, and the cells at the clamp hardly change, which hold a nearly
-/// incompressible body the firmer the shorter they are.
+/// Of its depth the clamp's far end takes up the slip by at least so much, more where the slip is long; and what is left of the clamp.
+constexpr double least_taken_up = 0.5, left_of_depth = 0.05;
+
+/// How far nodes lie from their places in a body whose clamp stands further back, 3 x n [m]: what is held moves there, its far end stays, and the cells in front
+/// reach as far, those next to the clamp alone or all that carry nothing. So the free length grows evenly, with the same unknowns, whether it is a part of a
+/// cell or several, and the cells at the clamp hardly change, which hold a nearly incompressible body the firmer the shorter they are.
+Eigen::Matrix3Xd set_back(const EffectSite& site, const Model& model, const ClampAxis& clamp, double free_m) {
+    const Eigen::Matrix3Xd& X = model.body->mesh.nodes;
+    const double reach = first_load(site, model, clamp), taken_up_m = std::clamp(free_m / (1.0 - 2.0 * left_of_depth), least_taken_up * clamp.held_m, clamp.held_m);
+    Eigen::Matrix3Xd shift = Eigen::Matrix3Xd::Zero(3, X.cols());
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+        const double ahead = clamp.ahead(X.col(i));
+        const bool held = site.body->clamped[static_cast<std::size_t>(i)];
+        const double part = held ? std::min(1.0, (clamp.held_m + ahead) / taken_up_m) : reach > 0.0 ? std::clamp(1.0 - ahead / reach, 0.0, 1.0) : 0.0;
+        shift(clamp.axis, i) = -clamp.sign * part * free_m;
+    }
+    return shift;
+}
+
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const ClampAxis clamp = clamp_axis(site);
-    const double free_m = std::min(number(parameters, length), clamp.held_m);
+    const double free_m = std::min(number(parameters, length), (1.0 - left_of_depth) * clamp.held_m);
     if (!(free_m > 0.0)) return;
     Model& model = affected.model;
     const VolumeMesh declared = model.body->mesh;
-    const double reach = first_load(site, model, clamp);
-    const std::vector<bool>& held = site.body->clamped;
-    Eigen::Vector3d back = Eigen::Vector3d::Zero();
-    back(clamp.axis) = -clamp.sign * free_m;
-    const auto moved = [&](Eigen::Matrix3Xd nodes) {
-        for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
-            const double ahead = clamp.ahead(declared.nodes.col(i));
-            if (held[static_cast<std::size_t>(i)]) nodes.col(i) += back;
-            else if (reach > 0.0) nodes.col(i) += std::clamp(1.0 - ahead / reach, 0.0, 1.0) * back;
-        }
-        return nodes;
-    };
-
-    model.body = on_nodes(*model.body, moved(declared.nodes));
+    const Eigen::Matrix3Xd shift = set_back(site, model, clamp, free_m);
+    model.body = on_nodes(*model.body, declared.nodes + shift);
     auto fibres = std::make_shared<std::vector<FibreGroup>>();
     for (const FibreGroup& group : *model.fibres) fibres->push_back(moved_fibres(declared, model.body->mesh, group));
     model.fibres = fibres;
     Eigen::Matrix3Xd& start = affected.options.initial.positions;
-    if (start.size() > 0) start = moved(start);
+    if (start.size() > 0) start += shift;
 
-    // Nobody moved the markers on the first cells.
+    // Nobody moved the markers on the cells at the clamp.
     for (std::size_t m = 0; m < site.markers.size(); ++m) {
-        const MarkerBinding& marker = site.markers[m];
-        double share = 0.0;
-        for (std::size_t a = 0; a < marker.nodes.size(); ++a)
-            if (held[static_cast<std::size_t>(marker.nodes[a])]) share += marker.weights(static_cast<Eigen::Index>(a));
-        if (share != 0.0) affected.seen.shifts.push_back({m, -share * back, -std::numeric_limits<double>::infinity()});
+        const Eigen::Vector3d moved = shift(Eigen::all, site.markers[m].nodes) * site.markers[m].weights;
+        if (!moved.isZero(0.0)) affected.seen.shifts.push_back({m, -moved, -std::numeric_limits<double>::infinity()});
     }
 }
 

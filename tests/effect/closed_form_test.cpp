@@ -85,7 +85,8 @@ TEST(EffectForms, ASlippingClampLeavesMusclesAndMarkersAtRest) {
     const double free_m = 0.006;
     const Affected slipped = test::with_effect(beam, "clamp_slip", {{"free_length_m", free_m}});
     const Body& body = *slipped.model.body;
-    EXPECT_NEAR(cell_volumes(body.mesh).sum(), cell_volumes(beam.site.body->mesh).sum() + 9e-4 * free_m, 1e-12);
+    EXPECT_NEAR(cell_volumes(body.mesh).sum(), cell_volumes(beam.site.body->mesh).sum(), 1e-12);
+    EXPECT_GT(cell_volumes(test::with_effect(beam, "clamp_slip", {{"free_length_m", 1.0}}).model.body->mesh).minCoeff(), 0.0);   // something stays held
     const Eigen::Matrix3d stretch = Eigen::Vector3d(1.2, 0.9, 1.0).asDiagonal();
     const Eigen::Matrix3Xd x = stretch * body.mesh.nodes;
     for (std::size_t g = 0; g < slipped.model.fibres->size(); ++g) {
