@@ -1,6 +1,8 @@
 #include "effect/catalogue.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "effect/effects.hpp"
 
@@ -53,11 +55,15 @@ std::vector<std::string> effect_ids() {
 }
 
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected) {
+    std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
     for (const EffectDeclaration& declaration : effects) {
-        const Effect* const effect = find_effect(declaration.id);
-        assert(effect != nullptr);
-        if (acts_on(site, declaration.parameters)) effect->apply(site, declaration.parameters, affected);
+        order.emplace_back(find_effect(declaration.id), &declaration);
+        assert(order.back().first != nullptr);
     }
+    // Stress-free shapes are those of the cells as they are held, whichever was declared first.
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first->stage < b.first->stage; });
+    for (const auto& [effect, declaration] : order)
+        if (acts_on(site, declaration->parameters)) effect->apply(site, declaration->parameters, affected);
 }
 
 }  // namespace myo

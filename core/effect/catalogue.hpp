@@ -15,7 +15,7 @@ const Effect* find_effect(const std::string& id);
 
 std::vector<std::string> effect_ids();
 
-/// Applies effects in their order. Asserts that they are of the catalogue.
+/// Applies effects stage by stage, within a stage in their order. Asserts that they are of the catalogue.
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected);
 
 }  // namespace myo

@@ -22,7 +22,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     const Eigen::Index along = clamp_axis(site).axis;
     const Eigen::RowVectorXd s = site.body->mesh.nodes.row(across);
     const double middle = 0.5 * (s.minCoeff() + s.maxCoeff());
-    VolumeMesh free_cells = exploded(site.body->mesh);
+    VolumeMesh free_cells = exploded(affected.model.body->mesh);
     const Eigen::Index per_cell = free_cells.cells.rows();
     for (Eigen::Index c = 0; c < free_cells.cells.cols(); ++c) {
         auto nodes = free_cells.nodes.middleCols(c * per_cell, per_cell);

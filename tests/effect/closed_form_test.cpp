@@ -100,6 +100,16 @@ TEST(EffectForms, ASlippingClampLeavesMusclesAndMarkersAtRest) {
     EXPECT_LT((seen_tracks(slipped.seen, tracks, Eigen::VectorXd::Zero(1))[0] - on_first_cell).norm(), 1e-12);
 }
 
+TEST(EffectForms, ASlippingClampAndACurvatureMakeALongerArcInEitherOrder) {
+    const test::HeldBeam beam = unloaded();
+    const EffectDeclaration slip{"clamp_slip", {{"free_length_m", 0.01}}, false}, curvature{"intrinsic_curvature", {{"curvature_1_m", 1.0}, {"axis", 2.0}}, false};
+    for (const auto& effects : {std::vector{slip, curvature}, std::vector{curvature, slip}}) {
+        Affected affected = beam.affected;
+        apply_effects(beam.site, effects, affected);
+        EXPECT_NEAR(tip_z(beam, affected.model), -(1.0 - std::cos(0.11)), 0.06 * 0.5 * 0.11 * 0.11);
+    }
+}
+
 TEST(EffectForms, AHeldPoseStartsAtItsOffset) {
     const test::HeldBeam beam = test::held_beam();
     const Affected held = test::with_effect(beam, "held_pose", {{"offset_m", Eigen::VectorXd(Eigen::Vector3d(0.0, 0.003, -0.001))}});
