@@ -73,7 +73,7 @@ void print_quantity(const Json& quantity) {
     std::printf("  %*s  %s: %s\n", 71, "", quantity["name"].get<std::string>().c_str(), text.c_str());
 }
 
-void print_row(const Json& row) {
+void print_figures(const Json& row) {
     const auto optional = [&](const char* key) { return row[key].is_null() ? std::string("-") : format_number(row[key].get<double>(), 3); };
     if (row["steps"].get<int>() == 0) {
         std::printf("  %9s %7s %9s %7s %7s %9s %8.1f %7s  %s, %.2f s\n", "-", "-", "-", "-", "-", "-", row["peak_memory_bytes"].get<double>() / 1e6, "-",
@@ -172,7 +172,7 @@ int run_bench(const BenchCall& call) {
                 continue;
             }
             row["peak_memory_bytes"] = process.peak_bytes_over_start;
-            print_row(row);
+            print_figures(row);
             print_split(row);
             rows.push_back(std::move(row));
         }

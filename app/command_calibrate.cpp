@@ -19,7 +19,6 @@ struct CalibrateCall : StudyCall {
     int starts = 1;
 };
 
-const char* const first_evaluation = "the first evaluation was complete";
 const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
 
 std::string parameter_lines(const Calibration& calibration) {

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void print_row(const FrameTimes& times) {
+void print_times(const FrameTimes& times) {
     std::printf("%8zu %8.1f %8.1f %8.1f %8.0f  %s\n", times.ms.size(), times.percentile(0.5), times.percentile(0.95), times.percentile(1.0), times.goal_ms, times.name.c_str());
     std::fflush(stdout);
 }
@@ -35,7 +35,7 @@ int frames_command(const fs::path& json) {
     std::error_code code;
     const fs::path folder = fs::temp_directory_path(code) / ("myoloop-frames-" + std::to_string(::getpid()));
     std::printf("%8s %8s %8s %8s %8s  %s\n", "frames", "median", "95 %", "longest", "goal", "[ms], drawn off screen at 1600 x 900");
-    const Result<FrameBench> bench = bench_frames(folder, progress, print_row);
+    const Result<FrameBench> bench = bench_frames(folder, progress, print_times);
     fs::remove_all(folder, code);
     if (progress.cancelled()) return status_stopped;
     if (!bench) {

@@ -21,8 +21,6 @@ struct OptimizeCall : StudyCall {
     int starts = 1;
 };
 
-const char* const first_evaluation = "the first evaluation was complete";
-
 OptimizeSettings settings_of(const OptimizeCall& call) {
     OptimizeSettings settings;
     settings.frequency_Hz = call.frequency_Hz.value_or(settings.frequency_Hz);

@@ -9,8 +9,8 @@ std::vector<std::string> remembered;
 
 }  // namespace
 
-const std::vector<Command>& commands() {
-    static const std::vector<Command> table{
+const std::vector<Subcommand>& commands() {
+    static const std::vector<Subcommand> table{
         {"simulate", "Runs the trials of an experiment folder with its declared model", declare_simulate},
         {"calibrate", "Fits the declared unknowns of an experiment folder and reports", declare_calibrate},
         {"diagnose", "Finds the physical effect that the declared model lacks, and what it is worth", declare_diagnose},
@@ -30,7 +30,7 @@ const std::vector<Command>& commands() {
 
 std::vector<std::string> command_names() {
     std::vector<std::string> names;
-    for (const Command& command : commands()) names.push_back(command.name);
+    for (const Subcommand& command : commands()) names.push_back(command.name);
     return names;
 }
 

@@ -9,13 +9,13 @@
 namespace myo {
 
 /// A subcommand: a file command_<name>.cpp and a line in commands.cpp.
-struct Command {
+struct Subcommand {
     std::string name;
     std::string summary;
     /// Adds the command's options and returns what it does; that returns the exit status.
     std::function<int()> (*declare)(CLI::App& app);
 };
-const std::vector<Command>& commands();
+const std::vector<Subcommand>& commands();
 std::vector<std::string> command_names();
 
 std::function<int()> declare_simulate(CLI::App& app);

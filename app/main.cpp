@@ -70,7 +70,7 @@ int run(int argc, char** argv) {
     app.add_option("FILE", file, "experiment folder or mesh to open in the workbench")->type_name("");
 
     std::map<const CLI::App*, std::function<int()>> actions;
-    for (const Command& command : commands()) {
+    for (const Subcommand& command : commands()) {
         CLI::App* sub = app.add_subcommand(command.name, command.summary);
         sub->allow_extras();
         actions[sub] = command.declare(*sub);

@@ -42,6 +42,9 @@ struct StudyOpening {
 /// @param first_result  what a user who stops it now does not get: "stopped before <first_result>; nothing was written"
 StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::string& first_result, Console& console, const Progress& progress);
 
+/// What calibrations and searches for signals have first.
+inline constexpr const char* first_evaluation = "the first evaluation was complete";
+
 /// Says so on the console; the exit status of a command stopped before anything was written.
 int stopped_before(const std::string& first_result, Console& console);
 

@@ -18,7 +18,7 @@
 namespace myo {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double nothing_known = std::numeric_limits<double>::quiet_NaN();
 
 ParameterRow parameter_row(const StudyParameter& parameter, const Study& study, double start, double value, double deviation) {
     const ReadableParameter shown = readable_parameter(parameter, study);
@@ -81,8 +81,8 @@ std::vector<ParameterRow> signal_rows(const ActuationProblem& problem, const Eig
     std::vector<ParameterRow> rows;
     for (std::size_t s = 0; s < problem.sought.signals.size(); ++s) {
         const auto row = static_cast<Eigen::Index>(s);
-        rows.push_back({problem.sought.signals[s].name + ", least a", "", start.row(row).minCoeff(), values.row(row).minCoeff(), unknown});
-        rows.push_back({problem.sought.signals[s].name + ", greatest a", "", start.row(row).maxCoeff(), values.row(row).maxCoeff(), unknown});
+        rows.push_back({problem.sought.signals[s].name + ", least a", "", start.row(row).minCoeff(), values.row(row).minCoeff(), nothing_known});
+        rows.push_back({problem.sought.signals[s].name + ", greatest a", "", start.row(row).maxCoeff(), values.row(row).maxCoeff(), nothing_known});
     }
     return rows;
 }
@@ -173,7 +173,7 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
         view.log.push_back(std::isfinite(step.cost) ? SearchPoint{step.cost, step.rms_m, step.gradient_norm} : SearchPoint{});
         if (step.best) {
             view.parameters.clear();
-            for (const StudyParameter& p : parameters) view.parameters.push_back(parameter_row(p, *study, value_of(p, declared), value_of(p, step.values), unknown));
+            for (const StudyParameter& p : parameters) view.parameters.push_back(parameter_row(p, *study, value_of(p, declared), value_of(p, step.values), nothing_known));
             view.settings = settings;
             view.settings.youngs_modulus_Pa = step.values.youngs_modulus_Pa;
             view.settings.damping_s = step.values.damping_s;
@@ -236,7 +236,7 @@ Result<SearchResult> optimize_scene(const Scene& scene, const MeshedBody& body, 
     result.warnings = found.warnings;
     if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;
     result.parameters = signal_rows(*problem, found.fit.start, found.fit.values);
-    for (ParameterRow& row : result.parameters) row.deviation = unknown;
+    for (ParameterRow& row : result.parameters) row.deviation = nothing_known;
     result.notes = {"Signals follow " + request.trial + "; they are those of the muscles now, in all trials."};
     result.rms_before_m = found.before.fit_rms_m;
     result.rms_after_m = found.after.fit_rms_m;

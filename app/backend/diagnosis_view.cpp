@@ -20,7 +20,7 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* declared_key = "declared";
 constexpr const char* missing_force_key = "missing force";
 constexpr int about_patches = 48, about_moments = 48;
@@ -70,7 +70,7 @@ std::vector<std::vector<Matrix3Xd>> on_samples(const Study& study, const FitData
     std::vector<std::vector<Matrix3Xd>> result(study.trials.size());
     for (const ResidualSeries& series : data.layout.series) {
         const auto t = static_cast<std::size_t>(series.trial);
-        if (result[t].empty()) result[t].assign(study.marker_names.size(), Matrix3Xd::Constant(3, study.trials[t].measured.sample_count(), unknown));
+        if (result[t].empty()) result[t].assign(study.marker_names.size(), Matrix3Xd::Constant(3, study.trials[t].measured.sample_count(), no_number));
         for (Index k = series.begin; k < series.end; ++k)
             result[t][static_cast<std::size_t>(series.marker)](series.axis, data.layout.sample[static_cast<std::size_t>(k)]) = flat_m(k);
     }
@@ -84,7 +84,7 @@ std::vector<double> rms_of_trials(const Study& study, const FitData& data, const
         squares[static_cast<std::size_t>(series.trial)] += residual.segment(series.begin, series.size()).cwiseProduct(data.noise_m.segment(series.begin, series.size())).squaredNorm();
         count[static_cast<std::size_t>(series.trial)] += static_cast<double>(series.size());
     }
-    for (std::size_t t = 0; t < squares.size(); ++t) result.push_back(count[t] > 0.0 ? std::sqrt(squares[t] / count[t]) : unknown);
+    for (std::size_t t = 0; t < squares.size(); ++t) result.push_back(count[t] > 0.0 ? std::sqrt(squares[t] / count[t]) : no_number);
     return result;
 }
 
@@ -231,7 +231,7 @@ private:
             // To first order, without a fit.
             row.predicted_m = on_samples(study_, d_.data, -candidate.score.predicted.cwiseProduct(d_.data.noise_m));
         }
-        row.explained = candidate.score.usable() ? candidate.score.test.explained : unknown;
+        row.explained = candidate.score.usable() ? candidate.score.test.explained : no_number;
         for (const std::string& like : candidate.like) row.like += (row.like.empty() ? "" : ", ") + name_in_sentence(like);
         return row;
     }

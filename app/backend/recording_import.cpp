@@ -30,7 +30,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
 
 /// Letters and digits in small, so that "Tip - 2" is "tip_2".
 std::string plain(const std::string& name) {
@@ -49,7 +49,7 @@ Eigen::Matrix3d rotation_of(const std::array<int, 3>& axes) {
 /// Places before the start, in the cameras' frame.
 Matrix3Xd places_before(const RecordingFile& file, double start_s) {
     const Result<RestPose> pose = rest_pose_before(*file.recording, start_s);
-    return pose ? pose->positions_m : Matrix3Xd::Constant(3, static_cast<Index>(file.recording->labels.size()), unknown);
+    return pose ? pose->positions_m : Matrix3Xd::Constant(3, static_cast<Index>(file.recording->labels.size()), unseen);
 }
 
 const SceneMarker* declared(const std::vector<SceneMarker>& markers, const std::string& name) {
@@ -142,7 +142,7 @@ ImportView view_recording(const Scene& scene, const RecordingFile& file, const I
     const Matrix3Xd seen = places_before(file, choices.start_s);
     const std::vector<SceneMarker> markers = declared_scene_markers(scene);
     ImportView view;
-    view.target_m = Matrix3Xd::Constant(3, count, unknown);
+    view.target_m = Matrix3Xd::Constant(3, count, unseen);
     std::vector<Index> pairs;
     for (Index i = 0; i < count; ++i) {
         const ImportedMarker& marker = choices.markers[static_cast<std::size_t>(i)];
@@ -176,7 +176,7 @@ ImportView view_recording(const Scene& scene, const RecordingFile& file, const I
     view.residual_m = (view.before_m - view.target_m).colwise().norm();
     double squares = 0.0;
     for (const Index i : pairs) squares += view.residual_m[i] * view.residual_m[i];
-    view.rms_m = pairs.empty() ? unknown : std::sqrt(squares / static_cast<double>(pairs.size()));
+    view.rms_m = pairs.empty() ? unseen : std::sqrt(squares / static_cast<double>(pairs.size()));
     view.problem = problem_of(scene, choices, view);
     return view;
 }
@@ -268,7 +268,7 @@ Result<fs::path> add_recording_trial(const Scene& scene, const Settings& setting
     for (const SceneMarker& own : declared_scene_markers(scene)) {
         const auto found = std::find_if(choices.markers.begin(), choices.markers.end(), [&](const ImportedMarker& m) { return m.name == own.name; });
         // A declared marker that nobody recorded is a gap from beginning to end.
-        add(own.name, found != choices.markers.end() ? placed.tracks[static_cast<std::size_t>(found - choices.markers.begin())] : Matrix3Xd::Constant(3, placed.sample_count(), unknown));
+        add(own.name, found != choices.markers.end() ? placed.tracks[static_cast<std::size_t>(found - choices.markers.begin())] : Matrix3Xd::Constant(3, placed.sample_count(), unseen));
     }
     fs::path folder = declared.folder;
     const bool elsewhere = !choices.folder.empty() && choices.folder != folder;

@@ -67,7 +67,7 @@ void add_cut_tetrahedron(const VolumeMesh& mesh, int cell, const Box& box, const
 }
 
 /// Of less a cell counts as whole: at its own points the fibres bend with it.
-constexpr double whole = 1.0 - 1e-6;
+constexpr double uncut = 1.0 - 1e-6;
 
 }  // namespace
 
@@ -85,7 +85,7 @@ FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Ve
         if (fraction(c) <= 0.0) continue;
         Box cell_box;
         if (mesh.type == CellType::hex8 && axis_aligned(mesh, c, cell_box)) add_box_cell(mesh, c, cell_box, box, direction, group);
-        else if (mesh.type != CellType::hex8 && fraction(c) < whole) add_cut_tetrahedron(mesh, c, box, direction, group);
+        else if (mesh.type != CellType::hex8 && fraction(c) < uncut) add_cut_tetrahedron(mesh, c, box, direction, group);
         else add_whole_cell(mesh, c, fraction(c), [&](const Eigen::Vector3d&) { return direction; }, group);
     }
     return group;

@@ -9,7 +9,7 @@ namespace myo {
 namespace {
 
 /// From this cosine on two effects count as one to this experiment.
-constexpr double alike = 0.97;
+constexpr double inseparable = 0.97;
 /// What is foretold to explain a smaller share of the residual than this part of what the best does is out of the question, unless it fits as well.
 constexpr double worth_naming = 0.3;
 /// Fits that both have this share of the evidence are as good as each other.
@@ -45,7 +45,7 @@ void find_confusions(Diagnosis& d) {
             Candidate& b = d.candidates[j];
             const bool foretold = a.score.usable() && b.score.usable() && std::min(a.score.test.explained, b.score.test.explained) >= worth_naming * most;
             const double cosine = std::max(foretold ? std::abs(principal_cosine(a.score.candidate, b.score.candidate)) : 0.0, cosine_of_fits(a, b, d.declared.fit));
-            if (cosine < alike) continue;
+            if (cosine < inseparable) continue;
             a.like.push_back(b.score.id);
             b.like.push_back(a.score.id);
             d.confusions.push_back({a.score.id, b.score.id, cosine, advice(*find_effect(a.score.id), *find_effect(b.score.id))});

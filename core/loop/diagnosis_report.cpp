@@ -9,6 +9,7 @@
 #include "loop/diagnosis_json.hpp"
 #include "loop/diagnosis_report_parts.hpp"
 #include "project/readable_parameter.hpp"
+#include "report/length.hpp"
 #include "report/markup.hpp"
 
 namespace myo {
@@ -32,15 +33,13 @@ std::string capital(std::string text) {
 }
 
 std::string times_noise(double rms_m, const Diagnosis& d) { return readable_number(rms_m / d.noise_m, 3) + " times the noise"; }
-std::string millimetres(double rms_m) { return readable_number(1e3 * rms_m, 3) + " mm"; }
-
 /// The error that counts: of trials that were predicted, or of the fitted ones where there are no others.
 KeyFigure error_figure(const Diagnosis& d) {
     const bool predicted = std::isfinite(d.after.validation_rms_m) || std::isfinite(d.before.validation_rms_m);
     const double before = predicted ? d.before.validation_rms_m : d.before.fit_rms_m, after = predicted ? d.after.validation_rms_m : d.after.fit_rms_m;
     const std::string label = predicted ? "Error on predicted trials" : "Error on fitted trials";
     if (!has_two_fits(d)) return {label, readable_number(1e3 * before, 3), "mm", times_noise(before, d)};
-    return {label, readable_number(1e3 * after, 3), "mm", times_noise(after, d) + "; before " + millimetres(before) + ", " + times_noise(before, d)};
+    return {label, in_mm(after), "mm", times_noise(after, d) + "; before " + length_words(before) + ", " + times_noise(before, d)};
 }
 
 std::vector<KeyFigure> key_figures(const Study& study, const Diagnosis& d) {
@@ -80,8 +79,8 @@ Section verdict_section(const Study& study, const Diagnosis& d) {
     Section section{"Verdict", {Paragraph{reason(study, d)}}};
     const double before = d.before.validation_rms_m, after = d.after.validation_rms_m;
     if (has_two_fits(d) && std::isfinite(before) && std::isfinite(after))
-        section.blocks.push_back(Paragraph{"On trials that took no part in the search the error " + std::string(after < before ? "falls" : "changes") + " from " + millimetres(before) +
-                                           " (" + times_noise(before, d) + ") to " + millimetres(after) + " (" + times_noise(after, d) + ")."});
+        section.blocks.push_back(Paragraph{"On trials that took no part in the search the error " + std::string(after < before ? "falls" : "changes") + " from " + length_words(before) +
+                                           " (" + times_noise(before, d) + ") to " + length_words(after) + " (" + times_noise(after, d) + ")."});
     if (!d.confusions.empty() && d.verdict.kind == VerdictKind::effects)
         for (const Confusion& c : d.confusions)
             for (const EffectDeclaration& effect : d.verdict.effects)

@@ -34,7 +34,7 @@ std::string mode_words(const ForceMode& mode) {
 
 std::string chart_of(const MissingForce& force) {
     LineChart chart{"", {.label = "time", .unit = "s"}, {}};
-    Panel panel{{.label = "force", .unit = "N", .include_zero = true}, {}, 200.0};
+    ChartPanel panel{{.label = "force", .unit = "N", .include_zero = true}, {}, 200.0};
     for (std::size_t k = 0; k < force.modes.size(); ++k)
         panel.series.push_back({std::to_string(k + 1) + ": " + force.modes[k].where, {force.time_s.begin(), force.time_s.end()},
                                 {force.modes[k].amplitude_N.begin(), force.modes[k].amplitude_N.end()}, SeriesStyle::line, static_cast<int>(k)});

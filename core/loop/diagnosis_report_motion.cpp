@@ -9,6 +9,7 @@
 #include "project/output_motion.hpp"
 #include "project/study_report_parts.hpp"
 #include "report/chart.hpp"
+#include "report/length.hpp"
 
 namespace myo {
 namespace {
@@ -18,11 +19,6 @@ using Eigen::Matrix3Xd;
 
 /// Trials that are shown at once, and markers of each; the others are folded away.
 constexpr std::size_t open_trials = 3, folded_markers = 3;
-
-std::vector<double> in_millimetres(const Eigen::VectorXd& metres) {
-    const Eigen::VectorXd scaled = 1e3 * metres;
-    return {scaled.begin(), scaled.end()};
-}
 
 /// A trial's motion with the declared model and with what the verdict stands on; either may have failed.
 struct TrialMotion {
@@ -65,8 +61,8 @@ std::string overlay(const Study& study, const Diagnosis& d, const TrialMotion& m
     const ComparedMotion& any = motion.before ? *motion.before : *motion.after;
     LineChart chart{study.marker_names[marker], {.label = "time", .unit = "s"}, {}};
     for (Index axis = 0; axis < 3; ++axis) {
-        Panel panel{{.label = std::string(displacement ? "displacement " : "") + "xyz"[axis], .unit = "mm"}, {}, 120.0};
-        const auto row = [&](const std::vector<Matrix3Xd>& tracks) { return in_millimetres(tracks[marker].row(axis).transpose()); };
+        ChartPanel panel{{.label = std::string(displacement ? "displacement " : "") + "xyz"[axis], .unit = "mm"}, {}, 120.0};
+        const auto row = [&](const std::vector<Matrix3Xd>& tracks) { return curve_in_mm(tracks[marker].row(axis).transpose()); };
         if (motion.before) panel.series.push_back({"declared model", motion.time_s, row(motion.before->simulated_m), SeriesStyle::dashed, before_colour});
         if (motion.after) panel.series.push_back({after_words(d), motion.time_s, row(motion.after->simulated_m), SeriesStyle::line, after_colour});
         panel.series.push_back({"measured", motion.time_s, row(any.measured_m), SeriesStyle::dots, ink_colour});
@@ -78,7 +74,7 @@ std::string overlay(const Study& study, const Diagnosis& d, const TrialMotion& m
 std::string residual_over_time(const Study& study, const Diagnosis& d, std::size_t trial, const std::vector<double>& time) {
     const auto samples = static_cast<Index>(time.size());
     LineChart chart{"", {.label = "time", .unit = "s"}, {}};
-    Panel panel{{.label = "residual, rms over the markers", .unit = "× noise", .logarithmic = true}, {}, 150.0};
+    ChartPanel panel{{.label = "residual, rms over the markers", .unit = "× noise", .logarithmic = true}, {}, 150.0};
     const auto add = [&](const StudyRun& run, const std::string& name, SeriesStyle style, int colour) {
         if (run.predictions[trial].ok()) panel.series.push_back({name, time, rms_over_markers(study, run.predictions[trial], samples), style, colour});
     };

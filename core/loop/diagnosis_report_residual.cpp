@@ -35,7 +35,7 @@ std::vector<Compared> compared(const Diagnosis& d) {
 
 std::string spectrum(const Diagnosis& d, int trial) {
     LineChart chart{"", {.label = "frequency", .unit = "Hz"}, {}};
-    Panel panel{{.label = "power over that of white noise", .logarithmic = true}, {}, 190.0};
+    ChartPanel panel{{.label = "power over that of white noise", .logarithmic = true}, {}, 190.0};
     for (const Compared& fit : compared(d)) {
         const Spectrum found = mean_spectrum(*fit.residual, d.data.layout, trial);
         panel.series.push_back({fit.name, numbers(found.frequency_Hz), numbers(found.power), SeriesStyle::line, fit.colour});
@@ -57,7 +57,7 @@ double interval_s(const ResidualLayout& layout, int trial) {
 
 std::string memory(const Diagnosis& d, int trial) {
     LineChart chart{"", {.label = "lag", .unit = "ms"}, {}};
-    Panel panel{{.label = "autocorrelation", .include_zero = true}, {}, 170.0};
+    ChartPanel panel{{.label = "autocorrelation", .include_zero = true}, {}, 170.0};
     double pairs = 0.0;
     for (const Compared& fit : compared(d)) {
         const Autocovariance found = pooled_autocovariance(*fit.residual, d.data.layout, lags, trial);

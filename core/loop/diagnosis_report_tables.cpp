@@ -13,7 +13,7 @@
 namespace myo {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t shown_candidates = 12;
 
 void add_columns(Table& table, const std::vector<Column>& columns) { table.columns.insert(table.columns.end(), columns.begin(), columns.end()); }
@@ -25,7 +25,7 @@ std::vector<Cell> estimate_cells(const JointFit& fit, const StudyParameter& want
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
         if (fit.parameters[i].parameter.name != wanted.parameter.name) continue;
         const auto row = static_cast<Eigen::Index>(i);
-        const double deviation = row < fit.report.deviations.size() ? fit.report.deviations(row) : none;
+        const double deviation = row < fit.report.deviations.size() ? fit.report.deviations(row) : no_value;
         const ReadableEstimate estimate = readable_estimate(shown.factor * value_of(fit.parameters[i], fit.values), shown.factor * deviation);
         return {estimate.value, estimate.deviation.empty() ? "–" : estimate.deviation};
     }
@@ -35,7 +35,7 @@ std::vector<Cell> estimate_cells(const JointFit& fit, const StudyParameter& want
 Table marker_table(const Diagnosis& d, const Study& study, const TrialScore* before, const TrialScore* after) {
     Table table{"", {{"Marker"}, {"Before", "mm", 3}, {"After", "mm", 3}, {"Before", "× noise", 3}, {"After", "× noise", 3}}, {}};
     for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
-        const double b = before != nullptr ? before->markers[m].rms_m : none, a = after != nullptr ? after->markers[m].rms_m : none;
+        const double b = before != nullptr ? before->markers[m].rms_m : no_value, a = after != nullptr ? after->markers[m].rms_m : no_value;
         const double noise = study.noise_m(static_cast<Eigen::Index>(m));
         if (has_two_fits(d)) table.rows.push_back({study.marker_names[m], 1e3 * b, 1e3 * a, b / noise, a / noise});
         else table.rows.push_back({study.marker_names[m], 1e3 * b, b / noise});
@@ -46,7 +46,7 @@ Table marker_table(const Diagnosis& d, const Study& study, const TrialScore* bef
 
 std::vector<Cell> candidate_row(const Study& study, const std::string& name, double explained, double p, const JudgedFit* fit) {
     std::vector<Cell> row{name, 100.0 * explained, p_words(p)};
-    if (fit == nullptr) row.insert(row.end(), {"not fitted", none, none, none, none});
+    if (fit == nullptr) row.insert(row.end(), {"not fitted", no_value, no_value, no_value, no_value});
     else row.insert(row.end(), {fitted_words(study, fit->fit), 1e3 * fit->rms_m, fit->held_out_rms, fit->tests.systematic.rms, fit->weight});
     return row;
 }
@@ -80,7 +80,7 @@ Section error_section(const Study& study, const Diagnosis& d) {
     for (const StudyTrial& trial : study.trials) {
         const TrialScore* const before = find_score(d.before, trial.name);
         const TrialScore* const after = find_score(d.after, trial.name);
-        const double b = before != nullptr ? before->rms_m : none, a = after != nullptr ? after->rms_m : none;
+        const double b = before != nullptr ? before->rms_m : no_value, a = after != nullptr ? after->rms_m : no_value;
         if (two) table.rows.push_back({trial.name, role_words(trial.role), 1e3 * b, 1e3 * a, b / d.noise_m, a / d.noise_m});
         else table.rows.push_back({trial.name, role_words(trial.role), 1e3 * b, b / d.noise_m});
         Table by_marker = marker_table(d, study, before, after);
@@ -120,8 +120,8 @@ Section numerics_section(const Study& study, const Diagnosis& d) {
     Table table{"", {{"Suspect"}, {"How it was tried"}, {"Moves the prediction", "mm", 3}, {"In units of the noise", "", 3}}, {}};
     const auto add = [&](const std::string& suspect, const std::string& how, double rms_m) { table.rows.push_back({suspect, how, 1e3 * rms_m, rms_m / d.noise_m}); };
     const std::string step = readable_number(1e3 * study.trials.front().options.h_s, 3) + " ms";
-    add("Numerical damping, time step", n.step_ratio > 0.0 ? "steps of " + step + " times " + readable_number(n.step_ratio, 2) : "steps of " + step, n.step_ratio > 0.0 ? n.step_rms_m : none);
-    add("Discretisation", n.mesh_ratio > 0.0 ? "cells of " + readable_number(n.mesh_ratio, 2) + " times the edge" : "no finer mesh was made", n.mesh_ratio > 0.0 ? n.mesh_rms_m : none);
+    add("Numerical damping, time step", n.step_ratio > 0.0 ? "steps of " + step + " times " + readable_number(n.step_ratio, 2) : "steps of " + step, n.step_ratio > 0.0 ? n.step_rms_m : no_value);
+    add("Discretisation", n.mesh_ratio > 0.0 ? "cells of " + readable_number(n.mesh_ratio, 2) + " times the edge" : "no finer mesh was made", n.mesh_ratio > 0.0 ? n.mesh_rms_m : no_value);
     if (n.stiffening.any()) add("What is left of both", "with cells of " + readable_number(n.stiffening.factor(), 4) + " times the body's modulus", n.rest_rms_m);
     add("What extrapolation may leave", "share of both that is uncertain", n.left_rms_m);
     Section section{"Suspects ruled out", {Paragraph{"Before nature is blamed: how much of the residual the program makes itself. Both errors are extrapolated and taken off the predictions. Coarse cells bend as if of another modulus: where that is much, they get the modulus that makes up for it first."}, table}};
@@ -134,12 +134,12 @@ Section candidate_section(const Study& study, const Diagnosis& d) {
     const std::vector<Column> columns{{"Effect"},           {"Explains", "%", 3},    {"p"},          {"Fitted value"}, {"Error", "mm", 3},
                                       {"Held out", "× noise", 3}, {"Systematic", "× noise", 3}, {"Weight", "", 3}};
     Table table{"", columns, {}}, others{"", columns, {}}, pairs{"", columns, {}};
-    table.rows.push_back(candidate_row(study, "(declared model)", none, none, &d.declared));
+    table.rows.push_back(candidate_row(study, "(declared model)", no_value, no_value, &d.declared));
     table.rows.back()[3] = "";
     for (const Candidate& c : d.candidates) {
         const bool usable = c.score.usable();
         Table& where = table.rows.size() <= shown_candidates && (usable || c.judged) ? table : others;
-        where.rows.push_back(candidate_row(study, effect_name(c.score.id), usable ? c.score.test.explained : none, usable ? c.adjusted_p : none, c.judged ? &*c.judged : nullptr));
+        where.rows.push_back(candidate_row(study, effect_name(c.score.id), usable ? c.score.test.explained : no_value, usable ? c.adjusted_p : no_value, c.judged ? &*c.judged : nullptr));
         if (!c.score.failure.empty()) where.rows.back()[3] = c.score.failure;
         else if (!usable) where.rows.back()[3] = "does nothing here";
     }
@@ -154,7 +154,7 @@ Section candidate_section(const Study& study, const Diagnosis& d) {
         section.blocks.push_back(Details{"Effects that explain little or nothing", {others}});
     }
     for (const JudgedFit& pair : d.pairs) {
-        pairs.rows.push_back(candidate_row(study, effect_name(names_of(pair.fit.effects)), none, none, &pair));
+        pairs.rows.push_back(candidate_row(study, effect_name(names_of(pair.fit.effects)), no_value, no_value, &pair));
         pairs.rows.back().erase(pairs.rows.back().begin() + 1, pairs.rows.back().begin() + 3);
     }
     pairs.columns.erase(pairs.columns.begin() + 1, pairs.columns.begin() + 3);

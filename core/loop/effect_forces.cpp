@@ -14,14 +14,14 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
-struct Moment {
+struct StateView {
     const Matrix3Xd& x;
     const Matrix3Xd& v;
     Matrix3Xd a;
     double time_s = 0.0;
 };
 
-Moment moment_of(const Trace& motion, std::size_t k) {
+StateView moment_of(const Trace& motion, std::size_t k) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, motion.times_s.size() - 1);
     const double span = motion.times_s[after] - motion.times_s[before];
     return {motion.positions[k], motion.velocities[k], (motion.velocities[after] - motion.velocities[before]) / span, motion.times_s[k]};
@@ -38,7 +38,7 @@ public:
         mass_ = mass_matrix(model_);
     }
 
-    Matrix3Xd at(const Moment& m) const {
+    Matrix3Xd at(const StateView& m) const {
         const std::vector<double> activation = activations(model_, m.time_s);
         InternalInput input;
         input.stiffness = &stiffness_;
@@ -78,7 +78,7 @@ NodalForces effect_forces(const Study& study, std::size_t trial, const StudyValu
     const Forces with(affected.model), without(unaffected.model);
     const std::size_t stride = std::max<std::size_t>(1, motion.times_s.size() / static_cast<std::size_t>(most));
     for (std::size_t k = 0; k < motion.times_s.size(); k += stride) {
-        const Moment m = moment_of(motion, k);
+        const StateView m = moment_of(motion, k);
         Matrix3Xd force = with.at(m) - without.at(m);
         for (Index i = 0; i < force.cols(); ++i) {
             const auto node = static_cast<std::size_t>(i);

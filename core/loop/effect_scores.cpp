@@ -23,7 +23,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// A column of a probe with its difference to the fit.
-struct Column {
+struct ProbeColumn {
     std::size_t score = 0;
     Index number = 0;
     StudyValues values;
@@ -167,13 +167,13 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
     search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, unaffected);
     std::vector<Probe> probes;
     std::vector<EffectScore> scores;
-    std::vector<Column> columns;
+    std::vector<ProbeColumn> columns;
     for (const Effect& effect : effect_catalogue()) {
         if (!effect.probes || !allowed(effect.id)) continue;
         for (EffectProbe& probe : effect.probes(search)) {
             if (probe.large != (size == ProbeSize::large)) continue;
             for (std::size_t c = 0; c < probe.columns.size(); ++c) {
-                Column column{probes.size(), static_cast<Index>(c), fit.values, std::vector<TrialPrediction>(data.trials.size()), {}};
+                ProbeColumn column{probes.size(), static_cast<Index>(c), fit.values, std::vector<TrialPrediction>(data.trials.size()), {}};
                 column.values.effects.push_back({effect.id, probe.columns[c]});
                 columns.push_back(std::move(column));
             }
@@ -190,7 +190,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
     const int runs = static_cast<int>(columns.size() * trials);
     parallel_tasks(runs, study.settings.threads, [&](int task) {
         if (progress.cancelled()) return;
-        Column& column = columns[static_cast<std::size_t>(task) / trials];
+        ProbeColumn& column = columns[static_cast<std::size_t>(task) / trials];
         const std::size_t i = static_cast<std::size_t>(task) % trials, trial = data.trials[i];
         const EffectDeclaration& effect = column.values.effects.back();
         const Stopwatch watch;
@@ -210,7 +210,7 @@ std::vector<EffectScore> score_effects(const Study& study, const FitData& data, 
     const VectorXd before = flat_residual(data, unaffected);
     std::vector<MatrixXd> S(probes.size());
     for (std::size_t p = 0; p < probes.size(); ++p) S[p].resize(data.layout.size(), static_cast<Index>(probes[p].probe.columns.size()));
-    for (const Column& column : columns) {
+    for (const ProbeColumn& column : columns) {
         for (const TrialPrediction& prediction : column.predictions)
             if (!prediction.ok()) scores[column.score].failure = prediction.message;
         if (scores[column.score].failure.empty()) S[column.score].col(column.number) = flat_residual(data, column.predictions) - before;

@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-constexpr Index samples = 201;
+constexpr Index curve_points = 201;
 
 /// A scalar of the run between its steps.
 VectorXd resampled(const std::vector<double>& times, const std::vector<double>& values, const VectorXd& at) {
@@ -44,7 +44,7 @@ VectorXd elastic_course(const Model& model, const Trace& trace, const Matrix3Xd&
     elastic.fibres = false;
     InternalInput input;
     input.stiffness = &elastic;
-    const std::size_t stride = std::max<std::size_t>(1, trace.times_s.size() / static_cast<std::size_t>(samples));
+    const std::size_t stride = std::max<std::size_t>(1, trace.times_s.size() / static_cast<std::size_t>(curve_points));
     std::vector<double> times, values;
     for (std::size_t k = 0; k < trace.times_s.size(); k += stride) {
         times.push_back(trace.times_s[k]);
@@ -57,7 +57,7 @@ VectorXd elastic_course(const Model& model, const Trace& trace, const Matrix3Xd&
 
 std::vector<Correlate> course_correlates(const Study& study, const Affected& trial, const Trace& trace, const KnotTimes& knots, const ForceMode& mode) {
     if (trace.times_s.size() < 2) return {};
-    const VectorXd at = VectorXd::LinSpaced(samples, 0.0, knots.end_s());
+    const VectorXd at = VectorXd::LinSpaced(curve_points, 0.0, knots.end_s());
     const double dt = at(1) - at(0);
     std::vector<double> position, velocity;
     for (std::size_t k = 0; k < trace.times_s.size(); ++k) {
@@ -75,8 +75,8 @@ std::vector<Correlate> course_correlates(const Study& study, const Affected& tri
                                       {"time", at}};
     const std::size_t groups = std::min(trial.model.activation.size(), study.experiment.muscles.size());
     for (std::size_t g = 0; g < groups; ++g) {
-        VectorXd activation(samples);
-        for (Index k = 0; k < samples; ++k) activation(k) = trial.model.activation[g].value(at(k)) - 1.0;
+        VectorXd activation(curve_points);
+        for (Index k = 0; k < curve_points; ++k) activation(k) = trial.model.activation[g].value(at(k)) - 1.0;
         if (activation.maxCoeff() > activation.minCoeff()) regressors.push_back({"activation of " + study.experiment.muscles[g].name, activation});
     }
     return correlates(amplitude, regressors);

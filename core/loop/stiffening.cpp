@@ -9,7 +9,7 @@ namespace myo {
 namespace {
 
 /// Numerical errors below this rms are taken off well enough by their shift [noise levels].
-constexpr double worth_matching = 0.5;
+constexpr double worth_stiffening = 0.5;
 /// Relative change of the modulus for its derivative, and the largest that is meant by cells and steps.
 constexpr double modulus_step = 0.003, most_change = 0.3;
 
@@ -29,7 +29,7 @@ PredictionShift derivative(const Study& study, const FitData& data, const std::v
 
 bool match_stiffness(const Study& study, const StudyValues& values, const FitData& data, NumericalError& error, const Progress& progress) {
     const Eigen::VectorXd all = flat_shift(data, error.shift), of_step = flat_shift(data, error.step_shift), finer_mesh = flat_shift(data, error.mesh_change);
-    if (all.norm() < worth_matching * std::sqrt(static_cast<double>(all.size()))) return false;
+    if (all.norm() < worth_stiffening * std::sqrt(static_cast<double>(all.size()))) return false;
     const std::vector<TrialPrediction> there = with_factor(study, values, data, 1.0, progress), softer = with_factor(study, values, data, 1.0 - modulus_step, progress);
     if (!all_ok(there) || !all_ok(softer)) return false;
     const PredictionShift column = derivative(study, data, there, softer);

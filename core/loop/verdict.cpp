@@ -54,7 +54,7 @@ JudgedFit none(Diagnosis& d) {
     return d.declared;
 }
 
-std::string names_of(const std::vector<EffectDeclaration>& effects) {
+std::string effects_in_words(const std::vector<EffectDeclaration>& effects) {
     return effect_words(effects.front()) + (effects.size() > 1 ? " and " + effect_words(effects.back()) : "");
 }
 
@@ -63,7 +63,7 @@ JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.effects = fit.fit.effects;
     const bool effect_bound = effect_at_bound(fit.fit), modulus_bound = modulus_at_bound(fit.fit);
     d.verdict.confidence = trust * weight * (effect_bound || modulus_bound ? at_bound_trust : 1.0);
-    d.verdict.because = "with " + names_of(fit.fit.effects) + " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
+    d.verdict.because = "with " + effects_in_words(fit.fit.effects) + " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
     if (effect_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
     if (modulus_bound) d.verdict.because += " The modulus ends at a bound with the effect as without it: its value is not to be relied on.";
     return fit;
@@ -161,7 +161,7 @@ JudgedFit decide(Diagnosis& d) {
     else if (is_faint(d.declared, d.data, d.numerics)) fit = none(d);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
     if (d.verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d, d.pairs.front()) && explains(d.pairs.front(), d.declared, d.data, d.numerics))
-        d.notes.push_back(names_of(d.pairs.front().fit.effects) + " together would explain it, but one of their numbers rests on a single trial: a further trial to fit would tell");
+        d.notes.push_back(effects_in_words(d.pairs.front().fit.effects) + " together would explain it, but one of their numbers rests on a single trial: a further trial to fit would tell");
     if (d.numerics.left_rms_m > d.noise_m)
         d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");
     rank(d);
@@ -171,7 +171,7 @@ JudgedFit decide(Diagnosis& d) {
 void note_worse_predictions(Diagnosis& d) {
     const double before = d.before.validation_rms_m, after = d.after.validation_rms_m;
     if (d.verdict.kind != VerdictKind::effects || !(after > worse * before) || !(after > as_good_as_noise * d.noise_m)) return;
-    d.notes.push_back("trials that took no part are predicted worse with " + names_of(d.verdict.effects) + ", " + times_noise(after / d.noise_m) + " instead of " + times_noise(before / d.noise_m) +
+    d.notes.push_back("trials that took no part are predicted worse with " + effects_in_words(d.verdict.effects) + ", " + times_noise(after / d.noise_m) + " instead of " + times_noise(before / d.noise_m) +
                       ": do not rely on this answer; what is missing may be something else, or differ in these trials");
 }
 

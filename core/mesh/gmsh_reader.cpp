@@ -9,13 +9,13 @@ namespace myo {
 namespace {
 
 // Gmsh's element types. Source: Gmsh reference manual, "MSH file format" and "Node ordering".
-struct Kind {
+struct GmshCell {
     int nodes = 0;                 // 0: unknown
     int dimension = 0;
     std::optional<CellType> cell;  // the ones we keep
 };
 
-Kind kind_of(long long type) {
+GmshCell gmsh_cell(long long type) {
     switch (type) {
         case 1: return {2, 1, {}};
         case 2: return {3, 2, {}};
@@ -145,7 +145,7 @@ private:
     }
 
     Result<void> add_element(long long type) {
-        const Kind kind = kind_of(type);
+        const GmshCell kind = gmsh_cell(type);
         if (kind.nodes == 0 || (kind.dimension == 3 && !kind.cell)) {
             return text_.error("cells of Gmsh type " + std::to_string(type).append(" are not read: only hex8, tet4 and tet10"));
         }

@@ -8,7 +8,7 @@
 namespace myo {
 namespace {
 
-constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
+constexpr std::size_t stl_header_bytes = 84, triangle_bytes = 50;
 
 // Little-endian as the format says; every platform the project supports is.
 PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
@@ -16,7 +16,7 @@ PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
     soup.vertices.reserve(std::size_t{count} * 3);
     for (std::uint32_t t = 0; t < count; ++t) {
         float corners[9];
-        std::memcpy(corners, content.data() + header_bytes + t * triangle_bytes + 12, sizeof corners);
+        std::memcpy(corners, content.data() + stl_header_bytes + t * triangle_bytes + 12, sizeof corners);
         for (int i = 0; i < 3; ++i) {
             soup.vertices.emplace_back(double{corners[3 * i]}, double{corners[3 * i + 1]}, double{corners[3 * i + 2]});
         }
@@ -81,14 +81,14 @@ Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
     if (content->empty()) return Error{"the file is empty", path.string()};
     // Binary headers may begin with "solid" too: the size decides first.
     std::uint32_t count = 0;
-    if (content->size() >= header_bytes) std::memcpy(&count, content->data() + 80, sizeof count);
-    const std::size_t expected = header_bytes + std::size_t{count} * triangle_bytes;
-    if (content->size() >= header_bytes && content->size() == expected) return read_binary(*content, count);
+    if (content->size() >= stl_header_bytes) std::memcpy(&count, content->data() + 80, sizeof count);
+    const std::size_t expected = stl_header_bytes + std::size_t{count} * triangle_bytes;
+    if (content->size() >= stl_header_bytes && content->size() == expected) return read_binary(*content, count);
 
     TextScanner text(*content, path.string());
     const bool has_zero = content->substr(0, 512).find('\0') != std::string::npos;
     if (is(text.word(), "solid") && !has_zero) return read_ascii(*content, path.string());
-    if (content->size() < header_bytes) return Error{"the file is too short for an STL", path.string()};
+    if (content->size() < stl_header_bytes) return Error{"the file is too short for an STL", path.string()};
     if (content->size() < expected) {
         return Error{"the STL is truncated: " + std::to_string(count).append(" triangles need ") + std::to_string(expected).append(" bytes, it has ")
                          + std::to_string(content->size()), path.string()};

@@ -16,7 +16,7 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-Result<PolygonSoup> read_soup(const std::filesystem::path& path) {
+Result<PolygonSoup> read_polygons(const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);
     if (extension == ".stl") return read_stl(path);
     if (extension == ".obj") return read_obj(path);
@@ -32,7 +32,7 @@ Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metre
     if (!rotation.allFinite() || !(rotation.transpose() * rotation).isIdentity(1e-6) || rotation.determinant() < 0.0) {
         return Error{"the rotation is not a rotation: its rows must be orthonormal and its determinant 1", path.string()};
     }
-    const auto soup = read_soup(path);
+    const auto soup = read_polygons(path);
     if (!soup) return soup.error();
     if (soup->triangles.empty()) return Error{"the file holds no triangles", path.string()};
 

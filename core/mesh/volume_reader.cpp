@@ -9,7 +9,7 @@
 namespace myo {
 namespace {
 
-Result<CellSoup> read_soup(const std::filesystem::path& path) {
+Result<CellSoup> read_cells(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (extension == ".vtu") return read_vtu(path);
@@ -23,7 +23,7 @@ Result<CellSoup> read_soup(const std::filesystem::path& path) {
 
 Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_per_unit) {
     if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit)) return Error{"the length unit must be positive", path.string()};
-    const auto soup = read_soup(path);
+    const auto soup = read_cells(path);
     if (!soup) return soup.error();
 
     VolumeMesh mesh;

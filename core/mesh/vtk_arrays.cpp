@@ -15,20 +15,20 @@
 namespace myo {
 namespace {
 
-enum class Kind { none, i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
+enum class NumberKind { none, i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
 
-Kind kind_of(std::string_view type) {
-    if (type == "Int8" || type == "char" || type == "signed_char" || type == "vtktypeint8") return Kind::i8;
-    if (type == "UInt8" || type == "unsigned_char" || type == "vtktypeuint8") return Kind::u8;
-    if (type == "Int16" || type == "short" || type == "vtktypeint16") return Kind::i16;
-    if (type == "UInt16" || type == "unsigned_short" || type == "vtktypeuint16") return Kind::u16;
-    if (type == "Int32" || type == "int" || type == "vtktypeint32") return Kind::i32;
-    if (type == "UInt32" || type == "unsigned_int" || type == "vtktypeuint32") return Kind::u32;
-    if (type == "Int64" || type == "long" || type == "vtktypeint64" || type == "vtkIdType") return Kind::i64;
-    if (type == "UInt64" || type == "unsigned_long" || type == "vtktypeuint64") return Kind::u64;
-    if (type == "Float32" || type == "float") return Kind::f32;
-    if (type == "Float64" || type == "double") return Kind::f64;
-    return Kind::none;
+NumberKind number_kind(std::string_view type) {
+    if (type == "Int8" || type == "char" || type == "signed_char" || type == "vtktypeint8") return NumberKind::i8;
+    if (type == "UInt8" || type == "unsigned_char" || type == "vtktypeuint8") return NumberKind::u8;
+    if (type == "Int16" || type == "short" || type == "vtktypeint16") return NumberKind::i16;
+    if (type == "UInt16" || type == "unsigned_short" || type == "vtktypeuint16") return NumberKind::u16;
+    if (type == "Int32" || type == "int" || type == "vtktypeint32") return NumberKind::i32;
+    if (type == "UInt32" || type == "unsigned_int" || type == "vtktypeuint32") return NumberKind::u32;
+    if (type == "Int64" || type == "long" || type == "vtktypeint64" || type == "vtkIdType") return NumberKind::i64;
+    if (type == "UInt64" || type == "unsigned_long" || type == "vtktypeuint64") return NumberKind::u64;
+    if (type == "Float32" || type == "float") return NumberKind::f32;
+    if (type == "Float64" || type == "double") return NumberKind::f64;
+    return NumberKind::none;
 }
 
 template <class T>
@@ -91,18 +91,18 @@ Error bad_cell(std::size_t c, std::string_view what, const std::filesystem::path
 }  // namespace
 
 std::size_t vtk_number_size(std::string_view type) {
-    switch (kind_of(type)) {
-        case Kind::i8:
-        case Kind::u8: return 1;
-        case Kind::i16:
-        case Kind::u16: return 2;
-        case Kind::i32:
-        case Kind::u32:
-        case Kind::f32: return 4;
-        case Kind::i64:
-        case Kind::u64:
-        case Kind::f64: return 8;
-        case Kind::none: break;
+    switch (number_kind(type)) {
+        case NumberKind::i8:
+        case NumberKind::u8: return 1;
+        case NumberKind::i16:
+        case NumberKind::u16: return 2;
+        case NumberKind::i32:
+        case NumberKind::u32:
+        case NumberKind::f32: return 4;
+        case NumberKind::i64:
+        case NumberKind::u64:
+        case NumberKind::f64: return 8;
+        case NumberKind::none: break;
     }
     return 0;
 }
@@ -110,18 +110,18 @@ std::size_t vtk_number_size(std::string_view type) {
 bool append_vtk_numbers(std::string_view type, std::string_view bytes, bool big_endian, VtkArray& numbers) {
     const std::size_t size = vtk_number_size(type);
     if (size == 0 || bytes.size() % size != 0) return false;
-    switch (kind_of(type)) {
-        case Kind::i8: append_as<std::int8_t>(bytes, big_endian, numbers); break;
-        case Kind::u8: append_as<std::uint8_t>(bytes, big_endian, numbers); break;
-        case Kind::i16: append_as<std::int16_t>(bytes, big_endian, numbers); break;
-        case Kind::u16: append_as<std::uint16_t>(bytes, big_endian, numbers); break;
-        case Kind::i32: append_as<std::int32_t>(bytes, big_endian, numbers); break;
-        case Kind::u32: append_as<std::uint32_t>(bytes, big_endian, numbers); break;
-        case Kind::i64: append_as<std::int64_t>(bytes, big_endian, numbers); break;
-        case Kind::u64: append_as<std::uint64_t>(bytes, big_endian, numbers); break;
-        case Kind::f32: append_as<float>(bytes, big_endian, numbers); break;
-        case Kind::f64: append_as<double>(bytes, big_endian, numbers); break;
-        case Kind::none: return false;
+    switch (number_kind(type)) {
+        case NumberKind::i8: append_as<std::int8_t>(bytes, big_endian, numbers); break;
+        case NumberKind::u8: append_as<std::uint8_t>(bytes, big_endian, numbers); break;
+        case NumberKind::i16: append_as<std::int16_t>(bytes, big_endian, numbers); break;
+        case NumberKind::u16: append_as<std::uint16_t>(bytes, big_endian, numbers); break;
+        case NumberKind::i32: append_as<std::int32_t>(bytes, big_endian, numbers); break;
+        case NumberKind::u32: append_as<std::uint32_t>(bytes, big_endian, numbers); break;
+        case NumberKind::i64: append_as<std::int64_t>(bytes, big_endian, numbers); break;
+        case NumberKind::u64: append_as<std::uint64_t>(bytes, big_endian, numbers); break;
+        case NumberKind::f32: append_as<float>(bytes, big_endian, numbers); break;
+        case NumberKind::f64: append_as<double>(bytes, big_endian, numbers); break;
+        case NumberKind::none: return false;
     }
     return true;
 }

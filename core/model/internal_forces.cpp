@@ -17,11 +17,11 @@ using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 /// Least work that pays for handing it to another thread, which takes a few microseconds.
-constexpr int packs_per_thread = 24;
+constexpr int packs_per_task = 24;
 
 template <class Cells, class Visit>
 void for_each_pack(const Cells& cells, const Visit& visit) {
-    parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
+    parallel_ranges(cells.pack_count(), packs_per_task, [&](int first, int end) {
         for (int pack = first; pack < end; ++pack) visit(pack);
     });
 }
@@ -107,7 +107,7 @@ void assemble_packs(const PackedCells<N, Q>& cells, const Model& model, const Ma
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
         const int count = std::min(packs_at_once, cells.pack_count() - start);
-        parallel_ranges(count, packs_per_thread / 8, [&](int first, int end) {
+        parallel_ranges(count, packs_per_task / 8, [&](int first, int end) {
             evaluate_packs<true>(cells, model, x, input, start + first, start + end, forces, energies,
                                  [&](int pack) -> PackOutput<N>& { return outputs[static_cast<std::size_t>(pack - start)]; });
             if (positive)
@@ -127,7 +127,7 @@ void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3
     force_field.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
     energy_field.resize(static_cast<std::size_t>(cells.pack_count()));
     if (kind == HessianKind::none)
-        parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
+        parallel_ranges(cells.pack_count(), packs_per_task, [&](int first, int end) {
             PackOutput<N> result;
             evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field, [&](int) -> PackOutput<N>& { return result; });
         });

@@ -6,12 +6,11 @@
 #include "project/optimize_study.hpp"
 #include "project/study_report_parts.hpp"
 #include "report/chart.hpp"
+#include "report/length.hpp"
 #include "report/markup.hpp"
 
 namespace myo {
 namespace {
-
-std::string in_mm(double metres) { return readable_number(1e3 * metres, 3); }
 
 std::string ending(const Optimization& optimization) {
     if (optimization.stopped) return "The user stopped the search: these are the best signals up to then.";
@@ -60,7 +59,7 @@ LineChart signal_chart(const Study& study, const Optimization& optimization) {
     const SoughtSignals& sought = optimization.problem.sought;
     const std::vector<Signal> signals = activations_of(sought, optimization.fit.values);
     const std::vector<Signal> widths = band_of(optimization);
-    Panel panel{{.label = "activation a"}, {}, 220.0};
+    ChartPanel panel{{.label = "activation a"}, {}, 220.0};
     for (std::size_t g = 0; g < signals.size(); ++g) {
         Series series{study.experiment.muscles[g].name, {}, {}, sought.hold ? SeriesStyle::line : SeriesStyle::line_and_dots};
         for (std::size_t k = 0; k < signals[g].times_s.size(); ++k) {
@@ -79,7 +78,7 @@ LineChart signal_chart(const Study& study, const Optimization& optimization) {
 }
 
 LineChart loss_chart(const Optimization& optimization) {
-    Panel loss{{.label = "rms of the loss", .unit = "mm", .logarithmic = true}, {}, 170.0}, gradient{{.label = "gradient", .unit = "mm²", .logarithmic = true}, {}, 130.0};
+    ChartPanel loss{{.label = "rms of the loss", .unit = "mm", .logarithmic = true}, {}, 170.0}, gradient{{.label = "gradient", .unit = "mm²", .logarithmic = true}, {}, 130.0};
     Series each{"evaluation", {}, {}, SeriesStyle::dots}, best{"best so far", {}, {}, SeriesStyle::line}, norm{"", {}, {}, SeriesStyle::dots};
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < optimization.fit.log.size(); ++i) {

@@ -92,8 +92,6 @@ Progress in_task(const Progress& progress, const std::string& task) {
 
 }  // namespace
 
-double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size())); }
-
 Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings) {
     assert(study.trials.size() == 1);
     const StudyTrial& trial = study.trials.front();

@@ -28,9 +28,6 @@ struct OptimizeSettings {
     std::function<void(const ActuationFit&)> evaluated = {};
 };
 
-/// Root mean square of the markers' noise [m].
-double mean_noise(const Study& study);
-
 /// The problem of a study's only trial (with_one_trial()): one signal for every muscle that follows none, from t = 0 to the last sample.
 /// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds.
 Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings);

@@ -153,6 +153,8 @@ std::vector<Signal> level_tangent(const Experiment& experiment, std::size_t lead
     return tangent;
 }
 
+double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size())); }
+
 void check_integration(Study& study) {
     const auto shortest = std::min_element(study.trials.begin(), study.trials.end(),
                                            [](const StudyTrial& a, const StudyTrial& b) { return a.options.h_s < b.options.h_s; });

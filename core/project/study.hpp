@@ -73,6 +73,9 @@ struct Study {
     std::optional<IntegrationCheck> integration;   // of check_integration(), when asked for
 };
 
+/// Root mean square of the markers' noise [m].
+double mean_noise(const Study& study);
+
 /// Checks the shortest step of the trials, where a velocity force is least bearable, on the declared constants; its warnings
 /// become the study's. Takes about as long as a step.
 void check_integration(Study& study);

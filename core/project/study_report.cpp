@@ -6,19 +6,13 @@
 #include "project/output_motion.hpp"
 #include "project/readable_parameter.hpp"
 #include "project/study_report_parts.hpp"
+#include "report/length.hpp"
 #include "report/markup.hpp"
 
 namespace myo {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-std::string millimetres(double metres) { return readable_number(1e3 * metres, 3) + " mm"; }
-
-/// The number alone, where the unit stands beside it.
-std::string in_mm(double metres) { return readable_number(1e3 * metres, 3); }
-
-double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size())); }
 
 /// Main frequency of the first trial that vibrates.
 double fitted_frequency(const Study& study, const Calibration& calibration) {
@@ -52,12 +46,12 @@ std::vector<KeyFigure> key_figures(const Study& study, const Calibration& calibr
         if (calibration.parameters[i].kind == StudyParameter::Kind::damping) figures.push_back(damping_figure(study, calibration, row));
     }
     figures.push_back({"Fit error (rms)", in_mm(calibration.after.fit_rms_m), "mm",
-                       "was " + millimetres(calibration.before.fit_rms_m) + " as declared; noise " + millimetres(mean_noise(study)) +
+                       "was " + length_words(calibration.before.fit_rms_m) + " as declared; noise " + length_words(mean_noise(study)) +
                            (study.experiment.markers.noise_m ? " (declared)" : " (estimated)")});
     if (std::isfinite(calibration.after.validation_rms_m)) {
         const double before = calibration.before.validation_rms_m;
         figures.push_back({"Prediction error (rms)", in_mm(calibration.after.validation_rms_m), "mm",
-                           (std::isfinite(before) ? "was " + millimetres(before) + "; " : "") + "trials that were not fitted"});
+                           (std::isfinite(before) ? "was " + length_words(before) + "; " : "") + "trials that were not fitted"});
     }
     return figures;
 }

@@ -8,17 +8,13 @@
 #include "project/output_motion.hpp"
 #include "project/study_report_parts.hpp"
 #include "report/chart.hpp"
+#include "report/length.hpp"
 #include "report/markup.hpp"
 
 namespace myo {
 namespace {
 
 using Eigen::Matrix3Xd;
-
-std::vector<double> in_millimetres(const Eigen::VectorXd& metres) {
-    const Eigen::VectorXd scaled = 1e3 * metres;
-    return {scaled.begin(), scaled.end()};
-}
 
 struct MarkerFigure {
     const Study& study;
@@ -35,8 +31,8 @@ LineChart MarkerFigure::chart(std::size_t marker) const {
     const std::vector<double> time(after.time_s.begin(), after.time_s.end());
     LineChart chart{study.marker_names[marker], {.label = "time", .unit = "s"}, {}};
     const auto compared_axis = [&](Eigen::Index axis) {
-        Panel panel{{.label = std::string(displacement ? "displacement " : "") + "xyz"[axis], .unit = "mm"}, {}, 130.0};
-        const auto row = [&](const std::vector<Matrix3Xd>& tracks) { return in_millimetres(tracks[marker].row(axis).transpose()); };
+        ChartPanel panel{{.label = std::string(displacement ? "displacement " : "") + "xyz"[axis], .unit = "mm"}, {}, 130.0};
+        const auto row = [&](const std::vector<Matrix3Xd>& tracks) { return curve_in_mm(tracks[marker].row(axis).transpose()); };
         // Measured last: it lies on top where both agree.
         if (before) panel.series.push_back({"before the fit", time, row(before->simulated_m), SeriesStyle::dashed, 1});
         panel.series.push_back({"after the fit", time, row(after.simulated_m), SeriesStyle::line, 0});
@@ -49,9 +45,9 @@ LineChart MarkerFigure::chart(std::size_t marker) const {
         Eigen::VectorXd d = (motion.simulated_m[marker] - motion.measured_m[marker]).colwise().norm().transpose();
         for (Eigen::Index t = 0; t < d.size(); ++t)   // samples before the start are not compared
             if (!prediction.residual_m[marker].col(t).allFinite()) d(t) = std::nan("");
-        return in_millimetres(d);
+        return curve_in_mm(d);
     };
-    Panel residual{{.label = "distance, simulated to measured", .unit = "mm", .lowest = 0.0}, {}, 110.0};
+    ChartPanel residual{{.label = "distance, simulated to measured", .unit = "mm", .lowest = 0.0}, {}, 110.0};
     if (before) residual.series.push_back({"before the fit", time, distance(*before, calibration.before.predictions[trial]), SeriesStyle::dashed, 1});
     residual.series.push_back({"after the fit", time, distance(after, calibration.after.predictions[trial]), SeriesStyle::line, 0});
     // Three coordinates of noise sigma lie sqrt(3) sigma apart on average (root mean square).

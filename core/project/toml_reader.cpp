@@ -9,7 +9,7 @@
 namespace myo {
 namespace {
 
-using Kind = TomlValue::Kind;
+using TomlKind = TomlValue::Kind;
 
 std::string in_quotes(const std::string& word) { return "\"" + word + "\""; }
 
@@ -47,7 +47,7 @@ std::string suggest(const std::string& word, const std::vector<std::string>& kno
 
 TomlReader::TomlReader(const TomlValue& table, std::string path, std::vector<std::string> known_keys)
     : table_(&table), path_(std::move(path)), known_keys_(std::move(known_keys)) {
-    assert(table.kind == Kind::table);
+    assert(table.kind == TomlKind::table);
     for (const std::string& key : table.keys)
         if (std::find(known_keys_.begin(), known_keys_.end(), key) == known_keys_.end())
             fail(key, "unknown key; " + suggest(key, known_keys_));
@@ -76,17 +76,17 @@ const TomlValue& TomlReader::value(const std::string& key) const {
     return *table_->find(key);
 }
 
-const TomlValue& TomlReader::value(const std::string& key, Kind kind) const {
+const TomlValue& TomlReader::value(const std::string& key, TomlKind kind) const {
     const TomlValue& found = value(key);
     if (found.kind != kind) fail(key, "must be " + kind_name(kind) + ", not " + kind_name(found.kind));
     return found;
 }
 
-bool TomlReader::is_text(const std::string& key) const { return has(key) && value(key).kind == Kind::text; }
-bool TomlReader::is_array(const std::string& key) const { return has(key) && value(key).kind == Kind::array; }
+bool TomlReader::is_text(const std::string& key) const { return has(key) && value(key).kind == TomlKind::text; }
+bool TomlReader::is_array(const std::string& key) const { return has(key) && value(key).kind == TomlKind::array; }
 
 double TomlReader::number(const std::string& key, const NumberRange& range) const {
-    const double found = value(key, Kind::number).number;
+    const double found = value(key, TomlKind::number).number;
     if (!range.contains(found) || (range.open && !std::isfinite(found)))
         fail(key, "must be " + range.text + ", not " + format_number(found));
     return found;
@@ -102,10 +102,10 @@ std::optional<double> TomlReader::optional_number(const std::string& key, const 
 }
 
 bool TomlReader::boolean_or(const std::string& key, bool fallback) const {
-    return has(key) ? value(key, Kind::boolean).truth : fallback;
+    return has(key) ? value(key, TomlKind::boolean).truth : fallback;
 }
 
-std::string TomlReader::text(const std::string& key) const { return value(key, Kind::text).text; }
+std::string TomlReader::text(const std::string& key) const { return value(key, TomlKind::text).text; }
 
 std::string TomlReader::text_or(const std::string& key, const std::string& fallback) const {
     return has(key) ? text(key) : fallback;
@@ -122,8 +122,8 @@ std::string TomlReader::name(const std::string& key) const {
 
 std::vector<std::string> TomlReader::texts(const std::string& key) const {
     std::vector<std::string> found;
-    for (const TomlValue& item : value(key, Kind::array).items) {
-        if (item.kind != Kind::text) fail(key, "must hold strings only, not " + kind_name(item.kind));
+    for (const TomlValue& item : value(key, TomlKind::array).items) {
+        if (item.kind != TomlKind::text) fail(key, "must hold strings only, not " + kind_name(item.kind));
         found.push_back(item.text);
     }
     return found;
@@ -137,13 +137,13 @@ std::string TomlReader::choose(const std::string& key, const std::vector<std::st
 }
 
 Eigen::VectorXd TomlReader::vector(const std::string& key, const TomlValue& array, Eigen::Index size) const {
-    if (array.kind != Kind::array) fail(key, "must be an array of " + size_name(size) + ", not " + kind_name(array.kind));
+    if (array.kind != TomlKind::array) fail(key, "must be an array of " + size_name(size) + ", not " + kind_name(array.kind));
     if (static_cast<Eigen::Index>(array.items.size()) != size)
         fail(key, "must have " + size_name(size) + ", not " + std::to_string(array.items.size()));
     Eigen::VectorXd found(size);
     for (Eigen::Index i = 0; i < size; ++i) {
         const TomlValue& item = array.items[static_cast<std::size_t>(i)];
-        if (item.kind != Kind::number) fail(key, "must hold numbers only, not " + kind_name(item.kind));
+        if (item.kind != TomlKind::number) fail(key, "must hold numbers only, not " + kind_name(item.kind));
         if (!std::isfinite(item.number)) fail(key, "must hold finite numbers only, not " + format_number(item.number));
         found[i] = item.number;
     }
@@ -155,7 +155,7 @@ Eigen::VectorXd TomlReader::vector(const std::string& key, Eigen::Index size) co
 }
 
 Eigen::Matrix3d TomlReader::matrix3(const std::string& key) const {
-    const TomlValue& rows = value(key, Kind::array);
+    const TomlValue& rows = value(key, TomlKind::array);
     if (rows.items.size() != 3) fail(key, "must have 3 rows of 3 numbers, not " + std::to_string(rows.items.size()) + " rows");
     Eigen::Matrix3d matrix;
     for (Eigen::Index i = 0; i < 3; ++i) matrix.row(i) = vector(key, rows.items[static_cast<std::size_t>(i)], 3).transpose();
@@ -163,7 +163,7 @@ Eigen::Matrix3d TomlReader::matrix3(const std::string& key) const {
 }
 
 Box TomlReader::box(const std::string& key) const {
-    const TomlValue& corners = value(key, Kind::array);
+    const TomlValue& corners = value(key, TomlKind::array);
     if (corners.items.size() != 2)
         fail(key, "must be two corners [[x, y, z], [x, y, z]], not " + std::to_string(corners.items.size()) + " elements");
     Box box{vector(key, corners.items[0], 3), vector(key, corners.items[1], 3)};
@@ -175,7 +175,7 @@ Box TomlReader::box(const std::string& key) const {
 }
 
 Eigen::Matrix3Xd TomlReader::points(const std::string& key) const {
-    const TomlValue& array = value(key, Kind::array);
+    const TomlValue& array = value(key, TomlKind::array);
     Eigen::Matrix3Xd found(3, static_cast<Eigen::Index>(array.items.size()));
     for (std::size_t i = 0; i < array.items.size(); ++i) found.col(static_cast<Eigen::Index>(i)) = vector(key, array.items[i], 3);
     return found;
@@ -192,11 +192,11 @@ std::filesystem::path TomlReader::file(const std::string& key, const std::filesy
 }
 
 TomlReader TomlReader::table(const std::string& key, std::vector<std::string> known_keys) const {
-    return {value(key, Kind::table), path_of(key), std::move(known_keys)};
+    return {value(key, TomlKind::table), path_of(key), std::move(known_keys)};
 }
 
 TomlReader TomlReader::table_of_names(const std::string& key) const {
-    const TomlValue& found = value(key, Kind::table);
+    const TomlValue& found = value(key, TomlKind::table);
     return {found, path_of(key), found.keys};
 }
 
@@ -205,9 +205,9 @@ std::vector<TomlReader> TomlReader::tables_of_names(const std::string& key) cons
     if (!has(key)) return readers;
     const TomlValue& found = value(key);
     const std::string advice = "; write [[" + path_of(key) + "]]";
-    if (found.kind != Kind::array) fail(key, "must be an array of tables, not " + kind_name(found.kind) + advice);
+    if (found.kind != TomlKind::array) fail(key, "must be an array of tables, not " + kind_name(found.kind) + advice);
     for (const TomlValue& item : found.items) {
-        if (item.kind != Kind::table) fail(key, "must hold tables only, not " + kind_name(item.kind) + advice);
+        if (item.kind != TomlKind::table) fail(key, "must hold tables only, not " + kind_name(item.kind) + advice);
         readers.emplace_back(item, path_of(key) + "[" + std::to_string(readers.size()) + "]", item.keys);
     }
     return readers;
@@ -228,7 +228,7 @@ namespace {
 void collect(const TomlValue& value, const std::string& path, std::map<std::string, std::string>& found) {
     if (!path.empty()) found.emplace(path, value.where);
     for (std::size_t i = 0; i < value.items.size(); ++i) {
-        const std::string part = value.kind == Kind::table ? (path.empty() ? "" : ".") + value.keys[i]
+        const std::string part = value.kind == TomlKind::table ? (path.empty() ? "" : ".") + value.keys[i]
                                                            : "[" + std::to_string(i) + "]";
         collect(value.items[i], path + part, found);
     }

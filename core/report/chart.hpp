@@ -48,7 +48,7 @@ struct Span {
     std::string label = {};
 };
 
-struct Panel {
+struct ChartPanel {
     Axis y = {};
     std::vector<Series> series = {};
     double height_px = 240.0;
@@ -61,7 +61,7 @@ struct Panel {
 struct LineChart {
     std::string title = {};
     Axis x = {};
-    std::vector<Panel> panels = {};
+    std::vector<ChartPanel> panels = {};
     double width_px = 760.0;
 };
 std::string svg(const LineChart& chart);

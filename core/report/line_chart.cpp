@@ -21,7 +21,7 @@ struct Look {
 std::map<std::string, int> slots_of_names(const LineChart& chart) {
     std::map<std::string, int> slots;
     int next = 0;
-    for (const Panel& panel : chart.panels)
+    for (const ChartPanel& panel : chart.panels)
         for (const Series& series : panel.series)
             if (series.colour == automatic_colour && !slots.contains(series.name)) slots[series.name] = next++;
     return slots;
@@ -98,7 +98,7 @@ std::string draw_series(const Series& series, const Scale& x, const Scale& y, co
     return draw_band(series, x, y, look) + draw_curve(decimate(curve), look);
 }
 
-std::string draw_horizontal_references(const Panel& panel, const Scale& scale, const Rectangle& area) {
+std::string draw_horizontal_references(const ChartPanel& panel, const Scale& scale, const Rectangle& area) {
     std::string out;
     for (const ReferenceLine& line : panel.horizontal) {
         const double y = scale(line.value);
@@ -110,7 +110,7 @@ std::string draw_horizontal_references(const Panel& panel, const Scale& scale, c
     return out;
 }
 
-std::string draw_spans(const Panel& panel, const Scale& scale, const Rectangle& area, bool words) {
+std::string draw_spans(const ChartPanel& panel, const Scale& scale, const Rectangle& area, bool words) {
     std::string out;
     for (const Span& span : panel.spans) {
         const double from = std::clamp(scale(span.from), area.left, area.right());
@@ -125,7 +125,7 @@ std::string draw_spans(const Panel& panel, const Scale& scale, const Rectangle& 
 
 std::vector<LegendEntry> legend_of(const LineChart& chart, const std::map<std::string, int>& slots) {
     std::vector<LegendEntry> entries;
-    for (const Panel& panel : chart.panels)
+    for (const ChartPanel& panel : chart.panels)
         for (const Series& series : panel.series) {
             const bool listed = std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& e) { return e.name == series.name; });
             if (series.name.empty() || listed) continue;
@@ -138,13 +138,13 @@ std::vector<LegendEntry> legend_of(const LineChart& chart, const std::map<std::s
 
 DataRange range_of_x(const LineChart& chart) {
     DataRange range(chart.x);
-    for (const Panel& panel : chart.panels)
+    for (const ChartPanel& panel : chart.panels)
         for (const Series& series : panel.series)
             for (const double value : series.x) range.add(value);
     return range;
 }
 
-DataRange range_of_y(const Panel& panel) {
+DataRange range_of_y(const ChartPanel& panel) {
     DataRange range(panel.y);
     for (const Series& series : panel.series)
         for (std::size_t i = 0; i < series.y.size(); ++i) {
@@ -157,7 +157,7 @@ DataRange range_of_y(const Panel& panel) {
     return range;
 }
 
-std::string draw_panel(const LineChart& chart, const Panel& panel, const Rectangle& area, const PlannedAxis& x,
+std::string draw_panel(const LineChart& chart, const ChartPanel& panel, const Rectangle& area, const PlannedAxis& x,
                        const PlannedAxis& y, const std::map<std::string, int>& slots, bool last) {
     std::string out = draw_spans(panel, x.scale, area, false) + draw_vertical_axis(panel.y, y, area) +
                       draw_horizontal_axis(chart.x, x, area, last) + draw_spans(panel, x.scale, area, true);
@@ -177,13 +177,13 @@ std::string draw_panel(const LineChart& chart, const Panel& panel, const Rectang
 }  // namespace
 
 std::string svg(const LineChart& chart) {
-    for ([[maybe_unused]] const Panel& panel : chart.panels)
+    for ([[maybe_unused]] const ChartPanel& panel : chart.panels)
         for ([[maybe_unused]] const Series& series : panel.series)
             assert(series.x.size() == series.y.size() && (series.half_width.empty() || series.half_width.size() == series.y.size()));
     constexpr double right_margin = 22.0, title_of_panel = 24.0;
     double left = 30.0;
     std::vector<PlannedAxis> y_axes;
-    for (const Panel& panel : chart.panels) {
+    for (const ChartPanel& panel : chart.panels) {
         y_axes.push_back(plan_axis(panel.y, range_of_y(panel), 0.05, panel.height_px, 0.0));
         left = std::max(left, label_room(y_axes.back().ticks));
     }

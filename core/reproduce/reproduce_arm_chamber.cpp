@@ -180,7 +180,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     LineChart chart;
     chart.title = "Way of the tip as the pressure rises";
     chart.x = {.label = "towards the unpressurised side", .unit = "mm", .include_zero = true};
-    Panel panel;
+    ChartPanel panel;
     panel.y = {.label = "up", .unit = "mm", .include_zero = true};
     panel.series = {path("chambers", chamber_tips, SeriesStyle::line_and_dots), path("AC1", single_tips, SeriesStyle::dashed), path("AC2", tied_tips, SeriesStyle::line)};
     if (!real_tips.empty()) panel.series.push_back(path("real arm, other chambers", real_tips, SeriesStyle::dots, ink_colour));

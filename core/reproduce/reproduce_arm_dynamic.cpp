@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "report/length.hpp"
 #include "reproduce/reproduction_cases.hpp"
 #include "reproduce/signal_fit.hpp"
 
@@ -38,8 +39,6 @@ Result<std::vector<RobotTrial>> recording(const ReproduceSettings& settings) {
         return std::abs(a.pressure_mbar - wanted_mbar) < std::abs(b.pressure_mbar - wanted_mbar);
     })};
 }
-
-std::string in_mm(double m) { return format_number(1e3 * m, 3); }
 
 Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> trials = recording(settings);

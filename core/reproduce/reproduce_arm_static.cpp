@@ -224,7 +224,7 @@ Json grid_json(const Assessment& early, const Assessment& late) {
 
 std::string map_figure(const std::vector<ArmVariant>& list, const Assessments& all) {
     LineChart chart{.title = "Activation of muscle 1 over pressure", .x = {.label = "pressure", .unit = "mbar", .lowest = 0.0}, .panels = {}};
-    Panel panel{.y = {.label = "a"}, .series = {}, .height_px = 320.0};
+    ChartPanel panel{.y = {.label = "a"}, .series = {}, .height_px = 320.0};
     for (std::size_t v = 0; v <= chosen_variant; ++v) {
         const FittedArm& arm = all[v][1]->arm;
         std::vector<double> lengths, pressures;
@@ -267,7 +267,7 @@ std::string pose_figure(const Assessments& all) {
             real.x.push_back(own.arm.pressures_mbar[i]);
             real.y.push_back(1e3 * own.arm.measured_m[i](c, 0));
         }
-        Panel panel{.y = {.label = axes[c], .unit = "mm"}, .series = {real}, .height_px = 180.0};
+        ChartPanel panel{.y = {.label = axes[c], .unit = "mm"}, .series = {real}, .height_px = 180.0};
         for (const Assessment* one : {&own, &published}) {
             Series out{.name = one->arm.variant.name + ", this pressure left out", .style = SeriesStyle::line_and_dots};
             for (const Score& score : one->left_one_out) {

@@ -188,7 +188,7 @@ Targets make_targets(const std::vector<BeamTrial>& trials, bool coarse) {
 }
 
 std::string path_figure(const std::vector<Job>& jobs, std::size_t target, const std::string& title) {
-    Panel panel{.y = {.label = "Young's modulus", .unit = "Pa", .logarithmic = true}, .series = {}, .height_px = 300.0};
+    ChartPanel panel{.y = {.label = "Young's modulus", .unit = "Pa", .logarithmic = true}, .series = {}, .height_px = 300.0};
     for (const Job& job : jobs) {
         if (job.target != target) continue;
         Series series{.style = SeriesStyle::line_and_dots, .colour = 0};

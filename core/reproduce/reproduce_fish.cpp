@@ -1,4 +1,5 @@
 #include "base/text.hpp"
+#include "report/length.hpp"
 #include "reproduce/reproduction_cases.hpp"
 #include "reproduce/signal_fit.hpp"
 
@@ -28,8 +29,6 @@ double early_share(const SignalFit& fit) {
     const Eigen::ArrayXd squared = (fit.simulated_m - fit.measured_m).row(0).array().square();
     return (fit.times_s.array() <= 2.0 / fit.variant.frequency_Hz).select(squared, 0.0).sum() / squared.sum();
 }
-
-std::string in_mm(double m) { return format_number(1e3 * m, 3); }
 
 Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> trials = read_fish(settings);

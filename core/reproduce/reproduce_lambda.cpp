@@ -218,7 +218,7 @@ std::string lambda_figure(const Work& work, double factor_kg) {
 
 /// The release with one damping at four steps, the real one beside it.
 std::string decay_figure(const Work& work, const std::vector<BeamTrial>& trials) {
-    Panel panel{.y = {.label = "dz of Left", .unit = "m"}, .series = {}, .height_px = 300.0};
+    ChartPanel panel{.y = {.label = "dz of Left", .unit = "m"}, .series = {}, .height_px = 300.0};
     const auto add = [&](const std::string& name, const Eigen::VectorXd& t, const Eigen::VectorXd& dz, int colour) {
         Series series{.name = name, .colour = colour};
         for (Eigen::Index k = 0; k < t.size(); ++k)

@@ -71,7 +71,7 @@ std::string ratio_figure(const std::vector<Study>& studies, double measured) {
         formula.y.push_back(implicit_euler_numerical_damping(studies[0].beam.mode.omega_rad_s, 0.25e-3 * k));
         published_formula.y.push_back(implicit_euler_numerical_damping(studies[1].beam.mode.omega_rad_s, 0.25e-3 * k));
     }
-    Panel panel{.y = {.label = "damping ratio", .include_zero = true}, .series = {formula, published_formula}, .height_px = 300.0};
+    ChartPanel panel{.y = {.label = "damping ratio", .include_zero = true}, .series = {formula, published_formula}, .height_px = 300.0};
     const char* const names[] = {"implicit Euler, our beam", "implicit Euler, as published", "TR-BDF2, our beam"};
     for (std::size_t s = 0; s < studies.size(); ++s) {
         Series dots{.name = names[s], .style = SeriesStyle::dots};
@@ -99,7 +99,7 @@ Series left_series(const std::string& name, const Eigen::VectorXd& t, const Eige
 std::string trace_figure(const std::vector<Study>& studies, const std::vector<BeamTrial>& trials) {
     LineChart chart{.title = "Left tip point after the release", .x = {.label = "time", .unit = "s"}, .panels = {}};
     for (const std::size_t s : {std::size_t{0}, std::size_t{2}}) {
-        Panel panel{.y = {.label = s == 0 ? "dz, implicit Euler" : "dz, TR-BDF2", .unit = "m"}, .series = {}};
+        ChartPanel panel{.y = {.label = s == 0 ? "dz, implicit Euler" : "dz, TR-BDF2", .unit = "m"}, .series = {}};
         for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{7}}) {
             const RungBeam& run = *studies[s].runs[i];
             panel.series.push_back(left_series("h = " + format_number(1e3 * paper_steps_s[i], 3) + " ms", run.times_s, run.left_dz_m));

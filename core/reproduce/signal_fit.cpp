@@ -169,12 +169,12 @@ std::string signal_figure(const std::string& title, const std::vector<SignalFit>
     const char* const axes[] = {"x", "y", "z"};
     const auto as_list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
     for (Index c = 0; c < 3; ++c) {
-        Panel panel{.y = {.label = axes[c], .unit = "mm"}, .series = {{.name = "measured", .x = as_list(fits.front().times_s), .y = as_list(1e3 * fits.front().measured_m.row(c)), .colour = ink_colour}}, .height_px = c == 0 ? 260.0 : 150.0};
+        ChartPanel panel{.y = {.label = axes[c], .unit = "mm"}, .series = {{.name = "measured", .x = as_list(fits.front().times_s), .y = as_list(1e3 * fits.front().measured_m.row(c)), .colour = ink_colour}}, .height_px = c == 0 ? 260.0 : 150.0};
         for (std::size_t i = 0; i < fits.size(); ++i)
             panel.series.push_back({.name = fits[i].variant.name, .x = as_list(fits[i].times_s), .y = as_list(1e3 * fits[i].simulated_m.row(c)), .colour = static_cast<int>(i)});
         chart.panels.push_back(panel);
     }
-    Panel panel{.y = {.label = "activation"}, .series = {}, .height_px = 220.0};
+    ChartPanel panel{.y = {.label = "activation"}, .series = {}, .height_px = 220.0};
     for (std::size_t i = 0; i < fits.size(); ++i)
         for (std::size_t m = 0; m < fits[i].activation.size(); ++m) {
             Series series{.style = m == 0 ? SeriesStyle::line : SeriesStyle::dashed, .colour = static_cast<int>(i)};

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr NameTable<BodyFamily, 4> families{{{
+constexpr NameTable<BodyFamily, 4> family_names{{{
     {BodyFamily::beam, "beam"},
     {BodyFamily::plate, "plate"},
     {BodyFamily::ell, "ell"},
@@ -73,9 +73,9 @@ Vector3d surface_point(const SurfaceMesh& surface, RandomStream& random) {
 
 }  // namespace
 
-std::string to_string(BodyFamily family) { return families.name(family); }
-std::vector<std::string> body_family_ids() { return families.names(); }
-bool parse_body_family(const std::string& id, BodyFamily& family) { return families.find(id, family); }
+std::string to_string(BodyFamily family) { return family_names.name(family); }
+std::vector<std::string> body_family_ids() { return family_names.names(); }
+bool parse_body_family(const std::string& id, BodyFamily& family) { return family_names.find(id, family); }
 
 Vector3d SyntheticBody::tapered(const Vector3d& point) const {
     const double s = std::clamp(point.x() / length_m(), 0.0, 1.0);

@@ -81,7 +81,7 @@ std::string reliability_figure(const TrustSummary& summary) {
     LineChart chart;
     chart.title = "Confidence and truth";
     chart.x = {.label = "stated confidence", .lowest = 0.0, .highest = 1.0};
-    Panel panel;
+    ChartPanel panel;
     panel.y = {.label = "share of right answers", .lowest = 0.0, .highest = 1.0};
     panel.series.push_back({.name = "as it should be", .x = {0.0, 1.0}, .y = {0.0, 1.0}, .style = SeriesStyle::dashed, .colour = ink_colour});
     Series found{.name = "found", .style = SeriesStyle::line_and_dots, .colour = 0};

@@ -38,9 +38,9 @@ Result<Study> on_mesh(Study study, StudyMesh mesh) {
     std::vector<Eigen::Vector3d> rest;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) rest.push_back(marker.rest_m);
     study.markers = marker_set(study.mesh.mesh, rest);
-    Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, study.mesh);
-    if (!muscles) return muscles.error();
-    const auto fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
+    Result<std::vector<FibreGroup>> groups = muscle_groups(experiment, study.mesh);
+    if (!groups) return groups.error();
+    const auto fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*groups));
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
         Model& model = study.trials[t].model;
         model.body = study.body;

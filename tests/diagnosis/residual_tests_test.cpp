@@ -16,7 +16,7 @@ using test::Recorded;
 using test::signal;
 using test::white;
 
-constexpr int draws = 400;
+constexpr int white_draws = 400;
 
 // How many of the draws of white noise fall below 0.05 and 0.0025 in each test: variance, Ljung-Box, periodicity, space.
 struct Rates {
@@ -32,15 +32,15 @@ Rates rates_of(const Recorded& recorded, const std::function<Eigen::VectorXd(con
     ResidualTestOptions options;
     options.noise_tolerance = 0.0;
     options.draws = 99;
-    for (int k = 0; k < draws; ++k) {
+    for (int k = 0; k < white_draws; ++k) {
         options.seed = static_cast<unsigned>(k);
         const ResidualTests tests = test_residuals(draw(layout, random), layout, 0, options);
         const std::array<double, 4> p{tests.variance.p, tests.ljung_box.p, tests.periodicity.p, tests.space.p};
         for (std::size_t i = 0; i < p.size(); ++i) {
-            rates.below_20th[i] += (p[i] < 0.05) / static_cast<double>(draws);
-            rates.below_400th[i] += (p[i] < 0.0025) / static_cast<double>(draws);
+            rates.below_20th[i] += (p[i] < 0.05) / static_cast<double>(white_draws);
+            rates.below_400th[i] += (p[i] < 0.0025) / static_cast<double>(white_draws);
         }
-        rates.family += tests.significant() / static_cast<double>(draws);
+        rates.family += tests.significant() / static_cast<double>(white_draws);
     }
     return rates;
 }
@@ -144,13 +144,13 @@ TEST(ResidualTests, SystematicRmsHasTheStatedDeviation) {
         const Eigen::VectorXd slow = signal(layout, [&](const ResidualSeries& series, double t) { return amplitude * std::cos(12.0 * t + series.axis); });
         const double truth = slow.squaredNorm() / static_cast<double>(layout.size());
         double error = 0.0, squares = 0.0, stated = 0.0;
-        for (int k = 0; k < draws; ++k) {
+        for (int k = 0; k < white_draws; ++k) {
             const SystematicRms rms = systematic_rms(white(layout.size(), random) + slow, layout);
-            error += (rms.mean_square - truth) / draws;
-            squares += std::pow(rms.mean_square - truth, 2) / draws;
-            stated += std::pow(rms.mean_square_deviation, 2) / draws;
+            error += (rms.mean_square - truth) / white_draws;
+            squares += std::pow(rms.mean_square - truth, 2) / white_draws;
+            stated += std::pow(rms.mean_square_deviation, 2) / white_draws;
         }
-        EXPECT_NEAR(error, 0.0, 4.0 * std::sqrt(squares / draws)) << amplitude;
+        EXPECT_NEAR(error, 0.0, 4.0 * std::sqrt(squares / white_draws)) << amplitude;
         EXPECT_NEAR(squares / stated, 1.0, 0.25) << amplitude;
     }
 }

@@ -13,7 +13,7 @@ using Eigen::Matrix3Xd;
 using test::run;
 using Eigen::Vector3d;
 
-constexpr double g = 9.81;
+constexpr double gravity = 9.81;
 
 test::BeamSpec free_body(const char* element) {
     test::BeamSpec spec;
@@ -39,21 +39,21 @@ Vector3d angular_momentum(const Matrix3Xd& x, const Matrix3Xd& momentum) {
 }
 
 /// Under gravity alone the body falls without deforming: the schemes of second order exactly, implicit Euler by its own sum
-/// g h^2 n (n + 1) / 2.
+/// gravity h^2 n (n + 1) / 2.
 TEST(FreeFlight, CentreOfMassFallsAsTheSchemeSays) {
     for (const char* element : {"hex8", "tet10"})
         for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::bdf2, Integrator::trapezoidal, Integrator::implicit_euler}) {
             Model model = test::make_beam(free_body(element));
-            model.gravity_m_s2 = {0.0, 0.0, -g};
+            model.gravity_m_s2 = {0.0, 0.0, -gravity};
             const double h = 0.01;
             const Trace trace = run(model, integrator, h, 0.3);
             for (std::size_t n = 0; n < trace.times_s.size(); ++n) {
                 const double t = trace.times_s[n], k = static_cast<double>(n);
-                const double fall = integrator == Integrator::implicit_euler ? 0.5 * g * h * h * k * (k + 1.0) : 0.5 * g * t * t;
+                const double fall = integrator == Integrator::implicit_euler ? 0.5 * gravity * h * h * k * (k + 1.0) : 0.5 * gravity * t * t;
                 Matrix3Xd expected = model.body->mesh.nodes;
                 expected.row(2).array() -= fall;
                 EXPECT_LT((trace.positions[n] - expected).cwiseAbs().maxCoeff(), 1e-9) << element << " " << t;
-                EXPECT_LT((trace.velocities[n].row(2).array() + g * t).abs().maxCoeff(), 1e-7) << element << " " << t;
+                EXPECT_LT((trace.velocities[n].row(2).array() + gravity * t).abs().maxCoeff(), 1e-7) << element << " " << t;
             }
         }
 }
@@ -99,7 +99,7 @@ std::vector<double> total_energy(const Model& model, const Trace& trace) {
 TEST(EnergyDrift, TrBdf2LosesLittleAndNeverGains) {
     test::BeamSpec spec;
     spec.cells = {5, 1, 1};
-    spec.gravity_m_s2 = g;
+    spec.gravity_m_s2 = gravity;
     const Model model = test::make_beam(spec);
     const auto mass = mass_matrix(model);
     std::vector<double> steps{0.005, 0.0025, 0.00125}, loss, rise;

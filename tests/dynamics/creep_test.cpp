@@ -50,7 +50,7 @@ TEST(Creep, ASuddenlyPulledBlockFollowsItsCreepFunction) {
         }
 }
 
-test::BeamSpec soft() {
+test::BeamSpec damped_beam() {
     test::BeamSpec spec;
     spec.gravity_m_s2 = 9.81;
     spec.damping_s = 0.002;
@@ -64,7 +64,7 @@ Model creeping(const test::BeamSpec& spec) {
 }
 
 TEST(Creep, KeepsTheOrderOfEveryScheme) {
-    const Model model = creeping(soft());
+    const Model model = creeping(damped_beam());
     const std::vector<double> h{0.005, 0.0025, 0.00125};
     const Matrix3Xd reference = run(model, Integrator::tr_bdf2, h.back() / 8.0, 0.16).positions.back();
     for (const auto& [name, scheme] : test::all_schemes()) {
@@ -78,7 +78,7 @@ TEST(Creep, KeepsTheOrderOfEveryScheme) {
 
 /// Jumps leave strains of body and dashpots as they are.
 TEST(Creep, KeepsTheOrderOverAJumpOfTheLoads) {
-    const test::BeamSpec spec = soft();
+    const test::BeamSpec spec = damped_beam();
     Model model = creeping(spec);
     test::push_tip(model, spec, {0.0, 0.0, 0.6});
     model.forces.back().from_s = 0.0313;
@@ -90,18 +90,9 @@ TEST(Creep, KeepsTheOrderOverAJumpOfTheLoads) {
     EXPECT_GT(test::observed_orders(h, errors).back(), 1.8);
 }
 
-SimulationOptions options_of(StartKind start, double h, double end) {
-    SimulationOptions options;
-    options.start = start;
-    options.h_s = h;
-    options.end_s = end;
-    options.solver.tolerance = 1e-10;
-    return options;
-}
-
 TEST(Creep, ABodyAtEquilibriumIsRelaxedAndStaysAtRest) {
-    const Model model = creeping(soft());
-    const Trace trace = simulate(model, options_of(StartKind::equilibrium, 0.005, 0.2));
+    const Model model = creeping(damped_beam());
+    const Trace trace = simulate(model, test::short_steps(StartKind::equilibrium, 0.005, 0.2));
     ASSERT_TRUE(trace.complete()) << trace.message;
     const double sag = (trace.positions.front() - model.body->mesh.nodes).norm();
     EXPECT_GT(sag, 1e-3);
@@ -110,18 +101,18 @@ TEST(Creep, ABodyAtEquilibriumIsRelaxedAndStaysAtRest) {
 
 /// Let go, the creeping beam comes to rest where statics, which knows no branch, puts it.
 TEST(Creep, EndsAtTheEquilibriumOfTheNetwork) {
-    Model model = creeping(soft());
+    Model model = creeping(damped_beam());
     model.damping_s = 0.01;
-    const Trace sagging = simulate(model, options_of(StartKind::straight, 0.01, 3.0));
-    const Trace at_rest = simulate(model, options_of(StartKind::equilibrium, 0.01, 0.01));
+    const Trace sagging = simulate(model, test::short_steps(StartKind::straight, 0.01, 3.0));
+    const Trace at_rest = simulate(model, test::short_steps(StartKind::equilibrium, 0.01, 0.01));
     ASSERT_TRUE(sagging.complete() && at_rest.complete());
     const double sag = (at_rest.positions.front() - model.body->mesh.nodes).norm();
     EXPECT_LT((sagging.positions.back() - at_rest.positions.front()).norm(), 1e-5 * sag);
 }
 
 TEST(Creep, ABranchWithoutModulusChangesNothing) {
-    Model model = test::make_beam(soft());
-    const SimulationOptions options = options_of(StartKind::straight, 0.005, 0.15);
+    Model model = test::make_beam(damped_beam());
+    const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.15);
     const Trace plain = simulate(model, options);
     model.creep = MaxwellBranch{0.0, 0.04};
     const Trace without = simulate(model, options);
@@ -135,7 +126,7 @@ TEST(Creep, ABranchWithoutModulusChangesNothing) {
 
 /// A small displacement let go, its dashpots relaxed: the run and its linearised steps.
 TEST(Creep, SmallMotionsAreThoseOfTheLinearisedStep) {
-    test::BeamSpec spec = soft();
+    test::BeamSpec spec = damped_beam();
     spec.gravity_m_s2 = 0.0;
     const Model model = creeping(spec);
     const Matrix3Xd rest = model.body->mesh.nodes;
@@ -146,7 +137,7 @@ TEST(Creep, SmallMotionsAreThoseOfTheLinearisedStep) {
     Matrix3Xd x = rest;
     ASSERT_TRUE(solve_equilibrium(of_pushed, 0.0, x).ok());
     for (const TimeScheme& scheme : {TimeScheme(Integrator::tr_bdf2), TimeScheme(Integrator::bdf2)}) {
-        SimulationOptions options = options_of(StartKind::equilibrium, 0.004, 0.04);
+        SimulationOptions options = test::short_steps(StartKind::equilibrium, 0.004, 0.04);
         options.integrator = scheme;
         options.initial.positions = x;
         const Trace trace = simulate(model, options);
@@ -163,7 +154,7 @@ TEST(Creep, SmallMotionsAreThoseOfTheLinearisedStep) {
 /// The branch stores energy, and its dashpots take 2 W / tau of it per time: what the body, thick cells and large turns, loses.
 TEST(Creep, DashpotsTakeTheEnergyThatTheBodyLoses) {
     for (const char* element : {"hex8", "tet10"}) {
-        test::BeamSpec spec = soft();
+        test::BeamSpec spec = damped_beam();
         spec.kind = test::element(element);
         spec.damping_s = 0.0;
         const Model model = creeping(spec);
@@ -176,7 +167,7 @@ TEST(Creep, DashpotsTakeTheEnergyThatTheBodyLoses) {
             stored.push_back(branch_energy(model, s.x, s.strain));
             total.push_back(energy(model, mass, s.x, s.v, point.time_s).total_J() + stored.back());
         };
-        ASSERT_TRUE(simulate(model, options_of(StartKind::straight, 0.0005, 0.1), {}, observer).complete());
+        ASSERT_TRUE(simulate(model, test::short_steps(StartKind::straight, 0.0005, 0.1), {}, observer).complete());
         double taken = 0.0;
         for (std::size_t n = 1; n < times.size(); ++n) taken += (times[n] - times[n - 1]) * (stored[n] + stored[n - 1]) / model.creep->relaxation_time_s;
         const double lost = total.front() - total.back();

@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-test::BeamSpec soft(const char* element) {
+test::BeamSpec ringing(const char* element) {
     test::BeamSpec spec = test::ringing_beam();
     spec.kind = test::element(element);
     // What tet10 resists at its points besides distortion is not damped: 15, 2.2, 1.2 % less damping with 1, 2, 3 layers.
@@ -26,7 +26,7 @@ test::BeamSpec soft(const char* element) {
 TEST(MaterialDamping, SmallVibrationsHaveTheStatedDampingRatio) {
     for (const char* element : {"hex8", "tet10"})
         for (const double damping : {0.001, 0.004}) {
-            test::BeamSpec spec = soft(element);
+            test::BeamSpec spec = ringing(element);
             spec.damping_s = damping;
             const Model model = test::held(spec);
             const NaturalMode mode = test::first_mode(model);

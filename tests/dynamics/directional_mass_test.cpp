@@ -25,16 +25,6 @@ test::BeamSpec beam() {
 
 double body_mass(const test::BeamSpec& spec) { return spec.density_kg_m3 * spec.size.prod(); }
 
-/// Largest distance between two motions, relative to the largest displacement.
-double difference(const Trace& a, const Trace& b) {
-    double largest = 0.0, motion = 0.0;
-    for (std::size_t k = 0; k < a.positions.size(); ++k) {
-        largest = std::max(largest, (a.positions[k] - b.positions[k]).cwiseAbs().maxCoeff());
-        motion = std::max(motion, (a.positions[k] - a.positions[0]).cwiseAbs().maxCoeff());
-    }
-    return largest / motion;
-}
-
 /// A mass along each of three lines is one that resists alike along every direction, whatever lines at right angles they are.
 TEST(DirectionalMass, AlongThreeLinesMovesAsAnAttachedOneWithoutWeight) {
     const test::BeamSpec spec = beam();
@@ -48,7 +38,7 @@ TEST(DirectionalMass, AlongThreeLinesMovesAsAnAttachedOneWithoutWeight) {
     const Eigen::Matrix3d Q = Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
     for (int r = 0; r < 3; ++r) directional.directional_masses.push_back(line_mass(share, Q.col(r), kg));
     for (const auto& [name, scheme] : test::all_schemes()) {
-        const double found = difference(run(attached, scheme, 0.01, 0.2), run(directional, scheme, 0.01, 0.2));
+        const double found = test::relative_difference(run(attached, scheme, 0.01, 0.2), run(directional, scheme, 0.01, 0.2));
         test::record(name, found);
         EXPECT_LT(found, 1e-6) << name;
     }
@@ -71,7 +61,7 @@ TEST(DirectionalMass, GivesTheSameMotionByEveryStrategy) {
     };
     const Trace newton = by(Strategy::newton);
     for (const Strategy strategy : {Strategy::automatic, Strategy::lagged_newton, Strategy::projective})
-        EXPECT_LT(difference(newton, by(strategy)), 1e-6) << to_string(strategy);
+        EXPECT_LT(test::relative_difference(newton, by(strategy)), 1e-6) << to_string(strategy);
 }
 
 TEST(DirectionalMass, SlowsTheModeThatMovesAlongItAsAnAttachedOneAndLeavesTheOther) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 test::BeamSpec slender(const char* element, double nu) {
     test::BeamSpec spec;

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using test::run;
 
-test::BeamSpec soft() {
+test::BeamSpec coarse_beam() {
     test::BeamSpec spec;
     spec.cells = {4, 1, 1};
     spec.gravity_m_s2 = 9.81;
@@ -51,7 +51,7 @@ TEST(OrderInTime, IsThatOfTheScheme) {
         double damping_s, velocity_force;
     };
     for (const Run& r : {Run{"damped", 0.003, 0.0}, Run{"velocity_force", 0.003, 4.0}, Run{"negative_velocity_force", 0.001, -4.0}}) {
-        test::BeamSpec spec = soft();
+        test::BeamSpec spec = coarse_beam();
         spec.damping_s = r.damping_s;
         Model model = test::make_beam(spec);
         model.velocity_force_1_s = r.velocity_force;
@@ -91,7 +91,7 @@ TEST(OrderInTime, WithoutDampingTheOrderIsTheSame) {
 
 /// A force that comes and goes inside steps, with a velocity force: its jumps end steps, so the order stays.
 TEST(Jumps, LoadsThatJumpInsideAStepKeepTheOrder) {
-    test::BeamSpec spec = soft();
+    test::BeamSpec spec = coarse_beam();
     spec.damping_s = 0.004;
     Model model = test::make_beam(spec);
     model.velocity_force_1_s = -30.0;
@@ -108,7 +108,7 @@ TEST(Jumps, LoadsThatJumpInsideAStepKeepTheOrder) {
 }
 
 TEST(Jumps, ActivationStepsKeepTheOrder) {
-    test::BeamSpec spec = soft();
+    test::BeamSpec spec = coarse_beam();
     spec.damping_s = 0.004;
     Model model = test::make_beam(spec);
     add_muscle(model, Signal::step(0.0237, 1.0, 0.8));
@@ -119,7 +119,7 @@ TEST(Jumps, ActivationStepsKeepTheOrder) {
 
 /// A jump within rounding of the end of a step, on either side, or of the start, is the jump there.
 TEST(Jumps, WithinRoundingOfAStepEndAreThatStepEnd) {
-    test::BeamSpec spec = soft();
+    test::BeamSpec spec = coarse_beam();
     Model model = test::make_beam(spec);
     test::push_tip(model, spec, {0.0, 0.0, 0.6});
     for (const double time : {0.0, 0.03}) {
@@ -138,7 +138,7 @@ TEST(Jumps, WithinRoundingOfAStepEndAreThatStepEnd) {
 
 /// A jump close to a step end takes its place: no step is so short that rounding would show in its accelerations.
 TEST(Jumps, BesideAStepEndLeaveNoTinyStep) {
-    test::BeamSpec spec = soft();
+    test::BeamSpec spec = coarse_beam();
     Model model = test::make_beam(spec);
     test::push_tip(model, spec, {0.0, 0.0, 0.6});
     model.forces.back().from_s = 0.03 - 1e-6;

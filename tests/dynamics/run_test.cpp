@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-test::BeamSpec soft(const char* element) {
+test::BeamSpec hanging_beam(const char* element) {
     test::BeamSpec spec;
     spec.kind = test::element(element);
     spec.cells = spec.kind == ElementKind::tet10 ? Eigen::Vector3i(4, 1, 1) : Eigen::Vector3i(7, 2, 2);
@@ -42,7 +42,7 @@ TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
     for (const char* element : {"hex8", "tet10"})
         for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler})
             for (const double damping : {0.0, 0.003}) {
-                test::BeamSpec spec = soft(element);
+                test::BeamSpec spec = hanging_beam(element);
                 spec.damping_s = damping;
                 for (const Strategy strategy : {Strategy::automatic, Strategy::newton}) {
                     std::vector<double> iterations;
@@ -53,7 +53,7 @@ TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
                         // counts, measured between 15.75 and 16.75, with room.
                         std::vector<double> counts(h > 0.02 && strategy == Strategy::automatic ? 11 : 1);
                         for (std::size_t sample = 0; sample < counts.size(); ++sample) {
-                            spec.youngs_modulus_Pa = soft(element).youngs_modulus_Pa * (1.0 + 2e-15 * static_cast<double>(sample));
+                            spec.youngs_modulus_Pa = hanging_beam(element).youngs_modulus_Pa * (1.0 + 2e-15 * static_cast<double>(sample));
                             const Trace trace = simulate(test::make_beam(spec), options);
                             EXPECT_TRUE(trace.complete()) << element << " " << h << ": " << trace.message;
                             EXPECT_EQ(trace.times_s.size(), 9u);
@@ -73,7 +73,7 @@ TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
 
 TEST(Run, ReleasedFromEquilibriumUnderTheSameLoadsStaysThere) {
     for (const char* element : {"hex8", "tet10"}) {
-        const Model model = test::make_beam(soft(element));
+        const Model model = test::make_beam(hanging_beam(element));
         SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 10);
         options.start = StartKind::equilibrium;
         const Trace trace = simulate(model, options);
@@ -87,7 +87,7 @@ TEST(Run, ReleasedFromEquilibriumUnderTheSameLoadsStaysThere) {
 /// A load that no step can follow: the run says so, and keeps what was complete and finite.
 TEST(Run, SaysClearlyWhenItDoesNotConverge) {
     for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler}) {
-        const test::BeamSpec spec = soft("hex8");
+        const test::BeamSpec spec = hanging_beam("hex8");
         Model model = test::make_beam(spec);
         test::push_tip(model, spec, {-1e9, 0.0, 0.0});
         model.forces.back().from_s = 0.03;
@@ -99,7 +99,7 @@ TEST(Run, SaysClearlyWhenItDoesNotConverge) {
         EXPECT_DOUBLE_EQ(trace.times_s.back(), 0.03);
         EXPECT_TRUE(all_finite(trace));
     }
-    const test::BeamSpec spec = soft("hex8");
+    const test::BeamSpec spec = hanging_beam("hex8");
     Model model = test::make_beam(spec);
     test::push_tip(model, spec, {-1e9, 0.0, 0.0});
     StageSolver solver(model);
@@ -111,7 +111,7 @@ TEST(Run, SaysClearlyWhenItDoesNotConverge) {
 }
 
 TEST(Run, IsIdenticalWhenRepeated) {
-    test::BeamSpec spec = soft("hex8");
+    test::BeamSpec spec = hanging_beam("hex8");
     spec.damping_s = 0.002;
     const Model model = test::make_beam(spec);
     const SimulationOptions options = options_for(Integrator::tr_bdf2, 0.005, 20);
@@ -127,7 +127,7 @@ TEST(Run, IsIdenticalWhenRepeated) {
 /// A run beside another one, of a body a little stiffer, that starts its stages there: the same motion within the tolerance, in fewer iterations.
 TEST(Run, NearAnotherItTakesFewerIterations) {
     for (const char* element : {"hex8", "tet10"}) {
-        test::BeamSpec spec = soft(element);
+        test::BeamSpec spec = hanging_beam(element);
         spec.damping_s = 0.003;
         SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 40);
         options.solver.tolerance = 1e-6;
@@ -151,7 +151,7 @@ TEST(Run, NearAnotherItTakesFewerIterations) {
 
 TEST(Run, IsGivenUpWhereItTakesTooManyIterations) {
     SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 20);
-    const Model model = test::make_beam(soft("hex8"));
+    const Model model = test::make_beam(hanging_beam("hex8"));
     const Trace whole = simulate(model, options);
     ASSERT_TRUE(whole.complete());
     options.most_iterations = whole.newton_iterations / 2;
@@ -164,7 +164,7 @@ TEST(Run, IsGivenUpWhereItTakesTooManyIterations) {
 }
 
 TEST(Run, StopsAfterTheCurrentStepWhenCancelled) {
-    const Model model = test::make_beam(soft("hex8"));
+    const Model model = test::make_beam(hanging_beam("hex8"));
     std::atomic<bool> stop{false};
     int reports = 0;
     const Progress progress(
@@ -205,7 +205,7 @@ TEST(Run, StopsWithinAStepOrTheStart) {
             const auto run = [&](int last) {
                 std::atomic<bool> stop{false};
                 std::atomic<int> asked{0};
-                Model model = test::make_beam(soft("hex8"));
+                Model model = test::make_beam(hanging_beam("hex8"));
                 model.force_elements.push_back(std::make_shared<CountedForce>(last, stop, asked));
                 SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 3);
                 options.start = start;

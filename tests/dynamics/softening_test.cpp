@@ -14,15 +14,6 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-SimulationOptions options_of(StartKind start, double h, double end) {
-    SimulationOptions options;
-    options.start = start;
-    options.h_s = h;
-    options.end_s = end;
-    options.solver.tolerance = 1e-10;
-    return options;
-}
-
 /// Isochoric energy density of a small strain under a stress along one axis.
 double isochoric(const test::BeamSpec& spec, double strain) {
     const double mu = 0.5 * spec.youngs_modulus_Pa / (1.0 + spec.poissons_ratio), shear = (1.0 + spec.poissons_ratio) * strain;
@@ -38,7 +29,7 @@ TEST(Softening, TheSecondLoadingFollowsTheUnloading) {
     model.softening = StressSoftening{0.4, isochoric(spec, strain)};
     const double stresses[] = {100.0, 200.0, 100.0, 200.0, 100.0};
     for (int k = 0; k < 5; ++k) test::pull(model, spec, stresses[k], 0.2 * k, 0.2 * (k + 1));
-    const Trace trace = simulate(model, options_of(StartKind::straight, 0.01, 1.0));
+    const Trace trace = simulate(model, test::short_steps(StartKind::straight, 0.01, 1.0));
     ASSERT_TRUE(trace.complete()) << trace.message;
     double largest = 0.0, at_end[5] = {};
     for (std::size_t n = 0; n < trace.times_s.size(); ++n) {
@@ -66,7 +57,7 @@ Model soft_beam() {
 
 TEST(Softening, WithoutDamageChangesNothing) {
     Model model = soft_beam();
-    const SimulationOptions options = options_of(StartKind::straight, 0.005, 0.2);
+    const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.2);
     const Trace softened = simulate(model, options);
     model.softening->damage_max = 0.0;
     const Trace undamaged = simulate(model, options);
@@ -80,7 +71,7 @@ TEST(Softening, WithoutDamageChangesNothing) {
 /// Also on a solver that has softened its cells before.
 TEST(Softening, EveryRunStartsVirgin) {
     const Model model = soft_beam();
-    const SimulationOptions options = options_of(StartKind::straight, 0.005, 0.1);
+    const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.1);
     StageSolver solver(model, options.solver);
     const Trace first = simulate_part(solver, options, {}), second = simulate_part(solver, options, {});
     ASSERT_TRUE(first.complete() && second.complete());
@@ -92,7 +83,7 @@ TEST(Softening, EveryRunStartsVirgin) {
 /// A point of a run remembers its softening.
 TEST(Softening, ARunCanBeTakenUpAgain) {
     const Model model = soft_beam();
-    const SimulationOptions options = options_of(StartKind::straight, 0.005, 0.1);
+    const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.1);
     RunPoint middle;
     RunObserver observer;
     observer.stood = [&](const RunPoint& point) {
@@ -107,7 +98,7 @@ TEST(Softening, ARunCanBeTakenUpAgain) {
 
 TEST(Softening, ABodyAtItsEquilibriumStaysAtRest) {
     Model model = soft_beam();
-    const Trace trace = simulate(model, options_of(StartKind::equilibrium, 0.005, 0.1));
+    const Trace trace = simulate(model, test::short_steps(StartKind::equilibrium, 0.005, 0.1));
     ASSERT_TRUE(trace.complete()) << trace.message;
     const double sag = (trace.positions.front() - model.body->mesh.nodes).norm();
     for (const Matrix3Xd& x : trace.positions) EXPECT_LT((x - trace.positions.front()).norm(), 1e-4 * sag);
@@ -129,7 +120,7 @@ TEST(Softening, PeaksOnlyRise) {
         raise_peaks(model, point.state.x, seen);
         EXPECT_LT((seen - last).cwiseAbs().maxCoeff(), 1e-12 * (1.0 + last.maxCoeff()));
     };
-    ASSERT_TRUE(simulate(model, options_of(StartKind::straight, 0.005, 0.3), {}, observer).complete());
+    ASSERT_TRUE(simulate(model, test::short_steps(StartKind::straight, 0.005, 0.3), {}, observer).complete());
     EXPECT_GT(last.maxCoeff(), 10.0);
 }
 

@@ -22,16 +22,6 @@ Trace run(const Model& model, Strategy strategy, Integrator integrator, double t
     return trace;
 }
 
-/// Largest distance between two runs, relative to the largest motion.
-double difference(const Trace& a, const Trace& b) {
-    double largest = 0.0, motion = 0.0;
-    for (std::size_t k = 0; k < a.positions.size(); ++k) {
-        largest = std::max(largest, (a.positions[k] - b.positions[k]).cwiseAbs().maxCoeff());
-        motion = std::max(motion, (a.positions[k] - a.positions[0]).cwiseAbs().maxCoeff());
-    }
-    return largest / motion;
-}
-
 TEST(Strategies, GiveTheSameTrajectory) {
     struct Case {
         const char* element;
@@ -51,7 +41,7 @@ TEST(Strategies, GiveTheSameTrajectory) {
             const Model model = test::make_beam(spec);
             const Trace newton = run(model, Strategy::newton, integrator, 1e-9);
             for (const Strategy strategy : {Strategy::automatic, Strategy::lagged_newton, Strategy::projective}) {
-                const double found = difference(newton, run(model, strategy, integrator, 1e-9));
+                const double found = test::relative_difference(newton, run(model, strategy, integrator, 1e-9));
                 test::record(std::string(c.element) + "_" + to_string(integrator) + "_" + to_string(strategy), {found});
                 EXPECT_LT(found, 1e-6) << c.element << " " << c.material << " " << to_string(integrator) << " " << to_string(strategy);
             }
@@ -119,7 +109,7 @@ TEST(Strategies, PartsGiveTheSameTrajectoryAsTheWholeFactor) {
     test::record("conjugate_gradients_per_newton_step", static_cast<double>(parts.linear_iterations) / parts.newton_iterations);
     EXPECT_EQ(whole.linear_iterations, 0);
     EXPECT_GT(parts.linear_iterations, 0);
-    EXPECT_LT(difference(whole, parts), 1e-6);
+    EXPECT_LT(test::relative_difference(whole, parts), 1e-6);
 }
 
 TEST(Strategies, NamesAreFoundAgain) {

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double h = 0.01, g = 9.81;
+constexpr double h = 0.01, gravity_m_s2 = 9.81;
 
 struct Case {
     const char* element;
@@ -29,7 +29,7 @@ Model beam(const Case& c) {
     test::BeamSpec spec;
     spec.kind = test::element(c.element);
     spec.cells = spec.kind == ElementKind::tet10 ? Eigen::Vector3i(4, 1, 1) : Eigen::Vector3i(7, 2, 2);
-    spec.gravity_m_s2 = g;
+    spec.gravity_m_s2 = gravity_m_s2;
     spec.damping_s = c.damping_s;
     return test::make_beam(spec);
 }
@@ -151,7 +151,7 @@ TEST_P(Violent, AHundredG) {
         const Eigen::VectorXd nodal = mass_matrix(model).isotropic * Eigen::VectorXd::Ones(model.body->node_count());
         DeadForce load;
         load.share = nodal / nodal.sum();
-        load.force_N = 100.0 * g * nodal.sum() * direction.normalized();
+        load.force_N = 100.0 * gravity_m_s2 * nodal.sum() * direction.normalized();
         load.until_s = 0.255;   // within a step
         model.forces.push_back(load);
         expect_stable(c, direction(1) > 0.0 ? "pulled" : direction(0) < 0.0 ? "crushed" : "heavy", model, run(model, {}, 1.2), load.until_s);

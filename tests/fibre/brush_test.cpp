@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using test::all_cell_types;
 
-VolumeMesh mesh_of(CellType type, const Eigen::Vector3i& cells) {
+VolumeMesh cube_mesh(CellType type, const Eigen::Vector3i& cells) {
     const Box cube{Vector3d::Zero(), Vector3d::Ones()};
     return type == CellType::hex8 ? box_hex_mesh(cube, cells) : tet_box_mesh(cube, cells, type);
 }
@@ -42,7 +42,7 @@ TEST(Stroke, PaintsAChannel) {
     const double expected = 0.3 * (0.5 * 0.3 + std::numbers::pi * 0.15 * 0.15);
     double worst = 0.0;
     for (const CellType type : all_cell_types) {
-        const VolumeMesh mesh = mesh_of(type, type == CellType::hex8 ? Eigen::Vector3i(40, 40, 40) : Eigen::Vector3i(20, 20, 20));
+        const VolumeMesh mesh = cube_mesh(type, type == CellType::hex8 ? Eigen::Vector3i(40, 40, 40) : Eigen::Vector3i(20, 20, 20));
         const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
         const CellPaint paint = painted(mesh, stroke_over_top(places, brush, 12, straight));
         const double volume = amount_of(paint, cell_volumes(mesh)).volume_m3;
@@ -63,7 +63,7 @@ TEST(Stroke, FollowsTheHand) {
     Brush brush;
     brush.radius_m = 0.1;
     brush.depth_m = 0.2;
-    const VolumeMesh mesh = mesh_of(CellType::hex8, {24, 24, 8});
+    const VolumeMesh mesh = cube_mesh(CellType::hex8, {24, 24, 8});
     const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
     const CellPaint many = painted(mesh, stroke_over_top(places, brush, 400, circle)), few = painted(mesh, stroke_over_top(places, brush, 60, circle));
     double worst = 0.0, worst_between = 0.0;
@@ -82,7 +82,7 @@ TEST(Stroke, FollowsTheHand) {
 }
 
 TEST(Stroke, MirrorsFallsOffAndErases) {
-    const VolumeMesh mesh = mesh_of(CellType::hex8, {20, 20, 5});
+    const VolumeMesh mesh = cube_mesh(CellType::hex8, {20, 20, 5});
     const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
     Brush brush;
     brush.radius_m = 0.2;
@@ -119,7 +119,7 @@ TEST(Stroke, MirrorsFallsOffAndErases) {
 
 /// A single touch turns no fibres; without paint it takes the direction that it is given, and an axis is always taken.
 TEST(Stroke, ATouchHasNoDirectionOfItsOwn) {
-    const VolumeMesh mesh = mesh_of(CellType::hex8, {10, 10, 4});
+    const VolumeMesh mesh = cube_mesh(CellType::hex8, {10, 10, 4});
     const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
     Brush brush;
     brush.radius_m = 0.2;

@@ -12,7 +12,7 @@ using Eigen::Map;
 using Eigen::Matrix3d;
 using Eigen::VectorXd;
 
-constexpr double mu = 0.7, kappa = 2.3;
+constexpr double some_mu = 0.7, some_kappa = 2.3;
 constexpr double eps = 1e-5;   // rounding 1e-11, truncation 1e-10 times the third derivative
 
 VectorXd vec(const Matrix3d& F) { return Map<const VectorXd>(F.data(), 9); }
@@ -35,7 +35,7 @@ void check(const Function& f, const Matrix3d& F, const std::string& what) {
 TEST(MaterialDerivatives, DistortionAgreesWithDifferences) {
     for (const MaterialPointer& law : material_catalogue())
         for (const Matrix3d& F : test::sample_deformations())
-            check([&](const Matrix3d& X, bool h) { return law->distortion(X, mu, kappa, h); }, F, law->id() + " distortion");
+            check([&](const Matrix3d& X, bool h) { return law->distortion(X, some_mu, some_kappa, h); }, F, law->id() + " distortion");
 }
 
 TEST(MaterialDerivatives, VolumeMeasureAgreesWithDifferences) {
@@ -52,15 +52,15 @@ TEST(MaterialDerivatives, VolumeMeasureAgreesWithDifferences) {
 TEST(MaterialDerivatives, BulkEnergyAgreesWithDifferences) {
     for (const MaterialPointer& law : material_catalogue()) {
         if (law->volume_measure(2.0 * Matrix3d::Identity(), false).value == 0.0) {
-            EXPECT_EQ(law->bulk(0.3, kappa).value, 0.0) << law->id();
+            EXPECT_EQ(law->bulk(0.3, some_kappa).value, 0.0) << law->id();
             continue;
         }
         // All points at once: a single second derivative may meet its difference in every bit by chance.
         const VectorXd thetas = (VectorXd(6) << -0.6, -0.2, -0.01, 0.03, 0.5, 2.0).finished();
         VectorXd first(6), second(6), d_value(6), d_first(6);
         for (int i = 0; i < 6; ++i) {
-            const ScalarFunction U = law->bulk(thetas(i), kappa);
-            const ScalarFunction plus = law->bulk(thetas(i) + eps, kappa), minus = law->bulk(thetas(i) - eps, kappa);
+            const ScalarFunction U = law->bulk(thetas(i), some_kappa);
+            const ScalarFunction plus = law->bulk(thetas(i) + eps, some_kappa), minus = law->bulk(thetas(i) - eps, some_kappa);
             first(i) = U.first;
             second(i) = U.second;
             d_value(i) = (plus.value - minus.value) / (2.0 * eps);

@@ -11,7 +11,7 @@ namespace {
 using test::TemporaryFile;
 using testing::HasSubstr;
 
-std::string error_of(const std::string& text) { return test::error_of_reading(read_actuation_csv, text, "act.csv"); }
+std::string actuation_error(const std::string& text) { return test::error_of_reading(read_actuation_csv, text, "act.csv"); }
 
 TEST(ActuationCsv, RoundTrip) {
     ActuationTable table;
@@ -35,21 +35,21 @@ TEST(ActuationCsv, AClosingRowThatGoesBackAndSaysNothingNewIsLeftOut) {
     EXPECT_EQ(read->values.cols(), 3);
     ASSERT_EQ(read->warnings.size(), 1U);
     EXPECT_THAT(read->warnings[0], HasSubstr("act.csv:5"));
-    EXPECT_THAT(error_of(text + "2,0.9\n"), HasSubstr("act.csv:5: time 2 s does not ascend"));
-    EXPECT_THAT(error_of(text + "2.3,1\n"), HasSubstr("does not ascend"));
+    EXPECT_THAT(actuation_error(text + "2,0.9\n"), HasSubstr("act.csv:5: time 2 s does not ascend"));
+    EXPECT_THAT(actuation_error(text + "2.3,1\n"), HasSubstr("does not ascend"));
 }
 
 TEST(ActuationCsv, EveryErrorHasFileAndLine) {
-    EXPECT_EQ(error_of("\xEF\xBB\xBFtime_s,m\r\n0,1\r\n0.1,0.9\r\n\r\n"), "no error");
-    EXPECT_THAT(error_of("time_s\n0\n"), HasSubstr("act.csv:1: names no muscle"));
-    EXPECT_THAT(error_of("time,m\n0,1\n"), HasSubstr("act.csv:1: the first column is 'time'"));
-    EXPECT_THAT(error_of("time_s,m,m\n0,1,1\n"), HasSubstr("act.csv:1: column 'm' appears twice"));
-    EXPECT_THAT(error_of("time_s,m,\n0,1,1\n"), HasSubstr("act.csv:1: column 3 has no name"));
-    EXPECT_THAT(error_of("time_s,m\n"), HasSubstr("no rows"));
-    EXPECT_THAT(error_of("time_s,m\n0,nan\n"), HasSubstr("act.csv:2: column 2 (m) is 'nan'"));
-    EXPECT_THAT(error_of("time_s,m\n0,\n"), HasSubstr("act.csv:2: column 2 (m) is ''"));
-    EXPECT_THAT(error_of("time_s,m\n0,1,2\n"), HasSubstr("act.csv:2: has 3 fields, expected 2"));
-    EXPECT_THAT(error_of("time_s,m\n0,1\n0,1\n"), HasSubstr("act.csv:3: time 0 s does not ascend"));
+    EXPECT_EQ(actuation_error("\xEF\xBB\xBFtime_s,m\r\n0,1\r\n0.1,0.9\r\n\r\n"), "no error");
+    EXPECT_THAT(actuation_error("time_s\n0\n"), HasSubstr("act.csv:1: names no muscle"));
+    EXPECT_THAT(actuation_error("time,m\n0,1\n"), HasSubstr("act.csv:1: the first column is 'time'"));
+    EXPECT_THAT(actuation_error("time_s,m,m\n0,1,1\n"), HasSubstr("act.csv:1: column 'm' appears twice"));
+    EXPECT_THAT(actuation_error("time_s,m,\n0,1,1\n"), HasSubstr("act.csv:1: column 3 has no name"));
+    EXPECT_THAT(actuation_error("time_s,m\n"), HasSubstr("no rows"));
+    EXPECT_THAT(actuation_error("time_s,m\n0,nan\n"), HasSubstr("act.csv:2: column 2 (m) is 'nan'"));
+    EXPECT_THAT(actuation_error("time_s,m\n0,\n"), HasSubstr("act.csv:2: column 2 (m) is ''"));
+    EXPECT_THAT(actuation_error("time_s,m\n0,1,2\n"), HasSubstr("act.csv:2: has 3 fields, expected 2"));
+    EXPECT_THAT(actuation_error("time_s,m\n0,1\n0,1\n"), HasSubstr("act.csv:3: time 0 s does not ascend"));
 }
 
 }  // namespace

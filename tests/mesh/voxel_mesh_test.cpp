@@ -17,7 +17,7 @@
 namespace myo {
 namespace {
 
-VoxelOptions with_edge(double edge) {
+VoxelOptions voxels_of(double edge) {
     VoxelOptions options;
     options.edge = edge;
     return options;
@@ -26,7 +26,7 @@ VoxelOptions with_edge(double edge) {
 TEST(Voxelize, BoxIsMetExactly) {
     const Box box{{0.01, -0.02, 0.0}, {0.11, 0.01, 0.03}};
     for (const double edge : {0.1, 0.007, 0.0031}) {
-        const auto mesh = voxelize(box_surface(box), with_edge(edge));
+        const auto mesh = voxelize(box_surface(box), voxels_of(edge));
         ASSERT_TRUE(mesh);
         EXPECT_EQ(mesh->cell_count(), box_cells(box, edge).prod());
         EXPECT_EQ(bounding_box(mesh->nodes).lowest, box.lowest);
@@ -36,7 +36,7 @@ TEST(Voxelize, BoxIsMetExactly) {
 }
 
 TEST(Voxelize, LShapeIsExactOnItsGrid) {
-    const auto mesh = voxelize(test::l_shape(), with_edge(0.0025));
+    const auto mesh = voxelize(test::l_shape(), voxels_of(0.0025));
     ASSERT_TRUE(mesh);
     EXPECT_EQ(mesh->cell_count(), 3 * 4 * 4 * 4);
     EXPECT_NEAR(cell_volumes(*mesh).sum(), 3e-6, 1e-17);
@@ -46,7 +46,7 @@ TEST(Voxelize, CylinderVolumeConverges) {
     const SurfaceMesh surface = test::cylinder(64, 0.015, 0.06);
     double previous = 1.0;
     for (const double edge : {0.005, 0.001, 0.0004}) {
-        const auto mesh = voxelize(surface, with_edge(edge));
+        const auto mesh = voxelize(surface, voxels_of(edge));
         ASSERT_TRUE(mesh);
         const double error = std::abs(*mesh_quality(*mesh, &surface).volume_error);
         EXPECT_LT(error, previous);
@@ -57,23 +57,23 @@ TEST(Voxelize, CylinderVolumeConverges) {
 
 TEST(Voxelize, OrientationAndRotationOfTheGridPlanesDoNotMatter) {
     const SurfaceMesh surface = test::cylinder(24, 0.015, 0.06);
-    const auto outward = voxelize(surface, with_edge(0.003)), inward = voxelize(flipped(surface), with_edge(0.003));
+    const auto outward = voxelize(surface, voxels_of(0.003)), inward = voxelize(flipped(surface), voxels_of(0.003));
     ASSERT_TRUE(outward && inward);
     EXPECT_EQ(outward->cells, inward->cells);
 }
 
 TEST(Voxelize, CavityStaysHollowAndOverlapIsOneBody) {
     const Box outer{{0, 0, 0}, {0.04, 0.04, 0.04}}, inner{{0.01, 0.01, 0.01}, {0.03, 0.03, 0.03}};
-    const auto hollow = voxelize(test::together(box_surface(outer), flipped(box_surface(inner))), with_edge(0.005));
+    const auto hollow = voxelize(test::together(box_surface(outer), flipped(box_surface(inner))), voxels_of(0.005));
     ASSERT_TRUE(hollow);
     EXPECT_EQ(hollow->cell_count(), 8 * 8 * 8 - 4 * 4 * 4);
-    const auto merged = voxelize(test::together(box_surface(outer), box_surface(inner)), with_edge(0.005));
+    const auto merged = voxelize(test::together(box_surface(outer), box_surface(inner)), voxels_of(0.005));
     ASSERT_TRUE(merged);
     EXPECT_EQ(merged->cell_count(), 8 * 8 * 8);
 }
 
 TEST(Voxelize, GridPlanesAreMet) {
-    VoxelOptions options = with_edge(0.01);
+    VoxelOptions options = voxels_of(0.01);
     options.planes[0] = {5e-4};
     const auto mesh = voxelize(box_surface({{0, 0, 0}, {0.1, 0.03, 0.03}}), options);
     ASSERT_TRUE(mesh);
@@ -82,16 +82,16 @@ TEST(Voxelize, GridPlanesAreMet) {
 
 TEST(Voxelize, BadInputIsAnError) {
     SurfaceMesh open = box_surface({{0, 0, 0}, {0.1, 0.03, 0.03}});
-    EXPECT_FALSE(voxelize(open, with_edge(0.0)));
-    EXPECT_FALSE(voxelize(open, with_edge(1e-5)));
+    EXPECT_FALSE(voxelize(open, voxels_of(0.0)));
+    EXPECT_FALSE(voxelize(open, voxels_of(1e-5)));
     open.triangles = open.triangles.leftCols(11).eval();
-    const auto result = voxelize(open, with_edge(0.01));
+    const auto result = voxelize(open, voxels_of(0.01));
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().what.find("not closed"), std::string::npos);
-    EXPECT_FALSE(voxelize(SurfaceMesh{}, with_edge(0.01)));
+    EXPECT_FALSE(voxelize(SurfaceMesh{}, voxels_of(0.01)));
     // A tube with thin walls and a coarse grid: nothing is half full.
     const SurfaceMesh tube = test::together(box_surface({{0, 0, 0}, {0.1, 0.1, 0.1}}), flipped(box_surface({{1e-3, 1e-3, 1e-3}, {0.099, 0.099, 0.099}})));
-    EXPECT_FALSE(voxelize(tube, with_edge(0.05)));
+    EXPECT_FALSE(voxelize(tube, voxels_of(0.05)));
 }
 
 TEST(Connectivity, NamesWeakJoints) {
@@ -165,7 +165,7 @@ TEST(RealGeometry, VoxelVolumesApproachTheSurface) {
     if (bodies.empty()) GTEST_SKIP() << "skipped: no data";
     for (const std::filesystem::path& path : bodies) {
         const SurfaceMesh surface = weld(*read_surface(path, 1e-3));
-        const auto mesh = voxelize(surface, with_edge(0.001));
+        const auto mesh = voxelize(surface, voxels_of(0.001));
         ASSERT_TRUE(mesh) << mesh.error().text();
         const QualityReport report = mesh_quality(*mesh, &surface);
         // Each wall may be off by half a cell; curved and slanted ones average out.

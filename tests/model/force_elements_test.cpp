@@ -17,13 +17,13 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-struct Case {
+struct ForceCase {
     const char* element;
     ElementKind kind;
 };
 
 /// A hollow block, clamped at one end, with one force element.
-Model model_with(const Case& c) {
+Model model_with(const ForceCase& c) {
     Model model = test::hollow_block(c.kind);
     const Body& body = *model.body;
     const std::string element = c.element;
@@ -33,7 +33,7 @@ Model model_with(const Case& c) {
     return model;
 }
 
-class ForceElements : public testing::TestWithParam<Case> {
+class ForceElements : public testing::TestWithParam<ForceCase> {
 protected:
     ForceElements() : model(model_with(GetParam())), X(model.body->mesh.nodes) {
         x = X + 2e-4 * test::rough_field(X.cols(), 0.3);
@@ -97,8 +97,8 @@ TEST_P(ForceElements, KnowTheirDerivativesByParametersAndVelocity) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ForceElements,
-                         testing::Values(Case{"bed", ElementKind::hex8}, Case{"bed", ElementKind::tet10}, Case{"drag", ElementKind::hex8}, Case{"drag", ElementKind::tet10},
-                                         Case{"pressure", ElementKind::hex8}, Case{"pressure", ElementKind::tet4}, Case{"pressure", ElementKind::tet10}),
+                         testing::Values(ForceCase{"bed", ElementKind::hex8}, ForceCase{"bed", ElementKind::tet10}, ForceCase{"drag", ElementKind::hex8}, ForceCase{"drag", ElementKind::tet10},
+                                         ForceCase{"pressure", ElementKind::hex8}, ForceCase{"pressure", ElementKind::tet4}, ForceCase{"pressure", ElementKind::tet10}),
                          [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
 
 TEST(CavityPressure, PushesNothingAwayAndTurnsWithTheBody) {

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 using namespace testing_support;
 
 const std::string box_part = "box_m = [[0.01, 0.0, 0.0], [0.09, 0.015, 0.03]]\nfibre = [0.999, 0.0, 0.0]";
-const Box body{{0, 0, 0}, {0.1, 0.03, 0.03}};
+const Box bar{{0, 0, 0}, {0.1, 0.03, 0.03}};
 
 /// The good experiment with another part for its first muscle.
 class MuscleGroups : public testing::Test {
@@ -43,7 +43,7 @@ protected:
 };
 
 TEST_F(MuscleGroups, MaskIsTheBoxThatWasPainted) {
-    const VolumeMesh mesh = box_hex_mesh(body, {10, 4, 3});
+    const VolumeMesh mesh = box_hex_mesh(bar, {10, 4, 3});
     const Box part{{0.01, 0, 0}, {0.09, 0.015, 0.03}};
     ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(mesh, {volume_fractions(mesh, part), Vector3d::UnitX().replicate(1, mesh.cell_count())})));
     const Result<std::vector<FibreGroup>> boxes = muscle_groups(experiment(box_part), on(mesh)), masks = muscle_groups(experiment("mask = \"left.csv\""), on(mesh));
@@ -68,7 +68,7 @@ TEST_F(MuscleGroups, MaskIsTheBoxThatWasPainted) {
 }
 
 TEST_F(MuscleGroups, AMaskInMemoryIsThatOfItsFile) {
-    const VolumeMesh mesh = box_hex_mesh(body, {10, 4, 3});
+    const VolumeMesh mesh = box_hex_mesh(bar, {10, 4, 3});
     const PaintedMask mask = mask_of_cells(mesh, {volume_fractions(mesh, {{0.02, 0, 0}, {0.07, 0.01, 0.03}}), Vector3d::UnitX().replicate(1, mesh.cell_count())});
     Experiment e = experiment(box_part);
     e.muscles[0].part = MuscleMask{std::make_shared<const PaintedMask>(mask), std::nullopt};
@@ -110,7 +110,7 @@ TEST_F(MuscleGroups, LineHoldsItsCylinderOnEveryMesh) {
     const Experiment e = experiment("line_m = [[0.01, 0.01, 0.01], [0.05, 0.01, 0.01], [0.09, 0.01, 0.02]]\nradius_m = 0.004");
     const double length = 0.04 + std::hypot(0.04, 0.01);
     for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) {
-        const VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(body, {9, 3, 3}) : tet_box_mesh(body, {9, 3, 3}, type);
+        const VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(bar, {9, 3, 3}) : tet_box_mesh(bar, {9, 3, 3}, type);
         const Result<std::vector<FibreGroup>> groups = muscle_groups(e, on(mesh));
         ASSERT_TRUE(groups) << groups.error().text();
         EXPECT_NEAR((*groups)[0].volume() / (std::numbers::pi * 16e-6 * length), 1.0, 0.005) << to_string(type);
@@ -121,8 +121,8 @@ TEST_F(MuscleGroups, LineHoldsItsCylinderOnEveryMesh) {
 TEST_F(MuscleGroups, MoveWithAMeshThatShrank) {
     const VolumeMesh small = box_hex_mesh({{0, 0, 0}, {0.05, 0.015, 0.015}}, {10, 4, 3});
     StudyMesh mesh = on(small);
-    mesh.shrunk_from = body;
-    const VolumeMesh whole = box_hex_mesh(body, {10, 4, 3});
+    mesh.shrunk_from = bar;
+    const VolumeMesh whole = box_hex_mesh(bar, {10, 4, 3});
     const Box part{{0.01, 0, 0}, {0.09, 0.015, 0.03}};
     ASSERT_TRUE(write_painted_mask(folder.path() / "left.csv", mask_of_cells(whole, {volume_fractions(whole, part), Vector3d::UnitX().replicate(1, whole.cell_count())})));
     const Result<std::vector<FibreGroup>> groups = muscle_groups(experiment("mask = \"left.csv\""), mesh);
@@ -131,7 +131,7 @@ TEST_F(MuscleGroups, MoveWithAMeshThatShrank) {
 }
 
 TEST_F(MuscleGroups, WhatMeetsNoMaterialIsNamedWithItsLine) {
-    const VolumeMesh mesh = box_hex_mesh(body, {10, 3, 3});
+    const VolumeMesh mesh = box_hex_mesh(bar, {10, 3, 3});
     const auto error_of = [&](const std::string& part) {
         const Result<std::vector<FibreGroup>> groups = muscle_groups(experiment(part), on(mesh));
         EXPECT_FALSE(groups);

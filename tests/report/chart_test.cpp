@@ -3,16 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "report/markup_check.hpp"
+#include "report/not_finite.hpp"
 
 namespace myo {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::nan;
+using test::infinity;
 
 void expect_sound(const std::string& figure) {
     EXPECT_EQ(test::markup_fault(figure), "");

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "report/not_finite.hpp"
 
 namespace myo {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using test::nan;
 
 Polyline long_curve(std::size_t count) {
     Polyline curve;

@@ -7,11 +7,12 @@
 #include <limits>
 
 #include "base/files.hpp"
+#include "report/not_finite.hpp"
 
 namespace myo {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using test::nan;
 
 TEST(Json, NonFiniteNumbersBecomeNull) {
     Json json;

@@ -3,15 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "report/markup_check.hpp"
+#include "report/not_finite.hpp"
 
 namespace myo {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::nan;
+using test::infinity;
 
 TEST(MarkupFault, FindsWhatIsBroken) {
     EXPECT_EQ(test::markup_fault("<a b=\"1\"><c/>x &amp; y</a>"), "");

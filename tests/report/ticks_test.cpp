@@ -7,10 +7,12 @@
 #include <random>
 #include <set>
 
+#include "report/not_finite.hpp"
+
 namespace myo {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
 
 // What every axis owes its reader: several ticks, inside, ascending, with labels that differ.
 void expect_readable(const Ticks& ticks) {

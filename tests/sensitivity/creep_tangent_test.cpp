@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-struct Case {
+struct CreepCase {
     ElementKind kind;
     TimeScheme integrator;
     StartKind start;
     double damping_s;
 };
 
-class CreepTangents : public testing::TestWithParam<Case> {};
+class CreepTangents : public testing::TestWithParam<CreepCase> {};
 
 /// Modulus, damping and a level of actuation, over jumps of loads and signals.
 TEST_P(CreepTangents, EqualCentralDifferencesOfTheDiscreteMotion) {
@@ -73,12 +73,12 @@ TEST_P(CreepTangents, EqualCentralDifferencesOfTheDiscreteMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CreepTangents,
-                         testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight, 0.003},
-                                         Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium, 0.003},
-                                         Case{ElementKind::hex8, Integrator::bdf2, StartKind::equilibrium, 0.001},
-                                         Case{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight, 0.003},
-                                         Case{ElementKind::tet10, Integrator::tr_bdf2, StartKind::equilibrium, 0.001},
-                                         Case{ElementKind::hex8_mean_dilatation, Integrator::implicit_euler, StartKind::straight, 0.001}));
+                         testing::Values(CreepCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight, 0.003},
+                                         CreepCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium, 0.003},
+                                         CreepCase{ElementKind::hex8, Integrator::bdf2, StartKind::equilibrium, 0.001},
+                                         CreepCase{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight, 0.003},
+                                         CreepCase{ElementKind::tet10, Integrator::tr_bdf2, StartKind::equilibrium, 0.001},
+                                         CreepCase{ElementKind::hex8_mean_dilatation, Integrator::implicit_euler, StartKind::straight, 0.001}));
 
 /// With the factors held, which they are exactly where nothing softens any more or nothing has begun to.
 TEST(SofteningTangents, AreThoseOfTheFactorsHeld) {

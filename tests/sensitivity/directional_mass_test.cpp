@@ -9,13 +9,13 @@
 namespace myo {
 namespace {
 
-struct Case {
+struct MassCase {
     ElementKind kind;
     TimeScheme scheme;
     StartKind start;
 };
 
-class DirectionalMassGradient : public testing::TestWithParam<Case> {
+class DirectionalMassGradient : public testing::TestWithParam<MassCase> {
 protected:
     /// Fluid all around and a weight on an oblique thread, many times as heavy as the body.
     DirectionalMassGradient() : model(test::driven_beam(GetParam().kind)), options(test::short_run(GetParam().scheme, GetParam().start)) {
@@ -66,10 +66,10 @@ TEST_P(DirectionalMassGradient, TangentsOfTheModulusEqualDifferencesAndTheAdjoin
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DirectionalMassGradient,
-                         testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight}, Case{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
-                                         Case{ElementKind::hex8, Integrator::trapezoidal, StartKind::equilibrium},
-                                         Case{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
-                                         Case{ElementKind::tet10, Integrator::implicit_euler, StartKind::equilibrium}),
+                         testing::Values(MassCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight}, MassCase{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
+                                         MassCase{ElementKind::hex8, Integrator::trapezoidal, StartKind::equilibrium},
+                                         MassCase{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
+                                         MassCase{ElementKind::tet10, Integrator::implicit_euler, StartKind::equilibrium}),
                          [](const auto& c) {
                              return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) + (c.param.start == StartKind::equilibrium ? "_equilibrium" : "");
                          });

@@ -12,14 +12,14 @@ using test::blown_block;
 using test::rough_loss;
 using test::short_run;
 
-struct Case {
+struct ForceElementCase {
     ElementKind kind;
     TimeScheme scheme;
     StartKind start;
 };
 
 /// Springs, drag and the pressure of a cavity, all at once.
-class ForceElementGradient : public testing::TestWithParam<Case> {};
+class ForceElementGradient : public testing::TestWithParam<ForceElementCase> {};
 
 TEST_P(ForceElementGradient, EqualsCentralDifferences) {
     const auto [kind, scheme, start] = GetParam();
@@ -70,10 +70,10 @@ TEST_P(ForceElementGradient, EqualsTheTangents) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ForceElementGradient,
-                         testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight}, Case{ElementKind::hex8, Integrator::bdf2, StartKind::straight}, Case{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
-                                         Case{ElementKind::hex8, Integrator::implicit_euler, StartKind::equilibrium},
-                                         Case{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
-                                         Case{ElementKind::tet10, Integrator::tr_bdf2, StartKind::straight}),
+                         testing::Values(ForceElementCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight}, ForceElementCase{ElementKind::hex8, Integrator::bdf2, StartKind::straight}, ForceElementCase{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
+                                         ForceElementCase{ElementKind::hex8, Integrator::implicit_euler, StartKind::equilibrium},
+                                         ForceElementCase{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
+                                         ForceElementCase{ElementKind::tet10, Integrator::tr_bdf2, StartKind::straight}),
                          [](const auto& c) {
                              return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) + (c.param.start == StartKind::equilibrium ? "_equilibrium" : "");
                          });

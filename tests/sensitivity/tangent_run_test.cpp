@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 
+#include "sensitivity/driven_beam.hpp"
 #include "support/beam.hpp"
 
 namespace myo {
@@ -20,7 +21,7 @@ struct Values {
     double level = 0.9;
 };
 
-Model driven_beam(ElementKind kind, const Values& values) {
+Model pushed_beam(ElementKind kind, const Values& values) {
     BeamSpec spec;
     spec.kind = kind;
     spec.gravity_m_s2 = 9.81;
@@ -38,29 +39,19 @@ Model driven_beam(ElementKind kind, const Values& values) {
     return model;
 }
 
-SimulationOptions short_run(const TimeScheme& integrator, StartKind start) {
-    SimulationOptions options;
-    options.integrator = integrator;
-    options.start = start;
-    options.h_s = 0.005;
-    options.end_s = 0.05;
-    options.solver.tolerance = 1e-10;
-    return options;
-}
-
-struct Case {
+struct TangentCase {
     ElementKind kind;
     TimeScheme integrator;
     StartKind start;
 };
 
-class TangentRun : public testing::TestWithParam<Case> {};
+class TangentRun : public testing::TestWithParam<TangentCase> {};
 
 TEST_P(TangentRun, EqualsCentralDifferencesOfTheDiscreteMotion) {
     const auto [kind, integrator, start] = GetParam();
-    const SimulationOptions options = short_run(integrator, start);
+    const SimulationOptions options = test::short_run(integrator, start);
     const Values values;
-    const Model model = driven_beam(kind, values);
+    const Model model = pushed_beam(kind, values);
     ModelTangent level;
     level.activation = {Signal::step(0.0, 0.0, 1.0)};
     std::vector<int> nodes(static_cast<std::size_t>(model.body->node_count()));
@@ -79,7 +70,7 @@ TEST_P(TangentRun, EqualsCentralDifferencesOfTheDiscreteMotion) {
         const auto shifted = [&, &change = change](double by) {
             Values v = values;
             change(v, by);
-            return simulate(driven_beam(kind, v), options);
+            return simulate(pushed_beam(kind, v), options);
         };
         const Trace up = shifted(step), down = shifted(-step);
         double error = 0.0, size = 0.0;
@@ -98,21 +89,21 @@ TEST_P(TangentRun, EqualsCentralDifferencesOfTheDiscreteMotion) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, TangentRun,
-    testing::Values(Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight},
-                    Case{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium},
-                    Case{ElementKind::hex8, Integrator::implicit_euler, StartKind::straight},
-                    Case{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
-                    Case{ElementKind::tet10, Integrator::bdf2, StartKind::equilibrium},
-                    Case{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
-                    Case{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight},
-                    Case{ElementKind::tet10, {Integrator::generalized_alpha, 0.2}, StartKind::equilibrium},
-                    Case{ElementKind::hex8_mean_dilatation, Integrator::tr_bdf2, StartKind::straight},
-                    Case{ElementKind::tet10, Integrator::tr_bdf2, StartKind::equilibrium},
-                    Case{ElementKind::tet4, Integrator::implicit_euler, StartKind::equilibrium}));
+    testing::Values(TangentCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight},
+                    TangentCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium},
+                    TangentCase{ElementKind::hex8, Integrator::implicit_euler, StartKind::straight},
+                    TangentCase{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
+                    TangentCase{ElementKind::tet10, Integrator::bdf2, StartKind::equilibrium},
+                    TangentCase{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
+                    TangentCase{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight},
+                    TangentCase{ElementKind::tet10, {Integrator::generalized_alpha, 0.2}, StartKind::equilibrium},
+                    TangentCase{ElementKind::hex8_mean_dilatation, Integrator::tr_bdf2, StartKind::straight},
+                    TangentCase{ElementKind::tet10, Integrator::tr_bdf2, StartKind::equilibrium},
+                    TangentCase{ElementKind::tet4, Integrator::implicit_euler, StartKind::equilibrium}));
 
 TEST(TangentRunItself, DoesNotChangeTheMotion) {
-    const Model model = driven_beam(ElementKind::hex8, {});
-    const SimulationOptions options = short_run(Integrator::tr_bdf2, StartKind::straight);
+    const Model model = pushed_beam(ElementKind::hex8, {});
+    const SimulationOptions options = test::short_run(Integrator::tr_bdf2, StartKind::straight);
     const SensitiveTrace with = simulate_with_tangents(model, options, {damping_tangent()}, {1, 2});
     const Trace without = simulate(model, options);
     ASSERT_EQ(with.trace.positions.size(), without.positions.size());

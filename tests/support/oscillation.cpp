@@ -2,6 +2,11 @@
 
 namespace myo::test {
 
+std::array<std::complex<double>, 2> step_eigenvalues(const Eigen::Matrix2cd& A) {
+    const std::complex<double> half = 0.5 * A.trace(), root = std::sqrt(half * half - A.determinant());
+    return {half + root, half - root};
+}
+
 NaturalMode first_mode(const Model& model) {
     StageSolver solver(model);
     const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);

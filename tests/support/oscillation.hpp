@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -12,6 +13,12 @@
 #include "support/beam.hpp"
 
 namespace myo::test {
+
+/// The steps of the paper's clamped beam [s].
+inline constexpr std::array paper_steps{0.0025, 0.005, 0.0075, 0.01, 0.0125, 0.015, 0.0175, 0.02};
+
+/// Eigenvalues of the two by two matrix of a step.
+std::array<std::complex<double>, 2> step_eigenvalues(const Eigen::Matrix2cd& A);
 
 /// First mode about the rest shape.
 NaturalMode first_mode(const Model& model);

@@ -8,12 +8,12 @@
 namespace myo {
 namespace {
 
-const ViewSize size{800, 500};
-const Box box{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}};
+const ViewSize view_size{800, 500};
+const Box looked_at{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}};
 
 TEST(Camera, TargetFallsOnTheMiddle) {
-    const Camera camera = fit({}, size, box);
-    const auto p = project(camera, size, camera.target);
+    const Camera camera = fit({}, view_size, looked_at);
+    const auto p = project(camera, view_size, camera.target);
     ASSERT_TRUE(p);
     EXPECT_NEAR(p->x(), 400.0, 1e-9);
     EXPECT_NEAR(p->y(), 250.0, 1e-9);
@@ -26,8 +26,8 @@ TEST(Camera, FitShowsEveryCornerFromEverySide) {
             Camera camera;
             camera.yaw = yaw;
             camera.pitch = pitch;
-            for (const ViewSize& view : {size, ViewSize{300, 900}}) {
-                camera = fit(camera, view, box);
+            for (const ViewSize& view : {view_size, ViewSize{300, 900}}) {
+                camera = fit(camera, view, looked_at);
                 for (int corner = 0; corner < 8; ++corner) {
                     const Eigen::Vector3d p((corner & 1) * 0.1, (corner >> 1 & 1) * 0.03, (corner >> 2) * 0.03);
                     const auto pixel = project(camera, view, p);
@@ -43,13 +43,13 @@ TEST(Camera, FitShowsEveryCornerFromEverySide) {
 }
 
 TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
-    const Camera before = fit({}, size, box);
+    const Camera before = fit({}, view_size, looked_at);
     const Eigen::Vector2d cursor(650.0, 120.0);
     const CameraAxes axes = camera_axes(before);
-    const double scale = metres_per_pixel(before, size);
+    const double scale = metres_per_pixel(before, view_size);
     const Eigen::Vector3d point = before.target + scale * (250.0 * axes.right + 130.0 * axes.up);
-    const Camera after = zoom(before, size, 0.5, cursor);
-    const auto pixel = project(after, size, point);
+    const Camera after = zoom(before, view_size, 0.5, cursor);
+    const auto pixel = project(after, view_size, point);
     ASSERT_TRUE(pixel);
     EXPECT_NEAR(pixel->x(), cursor.x(), 1e-6);
     EXPECT_NEAR(pixel->y(), cursor.y(), 1e-6);
@@ -57,31 +57,31 @@ TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
 }
 
 TEST(Camera, PanMovesTheTargetPlaneWithTheMouse) {
-    const Camera before = fit({}, size, box);
-    const auto pixel = project(pan(before, size, 30.0, -12.0), size, before.target);
+    const Camera before = fit({}, view_size, looked_at);
+    const auto pixel = project(pan(before, view_size, 30.0, -12.0), view_size, before.target);
     ASSERT_TRUE(pixel);
     EXPECT_NEAR(pixel->x(), 430.0, 1e-6);
     EXPECT_NEAR(pixel->y(), 238.0, 1e-6);
 }
 
 TEST(Camera, StandardViewsLookAlongTheAxes) {
-    const Camera camera = fit({}, size, box);
+    const Camera camera = fit({}, view_size, looked_at);
     // From -y, x runs to the right and z upwards.
     const Camera side = turn_to(camera, StandardView::from_y);
-    const auto origin = project(side, size, side.target);
-    const auto along_x = project(side, size, side.target + Eigen::Vector3d(0.01, 0, 0));
-    const auto along_z = project(side, size, side.target + Eigen::Vector3d(0, 0, 0.01));
+    const auto origin = project(side, view_size, side.target);
+    const auto along_x = project(side, view_size, side.target + Eigen::Vector3d(0.01, 0, 0));
+    const auto along_z = project(side, view_size, side.target + Eigen::Vector3d(0, 0, 0.01));
     EXPECT_GT(along_x->x(), origin->x() + 1.0);
     EXPECT_NEAR(along_x->y(), origin->y(), 1e-9);
     EXPECT_LT(along_z->y(), origin->y() - 1.0);
     // From above, x right and y upwards.
     const Camera top = turn_to(camera, StandardView::from_z);
-    EXPECT_GT(project(top, size, top.target + Eigen::Vector3d(0.01, 0, 0))->x(), 401.0);
-    EXPECT_LT(project(top, size, top.target + Eigen::Vector3d(0, 0.01, 0))->y(), 249.0);
+    EXPECT_GT(project(top, view_size, top.target + Eigen::Vector3d(0.01, 0, 0))->x(), 401.0);
+    EXPECT_LT(project(top, view_size, top.target + Eigen::Vector3d(0, 0.01, 0))->y(), 249.0);
 }
 
 TEST(Camera, TheSameStandardViewAgainGoesToTheOtherSide) {
-    const Camera camera = fit({}, size, box);
+    const Camera camera = fit({}, view_size, looked_at);
     for (const StandardView view : {StandardView::from_x, StandardView::from_y, StandardView::from_z}) {
         const Camera once = turn_to_or_round(camera, view), twice = turn_to_or_round(once, view);
         EXPECT_NEAR(camera_axes(once).back.dot(camera_axes(twice).back), -1.0, 1e-5);
@@ -90,8 +90,8 @@ TEST(Camera, TheSameStandardViewAgainGoesToTheOtherSide) {
 }
 
 TEST(Camera, PointsBehindTheEyeHaveNoPixel) {
-    const Camera camera = fit({}, size, box);
-    EXPECT_FALSE(project(camera, size, camera.target + 2.0 * camera.distance * camera_axes(camera).back));
+    const Camera camera = fit({}, view_size, looked_at);
+    EXPECT_FALSE(project(camera, view_size, camera.target + 2.0 * camera.distance * camera_axes(camera).back));
 }
 
 /// Relative luminance of an sRGB colour, between 0 and 1 (IEC 61966-2-1).

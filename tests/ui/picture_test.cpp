@@ -28,7 +28,7 @@ Image read_png(const fs::path& path) {
     return image;
 }
 
-void run_beam(Driver& driver) {
+void run_a_beam(Driver& driver) {
     driver.open_beam();
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
@@ -49,7 +49,7 @@ PictureRequest motion(const fs::path& path, double rate_Hz) {
 TEST(Picture, IsDrawnAnewInTheSizeThatIsAskedFor) {
     const Folder folder("picture");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.key(key_k, {.ctrl = true});
     driver.type("save picture");
     driver.key(ImGuiKey_Enter);
@@ -96,7 +96,7 @@ Image picture_of(Driver& driver, const fs::path& path, bool overlay = true) {
 TEST(Picture, HasWhatLiesOverTheViewInItsOwnSize) {
     const Folder folder("overlay");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     ViewOptions options = driver.state().view;
     options.field = "height";
     driver.workbench->execute(command::ChangeView{options});
@@ -169,7 +169,7 @@ TEST(Picture, LinesAndMarkersKeepTheirShareOfALargerOne) {
 TEST(Picture, IsOfTheTimeThatWasShownWhenItWasAskedFor) {
     const Folder folder("asked");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.workbench->execute(command::SetTime{0.2});
     driver.workbench->execute(command::Play{true});
     for (int i = 0; i < 5; ++i) driver.frame();
@@ -209,7 +209,7 @@ TEST(Picture, IsOfTheTimeThatWasShownWhenItWasAskedFor) {
 TEST(Picture, FilmsDoNotDependOnTheTimeThatIsShown) {
     const Folder folder("film_alone");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     ViewOptions options = driver.state().view;
     options.field = "height";
     driver.workbench->execute(command::ChangeView{options});
@@ -233,7 +233,7 @@ TEST(Picture, FilmsDoNotDependOnTheTimeThatIsShown) {
 TEST(Picture, NumberedOnesShowTheMotionOverItsTime) {
     const Folder folder("frames");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.workbench->execute(command::SetTime{0.123});
     driver.settle();
     driver.window->draw_into(motion(folder.path() / "swing", 20.0));
@@ -256,7 +256,7 @@ TEST(Picture, NumberedOnesShowTheMotionOverItsTime) {
 TEST(Picture, GivenUpLeavesNothing) {
     const Folder folder("given_up");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.window->draw_into(motion(folder.path() / "swing", 200.0));
     for (int i = 0; i < 8; ++i) driver.frame();
     EXPECT_TRUE(fs::exists(folder.path() / "swing.part"));
@@ -270,7 +270,7 @@ TEST(Picture, AFilmIsWrittenWhereFfmpegIs) {
     if (!can_write_films()) GTEST_SKIP() << "skipped: no ffmpeg";
     const Folder folder("film's");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.window->draw_into(motion(folder.path() / "swing.mp4", 20.0));
     for (int i = 0; i < 60 && !fs::exists(folder.path() / "swing.mp4"); ++i) driver.frame();
     const Result<std::string> film = read_file(folder.path() / "swing.mp4");
@@ -283,7 +283,7 @@ TEST(Picture, AFilmIsWrittenWhereFfmpegIs) {
 TEST(Picture, PlotsAreSavedAsTheyAreSeen) {
     const Folder folder("plots");
     Driver driver;
-    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     const Image window = driver.picture();
     const Rectangle first = driver.item("markers/plots");
     const fs::path before = fs::current_path();
