@@ -1,11 +1,11 @@
 #include "diagnosis/linear_cross_validation.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "base/decompositions.hpp"
 
 namespace myo {
 namespace {
@@ -24,12 +24,12 @@ struct NormalEquations {
 Eigen::MatrixXd unit_directions(const Eigen::MatrixXd& matrix) {
     const Eigen::VectorXd diagonal = matrix.diagonal();
     const Eigen::VectorXd scale = (diagonal.array() > 0.0).select(diagonal.cwiseSqrt().cwiseInverse(), 0.0);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * matrix * scale.asDiagonal());
-    const Eigen::VectorXd& values = eigen.eigenvalues();
+    const SymmetricEigen eigen = symmetric_eigen(scale.asDiagonal() * matrix * scale.asDiagonal());
+    const Eigen::VectorXd& values = eigen.values;
     const Eigen::Index p = values.size();
     const Eigen::Index free = (values.array() <= relative_tolerance * values(p - 1)).count();
     const Eigen::Index known = p - free;
-    return scale.asDiagonal() * eigen.eigenvectors().rightCols(known) * values.tail(known).cwiseSqrt().cwiseInverse().asDiagonal();
+    return scale.asDiagonal() * eigen.vectors.rightCols(known) * values.tail(known).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 struct Step {
@@ -42,14 +42,14 @@ Step solved(const NormalEquations& equations, const Eigen::MatrixXd& directions)
     const Eigen::Index p = equations.right.size(), known = directions.cols();
     Step step{Eigen::VectorXd::Zero(p), static_cast<int>(p - known)};
     if (known == 0) return step;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(directions.transpose() * equations.matrix * directions);
+    const SymmetricEigen eigen = symmetric_eigen(directions.transpose() * equations.matrix * directions);
     for (Eigen::Index k = 0; k < known; ++k) {
-        if (eigen.eigenvalues()(k) < least_information) {
+        if (eigen.values(k) < least_information) {
             ++step.undetermined;
             continue;
         }
-        const Eigen::VectorXd direction = directions * eigen.eigenvectors().col(k);
-        step.change += direction * (direction.dot(equations.right) / eigen.eigenvalues()(k));
+        const Eigen::VectorXd direction = directions * eigen.vectors.col(k);
+        step.change += direction * (direction.dot(equations.right) / eigen.values(k));
     }
     return step;
 }

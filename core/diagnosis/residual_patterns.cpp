@@ -1,11 +1,11 @@
 #include "diagnosis/residual_patterns.hpp"
 
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <set>
+
+#include "base/decompositions.hpp"
 
 namespace myo {
 namespace {
@@ -23,18 +23,18 @@ ResidualPatterns patterns_of(const GriddedTrial& grid, const ResidualLayout& lay
     result.markers = markers_of(grid, layout);
     const double energy = grid.values.squaredNorm();
     if (!(energy > 0.0)) return result;
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(grid.values, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const LeadingSvd svd = leading_svd(grid.values, modes);
     const double rows = static_cast<double>(grid.values.rows());
-    for (Eigen::Index k = 0; k < std::min<Eigen::Index>(modes, svd.singularValues().size()); ++k) {
-        const double size = svd.singularValues()(k);
-        Eigen::VectorXd left = svd.matrixU().col(k);
+    for (Eigen::Index k = 0; k < svd.sizes.size(); ++k) {
+        const double size = svd.sizes(k);
+        Eigen::VectorXd left = svd.left.col(k);
         Eigen::Index largest = 0;
         left.cwiseAbs().maxCoeff(&largest);
         const double sign = left(largest) < 0.0 ? -1.0 : 1.0;
         left *= sign * std::sqrt(rows);
         ResidualMode mode;
         mode.share = size * size / energy;
-        mode.course = svd.matrixV().col(k) * (sign * size / std::sqrt(rows));
+        mode.course = svd.right.col(k) * (sign * size / std::sqrt(rows));
         mode.pattern.setZero(3, static_cast<Eigen::Index>(result.markers.size()));
         for (std::size_t row = 0; row < grid.series.size(); ++row) {
             const ResidualSeries& series = layout.series[static_cast<std::size_t>(grid.series[row])];

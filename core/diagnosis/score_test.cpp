@@ -1,7 +1,6 @@
 #include "diagnosis/score_test.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cassert>
@@ -9,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/decompositions.hpp"
 #include "diagnosis/autocorrelation.hpp"
 #include "diagnosis/distributions.hpp"
 
@@ -94,7 +94,7 @@ double principal_cosine(const ProjectedCandidate& a, const ProjectedCandidate& b
     // A single direction's basis may point against its tangent; to_step tells.
     if (a.parameters() == 1 && b.parameters() == 1)
         return std::clamp(product(0, 0) * (a.to_step(0, 0) * b.to_step(0, 0) < 0.0 ? -1.0 : 1.0), -1.0, 1.0);
-    return std::min(1.0, Eigen::JacobiSVD<Eigen::MatrixXd>(product).singularValues()(0));
+    return std::min(1.0, std::sqrt(symmetric_eigenvalues(smaller_gram(product)).maxCoeff()));
 }
 
 Eigen::MatrixXd principal_cosines(const std::vector<ProjectedCandidate>& candidates) {

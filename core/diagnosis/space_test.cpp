@@ -1,9 +1,8 @@
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "base/decompositions.hpp"
 #include "diagnosis/distributions.hpp"
 #include "diagnosis/random_signs.hpp"
 #include "diagnosis/residual_tests.hpp"
@@ -14,21 +13,11 @@ namespace {
 // Of the largest eigenvalue of a real Wishart matrix (Tracy-Widom law of order 1).
 constexpr double tracy_widom_skewness = 0.2935;
 
-// The smaller of the two products with the transpose; its eigenvalues are the squared singular values.
-Eigen::MatrixXd gram(const Eigen::MatrixXd& values) {
-    return values.rows() <= values.cols() ? Eigen::MatrixXd(values * values.transpose()) : Eigen::MatrixXd(values.transpose() * values);
-}
-
-double largest_eigenvalue(const Eigen::MatrixXd& symmetric) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric, Eigen::EigenvaluesOnly);
-    return eigen.eigenvalues()(symmetric.rows() - 1);
-}
+double largest_eigenvalue(const Eigen::MatrixXd& symmetric) { return symmetric_eigenvalues(symmetric)(symmetric.rows() - 1); }
 
 // Left singular vector of the largest singular value, its largest entry positive.
 Eigen::VectorXd first_pattern(const Eigen::MatrixXd& values) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram(values));
-    Eigen::VectorXd pattern = eigen.eigenvectors().rightCols(1);
-    if (pattern.size() != values.rows()) pattern = (values * pattern).normalized();
+    const Eigen::VectorXd pattern = leading_svd(values, 1).left.col(0);
     Eigen::Index largest = 0;
     pattern.cwiseAbs().maxCoeff(&largest);
     return pattern(largest) < 0.0 ? Eigen::VectorXd(-pattern) : pattern;
@@ -41,14 +30,14 @@ SpaceTest::Trial test_trial(const GriddedTrial& grid, int draws, RandomSigns& ra
     const double energy = grid.values.squaredNorm();
     test.pattern = Eigen::VectorXd::Zero(grid.values.rows());
     if (!(energy > 0.0)) return test;
-    test.share = largest_eigenvalue(gram(grid.values)) / energy;
+    test.share = largest_eigenvalue(smaller_gram(grid.values)) / energy;
     test.pattern = first_pattern(grid.values);
 
     Eigen::ArrayXd shares(draws);
     Eigen::MatrixXd flipped = grid.values;
     for (double& share : shares) {
         random.flip(flipped.reshaped());
-        share = largest_eigenvalue(gram(flipped)) / energy;
+        share = largest_eigenvalue(smaller_gram(flipped)) / energy;
     }
     test.expected_share = shares.mean();
     const double deviation = std::sqrt((shares - shares.mean()).square().sum() / (draws - 1));

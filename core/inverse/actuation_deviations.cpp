@@ -1,12 +1,11 @@
 #include "inverse/actuation_deviations.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "base/decompositions.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "sensitivity/tangent_run.hpp"
@@ -112,14 +111,14 @@ void set_deviations(const ActuationProblem& problem, const NormalEquations& equa
     const Index n = equations.information.rows(), rows = found.deviations.rows(), columns = found.deviations.cols();
     const double weight = equations.count * problem.smoothness_m_s * problem.smoothness_m_s;
     const MatrixXd precision = equations.information + weight * half_rate_hessian(problem.sought, found.deviations);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(precision);
-    const double least = not_seen * eigen.eigenvalues()(n - 1);
+    const SymmetricEigen eigen = symmetric_eigen(precision);
+    const double least = not_seen * eigen.values(n - 1);
     // What a direction that nothing sees leaves open, it leaves open in all values that it moves.
     MatrixXd inverse = MatrixXd::Zero(n, n);
     VectorXd open = VectorXd::Zero(n);
     for (Index i = 0; i < n; ++i) {
-        const VectorXd v = eigen.eigenvectors().col(i);
-        if (eigen.eigenvalues()(i) > least) inverse += v * v.transpose() / eigen.eigenvalues()(i);
+        const VectorXd v = eigen.vectors.col(i);
+        if (eigen.values(i) > least) inverse += v * v.transpose() / eigen.values(i);
         else open += v.cwiseAbs2();
     }
     const MatrixXd resolution = inverse * equations.information;

@@ -1,9 +1,8 @@
 #include "inverse/fit_evaluations.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 
+#include "base/decompositions.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 
@@ -101,11 +100,11 @@ void set_covariance(const std::vector<Parameter>& parameters, const ResidualEval
     VectorXd scale(n);
     for (Index i = 0; i < n; ++i) scale(i) = parameters[static_cast<std::size_t>(i)].scale;
     const MatrixXd J = end.jacobian * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(J.transpose() * J);
-    if (eigen.eigenvalues()(0) <= 1e-14 * eigen.eigenvalues()(n - 1)) return;   // a direction the data do not see
+    const SymmetricEigen eigen = symmetric_eigen(J.transpose() * J);
+    if (eigen.values(0) <= 1e-14 * eigen.values(n - 1)) return;   // a direction the data do not see
     const double freedom = static_cast<double>(std::max<Index>(1, end.residuals.size() - n));
     const double variance = std::max(1.0, end.residuals.squaredNorm() / freedom);
-    const MatrixXd covariance = variance * eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+    const MatrixXd covariance = variance * eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
     const VectorXd deviation = covariance.diagonal().cwiseSqrt();
     report.deviations = deviation.cwiseProduct(scale);
     report.correlation = deviation.cwiseInverse().asDiagonal() * covariance * deviation.cwiseInverse().asDiagonal();

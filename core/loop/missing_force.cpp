@@ -1,11 +1,11 @@
 #include "loop/missing_force.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/decompositions.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/force_course.hpp"
 #include "loop/force_fields.hpp"
@@ -165,19 +165,20 @@ std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& siz
     const ForceFields& fields = trial.fields();
     const Eigen::Map<const MatrixXd> courses(sizes.data(), fields.volume.rows(), trial.knots().count);
     const Eigen::LLT<MatrixXd> volume(fields.volume);
-    const Eigen::JacobiSVD<MatrixXd> svd(volume.matrixU() * courses, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const double all = svd.singularValues().squaredNorm();
+    const MatrixXd weighted = volume.matrixU() * courses;
+    const LeadingSvd svd = leading_svd(weighted, most_modes);
+    const double all = weighted.squaredNorm();
     std::vector<ForceMode> modes;
     double shown = 0.0;
-    for (Index k = 0; k < std::min<Index>(most_modes, svd.singularValues().size()) && all > 0.0 && shown < shown_share; ++k) {
+    for (Index k = 0; k < svd.sizes.size() && all > 0.0 && shown < shown_share; ++k) {
         ForceMode mode;
-        mode.share = std::pow(svd.singularValues()(k), 2) / all;
+        mode.share = std::pow(svd.sizes(k), 2) / all;
         if (mode.share < 0.01) break;
         shown += mode.share;
-        const VectorXd of_field = volume.matrixU().solve(VectorXd(svd.matrixU().col(k)));
+        const VectorXd of_field = volume.matrixU().solve(VectorXd(svd.left.col(k)));
         mode.pattern = Matrix3Xd::Zero(3, fields.place.size());
         for (std::size_t f = 0; f < fields.patterns.size(); ++f) mode.pattern += of_field(static_cast<Index>(f)) * fields.patterns[f];
-        mode.amplitude_N = svd.singularValues()(k) * svd.matrixV().col(k);
+        mode.amplitude_N = svd.sizes(k) * svd.right.col(k);
         describe(*trial.affected().model.body, fields, mode);
         modes.push_back(std::move(mode));
     }

@@ -1,11 +1,12 @@
 #include "loop/smooth_force.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "base/decompositions.hpp"
 
 namespace myo {
 
@@ -18,9 +19,9 @@ SmoothForce::SmoothForce(const MatrixXd& A, const MatrixXd& R) : A_(A) {
     const MatrixXd squares = A.transpose() * A;
     const MatrixXd half = factor.matrixL().solve(squares);
     const MatrixXd whitened = factor.matrixL().solve(half.transpose());
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(whitened);
-    diagonal_ = modes.eigenvalues().cwiseMax(0.0);
-    to_x_ = factor.matrixU().solve(modes.eigenvectors());
+    const SymmetricEigen modes = symmetric_eigen(whitened);
+    diagonal_ = modes.values.cwiseMax(0.0);
+    to_x_ = factor.matrixU().solve(modes.vectors);
 }
 
 VectorXd SmoothForce::solve(const VectorXd& d, double squares) const {

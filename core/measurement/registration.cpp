@@ -1,11 +1,12 @@
 #include "measurement/registration.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <cassert>
 #include <cmath>
 #include <string>
+
+#include "material/polar.hpp"
 
 namespace myo {
 namespace {
@@ -15,9 +16,9 @@ constexpr double line_ratio = 1e-4;
 
 bool on_a_line(const Eigen::Matrix3Xd& centred, const Eigen::VectorXd& weights) {
     const Eigen::Matrix3Xd scaled = centred * weights.cwiseSqrt().asDiagonal();
-    // Singular values of the points themselves: those of their moments would square the ratio into rounding.
-    const Eigen::Vector3d extents = Eigen::JacobiSVD<Eigen::Matrix3Xd>(scaled).singularValues().head<3>();
-    return !(extents(1) > line_ratio * extents(0));
+    // Eigenvalues of the moments are squared extents.
+    const Eigen::Vector3d squares = signed_svd(scaled * scaled.transpose()).sigma;
+    return !(squares(1) > line_ratio * line_ratio * squares(0));
 }
 
 }  // namespace
@@ -42,12 +43,9 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
         return Error{"rigid registration is not determined: all points lie on one line, so the turn about it is free", ""};
     }
     const Eigen::Matrix3d moments = q * w.asDiagonal() * p.transpose();
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moments, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-    if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0) signs(2) = -1.0;  // no mirror image
 
     Registration result;
-    result.motion.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+    result.motion.rotation = polar_rotation(moments);   // no mirror image
     result.motion.translation = to_mean - result.motion.rotation * from_mean;
     result.residual_m = result.motion.rotation * p - q;
     result.distance_m = result.residual_m.colwise().norm();

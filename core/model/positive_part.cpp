@@ -1,14 +1,14 @@
 #include "model/positive_part.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "base/decompositions.hpp"
 
 namespace myo {
 
-// Of any size at run time: this path is rare, and fixed sizes would cost minutes of compilation.
+// Of any size at run time: this path is rare.
 void project_positive(Eigen::Ref<Eigen::MatrixXd> K) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K);
-    if (eigen.eigenvalues()(0) >= 0.0) return;
-    K = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
+    const SymmetricEigen eigen = symmetric_eigen(K);
+    if (eigen.values(0) >= 0.0) return;
+    K = eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
 }
 
 }  // namespace myo

@@ -1,7 +1,7 @@
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include "base/text.hpp"
+#include "material/polar.hpp"
 #include "project/read_experiment_tables.hpp"
 
 namespace myo {
@@ -26,9 +26,8 @@ Eigen::Matrix3d read_rotation(const TomlReader& geometry) {
     const double deviation = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation < 1e-3)) geometry.fail("rotation", "is not a rotation: its rows are not orthogonal unit vectors");
     if (R.determinant() < 0.0) geometry.fail("rotation", "is left-handed: it mirrors the body");
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
     // Exact matrices (zeros and ones) stay exact to the bit.
-    return deviation < 1e-15 ? R : Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
+    return deviation < 1e-15 ? R : polar_rotation(R);
 }
 
 StlGeometry read_stl_declaration(const TomlReader& geometry, const std::filesystem::path& folder) {

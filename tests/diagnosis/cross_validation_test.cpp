@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
-
 #include "diagnosis/evidence.hpp"
 #include "diagnosis/linear_cross_validation.hpp"
 #include "noise.hpp"
+#include "support/dense.hpp"
 
 namespace myo {
 namespace {
@@ -57,7 +56,7 @@ Problem linear_problem() {
     problem.J.resize(N, 3);
     problem.J << white(N, random), 1e6 * white(N, random), 1e-5 * white(N, random);
     problem.y = problem.J * Eigen::Vector3d(1.0, 2e-6, 3e4) + white(N, random);
-    problem.fitted = problem.J.householderQr().solve(problem.y);
+    problem.fitted = test::least_squares(problem.J, problem.y);
     return problem;
 }
 
@@ -71,7 +70,7 @@ TEST(LinearCrossValidation, IsExactForALinearModel) {
         std::vector<Eigen::Index> inside, outside;
         for (Eigen::Index k = 0; k < problem.layout.size(); ++k) (folds.of_entry[static_cast<std::size_t>(k)] == f ? inside : outside).push_back(k);
         const Eigen::MatrixXd others = problem.J(outside, Eigen::all);
-        const Eigen::VectorXd refit = others.householderQr().solve(Eigen::VectorXd(problem.y(outside)));
+        const Eigen::VectorXd refit = test::least_squares(others, problem.y(outside));
         const Eigen::VectorXd held_out = problem.y(inside) - problem.J(inside, Eigen::all) * refit;
         const auto& fold = result.folds[static_cast<std::size_t>(f)];
         for (int j = 0; j < 3; ++j) EXPECT_NEAR((problem.fitted + fold.change)(j) / refit(j), 1.0, 1e-10);
@@ -90,7 +89,7 @@ TEST(LinearCrossValidation, KeepsWhatOnlyOneFoldKnows) {
         Problem problem = linear_problem();
         for (const ResidualSeries& series : problem.layout.series)
             if (series.trial != 1) problem.J.col(2).segment(series.begin, series.size()) *= error;
-        problem.fitted = problem.J.householderQr().solve(problem.y);
+        problem.fitted = test::least_squares(problem.J, problem.y);
         const Eigen::VectorXd r = problem.y - problem.J * problem.fitted;
         const Folds folds = make_folds(problem.layout);
         const LinearCrossValidation result = linear_cross_validation(r, problem.J, folds);

@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include "noise.hpp"
+#include "support/dense.hpp"
 
 namespace myo {
 namespace {
@@ -48,8 +46,8 @@ TEST(ScoreTest, StepIsThatOfTheJointFit) {
 
     Eigen::MatrixXd both(layout.size(), 5);
     both << J, S * Eigen::Vector2d(1e-3, 1e4).asDiagonal();
-    const Eigen::VectorXd joint = both.householderQr().solve(r);
-    const Eigen::MatrixXd covariance = (both.transpose() * both).inverse();
+    const Eigen::VectorXd joint = test::least_squares(both, r);
+    const Eigen::MatrixXd covariance = test::inverse(both.transpose() * both);
     EXPECT_NEAR(test.step(0), joint(3) * 1e-3, 1e-9 * std::abs(joint(3)) * 1e-3);
     EXPECT_NEAR(test.step(1), joint(4) * 1e4, 1e-9 * std::abs(joint(4)) * 1e4);
     const double inflation = static_cast<double>(layout.size()) / test.effective_samples;
@@ -163,7 +161,7 @@ TEST(ScoreTest, CosinesTellWhatCannotBeToldApart) {
     std::mt19937 random(6);
     const Eigen::Index rows = 300;
     const NuisanceSpace nuisance(random_columns(rows, 2, random));
-    const Eigen::MatrixXd base = nuisance.outside(random_columns(rows, 4, random)).householderQr().householderQ() * Eigen::MatrixXd::Identity(rows, 4);
+    const Eigen::MatrixXd base = test::orthonormal(nuisance.outside(random_columns(rows, 4, random)));
     const auto candidate = [&](const Eigen::MatrixXd& S) { return project_candidate(nuisance, S); };
     const double angle = 0.3;
     const Eigen::VectorXd turned = -5.0 * (std::cos(angle) * base.col(0) + std::sin(angle) * base.col(1));

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "inverse/actuated_beam.hpp"
+#include "support/dense.hpp"
 #include "support/differences.hpp"
 #include "support/figures.hpp"
 
@@ -51,7 +52,7 @@ TEST(ActuationDeviations, AreThoseOfTheLossItself) {
         const auto gradient = [&](const VectorXd& x) { return VectorXd(evaluate_actuation(p, x.reshaped(truth.rows(), truth.cols())).gradient.reshaped()); };
         const MatrixXd hessian = test::central_differences(gradient, truth.reshaped(), 1e-3);
         const double count = static_cast<double>(p.target.coordinates());
-        const MatrixXd covariance = noise * noise * (0.5 * count * hessian).inverse();
+        const MatrixXd covariance = noise * noise * test::inverse(0.5 * count * hessian);
         test::expect_derivative(found.deviations.reshaped().transpose(), covariance.diagonal().cwiseSqrt().transpose(), 2e-3, "deviations");
         const VectorXd sigma = covariance.diagonal().cwiseSqrt();
         EXPECT_LT((found.correlation - MatrixXd(sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal())).norm(), 5e-3);
