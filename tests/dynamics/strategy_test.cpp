@@ -4,6 +4,7 @@
 #include "dynamics/simulate.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
+#include "support/run.hpp"
 
 namespace myo {
 namespace {
