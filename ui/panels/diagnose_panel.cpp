@@ -16,11 +16,9 @@
 namespace myo {
 namespace {
 
-constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 constexpr const char* times = "\xc3\x97";
-constexpr const char* not_known = "\xe2\x80\x93";
 
-std::string percent(double share) { return !std::isfinite(share) ? not_known : std::abs(share) < 5e-4 ? "0" : value_label(100.0 * share, 3); }
+std::string percent(double share) { return !std::isfinite(share) ? dash : std::abs(share) < 5e-4 ? "0" : value_label(100.0 * share, 3); }
 
 ImVec4 verdict_color(const Theme& theme, const DiagnosisView& d) {
     if (!d.complete) return theme.text;

@@ -15,8 +15,6 @@
 namespace myo {
 namespace {
 
-constexpr const char* not_compared = "\xe2\x80\x93";
-
 const std::vector<Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"m", "m", ""}, {"inch", "inch", ""}};
 constexpr std::array<double, 4> unit_lengths{1e-3, 1e-2, 1.0, 0.0254};
 
@@ -184,7 +182,7 @@ void ImportPanel::draw_markers(PanelContext& context, ImportChoices& choices) {
             draw_name(context, i, choices);
             const double seen = 100.0 * import.file.seen[i], off = import.view.residual_m[static_cast<Eigen::Index>(i)];
             number_cell(theme, value_label(seen, 3), seen < 80.0 ? &theme.warning : nullptr);
-            number_cell(theme, std::isfinite(off) ? fixed_mm(off) : not_compared);
+            number_cell(theme, std::isfinite(off) ? fixed_mm(off) : dash);
             ImGui::PopID();
         }
         ImGui::EndTable();

@@ -15,8 +15,6 @@
 namespace myo {
 namespace {
 
-constexpr std::array<const char*, 3> component_names{"x", "y", "z"};
-
 constexpr const char* plot_help =
     "Wheel: zoom in time about the mouse; with Shift in mm\n"
     "Drag with the right button: zoom to a box\n"
@@ -111,9 +109,9 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         ImGui::SameLine(0.0f, axis == 0 ? 2.0f * gap : gap);
         if (narrow) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(4.0f * s, 0.0f));
-        ImGui::Checkbox(component_names[axis], &shown_[axis]);
+        ImGui::Checkbox(axis_names[axis], &shown_[axis]);
         if (narrow) ImGui::PopStyleVar();
-        context.items.mark(std::string("markers/show/") + component_names[axis]);
+        context.items.mark(std::string("markers/show/") + axis_names[axis]);
     }
     ImGui::SameLine(0.0f, 2.0f * gap);
     draw_trials(context, narrow);
@@ -253,7 +251,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     const auto m = static_cast<std::size_t>(state.marker);
     const SceneTrial& trial = *state.scene_trial();
     const SimulatedTrial* simulated = state.simulated_trial();
-    const std::string axis_name = component_names[a];
+    const std::string axis_name = axis_names[a];
     const bool compare = simulated && m < simulated->markers.size() && simulated->markers[m].cols() == trial.time_s.size();
 
     Plot plot;

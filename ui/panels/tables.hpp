@@ -9,6 +9,9 @@
 
 namespace myo {
 
+/// Stands in a cell where there is no number.
+inline constexpr const char* dash = "\xe2\x80\x93";
+
 /// As much of a text as fits, with an ellipsis where some is left out.
 std::string elided(const std::string& text, float width);
 /// The same for text that wraps.

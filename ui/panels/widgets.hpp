@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "panels/panel.hpp"
 
 namespace myo {
+
+inline constexpr std::array axis_names{"x", "y", "z"};
 
 /// Words about the last item while the mouse is over it; `width` in units of the scale.
 void tooltip(const Theme& theme, const std::string& text, float width = 380.0f);
