@@ -78,7 +78,8 @@ TEST(CoreImport, BundledExamplesStayAsTheyAre) {
     ImportChoices choices = driver.state().import->choices;
     choices.trial = "again";
     driver.workbench->execute(command::ChangeImport{choices});
-    EXPECT_EQ(driver.state().import->view.problem, "Bundled examples stay as they are: choose a folder for a copy of this one.");
+    // Nothing is added unless this holds: the example belongs to the checkout.
+    ASSERT_EQ(driver.state().import->view.problem, "Bundled examples stay as they are: choose a folder for a copy of this one.");
     driver.workbench->execute(command::AddRecording{});
     EXPECT_FALSE(driver.state().busy());
     choices.folder = folder.path() / "copy";

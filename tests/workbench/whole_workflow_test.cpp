@@ -24,6 +24,7 @@ protected:
 
     void wait(int seconds) {
         ASSERT_TRUE(driver.wait_for_job(seconds));
+        ASSERT_FALSE(state().log.empty()) << "nothing was opened";
         ASSERT_NE(state().log.back().level, LogLevel::failure) << state().log.back().text;
     }
     void type_into(const std::string& item, const std::string& text, bool enter = true) {
