@@ -39,7 +39,7 @@ void conclude(DiagnosisWork& work) {
     result.after = result.verdict.kind == VerdictKind::none ? result.before
                                                             : scored(result.augmented.fit.values, result.augmented.numerics->shift,
                                                                      fitted_predictions(work.study, all, result.augmented.fit.values, work.progress));
-    note_worse_predictions(result);
+    doubt_worse_predictions(result);
 }
 
 }  // namespace

@@ -101,8 +101,8 @@ Study as_diagnosed(const Diagnosis& diagnosis, Study study);
 
 /// Declared fit, numerical error, significance, scores, refits, pairs, verdict, prediction of all trials.
 ///
-/// Trials with role `validate` take part in nothing but the last: a note says where they are predicted worse with the verdict. Progress: stage by stage in its own unit. The same result on any
-/// number of threads. live: called with what is known after every stage and refit, from the calling thread; may be null.
+/// Trials with role `validate` take part in nothing but the last: a verdict with which they are predicted worse stands, at half its confidence. Progress: stage by stage in its own unit.
+/// The same result on any number of threads. live: called with what is known after every stage and refit, from the calling thread; may be null.
 /// Source: design of the method: Rao 1948 (score test), Hastie et al. 2009, ch. 7 (choice by held-out data).
 Diagnosis diagnose(const Study& study, const DiagnoseSettings& settings, const Progress& progress = {},
                    const std::function<void(const Diagnosis&)>& live = {});

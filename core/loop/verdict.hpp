@@ -8,8 +8,8 @@ namespace myo {
 /// attempt where nothing explains the residual.
 JudgedFit decide(Diagnosis& diagnosis);
 
-/// Tells a person where the trials that took no part are predicted worse with the verdict's effects than without, `before` and `after` being
-/// known. The verdict stands as it was: these trials choose nothing.
-void note_worse_predictions(Diagnosis& diagnosis);
+/// Halves the confidence, and says why, where the trials that took no part are predicted worse with the verdict's effects than without, `before`
+/// and `after` being known. The answer stands as it was: these trials choose nothing.
+void doubt_worse_predictions(Diagnosis& diagnosis);
 
 }  // namespace myo

@@ -56,22 +56,22 @@ TEST(Verdict, NamesWhatExplainsTheResidual) {
     EXPECT_EQ(d.verdict.ranking, (std::vector<std::string>{"quadratic_drag", "unknown", "none"}));
 }
 
-/// Data that took no part choose nothing; a person is told where they speak against the answer. Small differences and good predictions do not matter.
-TEST(Verdict, StandsWherePredictionsGetWorseAndAPersonIsTold) {
+/// Data that took no part choose nothing; where they speak against the answer it is trusted half. Small differences and good predictions do not matter.
+TEST(Verdict, StandsWherePredictionsGetWorseAtHalfItsConfidence) {
     for (const auto& [before, after, told] : {std::tuple{7.0, 1.0, false}, {7.0, 7.2, false}, {1.0, 1.25, false}, {7.0, 8.0, true}}) {
         Diagnosis d = with_candidate(0.3);
         decide(d);
         const double confidence = d.verdict.confidence;
         d.before.validation_rms_m = before * noise_m;
         d.after.validation_rms_m = after * noise_m;
-        note_worse_predictions(d);
+        doubt_worse_predictions(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
-        EXPECT_EQ(d.verdict.confidence, confidence);
+        EXPECT_EQ(d.verdict.confidence, told ? 0.5 * confidence : confidence);
         EXPECT_EQ(!d.notes.empty() && d.notes.back().find("predicted worse") != std::string::npos, told) << after;
     }
     Diagnosis alone = with_candidate(0.3);   // no such trials
     decide(alone);
-    note_worse_predictions(alone);
+    doubt_worse_predictions(alone);
     EXPECT_TRUE(alone.notes.empty());
 }
 
