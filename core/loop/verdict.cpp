@@ -23,7 +23,7 @@ constexpr double other_form_trust = 0.6;
 /// A second effect is named where it is that likely: small rests, of the mesh say, are taken away by many.
 constexpr double decided = 0.8;
 /// Of the confidence that none of the catalogue explains what the best attempt nearly does; in full where that takes little away. In the study of
-/// README all such answers were right.
+/// assets/study/seed_1 all such answers were right.
 constexpr double surely_unknown = 0.8;
 /// A prediction is worse where it is farther off by this factor and not as good as noise allows. What is left of the confidence then.
 constexpr double worse = 1.1, as_good_as_noise = 1.3, contradicted_trust = 0.5;

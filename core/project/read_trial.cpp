@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "measurement/exchanges.hpp"
 #include "measurement/noise.hpp"
 #include "measurement/spikes.hpp"
 #include "project/read_experiment.hpp"
@@ -73,6 +74,17 @@ Result<void> check_window(const Experiment& experiment, const TrialDeclaration& 
     return {};
 }
 
+// Markers that were named anew and got their names back.
+void put_names_back(const std::string& key, TrialRecording& read) {
+    const Recording& recording = read.recording;
+    for (const Exchange& exchange : put_back_exchanges(read.recording.tracks)) {
+        std::vector<std::string> names;
+        for (const std::size_t i : exchange.markers) names.push_back(recording.labels[i]);
+        read.warnings.push_back(key + ": markers " + quoted_list(names) + " bear each other's names from " + format_number(recording.time_s(exchange.first), 4) + " s to " +
+                                format_number(recording.time_s(exchange.end - 1), 4) + " s, and are put back");
+    }
+}
+
 // Reflections and markers taken for another: such samples count as hidden.
 void leave_out_spikes(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
@@ -112,6 +124,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
+    put_names_back(key, read);
     leave_out_spikes(experiment, key, read);
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         const Eigen::Index occluded = occluded_samples(read.recording.tracks[i]);

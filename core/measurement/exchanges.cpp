@@ -1,0 +1,159 @@
+#include "measurement/exchanges.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "measurement/gaps.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using Names = std::vector<std::size_t>;   // the label that each marker bears
+
+/// Of the distance to its own label, that to the one a marker has moved to.
+constexpr double much_nearer = 0.25;
+
+/// Where a marker was seen last, twice.
+struct Past {
+    Index sample = -1, sample_before = -1;
+    Vector3d last = Vector3d::Zero(), before = Vector3d::Zero();
+
+    bool known() const { return sample >= 0; }
+    Vector3d foretold(Index at) const { return sample == at - 1 && sample_before == at - 2 ? Vector3d(2.0 * last - before) : last; }
+    void see(const Vector3d& place, Index at) {
+        before = last;
+        sample_before = sample;
+        last = place;
+        sample = at;
+    }
+};
+
+class Follower {
+public:
+    explicit Follower(const std::vector<Eigen::Matrix3Xd>& tracks) : tracks_(tracks), names_(tracks.size()), past_(tracks.size()) {
+        std::iota(names_.begin(), names_.end(), std::size_t{0});
+    }
+
+    /// The labels that the markers bear in a sample, the samples before having been followed.
+    const Names& follow(Index at) {
+        rename(at);
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            if (is_seen(tracks_[names_[i]], at)) past_[i].see(tracks_[names_[i]].col(at), at);
+        return names_;
+    }
+
+private:
+    double distance(std::size_t marker, std::size_t label, Index at) const {
+        if (!past_[marker].known() || !is_seen(tracks_[label], at)) return std::numeric_limits<double>::infinity();
+        return (tracks_[label].col(at) - past_[marker].foretold(at)).norm();
+    }
+
+    /// The label to which a marker has moved, if it has.
+    std::optional<std::size_t> moved_to(std::size_t marker, Index at) const {
+        const double own = distance(marker, names_[marker], at);
+        if (!(own < std::numeric_limits<double>::infinity())) return std::nullopt;
+        std::size_t label = 0;
+        for (std::size_t l = 1; l < names_.size(); ++l)
+            if (distance(marker, l, at) < distance(marker, label, at)) label = l;
+        const double there = distance(marker, label, at);
+        if (label == names_[marker] || !(there < much_nearer * own)) return std::nullopt;
+        for (std::size_t other = 0; other < names_.size(); ++other)
+            if (other != marker && distance(other, label, at) <= there) return std::nullopt;
+        return label;
+    }
+
+    /// Two markers that were lost together and come back the other way round, wherever that is.
+    bool turned_round(std::size_t i, std::size_t j, Index at) const {
+        if (!past_[i].known() || past_[i].sample != past_[j].sample || past_[i].sample == at - 1) return false;
+        if (!is_seen(tracks_[names_[i]], at) || !is_seen(tracks_[names_[j]], at)) return false;
+        const Vector3d before = past_[j].last - past_[i].last, now = tracks_[names_[j]].col(at) - tracks_[names_[i]].col(at);
+        return (now + before).norm() < much_nearer * (now - before).norm();
+    }
+
+    void rename(Index at) {
+        std::vector<std::optional<std::size_t>> moved;
+        for (std::size_t i = 0; i < names_.size(); ++i) moved.push_back(moved_to(i, at));
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            for (std::size_t j = i + 1; j < names_.size(); ++j)
+                if (turned_round(i, j, at)) {
+                    moved[i] = names_[j];
+                    moved[j] = names_[i];
+                }
+        // Those whose new label nobody left, or whose own nobody took, close no ring.
+        for (bool changed = true; changed;) {
+            changed = false;
+            const auto left = [&](std::size_t label) {
+                for (std::size_t j = 0; j < names_.size(); ++j)
+                    if (moved[j] && names_[j] == label) return true;
+                return false;
+            };
+            const auto taken = [&](std::size_t label) { return std::find(moved.begin(), moved.end(), std::optional(label)) != moved.end(); };
+            for (std::size_t i = 0; i < names_.size(); ++i)
+                if (moved[i] && !(left(*moved[i]) && taken(names_[i]))) {
+                    moved[i].reset();
+                    changed = true;
+                }
+        }
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            if (moved[i]) names_[i] = *moved[i];
+    }
+
+    const std::vector<Eigen::Matrix3Xd>& tracks_;
+    Names names_;
+    std::vector<Past> past_;
+};
+
+/// Markers that were ever exchanged with each other, directly or by others: for each its group, named by one of them.
+std::vector<std::size_t> groups_of(const std::vector<Names>& names) {
+    std::vector<std::size_t> group(names.empty() ? 0 : names.front().size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    for (const Names& now : names)
+        for (std::size_t i = 0; i < now.size(); ++i)
+            if (group[i] != group[now[i]]) {
+                const std::size_t from = group[now[i]], to = group[i];
+                std::replace(group.begin(), group.end(), from, to);
+            }
+    return group;
+}
+
+}  // namespace
+
+std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks) {
+    const Index count = tracks.empty() ? 0 : tracks.front().cols();
+    std::vector<Names> names;
+    Follower follower(tracks);
+    for (Index t = 0; t < count; ++t) names.push_back(follower.follow(t));
+    const std::vector<std::size_t> group = groups_of(names);
+    std::vector<Exchange> exchanges;
+    for (std::size_t g = 0; g < tracks.size(); ++g) {
+        std::vector<std::size_t> members;
+        for (std::size_t i = 0; i < tracks.size(); ++i)
+            if (group[i] == g) members.push_back(i);
+        if (members.size() < 2) continue;
+        const auto exchanged = [&](Index t) { return std::any_of(members.begin(), members.end(), [&](std::size_t i) { return names[static_cast<std::size_t>(t)][i] != i; }); };
+        for (Index first = 0; first < count; ++first) {
+            if (!exchanged(first)) continue;
+            Index end = first;
+            while (end < count && exchanged(end)) ++end;
+            std::vector<std::size_t> markers;
+            for (const std::size_t i : members)
+                if (std::any_of(names.begin() + first, names.begin() + end, [&](const Names& now) { return now[i] != i; })) markers.push_back(i);
+            if (end < count) exchanges.push_back({markers, first, end});
+            first = end;
+        }
+    }
+    for (const Exchange& exchange : exchanges)
+        for (Index t = exchange.first; t < exchange.end; ++t) {
+            std::vector<Vector3d> there;
+            for (const std::size_t i : exchange.markers) there.push_back(tracks[names[static_cast<std::size_t>(t)][i]].col(t));
+            for (std::size_t k = 0; k < there.size(); ++k) tracks[exchange.markers[k]].col(t) = there[k];
+        }
+    std::sort(exchanges.begin(), exchanges.end(), [](const Exchange& a, const Exchange& b) { return a.first < b.first; });
+    return exchanges;
+}
+
+}  // namespace myo

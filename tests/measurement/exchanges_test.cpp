@@ -1,0 +1,103 @@
+#include "measurement/exchanges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr double dt_s = 0.01;
+constexpr Index take_samples = 120;
+
+/// Four markers on the end of a beam that swings at 4 Hz: two 3 cm apart, and two at half its length.
+std::vector<Matrix3Xd> recorded(double swing_m, double noise_m, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    std::vector<Matrix3Xd> tracks;
+    for (const auto& [place, share] : {std::pair{Vector3d(0.1, 0.015, 0.0), 1.0}, {Vector3d(0.1, -0.015, 0.0), 1.0}, {Vector3d(0.05, 0.015, 0.01), 0.3}, {Vector3d(0.05, -0.015, 0.01), 0.3}}) {
+        Matrix3Xd track(3, take_samples);
+        for (Index t = 0; t < take_samples; ++t) {
+            const double phase = 2.0 * M_PI * 4.0 * dt_s * static_cast<double>(t);
+            track.col(t) = place + share * swing_m * Vector3d(0.0, std::sin(phase), 0.3 * std::cos(phase));
+            for (int axis = 0; axis < 3; ++axis) track(axis, t) += noise_m * noise(random);
+        }
+        tracks.push_back(track);
+    }
+    return tracks;
+}
+
+void exchange(std::vector<Matrix3Xd>& tracks, std::size_t a, std::size_t b, Index first, Index length) {
+    const Matrix3Xd of_a = tracks[a].middleCols(first, length);
+    tracks[a].middleCols(first, length) = tracks[b].middleCols(first, length);
+    tracks[b].middleCols(first, length) = of_a;
+}
+
+/// Seen in the same samples at the same places.
+bool same(const std::vector<Matrix3Xd>& a, const std::vector<Matrix3Xd>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (Index t = 0; t < take_samples; ++t)
+            if (a[i].col(t).allFinite() != b[i].col(t).allFinite() || (a[i].col(t).allFinite() && a[i].col(t) != b[i].col(t))) return false;
+    return true;
+}
+
+TEST(Exchanges, ArePutBack) {
+    for (const double noise : {0.0, 1e-5, 2e-4})
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+            const std::vector<Matrix3Xd> true_tracks = recorded(0.015, noise, seed);
+            for (const Index length : {1, 4, 10, 60}) {
+                std::vector<Matrix3Xd> tracks = true_tracks;
+                exchange(tracks, 0, 1, 30, length);
+                const std::vector<Exchange> found = put_back_exchanges(tracks);
+                ASSERT_EQ(found.size(), 1u) << noise << " " << seed << " " << length;
+                EXPECT_EQ(found[0].markers, (std::vector<std::size_t>{0, 1}));
+                EXPECT_EQ(found[0].first, 30);
+                EXPECT_EQ(found[0].end, 30 + length);
+                EXPECT_TRUE(same(tracks, true_tracks));
+            }
+        }
+}
+
+TEST(Exchanges, ArePutBackBesideGapsAndInRings) {
+    std::vector<Matrix3Xd> true_tracks = recorded(0.01, 1e-4, 1);
+    // Where cameras lose sight of markers they name them anew.
+    for (const std::size_t i : {0u, 1u}) true_tracks[i].middleCols(40, 5).setConstant(std::numeric_limits<double>::quiet_NaN());
+    std::vector<Matrix3Xd> tracks = true_tracks;
+    exchange(tracks, 0, 1, 45, 20);
+    exchange(tracks, 2, 3, 50, 30);
+    // 1 -> 2 -> 3 -> 1
+    exchange(tracks, 1, 2, 90, 10);
+    exchange(tracks, 2, 3, 90, 10);
+    const std::vector<Exchange> found = put_back_exchanges(tracks);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].markers.size(), 4u);
+    EXPECT_EQ(found[1].markers, (std::vector<std::size_t>{1, 2, 3}));
+    EXPECT_TRUE(same(tracks, true_tracks));
+}
+
+/// Names that are not given back, a marker that slips or takes another's place, and swings of several times the distance of the markers.
+TEST(Exchanges, AreNotSeenInWhatMotionsAndOtherFaultsDo) {
+    for (const double noise : {0.0, 1e-5, 5e-4})
+        for (unsigned seed = 1; seed <= 20; ++seed)
+            for (const double swing : {0.0, 0.015, 0.1}) {
+                std::vector<Matrix3Xd> tracks = recorded(swing, noise, seed), before = tracks;
+                EXPECT_TRUE(put_back_exchanges(tracks).empty()) << noise << " " << swing;
+                exchange(tracks, 0, 1, 70, take_samples - 70);
+                tracks[2].rightCols(50).colwise() += Vector3d(0.0, -0.03, 0.0);   // to where the fourth is
+                tracks[3].middleCols(20, 6).setConstant(std::numeric_limits<double>::quiet_NaN());
+                before = tracks;
+                EXPECT_TRUE(put_back_exchanges(tracks).empty()) << noise << " " << swing;
+                EXPECT_TRUE(same(tracks, before));
+            }
+    std::vector<Matrix3Xd> none;
+    EXPECT_TRUE(put_back_exchanges(none).empty());
+}
+
+}  // namespace
+}  // namespace myo
