@@ -8,6 +8,7 @@
 #include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "loop/augmented_experiment.hpp"
+#include "loop/confusion.hpp"
 #include "loop/diagnosis_json.hpp"
 #include "loop/diagnosis_report.hpp"
 #include "loop/effect_words.hpp"
@@ -57,7 +58,9 @@ std::string verdict_lines(const Diagnosis& d) {
     for (const EffectDeclaration& effect : d.verdict.effects) text += effect_words(effect) + "  ";
     text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.because;
     for (const Confusion& c : d.confusions)
-        text += "\nnot to be told apart here: " + c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment + " would";
+        text += (is_decided(d, c) ? "\nalike here, but the fits decide: " : "\nnot to be told apart here: ") + c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment + " would tell them apart";
+    for (const std::string& note : d.notes) text += "\nnote: " + note;
+    if (d.missing_force && !d.missing_force->failure.empty()) text += "\nno force is inferred: " + d.missing_force->failure;
     if (d.missing_force && !d.missing_force->modes.empty())
         text += "\na force would explain " + format_number(100.0 * d.missing_force->removed(), 3) + " % of what is left in " + d.missing_force->trial + ": up to " +
                 format_number(d.missing_force->modes.front().peak_N(), 3) + " N " + d.missing_force->modes.front().where;
@@ -84,7 +87,7 @@ std::string cost_lines(const Diagnosis& d) {
 }
 
 Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d, const RunFacts& facts) {
-    const std::filesystem::path written = call.experiment.extension() == ".toml" ? call.experiment : call.experiment / "experiment.toml";
+    const std::filesystem::path written = std::filesystem::is_directory(call.experiment) ? call.experiment / "experiment.toml" : call.experiment;
     const std::string name = std::filesystem::weakly_canonical(experiment.folder).filename().string();
     if (const Result<void> traces = write_traces(call.out, study, d.after); !traces) return traces.error();
     const Result<std::string> augmented = augmented_experiment(written, d.verdict.effects, call.out);

@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "loop/confusion.hpp"
 #include "loop/diagnosis_report_parts.hpp"
 #include "loop/effect_forces.hpp"
 #include "project/output_json.hpp"
@@ -121,8 +122,8 @@ public:
         set_trials();
         add_rows();
         for (const Confusion& c : d_.confusions)
-            view_.confounded.push_back(name_in_sentence(c.first) + " and " + name_in_sentence(c.second) + " (cosine " + format_number(c.cosine, 3) + "); " + c.next_experiment +
-                                       " would separate them");
+            view_.confounded.push_back((is_decided(d_, c) ? "Alike here, but the fits decide: " : "Not to be told apart here: ") + name_in_sentence(c.first) + " and " + name_in_sentence(c.second) + " (cosine " +
+                                       format_number(c.cosine, 3) + "); " + c.next_experiment + " would separate them.");
         return std::move(view_);
     }
 
@@ -155,7 +156,7 @@ private:
         std::string text = capitalised(d_.verdict.because);
         if (d_.verdict.kind == VerdictKind::effects)
             text = "With " + names_of(d_.verdict.effects) + " the systematic part of the residual falls from " + format_number(d_.declared.tests.systematic.rms, 3) + " to " +
-                   format_number(d_.augmented.tests.systematic.rms, 2) + " times the noise.";
+                   format_number(d_.augmented.tests.systematic.rms, 2) + " times the noise." + d_.verdict.but;
         const double before = d_.before.validation_rms_m, after = d_.after.validation_rms_m;
         if (d_.verdict.kind != VerdictKind::none && std::isfinite(before) && std::isfinite(after) && before > 0.0)
             text += " On trials that took no part the error goes from " + format_number(1e3 * before, 3) + " to " + format_number(1e3 * after, 3) + " mm.";

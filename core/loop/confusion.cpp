@@ -52,4 +52,14 @@ void find_confusions(Diagnosis& d) {
         }
 }
 
+bool is_decided(const Diagnosis& d, const Confusion& confusion) {
+    const auto named = [&](const std::string& id) {
+        return std::any_of(d.verdict.effects.begin(), d.verdict.effects.end(), [&](const EffectDeclaration& effect) { return effect.id == id; });
+    };
+    const auto refuted = [&](const std::string& id) {
+        return std::any_of(d.candidates.begin(), d.candidates.end(), [&](const Candidate& c) { return c.score.id == id && c.judged && c.judged->weight < as_good; });
+    };
+    return (named(confusion.first) && refuted(confusion.second)) || (named(confusion.second) && refuted(confusion.first));
+}
+
 }  // namespace myo

@@ -1,4 +1,7 @@
 #include "loop/diagnosis.hpp"
+
+#include "base/text.hpp"
+#include "diagnosis/residual_spot.hpp"
 #include "loop/fit_declared.hpp"
 #include "loop/judge.hpp"
 #include "loop/search_effects.hpp"
@@ -17,12 +20,23 @@ void test(DiagnosisWork& work) {
     work.show();
 }
 
+/// Where little of a recording holds most of what nothing explains, a person should look there first.
+void note_spot(const Study& study, Diagnosis& d) {
+    const std::optional<ResidualSpot> spot = d.verdict.kind == VerdictKind::unknown ? residual_spot(d.augmented.fit.residual, d.data.layout) : std::nullopt;
+    if (!spot) return;
+    std::vector<std::string> markers;
+    for (const int marker : spot->markers) markers.push_back(study.marker_names[static_cast<std::size_t>(marker)]);
+    d.notes.push_back(format_number(100.0 * spot->share, 2) + " % of what is left (of its squares) lies between " + format_number(spot->from_s, 3) + " and " + format_number(spot->to_s, 3) + " s of " +
+                      study.trials[static_cast<std::size_t>(spot->trial)].name + ", in " + join(markers) + ": look there for a fault of the recording, or for what acted once");
+}
+
 /// The verdict, the fit it stands on with the numerical error taken anew, and all trials before and after.
 void conclude(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     foretell_error(work, result.declared);
     result.numerics = *result.declared.numerics;
     result.augmented = decide(result);
+    note_spot(work.study, result);
     const std::vector<std::size_t> all = work.all_trials();
     const auto scored = [&](const StudyValues& fitted, const PredictionShift& shift, std::vector<TrialPrediction> predictions) {
         for (std::size_t t = 0; t < predictions.size(); ++t) predictions[t] = shifted(std::move(predictions[t]), shift, t);
@@ -35,7 +49,6 @@ void conclude(DiagnosisWork& work) {
     if (!result.augmented.numerics && !settle(work, result.augmented, "last fit", settling)) return;
     foretell_error(work, result.augmented);
     result.data.shift = result.augmented.numerics->shift;
-    if (result.verdict.kind == VerdictKind::effects) result.verdict.effects = result.augmented.fit.effects;
     result.after = result.verdict.kind == VerdictKind::none ? result.before
                                                             : scored(result.augmented.fit.values, result.augmented.numerics->shift,
                                                                      fitted_predictions(work.study, all, result.augmented.fit.values, work.progress));
@@ -64,6 +77,7 @@ Diagnosis diagnose(const Study& study, const DiagnoseSettings& settings, const P
     result.seconds = watch.seconds();
     forget_paths(result.declared.fit.predictions);
     forget_paths(result.augmented.fit.predictions);
+    if (!result.stopped) take_over_settled(result);
     return std::move(result);
 }
 

@@ -63,6 +63,7 @@ struct Verdict {
     double confidence = 0.0;
     std::string because;                          // one or two sentences for a person
     std::vector<std::string> ranking;             // ids in falling order of credibility, none and unknown among them
+    std::string but = {};                         // what of `because` speaks for care, its end
 };
 
 struct StageCost {

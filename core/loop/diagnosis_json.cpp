@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "loop/confusion.hpp"
 #include "loop/judge.hpp"
 #include "project/output_json.hpp"
 
@@ -147,7 +148,7 @@ Json details_json(const Study& study, const Diagnosis& d) {
     }
     json["not_to_be_told_apart"] = Json::array();
     for (const Confusion& c : d.confusions)
-        json["not_to_be_told_apart"].push_back({{"ids", {c.first, c.second}}, {"cosine", json_number(c.cosine)}, {"next_experiment", c.next_experiment}});
+        json["not_to_be_told_apart"].push_back({{"ids", {c.first, c.second}}, {"cosine", json_number(c.cosine)}, {"fits_decide", is_decided(d, c)}, {"next_experiment", c.next_experiment}});
     json["markers"] = markers_json(study, d);
     json["cost"] = Json::array();
     for (const StageCost& cost : d.cost) json["cost"].push_back({{"stage", cost.stage}, {"seconds", json_number(cost.seconds)}, {"runs", cost.runs}});

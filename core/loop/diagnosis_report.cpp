@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effect/catalogue.hpp"
+#include "loop/confusion.hpp"
 #include "loop/diagnosis_json.hpp"
 #include "loop/diagnosis_report_parts.hpp"
 #include "project/readable_parameter.hpp"
@@ -72,7 +73,7 @@ std::string reason(const Study& study, const Diagnosis& d) {
                        readable_number(d.declared.tests.systematic.rms, 3) + " to " + readable_number(d.augmented.tests.systematic.rms, 2) +
                        " times the noise. Best value: ";
     text += fitted_words(study, d.augmented.fit) + ".";
-    return text;
+    return text + d.verdict.but;
 }
 
 Section verdict_section(const Study& study, const Diagnosis& d) {
@@ -85,7 +86,8 @@ Section verdict_section(const Study& study, const Diagnosis& d) {
         for (const Confusion& c : d.confusions)
             for (const EffectDeclaration& effect : d.verdict.effects)
                 if (c.first == effect.id || c.second == effect.id)
-                    section.blocks.push_back(Paragraph{"This experiment can hardly tell " + name_in_sentence(c.first) + " from " + name_in_sentence(c.second) + ": see below."});
+                    section.blocks.push_back(Paragraph{is_decided(d, c) ? capital(name_in_sentence(c.first)) + " and " + name_in_sentence(c.second) + " look alike in this experiment, but the fits decide: see below."
+                                                                        : "This experiment can hardly tell " + name_in_sentence(c.first) + " from " + name_in_sentence(c.second) + ": see below."});
     return section;
 }
 

@@ -102,7 +102,7 @@ std::vector<Block> trial_blocks(const Study& study, const Diagnosis& d, std::siz
     if (!motion.before && !motion.after) return {Paragraph{name + ": the trial could not be run."}};
     const TrialScore* score = find_score(d.before, t.name);
     const std::vector<std::size_t> order = by_error(score != nullptr ? score : find_score(d.after, t.name), study.marker_names.size());
-    std::vector<Block> blocks{Figure{overlay(study, d, motion, order.front()), name + ": " + study.marker_names[order.front()] + ", the marker with the largest error."},
+    std::vector<Block> blocks{Figure{overlay(study, d, motion, order.front()), name + ": " + study.marker_names[order.front()] + (motion.time_s.size() > 0 && score != nullptr && std::isfinite(score->rms_m) ? ", the marker with the largest error." : "; nothing was seen to compare with.")},
                               Figure{residual_over_time(study, d, trial, motion.time_s), name + ": what is left at each moment."}};
     Details others{name + ": other markers", {}};
     for (std::size_t i = 1; i < std::min(order.size(), 1 + folded_markers); ++i) others.blocks.push_back(Figure{overlay(study, d, motion, order[i]), study.marker_names[order[i]] + "."});

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "loop/confusion.hpp"
 #include "loop/diagnosis_report_parts.hpp"
 #include "loop/judge.hpp"
 #include "project/output_json.hpp"
@@ -119,7 +120,7 @@ Section numerics_section(const Study& study, const Diagnosis& d) {
     const NumericalError& n = d.numerics;
     Table table{"", {{"Suspect"}, {"How it was tried"}, {"Moves the prediction", "mm", 3}, {"In units of the noise", "", 3}}, {}};
     const auto add = [&](const std::string& suspect, const std::string& how, double rms_m) { table.rows.push_back({suspect, how, 1e3 * rms_m, rms_m / d.noise_m}); };
-    const std::string step = readable_number(1e3 * study.trials.front().options.h_s, 3) + " ms";
+    const std::string step = readable_number(1e3 * d.step_factor * study.trials.front().options.h_s, 3) + " ms";
     add("Numerical damping, time step", n.step_ratio > 0.0 ? "steps of " + step + " times " + readable_number(n.step_ratio, 2) : "steps of " + step, n.step_ratio > 0.0 ? n.step_rms_m : no_value);
     add("Discretisation", n.mesh_ratio > 0.0 ? "cells of " + readable_number(n.mesh_ratio, 2) + " times the edge" : "no finer mesh was made", n.mesh_ratio > 0.0 ? n.mesh_rms_m : no_value);
     if (n.stiffening.any()) add("What is left of both", "with cells of " + readable_number(n.stiffening.factor(), 4) + " times the body's modulus", n.rest_rms_m);
@@ -165,10 +166,10 @@ Section candidate_section(const Study& study, const Diagnosis& d) {
 
 Section confusion_section(const Diagnosis& d) {
     assert(!d.confusions.empty());
-    Table table{"", {{"Effect"}, {"Looks like"}, {"Cosine", "", 4}, {"What would tell them apart"}}, {}};
-    for (const Confusion& c : d.confusions) table.rows.push_back({effect_name(c.first), effect_name(c.second), c.cosine, c.next_experiment});
-    return {"What this experiment cannot tell apart",
-            {Paragraph{"These effects leave nearly the same trace in these trials: a cosine of 1 or −1 between what they do to the residual means that no fit can decide."}, table}};
+    Table table{"", {{"Effect"}, {"Looks like"}, {"Cosine", "", 4}, {"Do these data decide?"}, {"What would tell them apart"}}, {}};
+    for (const Confusion& c : d.confusions) table.rows.push_back({effect_name(c.first), effect_name(c.second), c.cosine, is_decided(d, c) ? "yes, by the fits" : "no", c.next_experiment});
+    return {"What looks alike in this experiment",
+            {Paragraph{"These effects leave nearly the same trace in these trials: a cosine of 1 or −1 between what they do to the residual means that no fit can decide. Near it a fit decides by little, where the noise is small."}, table}};
 }
 
 Section cost_section(const Diagnosis& d) {

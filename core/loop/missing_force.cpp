@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/decompositions.hpp"
+#include "base/text.hpp"
 #include "loop/diagnosis.hpp"
 #include "loop/force_course.hpp"
 #include "loop/force_fields.hpp"
@@ -28,6 +29,8 @@ double noise_squares(Index samples) { return 1.05 * static_cast<double>(samples)
 /// One step asks for this share of what is left, and where the run does not follow, for more.
 constexpr double first_share = 0.1, share_factor = 2.0;
 constexpr int most_runs = 8;
+/// A force that takes away less of the residual's square than this stands for nothing: where it sits and what it goes with would be chance.
+constexpr double tells_something = 0.05;
 constexpr int most_modes = 3;
 /// Modes are shown until they have this share of the force.
 constexpr double shown_share = 0.97;
@@ -225,6 +228,11 @@ MissingForce infer_missing_force(const Study& declared, const Diagnosis& d, cons
     result.modes = force_modes(trial, found.sizes);
     const double squares_before = std::pow(result.before_over_noise, 2) * static_cast<double>(A.rows());
     if (result.modes.empty()) result.failure = squares_before <= 1.02 * noise_squares(A.rows()) ? "the residual is noise" : "no force makes the residual smaller";
+    else if (result.removed() < tells_something) {
+        result.modes.clear();
+        result.failure = "no smooth force takes away more than " + format_number(100.0 * result.removed(), 1) + " % of the square of what is left in " + result.trial +
+                         ": it may be in the recording (markers, names, times) rather than in the body";
+    }
     for (ForceMode& mode : result.modes) mode.correlates = course_correlates(study, trial.affected(), found.run.trace, trial.knots(), mode);
     return result;
 }

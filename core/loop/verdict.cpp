@@ -58,14 +58,23 @@ std::string effects_in_words(const std::vector<EffectDeclaration>& effects) {
     return effect_words(effects.front()) + (effects.size() > 1 ? " and " + effect_words(effects.back()) : "");
 }
 
+std::string falls_with(const JudgedFit& fit, const JudgedFit& declared) {
+    return "with " + effects_in_words(fit.fit.effects) + " the systematic part falls from " + times_noise(declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
+}
+
+void say_but(Verdict& verdict, const std::string& sentence) {
+    verdict.but += " " + sentence;
+    verdict.because += " " + sentence;
+}
+
 JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.kind = VerdictKind::effects;
     d.verdict.effects = fit.fit.effects;
     const bool effect_bound = effect_at_bound(fit.fit), modulus_bound = modulus_at_bound(fit.fit);
     d.verdict.confidence = trust * weight * (effect_bound || modulus_bound ? at_bound_trust : 1.0);
-    d.verdict.because = "with " + effects_in_words(fit.fit.effects) + " the systematic part falls from " + times_noise(d.declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
-    if (effect_bound) d.verdict.because += " Its size went as far as it may: it may stand in for something else of that kind and place.";
-    if (modulus_bound) d.verdict.because += " The modulus ends at a bound with the effect as without it: its value is not to be relied on.";
+    d.verdict.because = falls_with(fit, d.declared);
+    if (effect_bound) say_but(d.verdict, "Its size went as far as it may: it may stand in for something else of that kind and place.");
+    if (modulus_bound) say_but(d.verdict, "The modulus ends at a bound with the effect as without it: its value is not to be relied on.");
     return fit;
 }
 
@@ -133,15 +142,14 @@ bool any_would_do(const Diagnosis& d, const JudgedFit& first) { return takes_nea
 
 JudgedFit nearly_all_of_it(Diagnosis& d, const JudgedFit& fit) {
     effects(d, fit, other_form_trust * presence(d, fit));
-    d.verdict.because += " That is not all: the effect may act in another form than the one it was given here" +
-                         std::string(d.pairs.empty() ? "." : ", or beside another, too small to tell which.");
+    say_but(d.verdict, "That is not all: the effect may act in another form than the one it was given here" + std::string(d.pairs.empty() ? "." : ", or beside another, too small to tell which."));
     return fit;
 }
 
 JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit, double weight) {
     const double left = fit.rms_m / d.declared.rms_m;
     effects(d, fit, weight * (1.0 - 0.5 * left));
-    d.verdict.because += " What is left is unexplained: the noise was taken from still markers, and no model of a real body comes down to that.";
+    say_but(d.verdict, "What is left is unexplained: the noise was taken from still markers, and no model of a real body comes down to that.");
     return fit;
 }
 
@@ -166,6 +174,25 @@ JudgedFit decide(Diagnosis& d) {
         d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");
     rank(d);
     return fit;
+}
+
+void take_over_settled(Diagnosis& d) {
+    if (d.verdict.kind != VerdictKind::effects) return;
+    d.verdict.effects = d.augmented.fit.effects;
+    d.verdict.because = falls_with(d.augmented, d.declared) + d.verdict.but;
+    const auto same = [&](const JudgedFit& fit) {
+        return fit.fit.effects.size() == d.verdict.effects.size() &&
+               std::equal(fit.fit.effects.begin(), fit.fit.effects.end(), d.verdict.effects.begin(), [](const EffectDeclaration& a, const EffectDeclaration& b) { return a.id == b.id; });
+    };
+    const auto take_over = [&](JudgedFit& fit) {
+        const double weight = fit.weight;   // it was chosen with
+        fit = d.augmented;
+        fit.weight = weight;
+    };
+    for (Candidate& candidate : d.candidates)
+        if (candidate.judged && same(*candidate.judged)) take_over(*candidate.judged);
+    for (JudgedFit& pair : d.pairs)
+        if (same(pair)) take_over(pair);
 }
 
 void doubt_worse_predictions(Diagnosis& d) {

@@ -8,6 +8,9 @@ namespace myo {
 /// attempt where nothing explains the residual.
 JudgedFit decide(Diagnosis& diagnosis);
 
+/// Once the numerical error of the fit that asserted effects stand on, `augmented`, has been found with it: the verdict, and the fit among the candidates or pairs, are that one's.
+void take_over_settled(Diagnosis& diagnosis);
+
 /// Halves the confidence, and says why, where the trials that took no part are predicted worse with the verdict's effects than without, `before`
 /// and `after` being known. The answer stands as it was: these trials choose nothing.
 void doubt_worse_predictions(Diagnosis& diagnosis);

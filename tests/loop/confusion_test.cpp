@@ -47,5 +47,22 @@ TEST(Confusion, IsAlsoWhatFitsAlike) {
     EXPECT_TRUE(with_weight(0.001).confusions.empty()) << "data that choose clearly between two fits tell them apart";
 }
 
+TEST(Confusion, IsDecidedWhereTheFitsChoose) {
+    const auto named_first = [](double weight) {
+        Diagnosis d = of({candidate("clock_offset", 0, {1.0, 0.0, 0.0}, 0.9), candidate("actuation_lag", 0, {0.9, 0.0, 0.0}, weight)});
+        d.verdict.effects = {{"clock_offset", {}, false}};
+        return d;
+    };
+    for (const double weight : {0.0, 0.01, 0.1}) {
+        Diagnosis d = named_first(weight);
+        ASSERT_EQ(d.confusions.size(), 1u);
+        EXPECT_EQ(is_decided(d, d.confusions[0]), weight < 0.05) << weight;
+        d.candidates[1].judged.reset();
+        EXPECT_FALSE(is_decided(d, d.confusions[0])) << "what was never fitted is not refuted";
+        d.verdict.effects.clear();
+        EXPECT_FALSE(is_decided(d, d.confusions[0]));
+    }
+}
+
 }  // namespace
 }  // namespace myo

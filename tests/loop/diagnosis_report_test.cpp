@@ -99,7 +99,7 @@ TEST_F(DiagnosisReport, HasAllSectionsAndTheVerdictFirst) {
     const std::string text = page();
     std::size_t last = 0;
     for (const char* title : {"Missing from the model: quadratic drag", "Verdict", "Parameters", "Errors", "Motion", "What is left", "Is there anything to explain?", "Suspects ruled out", "Candidates",
-                              "What this experiment cannot tell apart", "Cost"}) {
+                              "What looks alike in this experiment", "Cost"}) {
         const std::size_t at = text.find(std::string(">") + title + "</h", last);
         EXPECT_NE(at, std::string::npos) << title;
         if (at != std::string::npos) last = at;

@@ -56,6 +56,21 @@ TEST(Verdict, NamesWhatExplainsTheResidual) {
     EXPECT_EQ(d.verdict.ranking, (std::vector<std::string>{"quadratic_drag", "unknown", "none"}));
 }
 
+/// The fit with the numerical error found anew is the one that all numbers are of; the evidence it was chosen by stays.
+TEST(Verdict, TakesOverTheSettledFit) {
+    Diagnosis d = with_candidate(0.3);
+    d.augmented = decide(d);
+    d.augmented.fit.effects[0].parameters["coefficient_kg_m3"] = 910.0;
+    d.augmented.tests.systematic.rms = 0.2;
+    d.augmented.weight = 0.0;
+    d.verdict.but = " Beware.";
+    take_over_settled(d);
+    EXPECT_EQ(number(d.verdict.effects[0].parameters, "coefficient_kg_m3"), 910.0);
+    EXPECT_EQ(d.verdict.because, "with quadratic_drag (coefficient_kg_m3 = 910) the systematic part falls from 10 times the noise to 0.2 times the noise. Beware.");
+    EXPECT_EQ(d.candidates[0].judged->tests.systematic.rms, 0.2);
+    EXPECT_EQ(d.candidates[0].judged->weight, 0.9);
+}
+
 /// Data that took no part choose nothing; where they speak against the answer it is trusted half. Small differences and good predictions do not matter.
 TEST(Verdict, StandsWherePredictionsGetWorseAtHalfItsConfidence) {
     for (const auto& [before, after, told] : {std::tuple{7.0, 1.0, false}, {7.0, 7.2, false}, {1.0, 1.25, false}, {7.0, 8.0, true}}) {

@@ -393,7 +393,7 @@ Result<DiagnosisView> SwingingBeam::diagnose(const Scene& scene, const MeshedBod
     view.patch_of_node.resize(body.mesh.nodes.cols());
     for (Eigen::Index i = 0; i < body.mesh.nodes.cols(); ++i) view.patch_of_node(i) = std::min(4, static_cast<int>(50.0 * body.mesh.nodes(0, i)));
     view.because = "With linear drag the residual is 1.1 times the noise instead of 12.0; no test finds more than noise in it.";
-    view.confounded = {"linear drag and extra damping (cosine 0.982); a release in another direction would separate them"};
+    view.confounded = {"Not to be told apart here: linear drag and extra damping (cosine 0.982); a release in another direction would separate them."};
     if (unexplained) {
         view.headline = "Something is missing that none of the known effects explains";
         view.because = "The residual is significant, and no effect of the catalogue takes it away.";

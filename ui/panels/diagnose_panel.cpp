@@ -147,7 +147,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     ImGui::PopFont();
     context.items.mark("diagnose/verdict");
     std::string words = d.because;
-    for (const std::string& each : d.confounded) words += (words.empty() ? "" : " ") + std::string("Not to be told apart here: ") + each + ".";
+    for (const std::string& each : d.confounded) words += (words.empty() ? "" : " ") + each;
     tooltip(theme, d.headline + (d.complete ? "\n" + confidence : "") + (words.empty() ? "" : "\n\n") + words);
     if (with_confidence) {
         ImGui::SameLine(0.0f, 12.0f * s);
