@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <set>
 #include <system_error>
 
 #include "base/files.hpp"
+#include "base/fingerprint.hpp"
 #include "commands/settings.hpp"
 #include "fibre/painted_mask.hpp"
 #include "project/toml_reader.hpp"
@@ -36,26 +38,22 @@ std::string effect_value(const AddedEffect::Value& value) {
 }
 
 /// What follows the muscle's name in a mask's: "-0123456789abcdef.csv".
-std::string mask_tail(std::size_t hash) {
+std::string mask_tail(std::uint64_t hash) {
     char text[24];
-    std::snprintf(text, sizeof text, "-%016zx.csv", hash);
+    std::snprintf(text, sizeof text, "-%016" PRIx64 ".csv", hash);
     return text;
 }
 
 /// Named after its content, so that it never changes.
 std::string mask_name(const std::string& muscle, const PaintedMask& mask) {
-    std::size_t hash = 1469598103934665603u;   // FNV-1a
-    const auto mix = [&](const double* numbers, Eigen::Index count) {
-        const auto* bytes = reinterpret_cast<const unsigned char*>(numbers);
-        for (std::size_t i = 0; i < sizeof(double) * static_cast<std::size_t>(count); ++i) hash = (hash ^ bytes[i]) * 1099511628211u;
-    };
-    mix(&mask.cell_size_m, 1);
-    mix(mask.centroids_m.data(), mask.centroids_m.size());
-    mix(mask.weights.data(), mask.weights.size());
-    mix(mask.directions.data(), mask.directions.size());
+    Fingerprint print;
+    print.add(mask.cell_size_m);
+    print.add_all(mask.centroids_m);
+    print.add_all(mask.weights);
+    print.add_all(mask.directions);
     std::string name = muscle;
     std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-    return name + mask_tail(hash);
+    return name + mask_tail(print.value());
 }
 
 /// Whether a file may have been named by mask_name: what a person put beside the masks is not ours to remove.

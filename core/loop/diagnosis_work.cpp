@@ -1,7 +1,10 @@
 #include "loop/diagnosis_work.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+
+#include "base/fingerprint.hpp"
 
 namespace myo {
 namespace {
@@ -13,9 +16,30 @@ constexpr double tangent_tolerance = 1e-4;
 /// Runs start their stages near those of others, where these can be kept.
 constexpr double most_path_bytes = 1e8;
 
+/// Of what fits depend on beside mesh and step: what was measured, and the declared numbers that are not fitted.
+std::uint64_t fingerprint(const Study& study) {
+    Fingerprint print;
+    const MaterialDeclaration& material = study.experiment.material;
+    for (const double number : {material.youngs_modulus_Pa, material.poissons_ratio, material.density_kg_m3, material.damping_s.value_or(-1.0)}) print.add(number);
+    print.add_all(study.experiment.gravity_m_s2);
+    print.add_all(study.noise_m);
+    for (const StudyTrial& trial : study.trials) {
+        print.add_all(trial.measured.time_s);
+        for (const Eigen::Matrix3Xd& track : trial.measured.tracks) print.add_all(track);
+        for (const AttachedMass& mass : trial.model.masses) print.add(mass.mass_kg);
+        for (const DeadForce& force : trial.model.forces) {
+            print.add_all(force.force_N);
+            print.add(force.from_s);
+            print.add(force.until_s);
+        }
+        for (const Signal& signal : trial.model.activation) print.add(signal.values.data(), static_cast<std::ptrdiff_t>(signal.values.size()));
+    }
+    return print.value();
+}
+
 std::string study_words(const Study& study) {
     return study.experiment.name + ", " + to_string(study.mesh.element) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
-           std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator);
+           std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator) + ", " + std::to_string(fingerprint(study));
 }
 
 Study prepared(Study study) {

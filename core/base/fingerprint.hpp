@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace myo {
+
+/// Tells lists of numbers apart, by their bits; the same in every run and on every machine of one byte order. All NaN count as the same.
+/// Source: FNV-1a (Fowler, Noll, Vo).
+class Fingerprint {
+public:
+    void add(const double* values, std::ptrdiff_t count) {
+        for (std::ptrdiff_t k = 0; k < count; ++k) {
+            const double value = std::isnan(values[k]) ? std::numeric_limits<double>::quiet_NaN() : values[k];
+            const auto* const bytes = reinterpret_cast<const unsigned char*>(&value);
+            for (std::size_t i = 0; i < sizeof value; ++i) hash_ = (hash_ ^ bytes[i]) * 1099511628211u;
+        }
+    }
+    void add(double value) { add(&value, 1); }
+    /// Of any dense matrix of doubles.
+    template <class Matrix>
+    void add_all(const Matrix& values) { add(values.data(), values.size()); }
+
+    std::uint64_t value() const { return hash_; }
+
+private:
+    std::uint64_t hash_ = 1469598103934665603u;
+};
+
+}  // namespace myo
