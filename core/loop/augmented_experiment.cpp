@@ -60,16 +60,18 @@ std::string effect_tables(const std::vector<EffectDeclaration>& effects, bool ca
 Result<std::string> augmented_experiment(const std::filesystem::path& written, const std::vector<EffectDeclaration>& effects, const std::filesystem::path& folder) {
     const Result<std::string> text = read_file(written);
     if (!text) return text.error();
-    static const std::regex named(R"(\b(file|trace|actuation|mask)(\s*=\s*)\"([^\"\n]*)\")");
+    static const std::regex named(R"(\b(file|trace|actuation|mask|signal)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
     std::string result;
     auto from = text->cbegin();
     for (std::sregex_iterator match(text->begin(), text->end(), named), end; match != end; ++match) {
         result.append(from, (*match)[0].first);
-        result += (*match)[1].str() + (*match)[2].str() + quoted(seen_from((*match)[3].str(), written.parent_path(), folder));
+        const std::string name = (*match)[3].str();
+        result += (*match)[1].str() + (*match)[2].str() + quoted(seen_from(name.substr(1, name.size() - 2), written.parent_path(), folder));
         from = (*match)[0].second;
     }
     result.append(from, text->cend());
     if (!result.empty() && result.back() != '\n') result += '\n';
+    if (!effects.empty()) result += "\n# Found by `myoloop diagnose`. Modulus and damping stay as declared: `myoloop calibrate` fits them together with what follows.";
     return result + effect_tables(effects, true);
 }
 

@@ -73,6 +73,7 @@ struct MuscleDeclaration {
     double stiffness_Pa = 0.0;
     std::optional<FollowsDeclaration> follows;
     std::optional<Signal> signal;   // a(t) in all trials, whatever these recorded
+    std::optional<std::filesystem::path> signal_file = {};   // that it was read from
 };
 
 enum class RegistrationMethod { limited, rest_pose };

@@ -128,9 +128,11 @@ std::vector<fs::path> tables_read(const Experiment& experiment) {
         files.push_back(trial.trace);
         if (trial.actuation) files.push_back(*trial.actuation);
     }
-    for (const MuscleDeclaration& muscle : experiment.muscles)
+    for (const MuscleDeclaration& muscle : experiment.muscles) {
+        if (muscle.signal_file) files.push_back(*muscle.signal_file);
         if (const auto* mask = std::get_if<MuscleMask>(&muscle.part))
             if (const auto* file = std::get_if<fs::path>(&mask->painted)) files.push_back(*file);
+    }
     return files;
 }
 

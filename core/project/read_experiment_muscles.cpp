@@ -70,7 +70,10 @@ std::vector<MuscleDeclaration> read_muscles(const TomlReader& document, const st
             muscle.follows = FollowsDeclaration{follows.text("muscle"), follows.number("ratio")};
         }
         if (table.has("signal") && muscle.follows) table.fail("signal", "stands beside follows; a muscle has one of the two");
-        if (table.has("signal")) muscle.signal = read_signal(table, folder, muscle.name);
+        if (table.has("signal")) {
+            muscle.signal = read_signal(table, folder, muscle.name);
+            muscle.signal_file = table.file("signal", folder);
+        }
         muscles.push_back(muscle);
     }
     return muscles;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "effect/catalogue.hpp"
 #include "material/catalogue.hpp"
 #include "measurement/noise.hpp"
 #include "mesh/region.hpp"
@@ -107,6 +108,20 @@ void set_noise(const std::vector<Recording>& recordings, Study& study) {
     if (found.sum() == 0.0) study.warnings.push_back("markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
     for (Eigen::Index m = 0; m < count; ++m)
         study.noise_m(m) = std::max(found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical);
+}
+
+/// Trials in which no marker was seen take no part; one to fit must be left.
+Result<void> check_seen(Study& study) {
+    bool any = false;
+    for (const StudyTrial& trial : study.trials) {
+        const auto& tracks = trial.measured.tracks;
+        const bool seen = std::any_of(tracks.begin(), tracks.end(), [](const Eigen::Matrix3Xd& track) { return !track.array().isNaN().all(); });
+        any = any || (seen && trial.role == TrialRole::fit);
+        if (!seen) study.warnings.push_back("trial " + trial.name + ": no marker was seen in it, so it takes no part");
+        else if (trial.measured.sample_count() < 3) study.warnings.push_back("trial " + trial.name + ": " + std::to_string(trial.measured.sample_count()) + " samples tell next to nothing");
+    }
+    if (!any) return declaration_error(study.experiment, "trial", "no marker was seen in any trial to fit");
+    return {};
 }
 
 void warn_of_mass(const Model& model, std::vector<std::string>& warnings) {
@@ -216,6 +231,10 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
         recordings.push_back(trial->measured);
         study.trials.push_back(std::move(*trial));
     }
+    if (const Result<void> seen = check_seen(study); !seen) return seen.error();
+    for (const EffectDeclaration& effect : experiment.effects)
+        if (experiment.muscles.empty() && find_effect(effect.id)->stage == EffectStage::actuation)
+            study.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
     set_noise(recordings, study);
     return study;
 }

@@ -163,6 +163,9 @@ Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& reque
     const CellType type = cell_type(result.element);
     result.resolution_m = request.resolution_m.value_or(automatic_resolution(surface, type));
     if (!(result.resolution_m > 0.0)) return Error{"the edge length must be positive", "--resolution"};
+    const Box bounds = bounding_box(surface.vertices);
+    if (result.resolution_m > bounds.size().maxCoeff())
+        return Error{"cells of " + format_number(1e3 * result.resolution_m, 4) + " mm are larger than the body, " + size_in_mm(bounds) + " mm; the number is in metres", "--resolution"};
     Result<VolumeMesh> mesh = make_mesh(surface, type, result.resolution_m, request.voxels, regions, progress);
     if (!mesh) return mesh.error();
     result.mesh = std::move(*mesh);

@@ -114,7 +114,10 @@ HtmlReport trust_report(const std::vector<CaseRecord>& records, const std::strin
     report.sections.push_back({"Answers", {confusion_table(s)}});
     report.sections.push_back({"Confidence", {Figure{reliability_figure(s), "Dots: mean confidence of a bin and the share of its answers that were right."}}});
     report.sections.push_back({"Parameters", {parameter_table(s)}});
-    report.sections.push_back({"Wrong answers", {wrong_table(records)}});
+    Table wrong = wrong_table(records);
+    report.sections.push_back({"Wrong answers", {}});
+    if (wrong.rows.empty()) report.sections.back().blocks.push_back(Paragraph{"None."});
+    else report.sections.back().blocks.push_back(std::move(wrong));
     report.sections.back().blocks.push_back(EmbeddedJson{"study", summary_json(s)});
     report.footer = command_line;
     return report;

@@ -189,6 +189,7 @@ const std::vector<Mutation> mutations = {
     {"kind = \"mass\"", "kind = \"weight\"", "kind = \"weight\"", "trial[0].load[0].kind: ", "mass"},
     {"mass_kg = 0.05", "mass_kg = -0.05", "mass_kg", "trial[0].load[0].mass_kg: ", "negative"},
     {"mass_kg = 0.05", "force_N = [0, 0, 1]", "force_N = [0, 0, 1]", "trial[0].load[0].force_N: ", "mass"},
+    {"mass_kg = 0.05", "mass_kg = 0.05\nuntil_s = 0.0", "until_s = 0.0", "trial[0].load[0].until_s: ", "whole trial"},
     {"mass_kg = 0.05\n", "", "[[trial.load]]\nkind = \"mass\"", "trial[0].load[0].mass_kg: ", "missing"},
     {"force_N = [0.0, 0.7, 0.25]", "force_N = [0.0, 0.7, inf]", "force_N", "trial[0].load[1].force_N: ", "finite"},
     {"[[0.0995, -0.001, -0.001], [0.1005, 0.031, 0.031]]", "[[0.0995, -0.001, 0.03], [0.1005, 0.031, 0.01]]", "0.03], [0.1005", "trial[0].load[0].box_m: lowest corner is above the highest", "z 0.03 > 0.01"},

@@ -67,6 +67,19 @@ TEST_F(ReadTrial, LeavesOutASampleThatStandsOutAndSaysSo) {
     for (Eigen::Index t = 0; t < 20; ++t) EXPECT_EQ(read->recording.tracks[0].col(t).allFinite(), t != 9) << t;
 }
 
+/// Names that were borne by another for a while are given back.
+TEST_F(ReadTrial, PutsExchangedMarkersBackAndSaysSo) {
+    std::string csv = release_csv.substr(0, release_csv.find('\n') + 1);
+    for (int k = 0; k < 20; ++k) csv += std::to_string(0.5 * k) + ",7,8,9," + (k >= 8 && k < 13 ? "4,5,6,1,2,3\n" : "1,2,3,4,5,6\n");
+    folder_.write("release.csv", csv);
+    const Experiment e = experiment();
+    const Result<TrialRecording> read = read_trial(e, e.trials.front());
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->warnings.size(), 1u);
+    EXPECT_THAT(read->warnings[0], HasSubstr("markers \"tip\", \"side\" bear each other's names from 4 s to 6 s, and are put back"));
+    for (const Eigen::Matrix3Xd& track : read->recording.tracks) EXPECT_EQ((track.colwise() - track.col(0)).norm(), 0.0);
+}
+
 TEST_F(ReadTrial, PutsTracksUnderDeclaredNamesAndOrder) {
     const Experiment e = experiment();
     for (const TrialDeclaration& trial : e.trials) {

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "app/small_experiment.hpp"
+#include "base/files.hpp"
 #include "project/calibrate_study.hpp"
 #include "project/level_curve.hpp"
 #include "project/read_experiment.hpp"
@@ -35,6 +38,31 @@ TEST(Study, CalibratesTheBundledExample) {
     EXPECT_LT(calibration.after.validation_rms_m, 3e-4);
     EXPECT_GT(calibration.before.fit_rms_m, 1e-3);
     EXPECT_GT(calibration.fit.deviations(0), 0.0);
+}
+
+TEST(Study, NeedsATrialInWhichSomethingIsSeenAndCellsThatFitTheBody) {
+    const test::Folder folder("unseen");
+    std::filesystem::copy(std::filesystem::path(MYOLOOP_SOURCE_DIR) / "assets/examples/silicone_beam", folder.path(), std::filesystem::copy_options::recursive);
+    const auto blinded = [&](const std::string& trial) {
+        std::istringstream lines(*read_file(folder.path() / (trial + ".csv")));
+        std::string text, line;
+        while (std::getline(lines, line)) text += text.empty() || line[0] == '#' ? line + "\n" : line.substr(0, line.find(',')) + std::string(static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')), ',') + "\n";
+        folder.write(trial + ".csv", text);
+        StudySettings settings;
+        settings.mesh.resolution_m = 0.015;
+        return prepare_study(*read_experiment(folder.path()), settings);
+    };
+    const Result<Study> one = blinded("gravity_release");
+    ASSERT_TRUE(one) << one.error().text();
+    EXPECT_EQ(one->warnings.back(), "trial gravity_release: no marker was seen in it, so it takes no part");
+    const Result<Study> none = blinded("side_pluck");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().what, "trial: no marker was seen in any trial to fit");
+    StudySettings settings;
+    settings.mesh.resolution_m = 5.0;
+    const Result<Study> coarse = prepare_study(*read_experiment(folder.path()), settings);
+    ASSERT_FALSE(coarse);
+    EXPECT_EQ(coarse.error().what, "cells of 5000 mm are larger than the body, 120 x 30 x 20 mm; the number is in metres");
 }
 
 TEST(Study, ReportsAFitWhoseDeclaredValuesCannotPredict) {
