@@ -72,7 +72,7 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, co
 }  // namespace
 
 void declare_study_call(CLI::App& app, StudyCall& call) {
-    app.add_option("EXP", call.experiment, "experiment folder")->type_name("");
+    app.add_option("EXP", call.experiment, "experiment folder, or a .toml file of one")->type_name("");
     if (call.writes_folder) app.add_option("--out", call.out, "folder for the results, made when missing")->type_name("DIR");
     add_study_options(app, call.study);
     add_work_options(app, call.work);
