@@ -57,7 +57,7 @@ std::string verdict_lines(const Diagnosis& d) {
     if (d.verdict.kind == VerdictKind::unknown) text += "unknown";
     for (const EffectDeclaration& effect : d.verdict.effects) text += effect_words(effect) + "  ";
     text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.because;
-    for (const Confusion& c : d.confusions)
+    for (const Confusion& c : confusions_of_verdict(d))
         text += (is_decided(d, c) ? "\nalike here, but the fits decide: " : "\nnot to be told apart here: ") + c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment + " would tell them apart";
     for (const std::string& note : d.notes) text += "\nnote: " + note;
     if (d.missing_force && !d.missing_force->failure.empty()) text += "\nno force is inferred: " + d.missing_force->failure;

@@ -117,13 +117,15 @@ public:
         view_.stopped = d_.stopped;
         view_.noise_m = d_.noise_m;
         view_.seconds = d_.seconds;
-        view_.notes = d_.notes;
+        for (const std::string& note : d_.notes) view_.notes.push_back(capitalised(note) + ".");
         if (view_.complete) set_verdict();
         set_trials();
         add_rows();
-        for (const Confusion& c : d_.confusions)
-            view_.confounded.push_back((is_decided(d_, c) ? "Alike here, but the fits decide: " : "Not to be told apart here: ") + name_in_sentence(c.first) + " and " + name_in_sentence(c.second) + " (cosine " +
-                                       format_number(c.cosine, 3) + "); " + c.next_experiment + " would separate them.");
+        for (const Confusion& c : confusions_of_verdict(d_)) {
+            const std::string words = name_in_sentence(c.first) + " and " + name_in_sentence(c.second) + " (cosine " + format_number(c.cosine, 3) + "); " + c.next_experiment + " would separate them.";
+            if (is_decided(d_, c)) view_.alike.push_back("Alike here, but the fits decide: " + words);
+            else view_.confounded.push_back("Not to be told apart here: " + words);
+        }
         return std::move(view_);
     }
 

@@ -32,6 +32,10 @@ double cosine_of_fits(const Candidate& a, const Candidate& b, const JointFit& de
     return std::abs(of_a.normalized().dot(of_b.normalized()));
 }
 
+bool is_named(const Diagnosis& d, const std::string& id) {
+    return std::any_of(d.verdict.effects.begin(), d.verdict.effects.end(), [&](const EffectDeclaration& effect) { return effect.id == id; });
+}
+
 }  // namespace
 
 void find_confusions(Diagnosis& d) {
@@ -52,14 +56,18 @@ void find_confusions(Diagnosis& d) {
         }
 }
 
+std::vector<Confusion> confusions_of_verdict(const Diagnosis& d) {
+    std::vector<Confusion> result;
+    for (const Confusion& c : d.confusions)
+        if (d.verdict.kind != VerdictKind::effects || is_named(d, c.first) || is_named(d, c.second)) result.push_back(c);
+    return result;
+}
+
 bool is_decided(const Diagnosis& d, const Confusion& confusion) {
-    const auto named = [&](const std::string& id) {
-        return std::any_of(d.verdict.effects.begin(), d.verdict.effects.end(), [&](const EffectDeclaration& effect) { return effect.id == id; });
-    };
     const auto refuted = [&](const std::string& id) {
         return std::any_of(d.candidates.begin(), d.candidates.end(), [&](const Candidate& c) { return c.score.id == id && c.judged && c.judged->weight < as_good; });
     };
-    return (named(confusion.first) && refuted(confusion.second)) || (named(confusion.second) && refuted(confusion.first));
+    return (is_named(d, confusion.first) && refuted(confusion.second)) || (is_named(d, confusion.second) && refuted(confusion.first));
 }
 
 }  // namespace myo

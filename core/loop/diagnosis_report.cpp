@@ -82,11 +82,9 @@ Section verdict_section(const Study& study, const Diagnosis& d) {
     if (has_two_fits(d) && std::isfinite(before) && std::isfinite(after))
         section.blocks.push_back(Paragraph{"On trials that took no part in the search the error " + std::string(after < before ? "falls" : "changes") + " from " + length_words(before) +
                                            " (" + times_noise(before, d) + ") to " + length_words(after) + " (" + times_noise(after, d) + ")."});
-    if (!d.confusions.empty() && d.verdict.kind == VerdictKind::effects)
-        for (const Confusion& c : d.confusions)
-            for (const EffectDeclaration& effect : d.verdict.effects)
-                if (c.first == effect.id || c.second == effect.id)
-                    section.blocks.push_back(Paragraph{is_decided(d, c) ? capital(name_in_sentence(c.first)) + " and " + name_in_sentence(c.second) + " look alike in this experiment, but the fits decide: see below."
+    if (d.verdict.kind == VerdictKind::effects)
+        for (const Confusion& c : confusions_of_verdict(d))
+            section.blocks.push_back(Paragraph{is_decided(d, c) ? capital(name_in_sentence(c.first)) + " and " + name_in_sentence(c.second) + " look alike in this experiment, but the fits decide: see below."
                                                                         : "This experiment can hardly tell " + name_in_sentence(c.first) + " from " + name_in_sentence(c.second) + ": see below."});
     return section;
 }

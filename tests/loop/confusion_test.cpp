@@ -59,7 +59,10 @@ TEST(Confusion, IsDecidedWhereTheFitsChoose) {
         EXPECT_EQ(is_decided(d, d.confusions[0]), weight < 0.05) << weight;
         d.candidates[1].judged.reset();
         EXPECT_FALSE(is_decided(d, d.confusions[0])) << "what was never fitted is not refuted";
-        d.verdict.effects.clear();
+        d.verdict.kind = VerdictKind::effects;
+        EXPECT_EQ(confusions_of_verdict(d).size(), 1u);
+        d.verdict.effects = {{"added_mass", {}, false}};
+        EXPECT_TRUE(confusions_of_verdict(d).empty()) << "says nothing of the answer";
         EXPECT_FALSE(is_decided(d, d.confusions[0]));
     }
 }

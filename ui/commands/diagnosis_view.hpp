@@ -69,6 +69,7 @@ struct DiagnosisView {
     double confidence = 0.0;
     std::string because;                          // one or two sentences
     std::vector<std::string> confounded;          // "Not to be told apart here: quadratic drag and linear drag (cosine 0.98); a slower release would separate them."
+    std::vector<std::string> alike;               // "Alike here, but the fits decide: ..."
     std::vector<std::string> notes;
     double noise_m = 0.0;                         // rms that a right model would leave
     double seconds = 0.0;

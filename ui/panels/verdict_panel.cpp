@@ -29,7 +29,8 @@ void VerdictPanel::draw(PanelContext& context) {
     tooltip(theme, "Root mean square error [mm] that a right model would leave: the measurement's own. Errors \"times the noise\" are in units of it.");
     context.items.mark("verdict/noise");
     if (!d.because.empty()) muted_text(theme, d.because);
-    for (const std::string& each : d.confounded) notice(theme, LogLevel::information, each);
+    for (const std::vector<std::string>* const list : {&d.confounded, &d.alike, &d.notes})
+        for (const std::string& each : *list) notice(theme, LogLevel::information, each);
     const DiagnosisRow* const row = state.diagnosis_row();
     if (!row) return;
     heading(theme, "Errors with " + row->name);
