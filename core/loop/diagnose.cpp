@@ -52,7 +52,6 @@ void conclude(DiagnosisWork& work) {
     result.after = result.verdict.kind == VerdictKind::none ? result.before
                                                             : scored(result.augmented.fit.values, result.augmented.numerics->shift,
                                                                      fitted_predictions(work.study, all, result.augmented.fit.values, work.progress));
-    doubt_worse_predictions(result);
 }
 
 }  // namespace
@@ -77,7 +76,10 @@ Diagnosis diagnose(const Study& study, const DiagnoseSettings& settings, const P
     result.seconds = watch.seconds();
     forget_paths(result.declared.fit.predictions);
     forget_paths(result.augmented.fit.predictions);
-    if (!result.stopped) take_over_settled(result);
+    if (!result.stopped) {
+        take_over_settled(result);
+        doubt_worse_predictions(result);
+    }
     return std::move(result);
 }
 
