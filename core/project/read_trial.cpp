@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "measurement/exchanges.hpp"
+#include "measurement/excursions.hpp"
 #include "measurement/noise.hpp"
 #include "measurement/spikes.hpp"
 #include "project/read_experiment.hpp"
@@ -85,17 +86,40 @@ void put_names_back(const std::string& key, TrialRecording& read) {
     }
 }
 
+double noise_of(const Experiment& experiment, const Eigen::Matrix3Xd& track) { return experiment.markers.noise_m.value_or(estimate_track_noise(track).sigma_m); }
+
 // Reflections and markers taken for another: such samples count as hidden.
 void leave_out_spikes(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         Eigen::Matrix3Xd& track = read.recording.tracks[i];
-        const double sigma = experiment.markers.noise_m.value_or(estimate_track_noise(track).sigma_m);
-        const Spikes spikes = find_spikes(track, read.recording.time_s, sigma);
+        const Spikes spikes = find_spikes(track, read.recording.time_s, noise_of(experiment, track));
         if (spikes.samples.empty()) continue;
         for (const Eigen::Index t : spikes.samples) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
         read.warnings.push_back(key + ": marker \"" + read.recording.labels[i] + "\" stands out from its own motion by up to " + format_number(1e3 * spikes.largest_m, 3) + " mm in " +
                                 std::to_string(spikes.samples.size()) + (spikes.samples.size() == 1 ? " sample, which is" : " samples, which are") + " left out, the first at " +
                                 format_number(read.recording.time_s(spikes.samples.front()), 4) + " s");
+    }
+}
+
+// The same, for longer.
+void leave_out_excursions(const Experiment& experiment, const std::string& key, TrialRecording& read) {
+    Recording& recording = read.recording;
+    Eigen::VectorXd sigma_m(static_cast<Eigen::Index>(recording.tracks.size()));
+    for (std::size_t i = 0; i < recording.tracks.size(); ++i) sigma_m(static_cast<Eigen::Index>(i)) = noise_of(experiment, recording.tracks[i]);
+    const std::vector<Excursion> found = find_excursions(recording.tracks, recording.time_s, sigma_m);
+    for (std::size_t i = 0; i < recording.tracks.size(); ++i) {
+        Eigen::Index times = 0, samples = 0, first = 0;
+        double jump_m = 0.0;
+        for (const Excursion& excursion : found) {
+            if (excursion.marker != i) continue;
+            if (times++ == 0) first = excursion.first;
+            samples += excursion.end - excursion.first;
+            jump_m = std::max(jump_m, excursion.jump_m);
+            recording.tracks[i].middleCols(excursion.first, excursion.end - excursion.first).setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+        if (times > 0)
+            read.warnings.push_back(key + ": marker \"" + recording.labels[i] + "\" jumps by up to " + format_number(1e3 * jump_m, 3) + " mm and back" + (times > 1 ? ", " + std::to_string(times) + " times" : "") +
+                                    "; " + std::to_string(samples) + " samples between are left out, the first at " + format_number(recording.time_s(first), 4) + " s");
     }
 }
 
@@ -126,6 +150,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
     put_names_back(key, read);
     leave_out_spikes(experiment, key, read);
+    leave_out_excursions(experiment, key, read);
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         const Eigen::Index occluded = occluded_samples(read.recording.tracks[i]);
         if (2 * occluded > read.recording.sample_count())

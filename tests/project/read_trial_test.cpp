@@ -67,6 +67,22 @@ TEST_F(ReadTrial, LeavesOutASampleThatStandsOutAndSaysSo) {
     for (Eigen::Index t = 0; t < 20; ++t) EXPECT_EQ(read->recording.tracks[0].col(t).allFinite(), t != 9) << t;
 }
 
+/// A reflection followed for longer, while the others go on, tells nothing either.
+TEST_F(ReadTrial, LeavesOutWhereAMarkerJumpsAwayAndBackAndSaysSo) {
+    std::string csv = release_csv.substr(0, release_csv.find('\n') + 1);
+    for (int k = 0; k < 30; ++k) {
+        const std::string still = std::to_string(1e-4 * (k % 2));
+        csv += std::to_string(0.5 * k) + "," + still + ",8,9,1,2," + (k >= 12 && k < 18 ? "0.02" : still) + ",4," + still + ",6\n";
+    }
+    folder_.write("release.csv", csv);
+    const Experiment e = experiment();
+    const Result<TrialRecording> read = read_trial(e, e.trials.front());
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->warnings.size(), 1u);
+    EXPECT_THAT(read->warnings[0], HasSubstr("\"tip\" jumps by up to 20.1 mm and back; 6 samples between are left out, the first at 6 s"));
+    for (Eigen::Index t = 0; t < 30; ++t) EXPECT_EQ(read->recording.tracks[0].col(t).allFinite(), t < 12 || t >= 18) << t;
+}
+
 /// Names that were borne by another for a while are given back.
 TEST_F(ReadTrial, PutsExchangedMarkersBackAndSaysSo) {
     std::string csv = release_csv.substr(0, release_csv.find('\n') + 1);

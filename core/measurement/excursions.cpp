@@ -1,0 +1,107 @@
+#include "measurement/excursions.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "measurement/gaps.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr double least_deviations = 20.0, least_ratio = 6.0, least_opposition = 0.5, most_unequal = 2.0;
+constexpr std::size_t shortest = 4;
+/// Steps nearby, on each side, that tell how far a track departs from its velocity by itself; of all so many at least.
+constexpr std::size_t nearby = 6, least_nearby = 4;
+/// Steps beside a jump whose velocities it takes part in.
+constexpr std::size_t touched = 1;
+constexpr std::size_t least_others = 2;
+/// Missing samples among the four of a step: over a longer gap velocities tell nothing.
+constexpr Index most_missing = 3;
+
+/// From a seen sample of a track to the next.
+struct Step {
+    Index before = 0, after = 0;   // samples
+    bool known = false;
+    Vector3d jump = Vector3d::Zero();
+};
+
+std::vector<Step> steps_of(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s) {
+    std::vector<Index> seen;
+    for (Index t = 0; t < track.cols(); ++t)
+        if (is_seen(track, t)) seen.push_back(t);
+    const auto velocity = [&](std::size_t i) -> Vector3d { return (track.col(seen[i + 1]) - track.col(seen[i])) / (time_s(seen[i + 1]) - time_s(seen[i])); };
+    std::vector<Step> steps;
+    for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
+        Step step{seen[i], seen[i + 1]};
+        step.known = i >= 1 && i + 2 < seen.size() && seen[i + 2] - seen[i - 1] <= 3 + most_missing;
+        if (step.known) step.jump = track.col(step.after) - track.col(step.before) - 0.5 * (time_s(step.after) - time_s(step.before)) * (velocity(i - 1) + velocity(i + 1));
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+bool is_beside(std::size_t i, std::size_t j) { return (i > j ? i - j : j - i) <= touched; }
+
+/// Whether the step at `place` departs from the velocity much farther than those nearby, the excursion's other end aside.
+bool stands_out(const std::vector<Step>& steps, std::size_t place, std::size_t other_end) {
+    double largest = 0.0;
+    std::size_t told = 0;
+    for (std::size_t i = place - std::min(place, nearby); i < std::min(place + nearby + 1, steps.size()); ++i) {
+        if (!steps[i].known || is_beside(i, place) || is_beside(i, other_end)) continue;
+        largest = std::max(largest, steps[i].jump.norm());
+        ++told;
+    }
+    return told >= least_nearby && steps[place].jump.norm() > least_ratio * largest;
+}
+
+/// Whether the other markers go on as before while this one jumps.
+bool is_alone(const std::vector<std::vector<Step>>& steps, std::size_t marker, const Step& own) {
+    std::size_t told = 0;
+    for (std::size_t m = 0; m < steps.size(); ++m) {
+        if (m == marker) continue;
+        for (const Step& step : steps[m]) {
+            if (!step.known || step.after <= own.before || step.before >= own.after) continue;
+            if (least_ratio * step.jump.norm() > own.jump.norm()) return false;
+            ++told;
+            break;
+        }
+    }
+    return told >= least_others;
+}
+
+bool are_there_and_back(const Step& away, const Step& back) {
+    const double there = away.jump.norm(), here = back.jump.norm();
+    return away.jump.dot(back.jump) < -least_opposition * there * here && std::max(there, here) < most_unequal * std::min(there, here);
+}
+
+}  // namespace
+
+std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& tracks, const Eigen::VectorXd& time_s, const Eigen::VectorXd& sigma_m) {
+    assert(sigma_m.size() == static_cast<Index>(tracks.size()));
+    std::vector<std::vector<Step>> steps;
+    for (const Eigen::Matrix3Xd& track : tracks) steps.push_back(steps_of(track, time_s));
+    std::vector<Excursion> excursions;
+    for (std::size_t m = 0; m < tracks.size(); ++m) {
+        const std::vector<Step>& own = steps[m];
+        std::vector<std::size_t> jumps;
+        for (std::size_t i = 0; i < own.size(); ++i)
+            if (own[i].known && own[i].jump.norm() > least_deviations * sigma_m(static_cast<Index>(m)) && is_alone(steps, m, own[i])) jumps.push_back(i);
+        // The shortest first, so that a marker that slips between two excursions ends neither.
+        for (std::size_t length = shortest; 2 * length <= own.size(); ++length)
+            for (const std::size_t away : jumps) {
+                const std::size_t back = away + length;
+                if (!std::binary_search(jumps.begin(), jumps.end(), back) || !are_there_and_back(own[away], own[back])) continue;
+                if (!stands_out(own, away, back) || !stands_out(own, back, away)) continue;
+                const Excursion found{m, own[away].after, own[back].before + 1, std::max(own[away].jump.norm(), own[back].jump.norm())};
+                const bool apart = std::all_of(excursions.begin(), excursions.end(), [&](const Excursion& e) { return e.marker != m || e.end <= found.first || found.end <= e.first; });
+                if (apart) excursions.push_back(found);
+            }
+    }
+    std::sort(excursions.begin(), excursions.end(), [](const Excursion& a, const Excursion& b) { return a.first < b.first; });
+    return excursions;
+}
+
+}  // namespace myo
