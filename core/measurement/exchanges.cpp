@@ -83,6 +83,10 @@ private:
                     moved[i] = names_[j];
                     moved[j] = names_[i];
                 }
+        // A marker that surely bears another's name leaves that one, lost before, only its own, wherever it has gone meanwhile.
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            for (std::size_t j = 0; j < names_.size(); ++j)
+                if (moved[i] && *moved[i] == names_[j] && !moved[j] && past_[j].known() && past_[j].sample < at - 1 && is_seen(tracks_[names_[i]], at)) moved[j] = names_[i];
         // Those whose new label nobody left, or whose own nobody took, close no ring.
         for (bool changed = true; changed;) {
             changed = false;

@@ -17,7 +17,7 @@ struct Exchange {
 ///
 /// Each track is foretold from one sample to the next, linearly, over a gap by where it was last seen. Names have moved where tracks are each other's
 /// nearest, four times nearer than their own, and close a ring: a body that moves on, or a marker that jumps to where no other was, makes none. Two
-/// that were lost together have, too, where they come back the other way round. Names that are never given back stay as they are: that is an effect
+/// that were lost together have, too, where they come back the other way round, and one that was lost alone where another takes its name. Names that are never given back stay as they are: that is an effect
 /// of the catalogue (`marker_swap`) or two wrong labels, and a model must tell.
 ///
 /// @param tracks one for each marker, 3 x T [m], NaN where occluded; put back in place

@@ -81,6 +81,23 @@ TEST(Exchanges, ArePutBackBesideGapsAndInRings) {
     EXPECT_TRUE(same(tracks, true_tracks));
 }
 
+/// One marker is lost, and names are exchanged as it is found again, far from where it was seen last.
+TEST(Exchanges, ArePutBackWhereOneAloneWasLost) {
+    for (const double swing : {0.005, 0.015, 0.04})
+        for (unsigned seed = 1; seed <= 20; ++seed)
+            for (const std::size_t lost : {0u, 1u}) {
+                std::vector<Matrix3Xd> true_tracks = recorded(swing, 1e-4, seed);
+                true_tracks[lost].middleCols(40, 8).setConstant(std::numeric_limits<double>::quiet_NaN());
+                std::vector<Matrix3Xd> tracks = true_tracks;
+                exchange(tracks, 0, 1, 48, 30);
+                const std::vector<Exchange> found = put_back_exchanges(tracks);
+                ASSERT_EQ(found.size(), 1u) << swing << " " << seed;
+                EXPECT_EQ(found[0].first, 48);
+                EXPECT_EQ(found[0].end, 78);
+                EXPECT_TRUE(same(tracks, true_tracks));
+            }
+}
+
 /// Names that are not given back, a marker that slips or takes another's place, and swings of several times the distance of the markers.
 TEST(Exchanges, AreNotSeenInWhatMotionsAndOtherFaultsDo) {
     for (const double noise : {0.0, 1e-5, 5e-4})
