@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "diagnosis/independence_test.hpp"
 #include "loop/effect_words.hpp"
 #include "loop/judge.hpp"
 
@@ -27,6 +28,8 @@ constexpr double decided = 0.8;
 constexpr double surely_unknown = 0.8;
 /// A prediction is worse where it is farther off by this factor and not as good as noise allows. What is left of the confidence then.
 constexpr double worse = 1.1, as_good_as_noise = 1.3, contradicted_trust = 0.5;
+/// Of the confidence that nothing is missing where what is left is the measurement's: no study has counted how often that is right.
+constexpr double wander_trust = 0.7;
 /// Of the confidence in an effect whose size, or beside which the modulus, ends at its bound.
 constexpr double at_bound_trust = 0.5;
 
@@ -51,6 +54,15 @@ JudgedFit none(Diagnosis& d) {
     d.verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
                         times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
                         (share > 1.0 ? "little, and no effect takes most of it away." : "no more than the program's own error may be.");
+    return d.declared;
+}
+
+/// What no force on a body does: each marker by itself.
+JudgedFit wander(Diagnosis& d) {
+    d.verdict.kind = VerdictKind::none;
+    d.verdict.confidence = trust * wander_trust;
+    d.verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " + times_noise(d.declared.tests.systematic.rms) +
+                        " is no white noise, but every marker has its own and none goes with another: no force on the body does that. The measurement wanders.";
     return d.declared;
 }
 
@@ -167,6 +179,7 @@ JudgedFit decide(Diagnosis& d) {
     else if (pair && takes_most(d, *pair) && first && pair->criterion < first->judged->criterion && !is_idle(*pair, *first->judged)) fit = most_of_it(d, *pair, pair->weight);
     else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged, presence(d, *first->judged));
     else if (is_faint(d.declared, d.data, d.numerics)) fit = none(d);
+    else if (independence_test(d.declared.fit.residual, d.data.layout).is_wander()) fit = wander(d);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
     if (d.verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d, d.pairs.front()) && explains(d.pairs.front(), d.declared, d.data, d.numerics))
         d.notes.push_back(effects_in_words(d.pairs.front().fit.effects) + " together would explain it, but one of their numbers rests on a single trial: a further trial to fit would tell");
