@@ -131,7 +131,7 @@ NoiseEstimate estimate(const Eigen::Matrix3Xd& track, const std::vector<Eigen::I
     const auto still = std::count_if(means.begin(), means.end(), [&](double mean) { return mean <= limit; });
     result.found = true;
     result.quantum_m = smallest_step(track);
-    result.sigma_m = std::max(std::sqrt(variance), result.quantum_m / std::sqrt(12.0));
+    result.sigma_m = std::max(std::sqrt(variance), rounding_deviation(result.quantum_m));
     result.still_samples = std::min<Eigen::Index>(still * std::max<Eigen::Index>(window / 2, 1), track.cols());
     return result;
 }
@@ -155,6 +155,26 @@ NoiseEstimate estimate_track_noise(const Eigen::Matrix3Xd& track) {
     single.time_s = Eigen::VectorXd::LinSpaced(track.cols(), 0.0, static_cast<double>(track.cols()));
     return estimate(track, repeated_samples(single));
 }
+
+double rounding_step(const std::vector<Eigen::Matrix3Xd>& tracks) {
+    constexpr std::array<double, 12> per_metre{2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
+    constexpr int least_changes = 20;
+    constexpr double exact = 1e-6;   // of a step: decimal text is not exact in binary
+    int changes = 0;
+    for (const Eigen::Matrix3Xd& track : tracks)
+        for (Eigen::Index t = 1; t < track.cols(); ++t)
+            if (is_seen(track, t - 1) && is_seen(track, t)) changes += static_cast<int>((track.col(t).array() != track.col(t - 1).array()).count());
+    if (changes < least_changes) return 0.0;
+    const auto all_are_multiples = [&](double steps) {
+        return std::all_of(tracks.begin(), tracks.end(), [&](const Eigen::Matrix3Xd& track) {
+            return std::all_of(track.reshaped().begin(), track.reshaped().end(), [&](double x) { return !std::isfinite(x) || std::abs(x * steps - std::round(x * steps)) < exact; });
+        });
+    };
+    const auto found = std::find_if(per_metre.begin(), per_metre.end(), all_are_multiples);
+    return found != per_metre.end() ? 1.0 / *found : 0.0;
+}
+
+double rounding_deviation(double step) { return step / std::sqrt(12.0); }
 
 double mean_noise(const std::vector<NoiseEstimate>& estimates) {
     double squares = 0.0;

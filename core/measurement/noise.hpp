@@ -34,6 +34,13 @@ std::vector<NoiseEstimate> estimate_noise(const Recording& recording);
 /// The same for a single track, 3 x T [m], NaN where occluded.
 NoiseEstimate estimate_track_noise(const Eigen::Matrix3Xd& track);
 
+/// The step that a file's numbers are rounded to [m]: the largest of 1, 2 or 5 times a power of ten, from 5 mm down to 1 um, of which all coordinates
+/// are multiples. 0 where there is none, and where coordinates change fewer than twenty times.
+double rounding_step(const std::vector<Eigen::Matrix3Xd>& tracks);
+
+/// Deviation of what rounding to a step does to a coordinate.
+double rounding_deviation(double step);
+
 /// Root mean square of the noise over the markers where it was found; 0 when it was found for none.
 double mean_noise(const std::vector<NoiseEstimate>& estimates);
 

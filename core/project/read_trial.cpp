@@ -86,13 +86,15 @@ void put_names_back(const std::string& key, TrialRecording& read) {
     }
 }
 
-double noise_of(const Experiment& experiment, const Eigen::Matrix3Xd& track) { return experiment.markers.noise_m.value_or(estimate_track_noise(track).sigma_m); }
+double noise_of(const Experiment& experiment, const TrialRecording& read, const Eigen::Matrix3Xd& track) {
+    return std::max(experiment.markers.noise_m.value_or(estimate_track_noise(track).sigma_m), rounding_deviation(read.rounding_m));
+}
 
 // Reflections and markers taken for another: such samples count as hidden.
 void leave_out_spikes(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         Eigen::Matrix3Xd& track = read.recording.tracks[i];
-        const Spikes spikes = find_spikes(track, read.recording.time_s, noise_of(experiment, track));
+        const Spikes spikes = find_spikes(track, read.recording.time_s, noise_of(experiment, read, track));
         if (spikes.samples.empty()) continue;
         for (const Eigen::Index t : spikes.samples) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
         read.warnings.push_back(key + ": marker \"" + read.recording.labels[i] + "\" stands out from its own motion by up to " + format_number(1e3 * spikes.largest_m, 3) + " mm in " +
@@ -105,7 +107,7 @@ void leave_out_spikes(const Experiment& experiment, const std::string& key, Tria
 void leave_out_excursions(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     Recording& recording = read.recording;
     Eigen::VectorXd sigma_m(static_cast<Eigen::Index>(recording.tracks.size()));
-    for (std::size_t i = 0; i < recording.tracks.size(); ++i) sigma_m(static_cast<Eigen::Index>(i)) = noise_of(experiment, recording.tracks[i]);
+    for (std::size_t i = 0; i < recording.tracks.size(); ++i) sigma_m(static_cast<Eigen::Index>(i)) = noise_of(experiment, read, recording.tracks[i]);
     const std::vector<Excursion> found = find_excursions(recording.tracks, recording.time_s, sigma_m);
     for (std::size_t i = 0; i < recording.tracks.size(); ++i) {
         Eigen::Index times = 0, samples = 0, first = 0;
@@ -148,6 +150,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
+    read.rounding_m = rounding_step(read.recording.tracks);
     put_names_back(key, read);
     leave_out_spikes(experiment, key, read);
     leave_out_excursions(experiment, key, read);

@@ -13,6 +13,7 @@ namespace myo {
 /// A trial's recording under the declared names, and what a person should know about it.
 struct TrialRecording {
     Recording recording;
+    double rounding_m = 0.0;             // step of the file's numbers, 0 where none is seen
     std::vector<std::string> warnings;   // each names its key
 };
 

@@ -77,6 +77,7 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
     Result<TrialRecording> recording = read_trial(experiment, declaration);
     if (!recording) return recording.error();
     warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
+    trial.rounding_m = recording->rounding_m;
     if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed) return framed.error();
 
     trial.options.start = declaration.start == StartState::straight ? StartKind::straight : StartKind::equilibrium;
@@ -90,11 +91,18 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
     return trial;
 }
 
-/// Noise per marker: declared, or estimated in each trial and pooled. Where it cannot be estimated it is the others'.
+/// Noise per marker: declared, or estimated in each trial and pooled. Where it cannot be estimated it is the others'. Never less than what rounding makes.
 void set_noise(const std::vector<Recording>& recordings, Study& study) {
     const auto count = static_cast<Eigen::Index>(study.marker_names.size());
-    study.noise_m = Eigen::VectorXd::Constant(count, study.experiment.markers.noise_m.value_or(0.0));
-    if (study.experiment.markers.noise_m) return;
+    const auto coarsest = std::max_element(study.trials.begin(), study.trials.end(), [](const StudyTrial& a, const StudyTrial& b) { return a.rounding_m < b.rounding_m; });
+    const double rounded_m = rounding_deviation(coarsest->rounding_m);
+    if (const auto declared = study.experiment.markers.noise_m) {
+        study.noise_m = Eigen::VectorXd::Constant(count, std::max(*declared, rounded_m));
+        if (rounded_m > *declared)
+            study.warnings.push_back("markers.noise_m: the numbers of trial " + coarsest->name + " are rounded to " + format_number(1e3 * coarsest->rounding_m) + " mm, which is noise of " +
+                                     format_number(1e3 * rounded_m, 3) + " mm by itself; it is taken in place of the " + format_number(1e3 * *declared, 3) + " mm declared");
+        return;
+    }
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), found = Eigen::VectorXd::Zero(count);
     for (const Recording& recording : recordings)
         for (Eigen::Index m = 0; m < count; ++m) {
@@ -107,7 +115,7 @@ void set_noise(const std::vector<Recording>& recordings, Study& study) {
     const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
     if (found.sum() == 0.0) study.warnings.push_back("markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
     for (Eigen::Index m = 0; m < count; ++m)
-        study.noise_m(m) = std::max(found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical);
+        study.noise_m(m) = std::max({found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical, rounded_m});
 }
 
 /// Trials in which no marker was seen take no part; one to fit must be left.
@@ -236,6 +244,8 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
         if (experiment.muscles.empty() && find_effect(effect.id)->stage == EffectStage::actuation)
             study.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
     set_noise(recordings, study);
+    const std::vector<std::string> doubtful = doubtful_frames(study);
+    study.warnings.insert(study.warnings.end(), doubtful.begin(), doubtful.end());
     return study;
 }
 

@@ -55,6 +55,7 @@ struct StudyTrial {
     std::optional<double> registration_rms_m; // rest-pose registration
     std::vector<std::size_t> free_levels;     // muscles whose step level is unknown
     std::vector<double> occluded_fraction;    // per marker
+    double rounding_m = 0.0;                  // step of the file's numbers, 0 where none is seen
 };
 
 /// An experiment folder turned into models and data. Constant while it is used.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/text.hpp"
 #include "measurement/gaps.hpp"
 #include "measurement/motion_start.hpp"
 #include "measurement/recording_edit.hpp"
@@ -100,6 +101,21 @@ Result<void> place_recording(const Experiment& experiment, const TrialDeclaratio
     for (const MarkerGaps& gaps : gap_map(placed)) trial.occluded_fraction.push_back(gaps.occluded_fraction);
     trial.measured = std::move(placed);
     return {};
+}
+
+std::vector<std::string> doubtful_frames(const Study& study) {
+    constexpr double late_intervals = 20.0, far_of_body = 0.03;
+    std::vector<std::string> warnings;
+    const Box body = bounding_box(study.surface.vertices);
+    for (const StudyTrial& trial : study.trials) {
+        const double first = trial.measured.time_s(0), rate = trial.measured.rate_Hz;
+        if (rate > 0.0 && first * rate > late_intervals)
+            warnings.push_back("trial " + trial.name + ": its trace begins " + format_number(first, 4) + " s after the start, t = 0; if its clock began elsewhere, state start_s");
+        if (trial.registration_rms_m && *trial.registration_rms_m > far_of_body * (body.highest - body.lowest).maxCoeff())
+            warnings.push_back("trial " + trial.name + ": before its start the markers are " + format_number(1e3 * *trial.registration_rms_m, 3) +
+                               " mm rms from their declared rest positions: was the body at rest, and was the right marker meant by each name?");
+    }
+    return warnings;
 }
 
 }  // namespace myo

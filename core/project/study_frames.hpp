@@ -18,4 +18,8 @@ bool is_foreign_recording(const Experiment& experiment, const TrialDeclaration& 
 Result<void> place_recording(const Experiment& experiment, const TrialDeclaration& declaration, const Recording& recording,
                              StudyTrial& trial);
 
+/// Sentences on trials whose clock or frame is probably not what was meant: one that begins long after t = 0, one whose markers are far from their
+/// declared places at rest.
+std::vector<std::string> doubtful_frames(const Study& study);
+
 }  // namespace myo

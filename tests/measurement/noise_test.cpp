@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "synthetic_take.hpp"
 
 namespace myo {
@@ -83,6 +85,22 @@ TEST(Noise, RoundingAddsItsVariance) {
     test::quantise(coarse, 1e-4);
     EXPECT_NEAR(estimate_noise(coarse)[0].sigma_m, 1e-4 / std::sqrt(12.0), 3e-6);
     EXPECT_NEAR(estimate_noise(coarse)[0].quantum_m, 1e-4, 1e-9);
+}
+
+TEST(Noise, RoundingOfAFileIsSeen) {
+    SyntheticTake take;
+    take.noise_m = 1e-4;
+    for (const double step : {1e-6, 1e-5, 5e-5, 2e-4, 1e-3, 5e-3}) {
+        Recording coarse = make_take(take);
+        test::quantise(coarse, step);
+        coarse.tracks[0].col(5).setConstant(std::numeric_limits<double>::quiet_NaN());
+        EXPECT_NEAR(rounding_step(coarse.tracks), step, 1e-9 * step) << step;
+        coarse.tracks[0](1, 3) += 0.1 * step;
+        EXPECT_LT(rounding_step(coarse.tracks), 0.2 * step) << step << ": one number is finer";
+    }
+    EXPECT_EQ(rounding_step(make_take(take).tracks), 0.0);
+    EXPECT_EQ(rounding_step({Eigen::Matrix3Xd::Constant(3, 100, 0.25)}), 0.0) << "one number alone tells nothing";
+    EXPECT_EQ(rounding_step({}), 0.0);
 }
 
 TEST(Noise, JumpsOfAMarkerAreNotNoise) {

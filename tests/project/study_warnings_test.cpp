@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "loop/swung_beam.hpp"
+
+namespace myo {
+namespace {
+
+using testing::HasSubstr;
+
+/// What is said of a beam whose trace has four markers that move by up to 5 mm, with so many decimals and so much added to all times and to the tip's height.
+std::vector<std::string> said_of(int decimals, double clock_s, double tip_off_m, const std::string& registration = {}) {
+    const test::Folder folder("study_warnings");
+    folder.write("experiment.toml", test::swung_beam_toml().insert(test::swung_beam_toml().find("[markers]"), registration));
+    std::string text = "time_s";
+    for (const char* name : {"tip_left", "tip_right", "tip_low", "middle"})
+        for (const char axis : {'x', 'y', 'z'}) text += std::string(",") + name + "_" + axis + "_m";
+    const double rest[4][3] = {{0.1, 0.0, 0.03}, {0.1, 0.03, 0.03}, {0.1, 0.015, 0.0}, {0.05, 0.015, 0.03}};
+    for (int k = 0; k < 60; ++k) {
+        const double drop = k < 10 ? 0.0 : 0.0025 * (1.0 - std::cos(0.2 * (k - 10)));
+        char number[32];
+        std::snprintf(number, sizeof number, "\n%.2f", clock_s + 0.01 * k);
+        text += number;
+        for (int m = 0; m < 4; ++m)
+            for (int axis = 0; axis < 3; ++axis) {
+                std::snprintf(number, sizeof number, ",%.*f", decimals, rest[m][axis] + (axis == 2 ? -drop * rest[m][0] / 0.1 + (m == 0 ? tip_off_m : 0.0) : 0.0003 * std::sin(0.7 * k + m)));
+                text += number;
+            }
+    }
+    folder.write("swing.csv", text + "\n");
+    const Result<Experiment> experiment = read_experiment(folder.path());
+    EXPECT_TRUE(experiment) << experiment.error().text();
+    StudySettings settings;
+    settings.mesh.resolution_m = 0.015;
+    const Result<Study> study = prepare_study(*experiment, settings);
+    EXPECT_TRUE(study) << study.error().text();
+    return study->warnings;
+}
+
+TEST(StudyWarnings, SayNothingOfAGoodTrace) { EXPECT_TRUE(said_of(6, 0.0, 0.0).empty()); }
+
+TEST(StudyWarnings, TellOfATraceThatIsCoarserThanItsNoise) {
+    const std::vector<std::string> said = said_of(3, 0.0, 0.0);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_THAT(said[0], HasSubstr("rounded to 1 mm, which is noise of 0.289 mm by itself; it is taken in place of the 0.1 mm declared"));
+}
+
+TEST(StudyWarnings, TellOfAClockThatBeganElsewhere) {
+    const std::vector<std::string> said = said_of(6, 5.0, 0.0);
+    ASSERT_EQ(said.size(), 2u);   // for each trial
+    EXPECT_THAT(said[0], HasSubstr("trial swing: its trace begins 5 s after the start"));
+}
+
+TEST(StudyWarnings, TellOfMarkersThatAreNotWhereTheyWereDeclared) {
+    const std::string rest_pose = "[registration]\nknown = false\nmethod = \"rest_pose\"\n";
+    EXPECT_TRUE(said_of(6, 0.0, 0.0, rest_pose).empty());
+    const std::vector<std::string> said = said_of(6, 0.0, 0.02, rest_pose);
+    ASSERT_EQ(said.size(), 2u);
+    EXPECT_THAT(said[0], HasSubstr("mm rms from their declared rest positions"));
+}
+
+}  // namespace
+}  // namespace myo
