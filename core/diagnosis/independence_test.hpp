@@ -12,7 +12,7 @@ struct IndependenceTest {
     double typical_share = 0.0;       // systematic mean square of the median marker over their mean: near 1 where all do alike, near 0 where few do much
 
     /// Wander of the measurement, not of the body: in all markers, and in each by itself.
-    bool is_wander() const { return p > 0.01 && typical_share > 0.25; }
+    bool is_wander() const { return p > 0.05 && typical_share > 0.25; }
 };
 /// The largest singular value of the (series x samples) matrix of each trial against that of the same courses shifted in time, round its end, each
 /// marker's three together and by a random time of its own: that keeps their colour and takes away what they share. Trials of fewer than three markers tell nothing.

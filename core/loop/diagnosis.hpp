@@ -35,6 +35,7 @@ struct JudgedFit {
     double criterion = 0.0;                       // what fits are ordered by; lower is better
     double weight = 0.0;                          // share of the evidence among all that were fitted
     ResidualTests tests;
+    bool wander = false;                          // what is systematic is the measurement's: each marker has its own
     std::optional<NumericalError> numerics;       // found with this fit, and taken off; none: that of the declared fit was
 
     bool usable() const { return fit.usable(); }

@@ -44,7 +44,7 @@ bool is_told_from_nothing(const JointFit& fit);
 /// held-out data that noise does not make they take half away, of other trials, or of other times where one trial alone tells of their numbers.
 bool may_explain(const JudgedFit& fit, const JudgedFit& before);
 
-/// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance.
+/// Whether there is something to explain: a test fired, and what is systematic exceeds the allowance, and is not the measurement's.
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics);
 
 /// Whether what is systematic is so small that another simulator of the same model may make it, or the mesh, of whose error it is a part: where no

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "diagnosis/independence_test.hpp"
 #include "loop/effect_words.hpp"
 #include "loop/judge.hpp"
 
@@ -86,6 +85,7 @@ JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.confidence = trust * weight * (effect_bound || modulus_bound ? at_bound_trust : 1.0);
     d.verdict.because = falls_with(fit, d.declared);
     if (effect_bound) say_but(d.verdict, "Its size went as far as it may: it may stand in for something else of that kind and place.");
+    if (fit.wander) say_but(d.verdict, "What is left is the measurement's: every marker goes its own way.");
     if (modulus_bound) say_but(d.verdict, "The modulus ends at a bound with the effect as without it: its value is not to be relied on.");
     return fit;
 }
@@ -171,7 +171,7 @@ JudgedFit decide(Diagnosis& d) {
     JudgedFit fit;
     const Candidate* const first = !d.candidates.empty() && d.candidates.front().judged ? &d.candidates.front() : nullptr;
     const JudgedFit* const pair = d.pairs.empty() || is_untested(d, d.pairs.front()) ? nullptr : &d.pairs.front();
-    if (!needs_explanation(d.declared, d.data, d.numerics)) fit = none(d);
+    if (!needs_explanation(d.declared, d.data, d.numerics)) fit = d.declared.wander ? wander(d) : none(d);
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, alone(d, *first->judged));
     else if (pair && explains(*pair, d.declared, d.data, d.numerics) && !(first && (is_idle(*pair, *first->judged) || any_would_do(d, *first->judged))))
         fit = effects(d, *pair, other_form_trust * pair->weight);
@@ -179,7 +179,6 @@ JudgedFit decide(Diagnosis& d) {
     else if (pair && takes_most(d, *pair) && first && pair->criterion < first->judged->criterion && !is_idle(*pair, *first->judged)) fit = most_of_it(d, *pair, pair->weight);
     else if (first && takes_most(d, *first->judged)) fit = most_of_it(d, *first->judged, presence(d, *first->judged));
     else if (is_faint(d.declared, d.data, d.numerics)) fit = none(d);
-    else if (independence_test(d.declared.fit.residual, d.data.layout).is_wander()) fit = wander(d);
     else fit = unknown(d, pair && first && pair->criterion < first->judged->criterion ? *pair : first ? *first->judged : d.declared);
     if (d.verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d, d.pairs.front()) && explains(d.pairs.front(), d.declared, d.data, d.numerics))
         d.notes.push_back(effects_in_words(d.pairs.front().fit.effects) + " together would explain it, but one of their numbers rests on a single trial: a further trial to fit would tell");

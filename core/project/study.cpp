@@ -114,6 +114,7 @@ void set_noise(const std::vector<Recording>& recordings, Study& study) {
     // A tenth of a millimetre, a usual camera's, when nothing is known at all.
     const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
     if (found.sum() == 0.0) study.warnings.push_back("markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
+    study.noise_m.resize(count);
     for (Eigen::Index m = 0; m < count; ++m)
         study.noise_m(m) = std::max({found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical, rounded_m});
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace myo {
 namespace {
@@ -63,6 +64,39 @@ TEST(Weigh, WhatEndsAtItsBoundIsTheLimitOfAnotherKind) {
         if (within_held_out == 1.0) {
             EXPECT_NEAR(within.weight, 0.8, 1e-12) << "four to one";
         }
+    }
+}
+
+/// Four markers in two trials, with courses of their own or one in common.
+JudgedFit judged_courses(bool shared) {
+    FitData data;
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    constexpr int samples = 150;
+    JointFit fit;
+    fit.residual.resize(24 * samples);
+    fit.jacobian = Eigen::MatrixXd::Zero(fit.residual.size(), 0);
+    data.noise_m = Eigen::VectorXd::Constant(fit.residual.size(), 1e-4);
+    for (int s = 0; s < 24; ++s) {
+        const Eigen::Index begin = data.layout.size();
+        double course = 0.0;
+        for (int k = 0; k < samples; ++k) {
+            course = 0.8 * course + 0.6 * normal(random);
+            fit.residual(begin + k) = (shared ? 1.5 * std::sin(0.2 * k) : course) + normal(random);
+            data.layout.sample.push_back(k);
+            data.layout.time_s.push_back(0.01 * k);
+        }
+        data.layout.series.push_back({s / 12, s % 12 / 3, s % 3, begin, begin + samples});
+    }
+    return judged(data, fit, {});
+}
+
+TEST(Judged, TellsWanderOfTheMeasurementFromAForce) {
+    for (const bool shared : {false, true}) {
+        const JudgedFit fit = judged_courses(shared);
+        EXPECT_TRUE(fit.tests.significant());
+        EXPECT_GT(fit.tests.systematic.rms, 0.6);
+        EXPECT_EQ(fit.wander, !shared);
     }
 }
 

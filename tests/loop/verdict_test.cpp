@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 
 #include "loop/judge.hpp"
 
@@ -144,38 +143,22 @@ TEST(Verdict, AFaintResidualIsNoEffectUnlessOneTakesHalfOfItAway) {
 }
 
 /// A second effect that finds little left to do is not named; the first one is where it leaves next to nothing.
-/// Four markers, each on its own way or all on one, ten times the noise.
-Diagnosis with_courses(bool shared) {
-    Diagnosis d = with_candidate(9.0);
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
-    constexpr int samples = 200;
-    Eigen::VectorXd common = Eigen::VectorXd::NullaryExpr(samples, [&] { return normal(random); });
-    ResidualLayout& layout = d.data.layout;
-    Eigen::VectorXd r(12 * samples);
-    for (int s = 0; s < 12; ++s) {
-        layout.series.push_back({0, s / 3, s % 3, s * samples, (s + 1) * samples});
-        double course = 0.0;
-        for (int k = 0; k < samples; ++k) {
-            layout.sample.push_back(k);
-            layout.time_s.push_back(0.01 * k);
-            course = 0.8 * course + 6.0 * (shared ? common(k) : normal(random));
-            r(s * samples + k) = course;
-        }
-    }
-    d.declared.fit.residual = r;
-    return d;
-}
-
-/// A force moves markers together; what each does by itself is the measurement's.
-TEST(Verdict, TellsWanderOfTheMeasurementFromAForce) {
-    Diagnosis wander = with_courses(false), force = with_courses(true);
-    decide(wander);
-    EXPECT_EQ(wander.verdict.kind, VerdictKind::none);
-    EXPECT_LT(wander.verdict.confidence, 0.7);
-    EXPECT_NE(wander.verdict.because.find("wanders"), std::string::npos);
-    decide(force);
-    EXPECT_EQ(force.verdict.kind, VerdictKind::unknown);
+/// What each marker does by itself is the measurement's: nothing is missing, and an effect that leaves nothing else explains the rest.
+TEST(Verdict, WanderOfTheMeasurementNeedsNoEffect) {
+    Diagnosis d = with_candidate(5.0);
+    d.declared.wander = true;
+    decide(d);
+    EXPECT_EQ(d.verdict.kind, VerdictKind::none);
+    EXPECT_LT(d.verdict.confidence, 0.7);
+    EXPECT_NE(d.verdict.because.find("wanders"), std::string::npos);
+    Diagnosis beside = with_candidate(5.0);
+    decide(beside);
+    EXPECT_EQ(beside.verdict.kind, VerdictKind::unknown) << "half is left";
+    beside = with_candidate(5.0);
+    beside.candidates.front().judged->wander = true;
+    decide(beside);
+    ASSERT_EQ(beside.verdict.kind, VerdictKind::effects);
+    EXPECT_NE(beside.verdict.because.find("every marker goes its own way"), std::string::npos);
 }
 
 TEST(Verdict, ASecondEffectHasToDoSomething) {

@@ -13,10 +13,10 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What is said of a beam whose trace has four markers that move by up to 5 mm, with so many decimals and so much added to all times and to the tip's height.
-std::vector<std::string> said_of(int decimals, double clock_s, double tip_off_m, const std::string& registration = {}) {
+/// A beam whose trace has four markers that move by up to 5 mm, with so many decimals and so much added to all times and to the tip's height.
+Study study_of(int decimals, double clock_s, double tip_off_m, const std::string& declared = test::swung_beam_toml()) {
     const test::Folder folder("study_warnings");
-    folder.write("experiment.toml", test::swung_beam_toml().insert(test::swung_beam_toml().find("[markers]"), registration));
+    folder.write("experiment.toml", declared);
     std::string text = "time_s";
     for (const char* name : {"tip_left", "tip_right", "tip_low", "middle"})
         for (const char axis : {'x', 'y', 'z'}) text += std::string(",") + name + "_" + axis + "_m";
@@ -37,9 +37,19 @@ std::vector<std::string> said_of(int decimals, double clock_s, double tip_off_m,
     EXPECT_TRUE(experiment) << experiment.error().text();
     StudySettings settings;
     settings.mesh.resolution_m = 0.015;
-    const Result<Study> study = prepare_study(*experiment, settings);
+    Result<Study> study = prepare_study(*experiment, settings);
     EXPECT_TRUE(study) << study.error().text();
-    return study->warnings;
+    return std::move(*study);
+}
+
+std::vector<std::string> said_of(int decimals, double clock_s, double tip_off_m, const std::string& declared = test::swung_beam_toml()) {
+    return study_of(decimals, clock_s, tip_off_m, declared).warnings;
+}
+
+std::string declared_with(const std::string& before_markers, bool noise = true) {
+    std::string text = test::swung_beam_toml();
+    if (!noise) text.erase(text.find("noise_m = 1e-4\n"), std::string("noise_m = 1e-4\n").size());
+    return text.insert(text.find("[markers]"), before_markers);
 }
 
 TEST(StudyWarnings, SayNothingOfAGoodTrace) { EXPECT_TRUE(said_of(6, 0.0, 0.0).empty()); }
@@ -57,11 +67,21 @@ TEST(StudyWarnings, TellOfAClockThatBeganElsewhere) {
 }
 
 TEST(StudyWarnings, TellOfMarkersThatAreNotWhereTheyWereDeclared) {
-    const std::string rest_pose = "[registration]\nknown = false\nmethod = \"rest_pose\"\n";
+    const std::string rest_pose = declared_with("[registration]\nknown = false\nmethod = \"rest_pose\"\n");
     EXPECT_TRUE(said_of(6, 0.0, 0.0, rest_pose).empty());
     const std::vector<std::string> said = said_of(6, 0.0, 0.02, rest_pose);
     ASSERT_EQ(said.size(), 2u);
     EXPECT_THAT(said[0], HasSubstr("mm rms from their declared rest positions"));
+}
+
+/// Not declared, it is found in the trace, at least what rounding makes, and nothing needs to be said.
+TEST(StudyNoise, IsEstimatedWhereItIsNotDeclared) {
+    const Study fine = study_of(6, 0.0, 0.0, declared_with("", false)), coarse = study_of(3, 0.0, 0.0, declared_with("", false));
+    ASSERT_EQ(fine.noise_m.size(), 4);
+    EXPECT_GT(fine.noise_m.minCoeff(), 0.0);
+    EXPECT_LT(fine.noise_m.maxCoeff(), 5e-4);
+    EXPECT_GE(coarse.noise_m.minCoeff(), 1e-3 / std::sqrt(12.0));
+    EXPECT_TRUE(coarse.warnings.empty());
 }
 
 }  // namespace
