@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -31,11 +32,11 @@ std::map<int, std::vector<Index>> rows_of_markers(const GriddedTrial& grid, cons
     return rows;
 }
 
-/// Chance of as strong a pattern, were the markers' courses independent; 0 where that cannot be told.
-double chance(const GriddedTrial& grid, const ResidualLayout& layout, int draws, std::mt19937_64& random) {
+/// Chance of as strong a pattern, were the markers' courses independent; none where that cannot be told.
+std::optional<double> chance(const GriddedTrial& grid, const ResidualLayout& layout, int draws, std::mt19937_64& random) {
     const std::map<int, std::vector<Index>> rows = rows_of_markers(grid, layout);
     const Index samples = grid.values.cols();
-    if (rows.size() < least_markers || samples < 2) return 0.0;
+    if (rows.size() < least_markers || samples < 2) return std::nullopt;
     Eigen::ArrayXd drawn(draws);
     Eigen::MatrixXd shifted(grid.values.rows(), samples);
     for (double& value : drawn) {
@@ -49,7 +50,7 @@ double chance(const GriddedTrial& grid, const ResidualLayout& layout, int draws,
         value = strongest(shifted);
     }
     const double mean = drawn.mean(), deviation = std::sqrt((drawn - mean).square().sum() / (draws - 1));
-    if (!(deviation > 0.0)) return 0.0;
+    if (!(deviation > 0.0)) return std::nullopt;
     const double skewness = std::clamp((drawn - mean).cube().mean() / std::pow(deviation, 3), 0.1, 2.0);
     return shifted_gamma_tail(strongest(grid.values), mean, deviation, skewness);
 }
@@ -93,16 +94,10 @@ IndependenceTest independence_test(const Eigen::VectorXd& r, const ResidualLayou
     assert(r.size() == layout.size() && draws > 1);
     IndependenceTest test;
     std::mt19937_64 random(seed);
-    const std::vector<int> trials = trials_of(layout);
-    bool told = false;
-    double least = 1.0;
-    for (const int trial : trials) {
-        const GriddedTrial grid = gridded_trial(r, layout, trial);
-        if (rows_of_markers(grid, layout).size() < least_markers) continue;
-        told = true;
-        least = std::min(least, chance(grid, layout, draws, random));
-    }
-    if (told) test.p = std::min(1.0, least * static_cast<double>(trials.size()));
+    std::vector<double> chances;
+    for (const int trial : trials_of(layout))
+        if (const std::optional<double> p = chance(gridded_trial(r, layout, trial), layout, draws, random)) chances.push_back(*p);
+    if (!chances.empty()) test.p = std::min(1.0, *std::min_element(chances.begin(), chances.end()) * static_cast<double>(chances.size()));
     test.typical_share = typical_share(r, layout);
     return test;
 }
