@@ -88,17 +88,26 @@ double typical_share(const Eigen::VectorXd& r, const ResidualLayout& layout) {
     return sorted[(sorted.size() - 1) / 2] * static_cast<double>(sorted.size()) / sum;
 }
 
+Eigen::VectorXd means(const Eigen::VectorXd& r, const ResidualLayout& layout) {
+    Eigen::VectorXd result(r.size());
+    for (const ResidualSeries& series : layout.series) result.segment(series.begin, series.size()).setConstant(series.size() > 0 ? r.segment(series.begin, series.size()).mean() : 0.0);
+    return result;
+}
+
 }  // namespace
 
 IndependenceTest independence_test(const Eigen::VectorXd& r, const ResidualLayout& layout, int draws, unsigned seed) {
     assert(r.size() == layout.size() && draws > 1);
     IndependenceTest test;
     std::mt19937_64 random(seed);
+    const Eigen::VectorXd constant = means(r, layout), varying = r - constant;
     std::vector<double> chances;
     for (const int trial : trials_of(layout))
-        if (const std::optional<double> p = chance(gridded_trial(r, layout, trial), layout, draws, random)) chances.push_back(*p);
+        if (const std::optional<double> p = chance(gridded_trial(varying, layout, trial), layout, draws, random)) chances.push_back(*p);
     if (!chances.empty()) test.p = std::min(1.0, *std::min_element(chances.begin(), chances.end()) * static_cast<double>(chances.size()));
     test.typical_share = typical_share(r, layout);
+    const double systematic = systematic_rms(r, layout).mean_square * static_cast<double>(r.size());
+    if (systematic > 0.0) test.constant_share = constant.squaredNorm() / systematic;
     return test;
 }
 

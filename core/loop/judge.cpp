@@ -45,6 +45,8 @@ constexpr double temperature = 16.0;
 constexpr double odds_against_limits = 4.0;
 /// Longest memory of a residual that a guard between blocks of time has to bridge [s].
 constexpr double guard_s = 0.05;
+/// Cameras wander by no more [noise levels].
+constexpr double most_wander = 3.0;
 
 std::vector<JudgedFit*> single_fits(Diagnosis& d) {
     std::vector<JudgedFit*> fits{&d.declared};
@@ -81,7 +83,8 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
         options.alpha = settings.alpha;
         result.rms_m = flat_rms_m(data, fit.residual);
         result.tests = test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()), options);
-        result.wander = result.tests.significant() && result.tests.systematic.rms > least_systematic && independence_test(fit.residual, data.layout).is_wander();
+        const double systematic = result.tests.systematic.rms;
+        result.wander = result.tests.significant() && systematic > least_systematic && systematic < most_wander && independence_test(fit.residual, data.layout).is_wander();
         FoldOptions folds;
         folds.guard_s = guard_s;
         const LinearCrossValidation of_trials = linear_cross_validation(fit.residual, fit.jacobian, make_folds(data.layout, folds));

@@ -22,13 +22,13 @@ double swing(const ResidualSeries& series, double t) {
 
 Eigen::VectorXd of_rms(Eigen::VectorXd values, double rms) { return values * (rms * std::sqrt(static_cast<double>(values.size())) / values.norm()); }
 
-/// Wander of a camera system: slow, each coordinate of each marker by itself. The chances are even, as those of a test have to be; where it is so slow
-/// that a trial holds few turns of it (0.97: 33 samples of 150), shifting it round the end makes steps, and the test is less sure.
+/// Wander of a camera system: slow, each coordinate of each marker by itself. The chances are even, as those of a test have to be. (Where it is so slow
+/// that a trial holds few turns of it, shifting it round the end makes steps, and much of it does not vary: it is taken for wander less often.)
 TEST(IndependenceTest, HoldsItsRateForWander) {
     const ResidualLayout layout = make_layout({.markers = 6});
     std::mt19937 random(5);
     constexpr int draws = 200;
-    for (const double a : {0.0, 0.8, 0.97}) {
+    for (const double a : {0.0, 0.6, 0.8}) {
         int below = 0, wander = 0;
         for (int k = 0; k < draws; ++k) {
             const Eigen::VectorXd r = autoregressive(layout, a, random) + white(layout.size(), random);
@@ -36,8 +36,8 @@ TEST(IndependenceTest, HoldsItsRateForWander) {
             below += test.p < 0.1 ? 1 : 0;
             wander += test.is_wander() ? 1 : 0;
         }
-        EXPECT_NEAR(below, 0.1 * draws, (a > 0.9 ? 10.0 : 4.0) * std::sqrt(0.09 * draws)) << a;
-        EXPECT_GT(wander, (a > 0.9 ? 0.8 : a > 0.0 ? 0.9 : 0.0) * draws) << a;
+        EXPECT_NEAR(below, 0.1 * draws, 4.0 * std::sqrt(0.09 * draws)) << a;
+        EXPECT_GT(wander, (a > 0.0 ? 0.85 : 0.0) * draws) << a;
     }
 }
 
@@ -54,6 +54,15 @@ TEST(IndependenceTest, SeesWhatMarkersShare) {
             if (gaps > 0.0) continue;
             EXPECT_FALSE(independence_test(2.0 * shared + autoregressive(layout, 0.8, random) + white(layout.size(), random), layout).is_wander());
         }
+}
+
+/// Sagging and creeping are slow, and a wrong scale does not vary at all: no time shift tells these from wander, which they are not.
+TEST(IndependenceTest, TakesNothingSlowThatIsSharedForWander) {
+    std::mt19937 random(9);
+    const ResidualLayout layout = make_layout({.markers = 6});
+    const auto slow = [&](double time_s) { return of_rms(signal(layout, [&](const ResidualSeries& series, double t) { return (series.axis + 1.0) * (1.0 + series.marker) * (1.0 - std::exp(-t / time_s)); }), 1.0); };
+    for (int k = 0; k < 40; ++k)
+        for (const double time_s : {0.02, 0.3, 3.0}) EXPECT_FALSE(independence_test(slow(time_s) + white(layout.size(), random), layout).is_wander()) << time_s;
 }
 
 /// A marker that slips is none of the body's doing, but no wander either.
