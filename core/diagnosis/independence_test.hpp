@@ -13,7 +13,7 @@ struct IndependenceTest {
     double constant_share = 1.0;      // of the systematic squares, what does not vary in time: of that nothing can be told here
 
     /// Wander of the measurement, not of the body: in all markers, in each by itself, and as time goes on.
-    bool is_wander() const { return p > 0.05 && typical_share > 0.25 && constant_share < 0.5; }
+    bool is_wander() const { return p > 0.01 && typical_share > 0.25 && constant_share < 0.5; }
 };
 /// The largest singular value of the (series x samples) matrix of each trial, less the mean of each series, against that of the same courses shifted in time, round
 /// its end, each marker's three together and by a random time of its own: that keeps their colour and takes away what they share. Trials of fewer than

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/independence_test.hpp"
 #include "diagnosis/residual_tests.hpp"
 #include "loop/effect_scores.hpp"
 #include "loop/joint_fit.hpp"
@@ -35,6 +36,7 @@ struct JudgedFit {
     double criterion = 0.0;                       // what fits are ordered by; lower is better
     double weight = 0.0;                          // share of the evidence among all that were fitted
     ResidualTests tests;
+    IndependenceTest independence;                // of a residual that is significant and not large
     bool wander = false;                          // what is systematic is the measurement's: each marker has its own
     std::optional<NumericalError> numerics;       // found with this fit, and taken off; none: that of the declared fit was
 

@@ -8,7 +8,6 @@
 
 #include "diagnosis/autocorrelation.hpp"
 #include "diagnosis/evidence.hpp"
-#include "diagnosis/independence_test.hpp"
 #include "diagnosis/linear_cross_validation.hpp"
 
 namespace myo {
@@ -84,7 +83,8 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
         result.rms_m = flat_rms_m(data, fit.residual);
         result.tests = test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()), options);
         const double systematic = result.tests.systematic.rms;
-        result.wander = result.tests.significant() && systematic > least_systematic && systematic < most_wander && independence_test(fit.residual, data.layout).is_wander();
+        if (result.tests.significant() && systematic > least_systematic && systematic < most_wander) result.independence = independence_test(fit.residual, data.layout);
+        result.wander = result.independence.is_wander();
         FoldOptions folds;
         folds.guard_s = guard_s;
         const LinearCrossValidation of_trials = linear_cross_validation(fit.residual, fit.jacobian, make_folds(data.layout, folds));
