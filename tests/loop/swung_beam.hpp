@@ -51,6 +51,17 @@ start = "straight"
 )";
 }
 
+/// The experiment of a folder on coarse cells.
+inline Study study_in(const Folder& folder) {
+    const Result<Experiment> experiment = read_experiment(folder.path());
+    EXPECT_TRUE(experiment) << experiment.error().text();
+    StudySettings settings;
+    settings.mesh.resolution_m = 0.015;
+    Result<Study> study = prepare_study(*experiment, settings);
+    EXPECT_TRUE(study) << study.error().text();
+    return std::move(*study);
+}
+
 inline Study swung_beam(const Folder& folder, double end_s = 0.6) {
     std::string text = "time_s";
     const char* const names[] = {"tip_left", "tip_right", "tip_low", "middle"};
@@ -64,13 +75,7 @@ inline Study swung_beam(const Folder& folder, double end_s = 0.6) {
     }
     folder.write("experiment.toml", swung_beam_toml());
     folder.write("swing.csv", text + "\n");
-    const Result<Experiment> experiment = read_experiment(folder.path());
-    EXPECT_TRUE(experiment) << experiment.error().text();
-    StudySettings settings;
-    settings.mesh.resolution_m = 0.015;
-    Result<Study> study = prepare_study(*experiment, settings);
-    EXPECT_TRUE(study) << study.error().text();
-    return std::move(*study);
+    return study_in(folder);
 }
 
 /// Puts a motion with white noise of the stated size in a trial's recording.

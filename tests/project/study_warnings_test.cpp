@@ -33,13 +33,7 @@ Study study_of(int decimals, double clock_s, double tip_off_m, const std::string
             }
     }
     folder.write("swing.csv", text + "\n");
-    const Result<Experiment> experiment = read_experiment(folder.path());
-    EXPECT_TRUE(experiment) << experiment.error().text();
-    StudySettings settings;
-    settings.mesh.resolution_m = 0.015;
-    Result<Study> study = prepare_study(*experiment, settings);
-    EXPECT_TRUE(study) << study.error().text();
-    return std::move(*study);
+    return test::study_in(folder);
 }
 
 std::vector<std::string> said_of(int decimals, double clock_s, double tip_off_m, const std::string& declared = test::swung_beam_toml()) {
