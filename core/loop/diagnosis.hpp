@@ -37,10 +37,11 @@ struct JudgedFit {
     double weight = 0.0;                          // share of the evidence among all that were fitted
     ResidualTests tests;
     IndependenceTest independence;                // of a residual that is significant and not large
-    bool wander = false;                          // what is systematic is the measurement's: each marker has its own
     std::optional<NumericalError> numerics;       // found with this fit, and taken off; none: that of the declared fit was
 
     bool usable() const { return fit.usable(); }
+    /// What is systematic is the measurement's: each marker has its own.
+    bool wanders() const { return independence.is_wander(); }
 };
 
 /// An effect that was tried.

@@ -66,7 +66,7 @@ Json judged_json(const JudgedFit& fit) {
     json["criterion"] = json_number(fit.criterion);
     json["weight"] = json_number(fit.weight);
     json["tests"] = tests_json(fit.tests);
-    json["tests"]["each_marker_by_itself"] = {{"p", json_number(fit.independence.p)}, {"typical_share", json_number(fit.independence.typical_share)}, {"constant_share", json_number(fit.independence.constant_share)}, {"wander", fit.wander}};
+    json["tests"]["each_marker_by_itself"] = {{"p", json_number(fit.independence.p)}, {"typical_share", json_number(fit.independence.typical_share)}, {"constant_share", json_number(fit.independence.constant_share)}, {"wander", fit.wanders()}};
     json["evaluations"] = fit.fit.report.evaluations;
     json["seconds"] = json_number(fit.fit.seconds);
     return json;

@@ -113,8 +113,8 @@ Section significance_section(const Study&, const Diagnosis& d) {
                         readable_number(100.0 * d.settings.alpha, 2) + " % of all cases. Of what is left, " + systematic(d.declared.tests) + " times the noise is systematic before";
     if (two) words += ", " + systematic(d.augmented.tests) + " after";
     words += "; up to " + readable_number(numerical_allowance(d.data, d.numerics), 2) + " is put down to the program itself.";
-    if (d.declared.wander || (two && d.augmented.wander))
-        words += std::string(" What is systematic ") + (d.declared.wander ? "" : "after ") + "is each marker's own: shifted in time against each other, their courses make as strong a pattern. Only because they remember does the test of space fire.";
+    if (d.declared.wanders() || (two && d.augmented.wanders()))
+        words += std::string(" What is systematic ") + (d.declared.wanders() ? "" : "after ") + "is each marker's own: shifted in time against each other, their courses make as strong a pattern. Only because they remember does the test of space fire.";
     return {"Is there anything to explain?", {table, Paragraph{words}}};
 }
 

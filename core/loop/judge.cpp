@@ -84,7 +84,6 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
         result.tests = test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()), options);
         const double systematic = result.tests.systematic.rms;
         if (result.tests.significant() && systematic > least_systematic && systematic < most_wander) result.independence = independence_test(fit.residual, data.layout);
-        result.wander = result.independence.is_wander();
         FoldOptions folds;
         folds.guard_s = guard_s;
         const LinearCrossValidation of_trials = linear_cross_validation(fit.residual, fit.jacobian, make_folds(data.layout, folds));
@@ -188,7 +187,7 @@ bool may_explain(const JudgedFit& fit, const JudgedFit& before) {
 }
 
 bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
-    return fit.tests.significant() && !fit.wander && fit.tests.systematic.rms > numerical_allowance(data, numerics);
+    return fit.tests.significant() && !fit.wanders() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
 }
 
 bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
@@ -204,7 +203,7 @@ bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data
     const double of_mesh = doubt * (excused ? generous : 1.0), of_form = excused ? share_of_form * was : 0.0;
     const double of_whole_mesh = excused && left <= little_left * was ? std::min(most_of_mesh, share_of_mesh * own.mesh_rms_m / mean_noise_m(data)) : 0.0;
     if (left > (is_faint(before, data, numerics) ? most_of_what_is_faint : most_of_what_was) * was) return false;
-    return !fit.tests.significant() || fit.wander || left <= std::max({least_systematic, of_mesh, of_form, of_whole_mesh});
+    return !fit.tests.significant() || fit.wanders() || left <= std::max({least_systematic, of_mesh, of_form, of_whole_mesh});
 }
 
 bool explained(const Diagnosis& diagnosis, Leniency leniency) {

@@ -85,7 +85,7 @@ JudgedFit effects(Diagnosis& d, const JudgedFit& fit, double weight) {
     d.verdict.confidence = trust * weight * (effect_bound || modulus_bound ? at_bound_trust : 1.0);
     d.verdict.because = falls_with(fit, d.declared);
     if (effect_bound) say_but(d.verdict, "Its size went as far as it may: it may stand in for something else of that kind and place.");
-    if (fit.wander) say_but(d.verdict, "What is left is the measurement's: every marker goes its own way.");
+    if (fit.wanders()) say_but(d.verdict, "What is left is the measurement's: every marker goes its own way.");
     if (modulus_bound) say_but(d.verdict, "The modulus ends at a bound with the effect as without it: its value is not to be relied on.");
     return fit;
 }
@@ -171,7 +171,7 @@ JudgedFit decide(Diagnosis& d) {
     JudgedFit fit;
     const Candidate* const first = !d.candidates.empty() && d.candidates.front().judged ? &d.candidates.front() : nullptr;
     const JudgedFit* const pair = d.pairs.empty() || is_untested(d, d.pairs.front()) ? nullptr : &d.pairs.front();
-    if (!needs_explanation(d.declared, d.data, d.numerics)) fit = d.declared.wander ? wander(d) : none(d);
+    if (!needs_explanation(d.declared, d.data, d.numerics)) fit = d.declared.wanders() ? wander(d) : none(d);
     else if (first && explains(*first->judged, d.declared, d.data, d.numerics)) fit = effects(d, *first->judged, alone(d, *first->judged));
     else if (pair && explains(*pair, d.declared, d.data, d.numerics) && !(first && (is_idle(*pair, *first->judged) || any_would_do(d, *first->judged))))
         fit = effects(d, *pair, other_form_trust * pair->weight);

@@ -96,7 +96,7 @@ TEST(Judged, TellsWanderOfTheMeasurementFromAForce) {
         const JudgedFit fit = judged_courses(shared);
         EXPECT_TRUE(fit.tests.significant());
         EXPECT_GT(fit.tests.systematic.rms, 0.6);
-        EXPECT_EQ(fit.wander, !shared);
+        EXPECT_EQ(fit.wanders(), !shared);
     }
 }
 

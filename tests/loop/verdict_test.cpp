@@ -145,8 +145,9 @@ TEST(Verdict, AFaintResidualIsNoEffectUnlessOneTakesHalfOfItAway) {
 /// A second effect that finds little left to do is not named; the first one is where it leaves next to nothing.
 /// What each marker does by itself is the measurement's: nothing is missing, and an effect that leaves nothing else explains the rest.
 TEST(Verdict, WanderOfTheMeasurementNeedsNoEffect) {
+    const IndependenceTest all_by_themselves{0.5, 1.0, 0.0};
     Diagnosis d = with_candidate(5.0);
-    d.declared.wander = true;
+    d.declared.independence = all_by_themselves;
     decide(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::none);
     EXPECT_LT(d.verdict.confidence, 0.7);
@@ -155,7 +156,7 @@ TEST(Verdict, WanderOfTheMeasurementNeedsNoEffect) {
     decide(beside);
     EXPECT_EQ(beside.verdict.kind, VerdictKind::unknown) << "half is left";
     beside = with_candidate(5.0);
-    beside.candidates.front().judged->wander = true;
+    beside.candidates.front().judged->independence = all_by_themselves;
     decide(beside);
     ASSERT_EQ(beside.verdict.kind, VerdictKind::effects);
     EXPECT_NE(beside.verdict.because.find("every marker goes its own way"), std::string::npos);
