@@ -12,6 +12,7 @@ template <class Solve>
 bool implicit_euler_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& next) {
     Stage stage;
     stage.time_s = p.time_s + p.h;
+    stage.inertia_at_s = p.middle_s();
     stage.inertia_1_s2 = 1.0 / (p.h * p.h);
     stage.constant = times_mass(stage.inertia_1_s2 * s.x + (1.0 / p.h + p.velocity_force_1_s) * s.v, p.mass);
     stage.rate_factor_1_s = 1.0 / p.h;

@@ -69,7 +69,7 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
         if (model.creep) solution.strain = with_dashpots(*model.creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         return true;
     };
-    const StepProblem<decltype(solve)> problem{solver_->mass(), time_s_, h_s_, velocity_force_1_s_, solve};
+    const StepProblem<decltype(solve)> problem{solver_->mass(time_s_), time_s_, h_s_, velocity_force_1_s_, solve};
     Kinematics next;
     take_step(scheme_, problem, deviation, next);
     return next;

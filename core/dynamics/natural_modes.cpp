@@ -31,7 +31,8 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
     const SymmetricSparse K = solver.hessian(stage, x);
     const auto inertia_of = [&](const MatrixXd& V) {
         MatrixXd result(V.rows(), V.cols());
-        for (Eigen::Index j = 0; j < V.cols(); ++j) result.col(j) = gather(pattern, times_mass(scatter(pattern, V.col(j)), solver.mass()));
+        for (Eigen::Index j = 0; j < V.cols(); ++j)
+            result.col(j) = gather(pattern, times_mass(scatter(pattern, V.col(j)), solver.mass(time_s)));
         return result;
     };
     // The error of mode i falls by (omega_i / omega_(block + 1))^2 per iteration: some more vectors than modes.

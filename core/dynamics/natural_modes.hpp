@@ -23,8 +23,8 @@ struct NaturalModes {
     bool ok() const { return status == SolveStatus::converged; }
 };
 
-/// The lowest `count` modes of the undamped body about the equilibrium x (3 x n) under the loads and activations of time_s.
-/// They are solved to a residual of 1e-8; frequencies are good to its square.
+/// The lowest `count` modes of the undamped body about the equilibrium x (3 x n) under the loads and activations and
+/// with the mass of time_s. They are solved to a residual of 1e-8; frequencies are good to its square.
 ///
 /// Inverse iteration of a block of vectors with a Rayleigh-Ritz step.
 /// Errors: not_converged where the iteration does not settle; not_finite where K is singular, as for a body that is not held.

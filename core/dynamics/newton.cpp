@@ -102,7 +102,7 @@ static bool factor_definite(const StageProblem& problem, const Matrix3Xd& x, int
     }
     hessian = problem.evaluate(x, HessianKind::positive).hessian;
     // Positive cells leave motions without any stiffness, along which a step would know no end: a small shift along the mass.
-    const SymmetricSparse& inertia = problem.constants().inertia;
+    const SymmetricSparse& inertia = problem.inertia();
     hessian.coeffs() += 1e-6 * hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
     return factor.renew_with(hessian, problem, x, report);
 }

@@ -40,7 +40,8 @@ void add_laplacian(const PackedCells<N, Q>& cells, const Model& model, std::vect
 
 bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report) {
     const double inertia = problem.stage().inertia_1_s2;
-    if (factor_.has_factor() && inertia == inertia_1_s2_) return true;
+    const MassSpan& span = problem.mass_span();
+    if (factor_.has_factor() && inertia == inertia_1_s2_ && span.until_s == until_s_) return true;
     const Model& model = problem.model();
     const std::vector<int>& free = model.body->pattern.free_index;
     std::vector<Eigen::Triplet<double>> entries;
@@ -49,7 +50,7 @@ bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report)
         const int i = free[static_cast<std::size_t>(row)], j = free[static_cast<std::size_t>(column)];
         if (j >= 0 && i >= j) entries.emplace_back(i, j, inertia * mass);
     };
-    const MassMatrix& mass = problem.constants().mass;
+    const MassMatrix& mass = span.mass;
     for (int column = 0; column < mass.isotropic.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry) add_mass(entry.row(), column, entry.value());
     // One coordinate serves all: the traces of the blocks, no less than N N n n' along any direction.
@@ -59,6 +60,7 @@ bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report)
     SymmetricSparse matrix(model.body->pattern.free_count, model.body->pattern.free_count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     inertia_1_s2_ = inertia;
+    until_s_ = span.until_s;
     ++report.factorisations;
     return factor_.factorize(matrix);
 }

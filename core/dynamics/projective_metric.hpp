@@ -20,7 +20,7 @@ public:
 
 private:
     FastCholesky factor_;
-    double inertia_1_s2_ = -1.0;
+    double inertia_1_s2_ = -1.0, until_s_ = 0.0;   // of the stages it is for: inertia, and the span of their mass
 };
 
 }  // namespace myo

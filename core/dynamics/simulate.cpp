@@ -33,7 +33,7 @@ bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinem
     for (const ForceElementPointer& element : model.force_elements)
         if (!element->steady(from_s, to_s)) return false;
     const auto energy_at = [&](const Kinematics& s) {
-        Energy result = energy(model, solver.stiffness(), solver.mass(), s.x, s.v, to_s, true);
+        Energy result = energy(model, solver.stiffness(), solver.mass(0.5 * (from_s + to_s)), s.x, s.v, to_s, true);
         if (model.creep) result.internal_J += branch_energy(model, s.x, s.strain);
         return result;
     };
@@ -165,7 +165,8 @@ private:
             stage.before_jump = jump_at_end && stage.time_s == end_s;
             return solve_stage(stage, step, solution);
         };
-        const StepProblem<decltype(solve)> problem{solver_.mass(), point_.time_s, h, model().velocity_force_1_s, solve};
+        const StepProblem<decltype(solve)> problem{solver_.mass(point_.time_s + 0.5 * h), point_.time_s, h,
+                                                   model().velocity_force_1_s, solve};
         step.taken = take_step(step.scheme, problem, point_.state, step.next) && step.next.v.allFinite();
         return step;
     }
@@ -246,7 +247,8 @@ Stage jump_stage(const Kinematics& state, double time_s) {
 }
 
 void set_jump_force(StageSolver& solver, double time_s, Kinematics& state) {
-    state.force = solver.total_forces(jump_stage(state, time_s), state.x) + solver.model().velocity_force_1_s * times_mass(state.v, solver.mass());
+    state.force = solver.total_forces(jump_stage(state, time_s), state.x) +
+                  solver.model().velocity_force_1_s * times_mass(state.v, solver.mass(time_s));
 }
 
 Trace simulate(const Model& model, const SimulationOptions& options, const Progress& progress, const RunObserver& observer) {

@@ -35,6 +35,7 @@ bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const 
 
     Stage stage;
     stage.time_s = p.time_s + p.h;
+    stage.inertia_at_s = p.middle_s();
     stage.inertia_1_s2 = q * q - lambda * q;
     stage.constant = times_mass(stage.inertia_1_s2 * s.x + (q - lambda) * v_history + q * s.v, p.mass) + force_history;
     stage.rate_factor_1_s = q;

@@ -17,6 +17,7 @@ struct Stage {
     Eigen::VectorXd rate_history;       // strain_count entries [1/s], twice as many where the body creeps (see creep.hpp); empty in statics
     Eigen::Matrix3Xd velocity_history;  // 3 x n [m/s]: v = rate_factor x + velocity_history; empty: at rest
     bool before_jump = false;           // loads and activations are taken from the left of time_s
+    double inertia_at_s = 0.0;          // M is that of then: the middle of the step, away from the jumps at its ends
 };
 
 enum class SolveStatus { not_run, converged, not_converged, not_finite };

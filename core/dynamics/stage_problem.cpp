@@ -49,25 +49,29 @@ ForceState force_state(const Stage& stage, const Matrix3Xd& x, const Matrix3Xd& 
 }
 
 StageConstants stage_constants(const Model& model) {
-    StageConstants constants{&model, mass_matrix(model), {}, stiffness(model)};
-    constants.inertia = inertia_in_pattern(*model.body, constants.mass);
+    StageConstants constants{&model, mass_spans(model), {}, stiffness(model)};
+    for (const MassSpan& span : constants.masses)
+        constants.inertia.push_back(inertia_in_pattern(*model.body, span.mass));
     return constants;
 }
 
-StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times, const Progress* heeded)
+StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times,
+                           const Progress* heeded)
     : constants_(constants),
       stage_(stage),
       times_(times),
       heeded_(heeded),
+      span_(span_at(constants.masses, stage.inertia_at_s)),
       activation_(activations(*constants.model, stage.time_s, stage.before_jump)),
-      dead_(stage.constant + external_forces(*constants.model, constants.mass, stage.time_s, stage.before_jump)) {
+      dead_(stage.constant +
+            external_forces(*constants.model, constants.masses[span_].mass, stage.time_s, stage.before_jump)) {
     if (model().creep && stage.rate_history.size() > 0) viscous_history_ = viscous_history(model(), stage.rate_factor_1_s, stage.rate_history);
 }
 
 StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind kind, const VectorXd* pressure) const {
     if (heeded_ && heeded_->cancelled()) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        return {none, VectorXd::Constant(constants_.inertia.cols(), none), constants_.inertia};
+        return {none, VectorXd::Constant(inertia().cols(), none), inertia()};
     }
     double untimed = 0.0;
     const TimedScope scope(!times_ ? untimed : kind == HessianKind::none ? times_->forces_s : times_->stiffness_s);
@@ -87,21 +91,22 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind 
     result.potential = internal.energy - dead_.cwiseProduct(x).sum();
     internal.gradient -= dead_;
     if (stage_.inertia_1_s2 != 0.0) {
-        const Matrix3Xd momentum = stage_.inertia_1_s2 * times_mass(x, constants_.mass);
+        const Matrix3Xd momentum = stage_.inertia_1_s2 * times_mass(x, mass_span().mass);
         result.potential += 0.5 * momentum.cwiseProduct(x).sum();
         internal.gradient += momentum;
     }
     result.residual = gather(pattern(), internal.gradient);
     if (kind != HessianKind::none) {
         result.hessian.swap(internal.hessian);   // Eigen's sparse matrices cannot be moved
-        result.hessian.coeffs() += stage_.inertia_1_s2 * constants_.inertia.coeffs();
+        result.hessian.coeffs() += stage_.inertia_1_s2 * inertia().coeffs();
     }
     return result;
 }
 
 double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const {
     const double external = gather(pattern(), dead_ - stage_.constant).norm();
-    const double inertial = gather(pattern(), stage_.constant - stage_.inertia_1_s2 * times_mass(start, constants_.mass)).norm();
+    const double inertial =
+        gather(pattern(), stage_.constant - stage_.inertia_1_s2 * times_mass(start, mass_span().mass)).norm();
     // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
     const double volume = model().body->unit_mass.sum();
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
@@ -123,7 +128,7 @@ double StageProblem::rounding_of_forces(const Matrix3Xd& x) const {
     const double edge = std::cbrt(body.unit_mass.sum() / body.cell_count());
     double stiffest = 0.0;
     for (const Moduli& m : model().moduli) stiffest = std::max({stiffest, m.kappa, m.mu});
-    const MassMatrix& mass = constants_.mass;
+    const MassMatrix& mass = mass_span().mass;
     const double largest_mass = mass.isotropic.sum() + (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
     const double inertia = std::abs(stage_.inertia_1_s2) * largest_mass / body.node_count();
     return std::numeric_limits<double>::epsilon() * extent * (stiffest * edge + inertia) * std::sqrt(static_cast<double>(body.node_count()));

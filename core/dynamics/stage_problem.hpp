@@ -16,9 +16,9 @@ namespace myo {
 /// What the stages of one model share.
 struct StageConstants {
     const Model* model = nullptr;
-    MassMatrix mass;
-    SymmetricSparse inertia;             // mass over the free unknowns, in the body's pattern
-    Stiffness stiffness;                 // of the cells as they are: softened ones have less
+    std::vector<MassSpan> masses;
+    std::vector<SymmetricSparse> inertia;   // of each span: its mass over the free unknowns, in the body's pattern
+    Stiffness stiffness;                    // of the cells as they are: softened ones have less
 };
 StageConstants stage_constants(const Model& model);
 
@@ -47,6 +47,8 @@ public:
     const BlockPattern& pattern() const { return model().body->pattern; }
     const StageConstants& constants() const { return constants_; }
     const Stage& stage() const { return stage_; }
+    const MassSpan& mass_span() const { return constants_.masses[span_]; }
+    const SymmetricSparse& inertia() const { return constants_.inertia[span_]; }   // mass over the free unknowns
 
     /// The forces that act on the body, its inertia at the start and what its muscles and force elements do to it at rest among them [N]: what a
     /// residual is measured against.
@@ -59,6 +61,7 @@ private:
     const Stage& stage_;
     SolverTimes* times_;
     const Progress* heeded_;
+    std::size_t span_;                   // of the masses
     std::vector<double> activation_;
     Eigen::VectorXd viscous_history_;    // of a creeping body
     Eigen::Matrix3Xd dead_;              // constant + f_ext

@@ -20,7 +20,7 @@ public:
     explicit StageSolver(const Model& model, SolverOptions options = {});
 
     const Model& model() const { return *constants_.model; }
-    const MassMatrix& mass() const { return constants_.mass; }
+    const MassMatrix& mass(double at_s) const { return constants_.masses[span_at(constants_.masses, at_s)].mass; }
     const Stiffness& stiffness() const { return constants_.stiffness; }
 
     /// Solves end unconverged as soon as this is cancelled: within an evaluation of the forces, or a factorisation.

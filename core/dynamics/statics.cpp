@@ -13,6 +13,7 @@ Stage static_stage(const Body& body, double time_s) {
     stage.time_s = time_s;
     stage.constant = Eigen::Matrix3Xd::Zero(3, body.node_count());
     stage.before_jump = true;
+    stage.inertia_at_s = time_s;
     return stage;
 }
 
@@ -30,7 +31,7 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
     x = start;
     for (double inertia = 1e5; inertia > 1e-2; inertia *= 0.25) {
         stage.inertia_1_s2 = inertia;
-        stage.constant = inertia * times_mass(x, solver.mass());
+        stage.constant = inertia * times_mass(x, solver.mass(stage.inertia_at_s));
         solver.solve(stage, x);   // only the last one has to converge
         if (!x.allFinite()) break;
     }

@@ -19,6 +19,7 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
 
     Stage trapezoid;
     trapezoid.time_s = p.time_s + gamma * p.h;
+    trapezoid.inertia_at_s = p.middle_s();
     trapezoid.inertia_1_s2 = 1.0 / (d * d) - lambda / d;
     trapezoid.constant = times_mass(s.x / (d * d) + 2.0 / d * s.v - lambda * (s.x / d + s.v), p.mass) + s.force;
     trapezoid.rate_factor_1_s = 1.0 / d;
@@ -31,6 +32,7 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     Stage bdf2;
     const Eigen::Matrix3Xd history = (c1 * middle.x - c0 * s.x) / d;             // v2 = x2 / d - history
     bdf2.time_s = p.time_s + p.h;
+    bdf2.inertia_at_s = p.middle_s();
     bdf2.inertia_1_s2 = 1.0 / (d * d) - lambda / d;
     bdf2.constant = times_mass(history / d + (c1 * v1 - c0 * s.v) / d - lambda * history, p.mass);
     bdf2.rate_factor_1_s = 1.0 / d;

@@ -1,4 +1,4 @@
-#include <limits>
+#include <utility>
 
 #include "effect/effects.hpp"
 #include "model/directional_mass.hpp"
@@ -9,14 +9,23 @@ namespace {
 constexpr const char* ratio = "inertia_ratio";
 constexpr double standard_gravity_m_s2 = 9.80665;
 
-/// Forces that act in the run, from its start for ever: what is let go at t = 0 has no inertia in it.
-bool hangs(const DeadForce& force, double end_s) { return force.force_N.norm() > 0.0 && force.from_s <= 0.0 && force.until_s >= end_s; }
+/// Whether the force acts within the run: what is let go at t = 0 has no inertia in it.
+bool hangs(const DeadForce& force, double end_s) {
+    return force.force_N.norm() > 0.0 && force.from_s < end_s && force.until_s > 0.0;
+}
 
+/// The body hangs on its thread as long as its force acts. It comes and goes without a jerk: one that joins moves along
+/// with the specimen from then on.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double g = affected.model.gravity_m_s2.norm() > 0.0 ? affected.model.gravity_m_s2.norm() : standard_gravity_m_s2;
-    for (const DeadForce& force : affected.model.forces)
-        if (hangs(force, affected.options.end_s))
-            affected.model.directional_masses.push_back(line_mass(force.share, force.force_N, number(parameters, ratio) * force.force_N.norm() / g));
+    for (const DeadForce& force : affected.model.forces) {
+        if (!hangs(force, affected.options.end_s)) continue;
+        DirectionalMass body =
+            line_mass(force.share, force.force_N, number(parameters, ratio) * force.force_N.norm() / g);
+        body.from_s = force.from_s;
+        body.until_s = force.until_s;
+        affected.model.directional_masses.push_back(std::move(body));
+    }
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {

@@ -35,7 +35,7 @@ public:
         model_.creep.reset();
         model_.softening.reset();
         stiffness_ = stiffness(model_);
-        mass_ = mass_matrix(model_);
+        masses_ = mass_spans(model_);
     }
 
     Matrix3Xd at(const StateView& m) const {
@@ -48,7 +48,9 @@ public:
         InternalEnergy internal = internal_energy(model_, m.x, input, HessianKind::none);
         // The factor scales potentials of velocities, not their gradients.
         add_force_elements(model_, {m.x, &m.v, 1.0, m.time_s, false}, HessianKind::none, internal);
-        return external_forces(model_, mass_, m.time_s) + model_.velocity_force_1_s * times_mass(m.v, mass_) - internal.gradient - times_mass(m.a, mass_);
+        const MassMatrix& mass = masses_[span_at(masses_, m.time_s)].mass;
+        return external_forces(model_, mass, m.time_s) + model_.velocity_force_1_s * times_mass(m.v, mass) -
+               internal.gradient - times_mass(m.a, mass);
     }
 
     const Body& body() const { return *model_.body; }
@@ -56,7 +58,7 @@ public:
 private:
     Model model_;
     Stiffness stiffness_;
-    MassMatrix mass_;
+    std::vector<MassSpan> masses_;
 };
 
 }  // namespace

@@ -23,7 +23,8 @@ void add_block(Index a, Index b, const Matrix3d& block, Entries& entries) {
 }
 
 DirectionalMass from_entries(Index nodes, const Entries& entries) {
-    DirectionalMass mass{Eigen::SparseMatrix<double>(3 * nodes, 3 * nodes)};
+    DirectionalMass mass;
+    mass.inertia_kg.resize(3 * nodes, 3 * nodes);
     mass.inertia_kg.setFromTriplets(entries.begin(), entries.end());
     return mass;
 }

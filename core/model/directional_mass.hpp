@@ -3,15 +3,21 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <limits>
 #include <vector>
 
 #include "model/body.hpp"
 
 namespace myo {
 
-/// Inertia without weight that acts along directions only, fixed in space.
+/// Inertia without weight that acts along directions only, fixed in space, within [from_s, until_s). The body's
+/// velocities go on where a mass leaves it or joins it: one that joins brings the velocity along that it finds.
 struct DirectionalMass {
     Eigen::SparseMatrix<double> inertia_kg;   // 3n x 3n, row 3 i + r; symmetric, positive semidefinite; couples nodes of one cell only
+    double from_s = -std::numeric_limits<double>::infinity();
+    double until_s = std::numeric_limits<double>::infinity();
+
+    bool active(double t) const { return t >= from_s && t < until_s; }
 };
 
 /// Added mass of a fluid on part of the surface: traction -surface_density (a . n) n per rest area, n the normal at rest.

@@ -1,6 +1,9 @@
 #include "model/mass_matrix.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 #include "base/parallel.hpp"
 #include "model/model.hpp"
@@ -29,11 +32,11 @@ Eigen::SparseMatrix<double> isotropic_mass(const Model& model) {
     return mass;
 }
 
-Eigen::SparseMatrix<double> directional_mass(const Model& model) {
+Eigen::SparseMatrix<double> directional_mass(const Model& model, double at_s) {
     Eigen::SparseMatrix<double> sum(model.body->dofs(), model.body->dofs());
     for (const DirectionalMass& mass : model.directional_masses) {
         assert(mass.inertia_kg.rows() == sum.rows() && mass.inertia_kg.cols() == sum.cols());
-        sum += mass.inertia_kg;
+        if (mass.active(at_s)) sum += mass.inertia_kg;
     }
     sum.prune(0.0);   // masses of 0 cost nothing
     return sum.nonZeros() > 0 ? sum : Eigen::SparseMatrix<double>();
@@ -41,7 +44,31 @@ Eigen::SparseMatrix<double> directional_mass(const Model& model) {
 
 }  // namespace
 
-MassMatrix mass_matrix(const Model& model) { return {isotropic_mass(model), directional_mass(model)}; }
+MassMatrix mass_matrix(const Model& model, double at_s) {
+    return {isotropic_mass(model), directional_mass(model, at_s)};
+}
+
+std::vector<MassSpan> mass_spans(const Model& model) {
+    std::vector<double> ends{std::numeric_limits<double>::infinity()};
+    for (const DirectionalMass& mass : model.directional_masses)
+        for (const double t : {mass.from_s, mass.until_s})
+            if (std::isfinite(t) && t > 0.0) ends.push_back(t);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<MassSpan> spans;
+    double from_s = 0.0;
+    for (const double until_s : ends) {
+        spans.push_back({until_s, mass_matrix(model, from_s)});
+        from_s = until_s;
+    }
+    return spans;
+}
+
+std::size_t span_at(const std::vector<MassSpan>& spans, double at_s) {
+    std::size_t k = 0;
+    while (k + 1 < spans.size() && at_s >= spans[k].until_s) ++k;
+    return k;
+}
 
 // Eigen multiplies dense rows one by one through the sparse matrix; node by node is several times faster.
 Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <vector>
+
 namespace myo {
 
 struct Model;
@@ -15,8 +17,19 @@ struct MassMatrix {
     bool has_directional() const { return directional.size() > 0; }
 };
 
-/// The body's mass by its mass model, attached masses on the diagonal, and the directional masses.
-MassMatrix mass_matrix(const Model& model);
+/// The body's mass by its mass model, attached masses on the diagonal, and the directional masses active at a time.
+MassMatrix mass_matrix(const Model& model, double at_s = 0.0);
+
+/// A mass until a time, from where the span before it ends.
+struct MassSpan {
+    double until_s = 0.0;
+    MassMatrix mass;
+};
+/// The masses of a model's runs, which begin at t = 0, one after the other, the last for ever: more than one where
+/// directional masses begin or end later on.
+std::vector<MassSpan> mass_spans(const Model& model);
+/// The number of the span in which a time lies.
+std::size_t span_at(const std::vector<MassSpan>& spans, double at_s);
 
 /// M X for nodal vectors X (3 x n).
 Eigen::Matrix3Xd times_mass(const Eigen::Matrix3Xd& X, const MassMatrix& mass);

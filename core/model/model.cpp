@@ -30,6 +30,9 @@ std::vector<double> jump_times(const Model& model) {
     for (const DeadForce& load : model.forces)
         for (const double t : {load.from_s, load.until_s})
             if (std::isfinite(t)) times.push_back(t);
+    for (const DirectionalMass& mass : model.directional_masses)
+        for (const double t : {mass.from_s, mass.until_s})
+            if (std::isfinite(t)) times.push_back(t);
     for (const Signal& signal : model.activation)
         for (const double t : signal.jumps()) times.push_back(t);
     for (const ForceElementPointer& element : model.force_elements)

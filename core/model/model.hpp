@@ -69,7 +69,7 @@ Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, dou
 /// Activations of all groups at t.
 std::vector<double> activations(const Model& model, double t, bool before = false);
 
-/// Times at which a force, an activation or a force element jumps, ascending, without repetition.
+/// Times at which a force, a directional mass, an activation or a force element jumps, ascending, without repetition.
 std::vector<double> jump_times(const Model& model);
 
 }  // namespace myo

@@ -88,7 +88,7 @@ void AdjointFollower::jump(StageSolver& solver, const JumpRecord& at) {
     const BlockPattern& pattern = model_.body->pattern;
     Matrix3Xd& adjoint = state_.nodal[force_field];
     if (adjoint.size() == 0) return;
-    const Matrix3Xd times_M = times_mass(adjoint, solver.mass());
+    const Matrix3Xd times_M = times_mass(adjoint, solver.mass(at.time_s));
     const Stage stage = jump_stage(s, at.time_s);
     const SymmetricSparse K = solver.hessian(stage, s.x);
     add_to(state_.nodal[x_field], -1.0, scatter(pattern, K.selfadjointView<Eigen::Lower>() * gather(pattern, adjoint)));
@@ -96,7 +96,8 @@ void AdjointFollower::jump(StageSolver& solver, const JumpRecord& at) {
     if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, strain_tangent(*model_.body, s.x, adjoint));
     if (depends_on_velocity(model_)) add_to(state_.nodal[v_field], -1.0, velocity_tangent(model_, force_state(stage, s.x, s.v), adjoint));
     const Matrix3Xd u = model_.velocity_force_1_s * s.v;
-    gradient_.add({s.x, &s.v, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, &u, &s.v}, adjoint, times_M);
+    gradient_.add({s.x, &s.v, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, at.time_s, &u, &s.v}, adjoint,
+                  times_M);
     adjoint.resize(3, 0);
 }
 
@@ -104,6 +105,8 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
     const Body& body = *model_.body;
     const auto& [scheme, h, before, plain, by_lambda] = coefficients(record.scheme, record.h_s, record.start.step_before_s);
     const int stages = plain.stages();
+    const double middle_s = record.time_s + 0.5 * h;
+    const MassMatrix& mass = solver.mass(middle_s);
     const auto rows_count = static_cast<std::size_t>(nodal_fields + stages);
     // Adjoints of the fields after the step and of the stages' constants, momenta also times the mass.
     std::vector<Matrix3Xd> rows(rows_count), mass_rows(rows_count);
@@ -114,9 +117,9 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
     for (const int row : {force_field, force_lag_field}) {
         const auto r = static_cast<std::size_t>(row);
         if (rows[r].size() == 0) continue;
-        mass_rows[r] = times_mass(rows[r], solver.mass());
+        mass_rows[r] = times_mass(rows[r], mass);
         const Matrix3Xd by_velocity_force = accelerations(by_lambda, record, row);
-        gradient_.add_momentum(rows[r], mass_rows[r], accelerations(plain, record, row), &by_velocity_force);
+        gradient_.add_momentum(middle_s, rows[r], mass_rows[r], accelerations(plain, record, row), &by_velocity_force);
     }
     const auto column = [&](int c) {
         Matrix3Xd sum;
@@ -151,13 +154,15 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
         if (!p.allFinite()) return false;
         guess.add(p);
         rows[row] = scatter(body.pattern, p);
-        mass_rows[row] = times_mass(rows[row], solver.mass());
+        mass_rows[row] = times_mass(rows[row], mass);
         if (model_.damping_s > 0.0) strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(body, solution.x, rows[row]);
         const Matrix3Xd v = depends_on_velocity(model_) ? stage_velocities(stage, solution.x) : Matrix3Xd();   // nothing else looks at it
         if (depends_on_velocity(model_)) velocity_rows[static_cast<std::size_t>(k)] = -velocity_tangent(model_, force_state(stage, solution.x, v), rows[row]);
         const Matrix3Xd u = accelerations(plain, record, nodal_fields + k), by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
         const StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
-        gradient_.add({solution.x, v.size() > 0 ? &v : nullptr, rate, stage.time_s, stage.before_jump, &u, &by_velocity_force}, rows[row], mass_rows[row]);
+        gradient_.add({solution.x, v.size() > 0 ? &v : nullptr, rate, stage.time_s, stage.before_jump,
+                       stage.inertia_at_s, &u, &by_velocity_force},
+                      rows[row], mass_rows[row]);
     }
     for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = column(field);
     for (int field = 0; field < strain_fields; ++field) state_.strain[static_cast<std::size_t>(field)] = strain_column(field);
@@ -194,7 +199,8 @@ bool AdjointFollower::start(StageSolver& solver, const SimulationOptions& option
     const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x, gather(body.pattern, initial_.initial_positions));
     if (!solved.allFinite()) return false;
     const Matrix3Xd p = scatter(body.pattern, solved);
-    gradient_.add({at.x, nullptr, {}, stage.time_s, stage.before_jump}, p, times_mass(p, solver.mass()));
+    gradient_.add({at.x, nullptr, {}, stage.time_s, stage.before_jump, stage.inertia_at_s}, p,
+                  times_mass(p, solver.mass(stage.inertia_at_s)));
     initial_.initial_positions.setZero();
     return true;
 }

@@ -50,7 +50,7 @@ void ExplicitChanges::soften(const Matrix3Xd& x, const NodalColumns& dx, bool af
     raise_peaks(model_, x, dx, pairs_, peaks_);
 }
 
-void ExplicitChanges::add_mass_changes(const MotionTerms& motion, NodalColumns& momentum) const {
+void ExplicitChanges::add_mass_changes(double at_s, const MotionTerms& motion, NodalColumns& momentum) const {
     Matrix3Xd sum;
     for (std::size_t p = 0; p < changes_.size(); ++p) {
         if (!changes_[p] || !changes_mass(*changes_[p])) continue;
@@ -60,7 +60,7 @@ void ExplicitChanges::add_mass_changes(const MotionTerms& motion, NodalColumns& 
                 if (factor != 0.0 && field->size() > 0) sum += factor * *field;
         }
         if (momentum.size() == 0) momentum = NodalColumns::Zero(3 * static_cast<Index>(parameters_.size()), model_.body->node_count());
-        nodal_column(momentum, static_cast<Index>(p)) += times_mass(sum, changes_[p]->mass);
+        nodal_column(momentum, static_cast<Index>(p)) += times_mass(sum, mass_change(*changes_[p], at_s));
     }
 }
 

@@ -28,9 +28,9 @@ public:
     /// strains += their derivatives at x, of a stage's solution.
     void add_strain_changes(const Stage& stage, const Eigen::Matrix3Xd& x, Eigen::MatrixXd& strains) const;
 
-    /// momentum += (dM/dp) (sum of factor times motion of the run itself).
+    /// momentum += (dM/dp) (sum of factor times motion of the run itself), M of that time.
     using MotionTerms = std::vector<std::pair<double, const Eigen::Matrix3Xd*>>;
-    void add_mass_changes(const MotionTerms& motion, NodalColumns& momentum) const;
+    void add_mass_changes(double at_s, const MotionTerms& motion, NodalColumns& momentum) const;
     bool change_masses() const;
 
     /// Of a body that softens: raises the cells' largest energies to those at x, which moves along dx; afresh: of virgin cells.

@@ -21,11 +21,15 @@ struct ModelPair {
 struct ModelChange {
     std::shared_ptr<const ModelPair> pair;
     StageConstants under, over;
-    MassMatrix mass;                   // no entries: it stays
+    std::vector<MassSpan> masses;      // no entries: they stay
 };
 ModelChange model_change(std::shared_ptr<const ModelPair> pair);
 
-inline bool changes_mass(const ModelChange& change) { return change.mass.isotropic.nonZeros() > 0 || change.mass.directional.nonZeros() > 0; }
+/// Whether some mass changes; that of a time, too.
+bool changes_mass(const ModelChange& change);
+inline const MassMatrix& mass_change(const ModelChange& change, double at_s) {
+    return change.masses[span_at(change.masses, at_s)].mass;
+}
 
 /// Factors of the cells' elastic moduli from now on, as in StageSolver; empty: virgin cells.
 void soften(ModelChange& change, const Eigen::VectorXd& factors);

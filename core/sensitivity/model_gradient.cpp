@@ -46,7 +46,10 @@ Matrix3Xd fibre_direction_gradient(const Model& model, const ModelGradient& grad
 }
 
 GradientSum::GradientSum(const Model& model, bool fibre_shapes)
-    : model_(model), mass_(mass_matrix(model)), moduli_(no_moduli_work(model)), fibres_(no_fibre_work(model, fibre_shapes)) {
+    : model_(model),
+      masses_(mass_spans(model)),
+      moduli_(no_moduli_work(model)),
+      fibres_(no_fibre_work(model, fibre_shapes)) {
     for (const Signal& signal : model.activation) gradient_.activation.emplace_back(signal.values.size(), 0.0);
     gradient_.forces_N.assign(model.forces.size(), Vector3d::Zero());
     gradient_.attached_masses_kg.assign(model.masses.size(), 0.0);
@@ -74,17 +77,21 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
         const DeadForce& load = model_.forces[f];
         if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s)) gradient_.forces_N[f] += p * load.share;
     }
-    const Matrix3Xd isotropic_p = isotropic_part(mass_, p, Mp);   // what weighs
+    const Matrix3Xd isotropic_p =
+        isotropic_part(masses_[span_at(masses_, at.inertia_at_s)].mass, p, Mp);   // what weighs
     gradient_.gravity_m_s2 += isotropic_p.rowwise().sum();
     add_isotropic(p, isotropic_p, model_.gravity_m_s2.replicate(1, p.cols()));
-    if (at.accelerations) add_momentum(p, Mp, *at.accelerations, at.by_velocity_force);
+    if (at.accelerations) add_momentum(at.inertia_at_s, p, Mp, *at.accelerations, at.by_velocity_force);
 }
 
-void GradientSum::add_momentum(const Matrix3Xd& p, const Matrix3Xd& Mp, const Matrix3Xd& u, const Matrix3Xd* by_velocity_force) {
-    add_isotropic(p, isotropic_part(mass_, p, Mp), u);
+void GradientSum::add_momentum(double at_s, const Matrix3Xd& p, const Matrix3Xd& Mp, const Matrix3Xd& u,
+                               const Matrix3Xd* by_velocity_force) {
+    add_isotropic(p, isotropic_part(masses_[span_at(masses_, at_s)].mass, p, Mp), u);
     for (std::size_t k = 0; k < model_.directional_masses.size(); ++k) {
+        const DirectionalMass& directional = model_.directional_masses[k];
+        if (!directional.active(at_s)) continue;
         Matrix3Xd Du = Matrix3Xd::Zero(3, u.cols());
-        add_directional(model_.directional_masses[k].inertia_kg, u, Du);
+        add_directional(directional.inertia_kg, u, Du);
         gradient_.directional_masses[k] += dot(p, Du);
     }
     if (by_velocity_force) gradient_.velocity_force_1_s += dot(Mp, *by_velocity_force);

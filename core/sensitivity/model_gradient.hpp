@@ -47,14 +47,17 @@ public:
         StrainRate rate;                   // history null: not known, or no derivative with respect to damping wanted
         double time_s = 0.0;
         bool before_jump = false;
+        double inertia_at_s = 0.0;         // see Stage
         const Eigen::Matrix3Xd* accelerations = nullptr;   // 3 x n: what the mass is multiplied by, gravity aside; null: nothing
         const Eigen::Matrix3Xd* by_velocity_force = nullptr;   // 3 x n: the derivative of that with respect to Lambda; null: none
     };
-    /// p: the adjoint of its forces, 3 x n [1/N per loss], zero on clamped nodes. Mp: times_mass(p).
+    /// p: the adjoint of its forces, 3 x n [1/N per loss], zero on clamped nodes. Mp: times_mass(p) with the mass of
+    /// then.
     void add(const Balance& balance, const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& Mp);
 
-    /// M u enters a momentum with the adjoint p.
-    void add_momentum(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& Mp, const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd* by_velocity_force);
+    /// M u, M of that time, enters a momentum with the adjoint p.
+    void add_momentum(double at_s, const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& Mp, const Eigen::Matrix3Xd& u,
+                      const Eigen::Matrix3Xd* by_velocity_force);
 
     ModelGradient take();
 
@@ -62,7 +65,7 @@ private:
     void add_isotropic(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& isotropic_p, const Eigen::Matrix3Xd& u);
 
     const Model& model_;
-    MassMatrix mass_;
+    std::vector<MassSpan> masses_;
     ModelGradient gradient_;
     ModuliWork moduli_;
     FibreWork fibres_;

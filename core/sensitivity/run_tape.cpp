@@ -48,7 +48,8 @@ StepRecord RunTape::replay(StageSolver& solver, const TapedStep& step, const dou
         if (with_strains_) solution.strain = strains(*model.body, solution.x);
         return true;
     };
-    const StepProblem<decltype(solve)> problem{solver.mass(), step.time_s, step.h_s, model.velocity_force_1_s, solve};
+    const StepProblem<decltype(solve)> problem{solver.mass(step.time_s + 0.5 * step.h_s), step.time_s, step.h_s,
+                                               model.velocity_force_1_s, solve};
     Kinematics next;
     take_step(step.scheme, problem, state, next);
     record.start = std::move(state);

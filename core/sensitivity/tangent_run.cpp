@@ -57,14 +57,16 @@ public:
         nodal_[force_field] = scatter_columns(pattern, -symmetric_product(K, gather_columns(pattern, nodal_[x_field])) - held);
         const double lambda = model_.velocity_force_1_s;
         if (lambda == 0.0) return;
-        nodal_[force_field] += lambda * mass_times(nodal_[v_field], solver.mass());
-        explicit_.add_mass_changes({{lambda, &state.v}}, nodal_[force_field]);
+        nodal_[force_field] += lambda * mass_times(nodal_[v_field], solver.mass(t));
+        explicit_.add_mass_changes(t, {{lambda, &state.v}}, nodal_[force_field]);
         clear_clamped();
     }
 
-    void step(StageSolver& solver, const TimeScheme& scheme, double, double h, const std::vector<SolvedStage>& solved) {
+    void step(StageSolver& solver, const TimeScheme& scheme, double t, double h,
+              const std::vector<SolvedStage>& solved) {
         if (parameters_.empty()) return;
         const Body& body = *model_.body;
+        const double middle_s = t + 0.5 * h;   // for the mass
         const StepCoefficients step = step_coefficients(scheme, h, step_before_s_, model_.velocity_force_1_s);
         std::vector<NodalColumns> solutions(solved.size());
         std::vector<MatrixXd> strains(solved.size());
@@ -74,8 +76,8 @@ public:
                 const MatrixXd* field = c < nodal_fields ? &nodal_[static_cast<std::size_t>(c)] : &solutions[static_cast<std::size_t>(c - nodal_fields)];
                 (is_momentum_row(row) && is_motion_column(c) ? through_mass : plain).emplace_back(step.nodal(row, c), field);
             }
-            NodalColumns momentum = mass_times(sum_of(through_mass), solver.mass());
-            if (is_momentum_row(row)) explicit_.add_mass_changes(moved_of(step, row, solved), momentum);
+            NodalColumns momentum = mass_times(sum_of(through_mass), solver.mass(middle_s));
+            if (is_momentum_row(row)) explicit_.add_mass_changes(middle_s, moved_of(step, row, solved), momentum);
             plain.emplace_back(1.0, &momentum);
             return sum_of(plain);
         };

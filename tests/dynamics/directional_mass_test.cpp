@@ -48,7 +48,9 @@ TEST(DirectionalMass, GivesTheSameMotionByEveryStrategy) {
     test::BeamSpec spec = beam();
     spec.gravity_m_s2 = 9.81;
     Model model = test::make_beam(spec);
-    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 30.0)};
+    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 30.0),
+                                added_mass(*model.body, free_faces(*model.body), 80.0)};
+    model.directional_masses[1].until_s = 0.1;
     SimulationOptions options;
     options.h_s = 0.01;
     options.end_s = 0.2;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/simulate.hpp"
+#include "model/directional_mass.hpp"
 #include "support/beam.hpp"
 #include "support/differences.hpp"
 #include "support/figures.hpp"
@@ -115,6 +117,81 @@ TEST(Jumps, ActivationStepsKeepTheOrder) {
     for (const auto& [name, scheme] : test::all_schemes())
         EXPECT_GT(orders(model, scheme, {0.0025, 0.00125, 0.000625}, 0.08, name).back(),
                   scheme.integrator == Integrator::implicit_euler ? 0.75 : 1.8) << name;
+}
+
+/// A weight on a thread for part of the run, another one from a later time on, eight times as heavy as the beam
+/// together.
+Model with_passing_masses(const test::BeamSpec& spec, double from_s, double until_s) {
+    Model model = test::make_beam(spec);
+    const double body_kg = spec.density_kg_m3 * spec.size.prod();
+    for (const double kg : {2.0 * body_kg, 6.0 * body_kg})
+        model.directional_masses.push_back(line_mass(test::tip_share(model, spec), {0.3, 0.2, 1.0}, kg));
+    model.directional_masses[0].until_s = until_s;
+    model.directional_masses[1].from_s = from_s;
+    return model;
+}
+
+TEST(Jumps, MassesThatJoinAndLeaveInsideAStepKeepTheOrder) {
+    test::BeamSpec spec = coarse_beam();
+    spec.damping_s = 0.004;
+    Model model = with_passing_masses(spec, 0.0777, 0.0313);
+    model.velocity_force_1_s = -10.0;
+    for (const auto& [name, scheme] : test::all_schemes())
+        EXPECT_GT(orders(model, scheme, {0.0025, 0.00125, 0.000625, 0.0003125}, 0.11, name).back(),
+                  scheme.integrator == Integrator::implicit_euler ? 0.75 : 1.8)
+            << name;
+}
+
+/// Where its mass changes the body goes on from where it is, with the velocity that it has.
+TEST(Jumps, OfAMassHandOverPositionsAndVelocities) {
+    const test::BeamSpec spec = coarse_beam();
+    const Model model = with_passing_masses(spec, 0.08, 0.04);
+    // What it is within each of the spans, for ever.
+    const std::vector<std::vector<std::size_t>> present{{0}, {}, {1}};
+    SimulationOptions options;
+    options.h_s = 0.005;
+    options.end_s = 0.04;
+    options.solver.tolerance = 1e-10;
+    for (const TimeScheme& scheme : {TimeScheme(Integrator::tr_bdf2), TimeScheme(Integrator::implicit_euler),
+                                     TimeScheme(Integrator::trapezoidal)}) {
+        options.integrator = scheme;
+        options.initial = {};
+        SimulationOptions whole_options = options;
+        whole_options.end_s = 0.12;
+        const Trace whole = simulate(model, whole_options);
+        ASSERT_TRUE(whole.complete()) << whole.message;
+        const double motion = (whole.positions[8] - model.body->mesh.nodes).norm();
+        for (std::size_t span = 0; span < present.size(); ++span) {
+            Model part_model = test::make_beam(spec);
+            for (const std::size_t k : present[span])
+                part_model.directional_masses.push_back({model.directional_masses[k].inertia_kg});
+            const Trace part = simulate(part_model, options);
+            ASSERT_TRUE(part.complete()) << part.message;
+            EXPECT_LT((part.positions.back() - whole.positions[8 * (span + 1)]).norm(), 1e-7 * motion)
+                << to_string(scheme.integrator) << span;
+            EXPECT_LT((part.velocities.back() - whole.velocities[8 * (span + 1)]).norm(),
+                      1e-6 * whole.velocities[8].norm())
+                << to_string(scheme.integrator) << span;
+            options.initial = {part.positions.back(), part.velocities.back()};
+        }
+    }
+}
+
+/// The mass of a step is that of its middle: its ends may lie on the wrong side of a jump by rounding.
+TEST(Jumps, OfAMassWithinRoundingOfAStepEndAreThatStepEnd) {
+    const test::BeamSpec spec = coarse_beam();
+    for (const double time : {0.0, 0.03}) {
+        const Trace aligned = run(with_passing_masses(spec, time, time), Integrator::tr_bdf2, 0.01, 0.06);
+        for (const double shift : {1e-12, 4e-18, -4e-18, -1e-12}) {
+            // Two jumps within rounding of each other are one.
+            const Model model = with_passing_masses(spec, time + shift, time - shift);
+            const Trace shifted = run(model, Integrator::tr_bdf2, 0.01, 0.06);
+            ASSERT_EQ(shifted.times_s.size(), aligned.times_s.size()) << shift;
+            const double motion = (aligned.positions.back() - model.body->mesh.nodes).norm();
+            EXPECT_LT((shifted.positions.back() - aligned.positions.back()).norm(), 1e-7 * motion)
+                << time << " " << shift;
+        }
+    }
 }
 
 /// A jump within rounding of the end of a step, on either side, or of the start, is the jump there.

@@ -23,7 +23,9 @@ constexpr int most_iterations = 2400;
 /// Imbalance of forces at a stage's solution over the forces on the body, measured by other means than the solver's.
 double imbalance(const Model& model, StageSolver& solver, const Stage& stage, const Matrix3Xd& start, const Matrix3Xd& x, double tolerance) {
     const StageConstants constants = stage_constants(model);
-    const Matrix3Xd r = stage.inertia_1_s2 * times_mass(x, constants.mass) - stage.constant - solver.total_forces(stage, x);
+    const Matrix3Xd r =
+        stage.inertia_1_s2 * times_mass(x, constants.masses[span_at(constants.masses, stage.inertia_at_s)].mass) -
+        stage.constant - solver.total_forces(stage, x);
     const StageProblem problem(constants, stage);
     const double scale = std::max(problem.force_scale(start, tolerance), problem.force_scale(x, tolerance));
     return gather(model.body->pattern, r).norm() / scale;

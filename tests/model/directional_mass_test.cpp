@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+
 #include "base/decompositions.hpp"
 #include "model/loaded_face.hpp"
 #include "support/beam.hpp"
@@ -105,6 +108,32 @@ TEST(MassMatrix, HasNoDirectionalPartOfMassesOfZero) {
     Model model = test::make_beam(spec);
     model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 0.0)};
     EXPECT_FALSE(mass_matrix(model).has_directional());
+}
+
+/// A run begins at t = 0: what has ended by then takes no span, and each mass is in those of its window.
+TEST(DirectionalMass, IsInTheSpansOfItsWindow) {
+    test::BeamSpec spec;
+    Model model = test::make_beam(spec);
+    EXPECT_EQ(mass_spans(model).size(), 1u);
+    const Eigen::VectorXd share = test::tip_share(model, spec);
+    const double inf = std::numeric_limits<double>::infinity();
+    const std::vector<std::array<double, 2>> windows{{-inf, inf}, {-2.0, 0.0}, {-1.0, 0.5}, {0.5, 0.8}, {0.2, inf}};
+    double kg = 1.0;   // each twice the one before, so that sums tell which are there
+    for (const auto& [from_s, until_s] : windows) {
+        model.directional_masses.push_back(line_mass(share, Vector3d::UnitZ(), kg));
+        model.directional_masses.back().from_s = from_s;
+        model.directional_masses.back().until_s = until_s;
+        kg *= 2.0;
+    }
+    const std::vector<MassSpan> spans = mass_spans(model);
+    const auto total = [&](double t) { return spans[span_at(spans, t)].mass.directional.sum(); };
+    EXPECT_EQ(spans.size(), 4u);
+    EXPECT_NEAR(total(0.0), 1.0 + 4.0, 1e-12);
+    EXPECT_NEAR(total(0.2), 1.0 + 4.0 + 16.0, 1e-12);
+    EXPECT_NEAR(total(0.499), 1.0 + 4.0 + 16.0, 1e-12);
+    EXPECT_NEAR(total(0.5), 1.0 + 8.0 + 16.0, 1e-12);
+    EXPECT_NEAR(total(0.8), 1.0 + 16.0, 1e-12);
+    EXPECT_EQ(jump_times(model), (std::vector<double>{-2.0, -1.0, 0.0, 0.2, 0.5, 0.8}));
 }
 
 }  // namespace

@@ -132,5 +132,21 @@ TEST(EffectTangents, HoldForEveryIntegratorFromAnEquilibriumAndWithAVelocityForc
         }
 }
 
+/// Its inertia joins and leaves with the force, within steps.
+TEST(EffectTangents, OfABodyHungUpAndTakenDownWithinTheRunHoldForEveryIntegrator) {
+    std::vector<double> errors;
+    for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler, Integrator::bdf2,
+                                        Integrator::trapezoidal, Integrator::generalized_alpha}) {
+        SCOPED_TRACE(to_string(integrator));
+        DroppedBeam dropped;
+        dropped.beam.affected.options.integrator = integrator;
+        dropped.beam.affected.model.velocity_force_1_s = -2.0;
+        dropped.beam.affected.model.forces.back().from_s = 0.0113;
+        dropped.beam.affected.model.forces.back().until_s = 0.0391;
+        EXPECT_EQ(compare_numbers(dropped, {"hung_mass", {{"inertia_ratio", 0.5}}, false}, 0.01, 1e-5, errors), 1);
+    }
+    test::record("relative_errors", errors);
+}
+
 }  // namespace
 }  // namespace myo
