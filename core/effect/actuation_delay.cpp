@@ -22,7 +22,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
-    if (signals_move(search))
+    if (any_signal(moves, search))
         for (const double delay : {0.004, 0.04}) list.push_back(probe({{delay_s, delay}}, delay_s));
     return list;
 }

@@ -7,8 +7,9 @@
 namespace myo {
 namespace {
 
-/// Bouc-Wen without smoothing: (1 - h) u + h z, z' = u' (1 - [u' z > 0] |z| / width). Within a sample z' is linear in z: exact by its exponential.
-/// z rests at 0 where u = 0, and has followed u from there to its value before the start.
+/// Bouc-Wen without smoothing: (1 - h) u + h z, z' = u' (1 - [u' z > 0] |z| / width). Within a sample z' is linear in
+/// z: exact by its exponential. z rests at 0 where u = 0, and has followed u from there to its value before the start:
+/// a constant is reached by less than it says.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double h = number(parameters, "fraction"), width = number(parameters, "width");
     const auto moved = [width](double z, double du) {
@@ -23,6 +24,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
         return z + (left > 0.0 ? (direction * width - z) * (1.0 - std::exp(-left / width)) : 0.0);
     };
     respond_to_signals(
+        acts,
         [=](const std::vector<double>& u, double) {
             double z = moved(0.0, u.front());
             std::vector<double> x{(1.0 - h) * u.front() + h * z};
@@ -41,7 +43,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
         for (const Signal& signal : model.activation)
             for (const double value : signal.values) largest = std::max(largest, std::abs(value - 1.0));
     std::vector<EffectProbe> list;
-    if (signals_move(search))
+    if (any_signal(acts, search))
         for (const double part : {0.1, 0.5}) list.push_back(probe({{"fraction", 0.1}, {"width", part * largest}}, "fraction"));
     return list;
 }

@@ -13,10 +13,12 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
     const double tau = number(parameters, tau_s);
     if (!(tau > 0.0)) return;
     respond_to_signals(
+        moves,
         [tau](const std::vector<double>& u, double h) {
             const double decay = std::exp(-h / tau), ramp = tau * (1.0 - decay) / h;
             std::vector<double> x{u.front()};
-            for (std::size_t k = 1; k < u.size(); ++k) x.push_back(decay * x.back() + (1.0 - ramp) * u[k] + (ramp - decay) * u[k - 1]);
+            for (std::size_t k = 1; k < u.size(); ++k)
+                x.push_back(decay * x.back() + (1.0 - ramp) * u[k] + (ramp - decay) * u[k - 1]);
             return x;
         },
         affected);
@@ -24,7 +26,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
-    if (signals_move(search))
+    if (any_signal(moves, search))
         for (const double tau : {0.005, 0.05, 0.3}) list.push_back(probe({{tau_s, tau}}, tau_s));
     return list;
 }

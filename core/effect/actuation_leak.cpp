@@ -8,14 +8,17 @@ namespace {
 
 constexpr const char* tau_s = "time_constant_s";
 
-/// x' = u' - x / tau, exact for u linear between samples. What was held before the start has not bled off: the trial begins as it is declared.
+/// x' = u' - x / tau, x(0) = u(0), exact for u linear between samples. What was held before the start has not bled off:
+/// the trial begins as it is declared, and bleeding begins at t = 0, of a constant signal too.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     respond_to_signals(
+        acts,
         [tau](const std::vector<double>& u, double h) {
             const double decay = std::exp(-h / tau);
             std::vector<double> x{u.front()};
-            for (std::size_t k = 1; k < u.size(); ++k) x.push_back(decay * x.back() + (u[k] - u[k - 1]) * tau / h * (1.0 - decay));
+            for (std::size_t k = 1; k < u.size(); ++k)
+                x.push_back(decay * x.back() + (u[k] - u[k - 1]) * tau / h * (1.0 - decay));
             return x;
         },
         affected);
@@ -23,7 +26,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
-    if (signals_move(search))
+    if (any_signal(acts, search))
         for (const double tau : {20.0, 1.0}) list.push_back({{{{tau_s, tau}}}, tau_s, true, nullptr});
     return list;
 }

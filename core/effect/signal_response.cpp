@@ -4,19 +4,20 @@
 #include <cmath>
 
 namespace myo {
-namespace {
 
 bool moves(const Signal& signal) {
     return std::any_of(signal.values.begin(), signal.values.end(), [&](double value) { return value != signal.values.front(); });
 }
 
-}  // namespace
+bool acts(const Signal& signal) {
+    return std::any_of(signal.values.begin(), signal.values.end(), [](double value) { return value != 1.0; });
+}
 
-void respond_to_signals(const Response& respond, Affected& affected) {
+void respond_to_signals(SignalKind kind, const Response& respond, Affected& affected) {
     const double h = 0.25 * affected.options.h_s;
     const auto count = static_cast<std::size_t>(std::ceil(affected.options.end_s / h)) + 2;
     for (Signal& signal : affected.model.activation) {
-        if (!moves(signal)) continue;
+        if (!kind(signal)) continue;
         std::vector<double> times, u;
         for (std::size_t k = 0; k < count; ++k) {
             times.push_back(static_cast<double>(k) * h);
@@ -30,10 +31,10 @@ void respond_to_signals(const Response& respond, Affected& affected) {
     }
 }
 
-bool signals_move(const EffectSearch& search) {
+bool any_signal(SignalKind kind, const EffectSearch& search) {
     for (const Model& model : search.models)
         for (const Signal& signal : model.activation)
-            if (moves(signal)) return true;
+            if (kind(signal)) return true;
     return false;
 }
 

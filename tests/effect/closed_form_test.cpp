@@ -117,28 +117,6 @@ TEST(EffectForms, AHeldPoseStartsAtItsOffset) {
     EXPECT_NEAR((tip - Eigen::Vector3d(0.0, 0.003, -0.001)).norm(), 0.0, 1e-12);
 }
 
-double signal_at(const Affected& affected, double t) { return affected.model.activation.front().value(t) - 1.0; }
-
-/// a - 1 steps to -0.2 at t = 0.
-test::HeldBeam stepped() {
-    test::HeldBeam beam = test::held_beam({6, 1, 1});
-    beam.affected.model.activation.front() = Signal::step(0.0, 1.0, 0.8);
-    return beam;
-}
-
-TEST(EffectForms, ActuatorsAnswerAStepAsTheirEquationsSay) {
-    const test::HeldBeam beam = stepped();
-    for (const double t : {0.02, 0.05, 0.1}) {
-        EXPECT_NEAR(signal_at(test::with_effect(beam, "actuation_lag", {{"time_constant_s", 0.04}}), t), -0.2 * (1.0 - std::exp(-t / 0.04)), 0.02 * 0.2) << t;
-        EXPECT_NEAR(signal_at(test::with_effect(beam, "actuation_leak", {{"time_constant_s", 0.04}}), t), -0.2 * std::exp(-t / 0.04), 0.02 * 0.2) << t;
-        EXPECT_EQ(signal_at(test::with_effect(beam, "actuation_delay", {{"delay_s", 0.03}}), t), t < 0.03 ? 0.0 : 0.8 - 1.0) << t;
-        EXPECT_NEAR(signal_at(test::with_effect(beam, "actuation_gain", {{"relative_change", 0.5}}), t), -0.3, 1e-12) << t;
-        // z runs towards -width with the travel of u: z = -width (1 - exp(-|u| / width)).
-        EXPECT_NEAR(signal_at(test::with_effect(beam, "actuation_hysteresis", {{"fraction", 0.5}, {"width", 0.1}}), t),
-                    -0.5 * 0.2 - 0.5 * 0.1 * (1.0 - std::exp(-2.0)), 1e-9) << t;
-    }
-}
-
 TEST(EffectForms, StiffnessFollowsItsFormula) {
     const test::HeldBeam beam = test::held_beam();
     const Eigen::Matrix3Xd centres = cell_centres(*beam.site.body);

@@ -12,8 +12,9 @@ struct HeldBeam {
     Affected affected;
 };
 
-inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}) {
+inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}, ElementKind kind = ElementKind::hex8) {
     HeldBeam beam;
+    beam.spec.kind = kind;
     beam.spec.cells = cells;
     beam.spec.size = {0.12, 0.03, 0.03};
     beam.spec.poissons_ratio = 0.45;
