@@ -5,6 +5,7 @@
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
 #include "fibre/moved_fibres.hpp"
+#include "mesh/cell_topology.hpp"
 
 namespace myo {
 namespace {
@@ -29,6 +30,16 @@ double first_load(const EffectSite& site, const Model& model, const ClampAxis& c
 /// Of its depth the clamp's far end takes up the slip by at least so much, more where the slip is long; and what is left of the clamp.
 constexpr double least_taken_up = 0.5, left_of_depth = 0.05;
 
+/// Nodes within edges stay in the middle: one that stayed behind while its edge's end moved by half of it would make
+/// the cell a singular one.
+void straighten(const VolumeMesh& mesh, Eigen::Matrix3Xd& shift) {
+    if (mesh.type != CellType::tet10) return;
+    for (const auto& cell : mesh.cells.colwise())
+        for (std::size_t e = 0; e < tetrahedron_edges.size(); ++e)
+            shift.col(cell(4 + static_cast<Eigen::Index>(e))) =
+                0.5 * (shift.col(cell(tetrahedron_edges[e][0])) + shift.col(cell(tetrahedron_edges[e][1])));
+}
+
 /// How far nodes lie from their places in a body whose clamp stands further back, 3 x n [m]: what is held moves there, its far end stays, and the cells in front
 /// reach as far, those next to the clamp alone or all that carry nothing. So the free length grows evenly, with the same unknowns, whether it is a part of a
 /// cell or several, and the cells at the clamp hardly change, which hold a nearly incompressible body the firmer the shorter they are.
@@ -42,6 +53,7 @@ Eigen::Matrix3Xd set_back(const EffectSite& site, const Model& model, const Clam
         const double part = held ? std::min(1.0, (clamp.held_m + ahead) / taken_up_m) : reach > 0.0 ? std::clamp(1.0 - ahead / reach, 0.0, 1.0) : 0.0;
         shift(clamp.axis, i) = -clamp.sign * part * free_m;
     }
+    straighten(model.body->mesh, shift);
     return shift;
 }
 
