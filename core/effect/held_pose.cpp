@@ -1,34 +1,87 @@
+#include <cmath>
+#include <limits>
+
+#include "effect/bent_cantilever.hpp"
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
 
 namespace myo {
 namespace {
 
+using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
+using Eigen::VectorXd;
 
 constexpr const char* offset = "offset_m";
 
-/// Bent like a cantilever by a force at its end: the end is off by `offset`. A size alone goes against gravity, as hands lift.
+/// The middle of what lies in the plane of the free end.
+Vector3d end_centre(const EffectSite& site, const ClampAxis& clamp) {
+    Vector3d low = Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
+    for (const auto& X : site.body->mesh.nodes.colwise()) {
+        if (clamp.ahead(X) < (1.0 - 1e-6) * clamp.length_m) continue;
+        low = low.cwiseMin(X);
+        high = high.cwiseMax(X);
+    }
+    return 0.5 * (low + high);
+}
+
+/// E I / (k G A L^2) of the body's mean section, bent along a unit vector, with Cowper's k of a rectangle (1966).
+double shear_of(const EffectSite& site, const Model& model, const ClampAxis& clamp, const Vector3d& along) {
+    const Eigen::SparseMatrix<double>& volume = site.body->unit_mass;
+    const VectorXd y = site.body->mesh.nodes.transpose() * along, of_node = volume * VectorXd::Ones(y.size());
+    const double whole = of_node.sum(), middle = of_node.dot(y) / whole;
+    const VectorXd off = y.array() - middle;
+    Moduli sum;
+    for (const Moduli& m : model.moduli) {
+        sum.mu += m.mu;
+        sum.kappa += m.kappa;
+    }
+    const double nu = young_from_moduli(sum).poissons_ratio, k = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+    return 2.0 * (1.0 + nu) / k * off.dot(volume * off) / whole / (clamp.length_m * clamp.length_m);
+}
+
+/// Where hands lift to: against gravity, across the axis; where gravity is along it, along the next coordinate.
+Vector3d upwards(const Vector3d& gravity, const Vector3d& axis, int axis_number) {
+    const Vector3d up = gravity.norm() > 0.0 ? Vector3d(-gravity.normalized()) : Vector3d(Vector3d::UnitZ());
+    const Vector3d across = up - up.dot(axis) * axis;
+    return across.norm() > 1e-3 ? Vector3d(across.normalized()) : Vector3d(Vector3d::Unit((axis_number + 1) % 3));
+}
+
+/// Bent like a cantilever by a force across its end, until the end's centre is off by `offset`: sections turn, and the
+/// axis keeps its length, so that the end also comes nearer to the clamp; what the offset has along the axis says
+/// nothing beside that. The body bends in the plane of axis and offset. Sections stay plane and keep their shape.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     if (site.start != StartKind::straight) return;
     const ClampAxis clamp = clamp_axis(site);
-    const Vector3d up = affected.model.gravity_m_s2.norm() > 0.0 ? Vector3d(-affected.model.gravity_m_s2.normalized()) : Vector3d(Vector3d::UnitZ());
-    Vector3d end = Vector3d::Zero();
-    if (std::holds_alternative<Eigen::VectorXd>(parameters.at(offset))) end = vector(parameters, offset);
-    else end = number(parameters, offset) * up;
-    Eigen::Matrix3Xd x = affected.options.initial.positions.size() > 0 ? affected.options.initial.positions : affected.model.body->mesh.nodes;
+    const Vector3d axis = clamp.sign * Vector3d::Unit(clamp.axis);
+    Vector3d end = upwards(affected.model.gravity_m_s2, axis, clamp.axis);
+    if (std::holds_alternative<VectorXd>(parameters.at(offset))) end = vector(parameters, offset);
+    else end *= number(parameters, offset);
+    end -= end.dot(axis) * axis;
+    if (end.norm() == 0.0) return;
+    const Vector3d across = end.normalized();
+    const BentCantilever bent =
+        bent_cantilever(end.norm() / clamp.length_m, shear_of(site, affected.model, clamp, across));
+    const Vector3d centre = end_centre(site, clamp);
+    Matrix3Xd x = affected.options.initial.positions.size() > 0 ? affected.options.initial.positions
+                                                                : affected.model.body->mesh.nodes;
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
-        const double s = clamp.ahead(site.body->mesh.nodes.col(i)) / clamp.length_m;
-        if (s > 0.0) x.col(i) += 0.5 * s * s * (3.0 - s) * end;
+        const Vector3d X = site.body->mesh.nodes.col(i);
+        const double s = clamp.ahead(X) / clamp.length_m;
+        if (s <= 0.0) continue;
+        const BeamSection section = bent.at(s);
+        const double r = (X - centre).dot(across);
+        x.col(i) += (clamp.length_m * (section.along - s) - r * std::sin(section.turn_rad)) * axis;
+        x.col(i) += (clamp.length_m * section.across + r * (std::cos(section.turn_rad) - 1.0)) * across;
     }
     affected.options.initial.positions = std::move(x);
 }
 
-EffectParameters joined(const std::vector<EffectParameters>& columns, const Eigen::VectorXd& multiples) {
+EffectParameters joined(const std::vector<EffectParameters>& columns, const VectorXd& multiples) {
     Vector3d sum = Vector3d::Zero();
     for (std::size_t i = 0; i < columns.size(); ++i) sum += multiples(static_cast<Eigen::Index>(i)) * vector(columns[i], offset);
     EffectParameters result = columns.front();
-    result[offset] = Eigen::VectorXd(sum);
+    result[offset] = VectorXd(sum);
     return result;
 }
 
@@ -39,7 +92,8 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
         EffectProbe probe;
         const int along = clamp_axis(site).axis;
         for (int axis = 0; axis < 3; ++axis)
-            if (axis != along) probe.columns.push_back({{offset, Eigen::VectorXd(1e-3 * Vector3d::Unit(axis))}, {"trial", site.trial}});
+            if (axis != along)
+                probe.columns.push_back({{offset, VectorXd(1e-3 * Vector3d::Unit(axis))}, {"trial", site.trial}});
         probe.joined = joined;
         list.push_back(std::move(probe));
     }

@@ -38,13 +38,6 @@ TEST(EffectForms, ASlippingClampAndACurvatureMakeALongerArcInEitherOrder) {
     }
 }
 
-TEST(EffectForms, AHeldPoseStartsAtItsOffset) {
-    const test::HeldBeam beam = test::held_beam();
-    const Affected held = test::with_effect(beam, "held_pose", {{"offset_m", Eigen::VectorXd(Eigen::Vector3d(0.0, 0.003, -0.001))}});
-    const Eigen::Vector3d tip = test::tip_displacement(held.model, beam.spec, held.options.initial.positions);
-    EXPECT_NEAR((tip - Eigen::Vector3d(0.0, 0.003, -0.001)).norm(), 0.0, 1e-12);
-}
-
 TEST(EffectForms, StiffnessFollowsItsFormula) {
     const test::HeldBeam beam = test::held_beam();
     const Eigen::Matrix3Xd centres = cell_centres(*beam.site.body);

@@ -1,0 +1,87 @@
+#include "effect/bent_cantilever.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace myo {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector4d;   // turn, curvature, along, across
+
+/// Enough for 1e-8 of the length at the most deflection.
+constexpr int parts = 128;
+
+Vector4d slope(const Vector4d& y, double load, double shear) {
+    const double c = std::cos(y(0)), s = std::sin(y(0)), g = load * shear * c;
+    return {y(1), -load * (c - g * s), c - g * s, s + g * c};
+}
+
+/// Runge and Kutta's step of fourth order.
+Vector4d after(const Vector4d& y, double h, double load, double shear) {
+    const Vector4d k1 = slope(y, load, shear), k2 = slope(y + 0.5 * h * k1, load, shear),
+                   k3 = slope(y + 0.5 * h * k2, load, shear), k4 = slope(y + h * k3, load, shear);
+    return y + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+}
+
+Vector4d end_of(const Vector2d& curvature_and_load, double shear) {
+    Vector4d y(0.0, curvature_and_load(0), 0.0, 0.0);
+    for (int k = 0; k < parts; ++k) y = after(y, 1.0 / parts, curvature_and_load(1), shear);
+    return y;
+}
+
+/// Curvature at the clamp and load that leave no moment at the end and move it by `deflection`, by Newton's method from
+/// values nearby.
+Vector2d solve(double deflection, double shear, Vector2d at) {
+    const auto error = [&](const Vector2d& p) {
+        const Vector4d end = end_of(p, shear);
+        return Vector2d(end(1), end(3) - deflection);
+    };
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        const Vector2d now = error(at);
+        if (now.norm() < 1e-15) break;
+        const double width = 1e-5 * std::max(1.0, at(1));
+        Eigen::Matrix2d J;
+        for (int i = 0; i < 2; ++i)
+            J.col(i) = (error(at + width * Vector2d::Unit(i)) - error(at - width * Vector2d::Unit(i))) / (2.0 * width);
+        const Vector2d step = J.partialPivLu().solve(now);
+        at -= step;
+        if (step.norm() < 1e-14 * at.norm()) break;
+    }
+    return at;
+}
+
+BeamSection section(const Vector4d& y) { return {y(0), y(1), y(2), y(3)}; }
+
+}  // namespace
+
+BeamSection BentCantilever::at(double s) const {
+    assert(s >= 0.0 && sections.size() == parts + 1);
+    const int before = std::clamp(static_cast<int>(s * parts), 0, parts);
+    const BeamSection& from = sections[static_cast<std::size_t>(before)];
+    return section(after({from.turn_rad, from.curvature, from.along, from.across},
+                         s - static_cast<double>(before) / parts, load, shear));
+}
+
+BentCantilever bent_cantilever(double deflection, double shear) {
+    assert(deflection >= 0.0 && shear >= 0.0);
+    const double wanted = std::min(deflection, most_deflection);
+    // Small ones bend by load / 3 and shear by load times shear; larger ones are reached in turn.
+    Vector2d at = Vector2d::Constant(std::min(wanted, 0.1) / (1.0 / 3.0 + shear));
+    for (double reached = std::min(wanted, 0.1);; reached = std::min(wanted, reached + 0.2 * (1.0 - reached))) {
+        at = solve(reached, shear, at);
+        if (reached >= wanted) break;
+    }
+    BentCantilever result{at(1), shear, {}};
+    Vector4d y(0.0, at(0), 0.0, 0.0);
+    for (int k = 0; k <= parts; ++k) {
+        result.sections.push_back(section(y));
+        y = after(y, 1.0 / parts, at(1), shear);
+    }
+    return result;
+}
+
+}  // namespace myo
