@@ -17,6 +17,7 @@
 #include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
 #include "base/text.hpp"
+#include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
 #include "library_versions.hpp"
 #include "loop/diagnosis_report.hpp"
@@ -67,7 +68,9 @@ public:
                 return omega > 0.0 ? std::max(0.0, discrete_vibration(scheme, {omega}, s.time_step_s).damping_ratio) : 0.0;   // rounding
             };
             const auto critical = [integrator](double omega, const Settings& s) {
-                return critical_velocity_force({integrator, s.spectral_radius}, omega, s.time_step_s, 0.5 * s.damping_s * omega);
+                return critical_velocity_force(
+                    {integrator, s.spectral_radius}, omega, s.time_step_s,
+                    damping_ratio(slender_damping_factor(s.poissons_ratio), s.damping_s, omega));
             };
             return Choice{to_string(integrator), label, explanation, damping, critical, integrator == Integrator::generalized_alpha};
         };

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "dynamics/linearised_step.hpp"
+#include "dynamics/material_damping.hpp"
 #include "dynamics/natural_modes.hpp"
 #include "dynamics/numerical_damping.hpp"
 
@@ -34,7 +35,8 @@ IntegrationCheck check_integration(const Model& model, const TimeScheme& scheme,
     if (!modes.ok()) return check;
     const double omega = modes.modes.front().omega_rad_s, lambda = model.velocity_force_1_s;
     check.frequency_Hz = omega / (2.0 * std::numbers::pi);
-    check.damping_ratio = 0.5 * model.damping_s * omega;
+    check.damping_factor = damping_factor(model, model.body->mesh.nodes, modes.modes.front());
+    check.damping_ratio = damping_ratio(check.damping_factor, model.damping_s, omega);
     check.numerical_damping_ratio = discrete_vibration(scheme, {omega}, h_s).damping_ratio;
     if (lambda > 0.0) {
         set_critical_velocity_force(solver, scheme, omega, check);

@@ -13,7 +13,8 @@ namespace myo {
 struct IntegrationCheck {
     double h_s = 0.0;
     double frequency_Hz = 0.0;                           // of the first mode, undamped; 0: not found, and nothing else is
-    double damping_ratio = 0.0;                          // of the material, at this frequency
+    double damping_factor = 0.0;                         // of the material in this mode, see damping_ratio()
+    double damping_ratio = 0.0;                          // of the material, in this mode
     double numerical_damping_ratio = 0.0;                // of the scheme alone
     std::optional<double> critical_velocity_force_1_s;   // asked for where the model has a positive velocity force
     bool of_one_mode = false;                            // the latter is the single vibration's, as the structure's was not found

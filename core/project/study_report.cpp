@@ -2,7 +2,9 @@
 
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
+#include "dynamics/material_damping.hpp"
 #include "project/output_motion.hpp"
 #include "project/readable_parameter.hpp"
 #include "project/study_report_parts.hpp"
@@ -11,8 +13,6 @@
 
 namespace myo {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Main frequency of the first trial that vibrates.
 double fitted_frequency(const Study& study, const Calibration& calibration) {
@@ -29,12 +29,20 @@ KeyFigure modulus_figure(const Calibration& calibration, Eigen::Index row) {
     return {"Young’s modulus", shown.value, "kPa", note + ", declared " + readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
 }
 
+/// Of the first vibration, which most trials show.
+double damping_factor_of(const Study& study) {
+    const bool known = study.integration && study.integration->frequency_Hz > 0.0;
+    return known ? study.integration->damping_factor : slender_damping_factor(study.experiment.material.poissons_ratio);
+}
+
 KeyFigure damping_figure(const Study& study, const Calibration& calibration, Eigen::Index row) {
     const double damping = calibration.fit.values(row);
     const ReadableEstimate shown = readable_estimate(1e3 * damping, 1e3 * calibration.fit.deviations(row));
     std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation + " ms";
     if (const double f = fitted_frequency(study, calibration); f > 0.0)
-        note += "; damping ratio " + readable_number(damping * pi * f, 2) + " at " + readable_number(f, 2) + " Hz";
+        note += "; damping ratio " +
+                readable_number(damping_ratio(damping_factor_of(study), damping, 2.0 * std::numbers::pi * f), 2) +
+                " at " + readable_number(f, 2) + " Hz";
     return {"Damping", shown.value, "ms", note};
 }
 

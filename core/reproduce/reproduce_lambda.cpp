@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "dynamics/linearised_step.hpp"
+#include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
 #include "report/chart.hpp"
 #include "reproduce/real_beam.hpp"
@@ -136,8 +137,9 @@ Result<BetterWay> better_way(const RingingBeam& beam, double lambda_of_ten_ms, c
         if (!run) return run.error();
         return run->vibration.rate_1_s;
     };
-    // Strain-rate damping of the whole stiffness would give rate = damping omega^2 / 2.
-    const double slope = 0.5 * beam.mode.omega_rad_s * beam.mode.omega_rad_s;
+    const double omega_of_mode = beam.mode.omega_rad_s,
+                 slope = omega_of_mode *
+                         damping_ratio(damping_factor(beam.model, beam.equilibrium, beam.mode), 1.0, omega_of_mode);
     const Result<double> damping = fit_rate(rate_of, envelope_rate / slope, slope, envelope_rate);
     if (!damping) return damping.error();
     BetterWay way{*damping, std::vector<double>(step_count), std::vector<double>(step_count), std::vector<RungBeam>(step_count)};

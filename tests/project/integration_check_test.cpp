@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
 #include "support/beam.hpp"
 
@@ -25,9 +26,11 @@ Model beam(double damping_s, double velocity_force_1_s) {
 TEST(IntegrationCheck, OfImplicitEulerHasThePapersClosedForms) {
     const double damping = 0.002;
     const IntegrationCheck check = check_integration(beam(damping, 1.0), Integrator::implicit_euler, h);
-    const double omega = 2.0 * std::numbers::pi * check.frequency_Hz, zeta = 0.5 * damping * omega;
+    const double omega = 2.0 * std::numbers::pi * check.frequency_Hz,
+                 zeta = damping_ratio(check.damping_factor, damping, omega);
     EXPECT_NEAR(check.frequency_Hz, 7.7, 0.5);
     EXPECT_NEAR(check.damping_ratio, zeta, 1e-12);
+    EXPECT_NEAR(check.damping_factor, slender_damping_factor(0.499), 0.005);
     EXPECT_NEAR(check.numerical_damping_ratio, implicit_euler_numerical_damping(omega, h), 1e-9);
     ASSERT_TRUE(check.critical_velocity_force_1_s.has_value());
     EXPECT_FALSE(check.of_one_mode);

@@ -19,8 +19,12 @@ const std::vector<SettingField>& material_fields() {
                                            "0.499. Lamé's λ = E ν / ((1 + ν) (1 − 2ν)).", 1.0, poissons_ratio_limits, 1e-4}, &Settings::poissons_ratio},
         {{"ρ", "model/density", "kg/m³", "Density ρ [kg/m³] at rest. The mass matrix M in M dv/dt = f is ρ times the integrals of the shape functions' products, m = ρ V in all.", 1.0, density_limits, 1.0},
          &Settings::density_kg_m3},
-        {{"Damping τ", "model/damping", "ms", "Kelvin–Voigt time τ [s]: stress S = 2 τ μ dev(dE/dt), E Green's strain. A vibration of angular frequency ω has the damping ratio ζ = τ ω / 2.",
-          1e-3, damping_limits, 0.01}, &Settings::damping_s}};
+        {{"Damping τ", "model/damping", "ms",
+          "Kelvin–Voigt time τ [s]: stress S = 2 τ μ dev(dE/dt), E Green's strain. A vibration of angular frequency ω "
+          "has the damping ratio ζ = c τ ω / 2: c = 1 in shear and torsion, 2 (1 + ν) / 3 in slender stretching and "
+          "bending, 2 (1 − ν + ν²) / (3 (1 − ν)) in wide plates.",
+          1e-3, damping_limits, 0.01},
+         &Settings::damping_s}};
     return fields;
 }
 
