@@ -17,6 +17,7 @@
 #include "mesh/child_process.hpp"
 #include "mesh/mesh_repair.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/region_facets.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_topology.hpp"
 #include "mesh/tetgen_exchange.hpp"
@@ -95,11 +96,16 @@ std::vector<double> cavity_points(const SurfaceMesh& surface, const SurfaceTopol
     return holes;
 }
 
-std::string switches_for(const TetOptions& options, double max_volume) {
+// Whether TetGen may join flat facets and put its own triangles in their place: better cells, but now and then it
+// fails.
+enum class FlatFacets { joined, kept };
+
+std::string switches_for(const TetOptions& options, double max_volume, FlatFacets flat) {
     char text[128];
     std::snprintf(text, sizeof text, "pq%.4g/%.4gS%dQ", std::max(1.2, options.radius_edge_ratio),
                   std::clamp(options.min_dihedral_deg, 0.0, 20.0), std::max(1, options.steiner_cap));
     std::string switches = text;
+    if (flat == FlatFacets::kept) switches += "M";
     if (max_volume > 0.0) {
         // TetGen reads plain decimals only: no exponent.
         std::snprintf(text, sizeof text, "a%.18f", max_volume);
@@ -146,11 +152,22 @@ Result<SurfaceMesh> prepared(const SurfaceMesh& surface) {
     return welded;
 }
 
+// Edge of the cells to come, as far as it is known before [m].
+double expected_edge(const SurfaceMesh& welded, const TetOptions& options) {
+    if (options.max_volume) return tet_edge_for_volume(*options.max_volume);
+    if (options.edge) return *options.edge;
+    double sum = 0.0;
+    for (Eigen::Index t = 0; t < welded.triangles.cols(); ++t)
+        sum += (welded.vertices.col(welded.triangles(0, t)) - welded.vertices.col(welded.triangles(1, t))).norm();
+    return sum / static_cast<double>(welded.triangles.cols());
+}
+
 // One run of TetGen on a prepared surface. max_volume 0: none.
-Result<VolumeMesh> run_tetgen(const SurfaceMesh& welded, double max_volume, const TetOptions& options, double time_limit_s,
-                              const Progress& progress) {
+Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, double max_volume, const TetOptions& options,
+                              double time_limit_s, const Progress& progress) {
     const auto worker = find_worker();
     if (!worker) return worker.error();
+    const SurfaceMesh& welded = facets.surface;
 
     // TetGen's switches and tolerances suit bodies of about unit size: mesh in a frame of that size.
     const Box box = bounding_box(welded.vertices);
@@ -159,6 +176,7 @@ Result<VolumeMesh> run_tetgen(const SurfaceMesh& welded, double max_volume, cons
     const Eigen::Matrix3Xd unit = (welded.vertices.colwise() - box.lowest) / scale;
     request.points.assign(unit.data(), unit.data() + unit.size());
     request.cells.assign(welded.triangles.data(), welded.triangles.data() + welded.triangles.size());
+    request.cells.insert(request.cells.end(), facets.inner.data(), facets.inner.data() + facets.inner.size());
     request.holes = cavity_points({unit, welded.triangles}, surface_topology(welded));
 
     const TemporaryFolder folder;
@@ -168,12 +186,14 @@ Result<VolumeMesh> run_tetgen(const SurfaceMesh& welded, double max_volume, cons
     }
     const ChildEnd end = run_child(
         *worker,
-        {request_path.string(), answer_path.string(), switches_for(options, max_volume / (scale * scale * scale)),
+        {request_path.string(), answer_path.string(), switches_for(options, max_volume / (scale * scale * scale), flat),
          std::to_string(static_cast<unsigned long long>(options.memory_limit_bytes)),
          std::to_string(static_cast<unsigned long long>(std::ceil(time_limit_s)) + 1)},
         time_limit_s, [&] { return progress.cancelled(); },
         // How much of it is left nobody knows: only that it goes on is told.
-        [&](double seconds) { progress.report({"tetrahedral mesh", seconds, 0.0, "s", ""}); });
+        [&](double seconds) {
+            progress.report({"tetrahedral mesh", seconds, 0.0, "s", ""});
+        });
     if (const auto verdict = judge(end, options); !verdict) return verdict.error();
     if (!read_exchange(answer_path, answer)) return Error{"the tetrahedral mesher's answer cannot be read", ""};
     if (answer.cells.empty()) return Error{"TetGen found no inside: the surface is open or broken", ""};
@@ -207,9 +227,12 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
     }
     const auto welded = prepared(surface);
     if (!welded) return welded.error();
-    const double volume = enclosed_volume(*welded);
+    const auto facets = region_facets(*welded, options.regions, expected_edge(*welded, options));
+    if (!facets) return facets.error();
+    const double volume = enclosed_volume(facets->surface);
     double max_volume = options.max_volume ? *options.max_volume : options.edge ? tet_volume_for_edge(*options.edge) : 0.0;
 
+    FlatFacets flat = FlatFacets::joined;
     std::optional<VolumeMesh> best;
     double best_miss = std::numeric_limits<double>::infinity();
     // The mean edge depends on the shape and on the surface's own edges: correct the volume by what came out, at most twice.
@@ -220,7 +243,11 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
             return Error{"the mesh would have over " + format_number(options.max_cells, 3) + " cells: choose longer edges", ""};
         }
         const double used = watch.seconds();
-        auto mesh = run_tetgen(*welded, max_volume, options, options.time_limit_s - used, progress);
+        auto mesh = run_tetgen(*facets, flat, max_volume, options, options.time_limit_s - used, progress);
+        if (!mesh && !best && facets->inner.cols() > 0 && flat == FlatFacets::joined && !progress.cancelled()) {
+            flat = FlatFacets::kept;
+            mesh = run_tetgen(*facets, flat, max_volume, options, options.time_limit_s - watch.seconds(), progress);
+        }
         if (!mesh && best && !progress.cancelled()) break;
         if (!mesh) return mesh.error();
         if (!options.edge || options.max_volume) {

@@ -7,8 +7,9 @@
 
 namespace myo {
 
-/// What the mesher and its worker process hand each other in files: plain native numbers, written and read by one machine.
-/// Request: points 3n, triangles 3m, hole points 3k. Answer: points 3n, tetrahedra 4m, no holes.
+/// What the mesher and its worker process hand each other in files: plain native numbers, written and read by one
+/// machine. Request: points 3n, triangles 3m (those of the surface, then those across the inside), hole points 3k.
+/// Answer: points 3n, tetrahedra 4m, no holes.
 struct TetgenExchange {
     std::vector<double> points;
     std::vector<std::int32_t> cells;

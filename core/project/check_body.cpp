@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/text.hpp"
 #include "mesh/clipping.hpp"
 #include "mesh/face_shape.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
+#include "mesh/winding_number.hpp"
 #include "project/read_experiment.hpp"
 
 namespace myo {
@@ -21,18 +21,6 @@ Eigen::Matrix3d corners(const SurfaceMesh& surface, Eigen::Index triangle) {
     Eigen::Matrix3d X;
     for (int i = 0; i < 3; ++i) X.col(i) = surface.vertices.col(surface.triangles(i, triangle));
     return X;
-}
-
-// Times the surface winds round the point: 1 inside, 0 outside. Solid angles after Van Oosterom & Strackee 1983.
-double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point) {
-    double angle = 0.0;
-    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
-        const Eigen::Matrix3d X = corners(surface, t).colwise() - point;
-        const Eigen::Vector3d a = X.col(0), b = X.col(1), c = X.col(2);
-        const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return angle / (4.0 * std::numbers::pi);
 }
 
 class BodyCheck {

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/region_facets.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "mesh/voxel_mesh.hpp"
 
@@ -90,16 +91,44 @@ Result<VolumeMesh> truncated_mesh(const SurfaceMesh& surface, double edge, const
     return voxelize(surface, options, progress);
 }
 
-Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double edge, Voxels voxels, const std::vector<Box>& regions,
-                             const Progress& progress) {
+std::string not_conforming(const std::string& reason, double edge) {
+    return "the tetrahedra do not meet the faces of the clamp box (" + reason + "): the clamp may hold up to a cell, " +
+           format_number(1e3 * edge, 3) +
+           " mm, less than declared; choose shorter edges (--resolution) or move the box";
+}
+
+/// Tetrahedra that meet the regions' faces; where that fails or takes many times the cells, without them and with a
+/// warning.
+Result<VolumeMesh> tetrahedral_mesh(const SurfaceMesh& surface, CellType type, double edge,
+                                    const std::vector<Box>& regions, const Progress& progress,
+                                    std::vector<std::string>& warnings) {
+    // Slices much thinner than an edge, between a clamp's face and one of the body, can take a hundred times the cells.
+    constexpr double doubtful_growth = 2.5, refused_growth = 4.0;
+    TetOptions options;
+    options.type = type;
+    options.edge = edge;
+    if (cut_by_regions(bounding_box(surface.vertices), regions, edge)) options.regions = regions;
+    Result<VolumeMesh> mesh = tetrahedralize(surface, options, progress);
+    if (options.regions.empty() || progress.cancelled()) return mesh;
+    const auto count = [](const VolumeMesh& m) { return static_cast<double>(m.cell_count()); };
+    if (mesh && count(*mesh) < doubtful_growth * estimate_counts(surface, type, edge).cells) return mesh;
+    options.regions.clear();
+    Result<VolumeMesh> plain = tetrahedralize(surface, options, progress);
+    if (mesh && (!plain || count(*mesh) < refused_growth * count(*plain))) return mesh;
+    if (!plain) return plain;
+    const std::string reason =
+        mesh ? "it would take " + format_number(count(*mesh) / count(*plain), 2) + " times the cells"
+             : mesh.error().what;
+    warnings.push_back(not_conforming(reason, edge));
+    return plain;
+}
+
+Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double edge, Voxels voxels,
+                             const std::vector<Box>& regions, const Progress& progress,
+                             std::vector<std::string>& warnings) {
     if (type == CellType::hex8 && voxels == Voxels::truncated) return truncated_mesh(surface, edge, regions, progress);
+    if (type != CellType::hex8) return tetrahedral_mesh(surface, type, edge, regions, progress, warnings);
     const Box bounds = bounding_box(surface.vertices);
-    if (type != CellType::hex8) {
-        TetOptions options;
-        options.type = type;
-        options.edge = edge;
-        return tetrahedralize(surface, options, progress);
-    }
     GridPlanes planes;
     if (is_rectilinear(surface)) planes = face_planes(surface, edge);
     add_region_planes(regions, bounds, edge, planes);
@@ -166,7 +195,8 @@ Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& reque
     const Box bounds = bounding_box(surface.vertices);
     if (result.resolution_m > bounds.size().maxCoeff())
         return Error{"cells of " + format_number(1e3 * result.resolution_m, 4) + " mm are larger than the body, " + size_in_mm(bounds) + " mm; the number is in metres", "--resolution"};
-    Result<VolumeMesh> mesh = make_mesh(surface, type, result.resolution_m, request.voxels, regions, progress);
+    Result<VolumeMesh> mesh =
+        make_mesh(surface, type, result.resolution_m, request.voxels, regions, progress, result.warnings);
     if (!mesh) return mesh.error();
     result.mesh = std::move(*mesh);
     if (type == CellType::hex8 && request.voxels == Voxels::truncated) {

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mesh/box_mesh.hpp"
 #include "mesh/region.hpp"
+#include "mesh/test_surfaces.hpp"
 
 namespace myo {
 namespace {
@@ -40,6 +43,27 @@ TEST(HeldPart, OfAThinBoxIsTheFace) {
         const double along = std::round(0.1 / edge), across = std::round(0.03 / edge);
         EXPECT_EQ(static_cast<double>(mesh->mesh.cell_count()), along * across * across) << "no extra layer at the clamp";
     }
+}
+
+/// A clamp whose face lies within a body of tetrahedra holds what it declares; one a hair beside a face of the body is
+/// told of.
+TEST(MeshBody, OfTetrahedraMeetsTheClamp) {
+    const SurfaceMesh bar = box_surface({{0, 0, 0}, {0.125, 0.02, 0.02}});
+    const Box held{{-1, -1, -1}, {0.025, 1, 1}};
+    const Result<StudyMesh> mesh = mesh_body(bar, {ElementKind::tet10, {}}, {held});
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    EXPECT_TRUE(mesh->warnings.empty());
+    double reach = 0.0;
+    for (const int node : nodes_in_box(mesh->mesh, held)) reach = std::max(reach, mesh->mesh.nodes(0, node));
+    EXPECT_NEAR(reach, 0.025, 1e-9);
+    EXPECT_NEAR(volume_fractions(mesh->mesh, held).dot(cell_volumes(mesh->mesh)), 1e-5, 1e-12);
+
+    const Result<StudyMesh> hair =
+        mesh_body(test::l_shape(), {ElementKind::tet10, 0.004}, {{{-1, -1, -1}, {0.0099, 1, 1}}});
+    ASSERT_TRUE(hair) << hair.error().text();
+    ASSERT_EQ(hair->warnings.size(), 1u);
+    EXPECT_THAT(hair->warnings[0], HasSubstr("do not meet the faces of the clamp box (it would take"));
+    EXPECT_LT(hair->mesh.node_count(), 2000);
 }
 
 /// The paper's meshes of the beam: 100 mm over an edge of 4.2553 mm is 23.5, over 3.0395 mm 32.9.

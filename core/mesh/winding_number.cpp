@@ -1,0 +1,23 @@
+#include "mesh/winding_number.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+namespace myo {
+
+double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point) {
+    double angle = 0.0;
+    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+        const auto corner = [&](int i) -> Eigen::Vector3d {
+            return surface.vertices.col(surface.triangles(i, t)) - point;
+        };
+        const Eigen::Vector3d a = corner(0), b = corner(1), c = corner(2);
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return angle / (4.0 * std::numbers::pi);
+}
+
+}  // namespace myo
