@@ -69,7 +69,7 @@ void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector
 Result<Study> refined_study(const Study& study, double ratio, const Progress& progress) {
     StudySettings settings = study.settings;
     settings.mesh.element = study.mesh.element;
-    settings.mesh.resolution_m = ratio * study.mesh.resolution_m;
+    settings.mesh.refinement *= ratio;
     return prepare_study(study.experiment, settings, progress);
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 int cell_count(double extent, double edge) { return static_cast<int>(std::clamp(std::round(extent / edge), 1.0, 1e9)); }
 
-std::vector<double> axis_lines(double lowest, double highest, double edge, std::vector<double> planes) {
+// Coordinates of the planes that the grid meets, its ends included.
+std::vector<double> axis_stops(double lowest, double highest, std::vector<double> planes) {
     const double same = 1e-6 * (highest - lowest);
     std::sort(planes.begin(), planes.end());
     std::vector<double> stops{lowest};
@@ -22,14 +23,33 @@ std::vector<double> axis_lines(double lowest, double highest, double edge, std::
         if (plane > stops.back() + same && plane < highest - same) stops.push_back(plane);
     }
     stops.push_back(highest);
+    return stops;
+}
 
-    std::vector<double> lines{lowest};
+int cells_between(const std::vector<double>& stops, std::size_t i, int axis, const EdgeAt& edge) {
+    return cell_count(stops[i + 1] - stops[i], edge(axis, 0.5 * (stops[i] + stops[i + 1])));
+}
+
+std::vector<double> axis_lines(const std::vector<double>& stops, int axis, const EdgeAt& edge) {
+    std::vector<double> lines{stops.front()};
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-        const int n = cell_count(stops[i + 1] - stops[i], edge);
+        const int n = cells_between(stops, i, axis, edge);
         for (int k = 1; k < n; ++k) lines.push_back(stops[i] + (stops[i + 1] - stops[i]) * k / n);
         lines.push_back(stops[i + 1]);
     }
     return lines;
+}
+
+double expected_cells(const Box& box, const EdgeAt& edge, const GridPlanes& planes) {
+    double cells = 1.0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        const std::vector<double> stops = axis_stops(box.lowest[i], box.highest[i], planes[a]);
+        double along = 0.0;
+        for (std::size_t s = 0; s + 1 < stops.size(); ++s) along += cells_between(stops, s, static_cast<int>(a), edge);
+        cells *= along;
+    }
+    return cells;
 }
 
 Error too_many_cells(double edge, double cells, double max_cells) {
@@ -58,21 +78,28 @@ Eigen::Vector3i box_cells(const Box& box, double edge) {
 
 GridLines grid_lines(const Box& box, double edge, const GridPlanes& planes) {
     assert(edge > 0.0);
+    return grid_lines(
+        box, [=](int, double) { return edge; }, planes);
+}
+
+GridLines grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes) {
     GridLines grid;
     for (std::size_t a = 0; a < 3; ++a) {
         const auto i = static_cast<Eigen::Index>(a);
-        grid.axis[a] = axis_lines(box.lowest[i], box.highest[i], edge, planes[a]);
+        grid.axis[a] = axis_lines(axis_stops(box.lowest[i], box.highest[i], planes[a]), static_cast<int>(a), edge);
     }
     return grid;
 }
 
 Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes, double max_cells) {
-    const double expected = box_cells(box, edge).cast<double>().prod();
-    if (expected > max_cells) return too_many_cells(edge, expected, max_cells);
-    GridLines grid = grid_lines(box, edge, planes);
-    const double cells = grid.cells().cast<double>().prod();   // planes may cut it finer
-    if (cells > max_cells) return too_many_cells(edge, cells, max_cells);
-    return grid;
+    return limited_grid_lines(
+        box, [=](int, double) { return edge; }, planes, max_cells);
+}
+
+Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes, double max_cells) {
+    const double cells = expected_cells(box, edge, planes);
+    if (cells > max_cells) return too_many_cells(edge(0, 0.5 * (box.lowest[0] + box.highest[0])), cells, max_cells);
+    return grid_lines(box, edge, planes);
 }
 
 Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest, double max_cells) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,11 +34,19 @@ Eigen::Vector3i box_cells(const Box& box, double edge);
 /// flat cells: that is the caller's choice.
 GridLines grid_lines(const Box& box, double edge, const GridPlanes& planes = {});
 
+/// Edge length [m] aimed at along an axis at a coordinate.
+using EdgeAt = std::function<double(int axis, double at)>;
+
+/// The same with an edge length of its own between any two planes, that in the middle between them.
+GridLines grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes = {});
+
 /// More cells than this are taken for a slip of the keyboard: they would fill the memory.
 inline constexpr double most_grid_cells = 2e6;
 
 /// grid_lines(), refused before it takes memory when the whole grid would have more than max_cells.
 /// Error: that many cells.
+Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes = {},
+                                     double max_cells = most_grid_cells);
 Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes = {}, double max_cells = most_grid_cells);
 
 /// Cubes of exactly `edge`, as many as fit whole: floor(extent / edge) per axis. They begin at the box's lowest side, or end at

@@ -1,7 +1,5 @@
 #include "project/study_mesh.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,36 +24,6 @@ constexpr NameTable<Voxels, 2> voxel_kinds{{{
 std::string size_in_mm(const Box& box) {
     const Eigen::Vector3d mm = 1e3 * box.size();
     return format_number(mm(0), 4) + " x " + format_number(mm(1), 4) + " x " + format_number(mm(2), 4);
-}
-
-/// The axis that a triangle is normal to, or -1. Slivers without area have none that matters: 3.
-int normal_axis(const SurfaceMesh& surface, Eigen::Index t) {
-    const auto corner = [&](int i) { return Eigen::Vector3d(surface.vertices.col(surface.triangles(i, t))); };
-    const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-    const double area = normal.norm();
-    const double edge = std::max((corner(1) - corner(0)).norm(), (corner(2) - corner(0)).norm());
-    if (area <= 1e-9 * edge * edge) return 3;
-    for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(normal(axis)) > (1.0 - 1e-6) * area) return axis;
-    return -1;
-}
-
-/// Coordinates of the surface's axis-aligned faces, joined when nearer than a hundredth of the edge length.
-GridPlanes face_planes(const SurfaceMesh& surface, double edge) {
-    GridPlanes planes;
-    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
-        const int axis = normal_axis(surface, t);
-        if (axis < 0 || axis > 2) continue;
-        planes[static_cast<std::size_t>(axis)].push_back(surface.vertices(axis, surface.triangles(0, t)));
-    }
-    for (std::vector<double>& list : planes) {
-        std::sort(list.begin(), list.end());
-        std::vector<double> distinct;
-        for (const double p : list)
-            if (distinct.empty() || p - distinct.back() > 0.01 * edge) distinct.push_back(p);
-        list = std::move(distinct);
-    }
-    return planes;
 }
 
 void add_region_planes(const std::vector<Box>& regions, const Box& bounds, double edge, GridPlanes& planes) {
@@ -123,23 +91,19 @@ Result<VolumeMesh> tetrahedral_mesh(const SurfaceMesh& surface, CellType type, d
     return plain;
 }
 
-Result<VolumeMesh> make_mesh(const SurfaceMesh& surface, CellType type, double edge, Voxels voxels,
-                             const std::vector<Box>& regions, const Progress& progress,
-                             std::vector<std::string>& warnings) {
-    if (type == CellType::hex8 && voxels == Voxels::truncated) return truncated_mesh(surface, edge, regions, progress);
-    if (type != CellType::hex8) return tetrahedral_mesh(surface, type, edge, regions, progress, warnings);
+/// Hexahedra that meet the body's own axis-aligned faces and the regions'.
+Result<VolumeMesh> fitted_mesh(const SurfaceMesh& surface, double edge, const EdgeAt& edge_at,
+                               const std::vector<Box>& regions, const Progress& progress) {
     const Box bounds = bounding_box(surface.vertices);
     GridPlanes planes;
     if (is_rectilinear(surface)) planes = face_planes(surface, edge);
     add_region_planes(regions, bounds, edge, planes);
-    if (const std::optional<Box> box = is_box(surface)) {
-        const Result<GridLines> grid = limited_grid_lines(*box, edge, planes);
-        if (!grid) return grid.error();
-        return hex_mesh(*grid);
-    }
+    const std::optional<Box> box = is_box(surface);
+    Result<GridLines> grid = limited_grid_lines(box.value_or(bounds), edge_at, planes);
+    if (!grid) return grid.error();
+    if (box) return hex_mesh(*grid);
     VoxelOptions options;
-    options.edge = edge;
-    options.planes = planes;
+    options.grid = std::move(*grid);
     return voxelize(surface, options, progress);
 }
 
@@ -160,20 +124,6 @@ Box box_on_mesh(const StudyMesh& mesh, const Box& declared) {
     return {point_on_mesh(mesh, declared.lowest), point_on_mesh(mesh, declared.highest)};
 }
 
-bool is_rectilinear(const SurfaceMesh& surface) {
-    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)
-        if (normal_axis(surface, t) < 0) return false;
-    return true;
-}
-
-ElementKind automatic_element(const SurfaceMesh& surface) {
-    return is_rectilinear(surface) ? ElementKind::hex8 : ElementKind::tet10;
-}
-
-double automatic_resolution(const SurfaceMesh& surface, CellType type) {
-    return std::cbrt(enclosed_volume(surface)) / (type == CellType::hex8 ? 6.0 : 3.0);
-}
-
 Box held_part(const Box& clamp, const Box& body) {
     Box part = clamp;
     for (int axis = 0; axis < 3; ++axis) {
@@ -190,16 +140,27 @@ Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& reque
     StudyMesh result;
     result.element = request.element.value_or(automatic_element(surface));
     const CellType type = cell_type(result.element);
-    result.resolution_m = request.resolution_m.value_or(automatic_resolution(surface, type));
+    const double automatic_edge = automatic_resolution(surface, type);
+    // The automatic edge length stands for the automatic mesh, also where a person or a file repeats it.
+    const bool automatic = !request.resolution_m || std::abs(*request.resolution_m / automatic_edge - 1.0) < 1e-9;
+    result.resolution_m = request.refinement * request.resolution_m.value_or(automatic_edge);
     if (!(result.resolution_m > 0.0)) return Error{"the edge length must be positive", "--resolution"};
     const Box bounds = bounding_box(surface.vertices);
-    if (result.resolution_m > bounds.size().maxCoeff())
-        return Error{"cells of " + format_number(1e3 * result.resolution_m, 4) + " mm are larger than the body, " + size_in_mm(bounds) + " mm; the number is in metres", "--resolution"};
+    const double edge = result.resolution_m;
+    if (edge > bounds.size().maxCoeff())
+        return Error{"cells of " + format_number(1e3 * edge, 4) + " mm are larger than the body, " +
+                         size_in_mm(bounds) + " mm; the number is in metres",
+                     "--resolution"};
+    const EdgeAt uniform = [=](int, double) { return edge; };
+    const bool truncated = type == CellType::hex8 && request.voxels == Voxels::truncated;
     Result<VolumeMesh> mesh =
-        make_mesh(surface, type, result.resolution_m, request.voxels, regions, progress, result.warnings);
+        type != CellType::hex8 ? tetrahedral_mesh(surface, type, edge, regions, progress, result.warnings)
+        : truncated            ? truncated_mesh(surface, edge, regions, progress)
+        : automatic ? fitted_mesh(surface, edge, automatic_edges(surface, request.refinement), regions, progress)
+                    : fitted_mesh(surface, edge, uniform, regions, progress);
     if (!mesh) return mesh.error();
     result.mesh = std::move(*mesh);
-    if (type == CellType::hex8 && request.voxels == Voxels::truncated) {
+    if (truncated) {
         result.shrunk_from = bounding_box(surface.vertices);
         result.warnings.push_back("truncated voxels: the body is meshed as " + size_in_mm(bounding_box(result.mesh.nodes)) + " mm instead of " +
                                   size_in_mm(*result.shrunk_from));

@@ -9,6 +9,7 @@
 #include "fem/element_block.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
+#include "project/default_mesh.hpp"
 
 namespace myo {
 
@@ -25,8 +26,9 @@ bool parse_voxels(const std::string& id, Voxels& voxels);
 /// What is asked of the mesh; what is left open is chosen for the body.
 struct MeshRequest {
     std::optional<ElementKind> element;
-    std::optional<double> resolution_m;   // edge length
+    std::optional<double> resolution_m;  // edge length; left open, cells are finer across thin parts
     Voxels voxels = Voxels::fitted;
+    double refinement = 1.0;  // all edges times this, those that were left open as well
 };
 
 struct StudyMesh {
@@ -43,22 +45,13 @@ Eigen::Vector3d point_on_mesh(const StudyMesh& mesh, const Eigen::Vector3d& decl
 /// A box declared on the body, moved to the same part of a mesh that shrank; otherwise the box itself.
 Box box_on_mesh(const StudyMesh& mesh, const Box& declared);
 
-/// True when every triangle lies in a plane x, y or z = constant: such a body is filled by hexahedra exactly.
-bool is_rectilinear(const SurfaceMesh& surface);
-
-/// hex8 for rectilinear bodies, tet10 for all others.
-ElementKind automatic_element(const SurfaceMesh& surface);
-
-/// Edge length that resolves the body with about a thousand unknowns [m]: the cube root of its volume over 6 (hexahedra) or 3.
-double automatic_resolution(const SurfaceMesh& surface, CellType type);
-
 /// The part of a body that a clamp box holds. A box that reaches less than a hundredth of the body's extent into it from one
 /// side is there to select that side's face: it ends at the face, or a finer mesh would hold more of the body than a coarse one.
 Box held_part(const Box& clamp, const Box& body);
 
-/// Meshes a closed surface. Hexahedra get grid planes at the body's own axis-aligned faces and at the clamp's, so that
-/// dimensions and support are met exactly. Truncated ones start at the face that a region holds, or at the lowest.
-/// Errors: those of the meshers.
+/// Meshes a closed surface. Hexahedra get grid planes at the body's own axis-aligned faces and at the regions', so that
+/// dimensions and support are met exactly; tetrahedra meet the regions' faces. Truncated ones start at the face that a
+/// region holds, or at the lowest. Errors: those of the meshers.
 Result<StudyMesh> mesh_body(const SurfaceMesh& surface, const MeshRequest& request, const std::vector<Box>& regions,
                             const Progress& progress = {});
 
