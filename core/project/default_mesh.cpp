@@ -232,6 +232,7 @@ ElementKind automatic_element(const SurfaceMesh& surface) {
 
 double automatic_resolution(const SurfaceMesh& surface, CellType type) {
     const double edge = plain_resolution(surface, type);
+    if (!(edge > 0.0)) return edge;  // nothing is enclosed: the mesher says so
     return type == CellType::hex8 ? hexahedra_resolution(edge, body_slices(surface, edge))
                                   : tetrahedra_resolution(edge, surface);
 }

@@ -9,6 +9,7 @@
 #include "measurement/noise.hpp"
 #include "mesh/region.hpp"
 #include "project/check_body.hpp"
+#include "project/mesh_suitability.hpp"
 #include "project/muscle_groups.hpp"
 #include "project/read_experiment.hpp"
 #include "project/read_trial.hpp"
@@ -206,6 +207,8 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     if (!mesh) return mesh.error();
     study.mesh = std::move(*mesh);
     study.warnings.insert(study.warnings.end(), study.mesh.warnings.begin(), study.mesh.warnings.end());
+    const std::vector<std::string> unfit = unsuitable({study.surface, study.mesh, experiment.effects});
+    study.warnings.insert(study.warnings.end(), unfit.begin(), unfit.end());
     const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, box_on_mesh(study.mesh, held));
     if (clamped.empty())
         return declaration_error(experiment, "clamp.box_m", "no node of the mesh lies in the box; choose a finer resolution or a deeper box");

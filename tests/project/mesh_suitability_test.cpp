@@ -1,0 +1,86 @@
+#include "project/mesh_suitability.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mesh/test_surfaces.hpp"
+
+namespace myo {
+namespace {
+
+using testing::HasSubstr;
+
+struct Checked {
+    SurfaceMesh surface;
+    StudyMesh mesh;
+    std::vector<EffectDeclaration> effects;
+
+    MeshFacts facts() const { return {surface, mesh, effects}; }
+};
+
+Checked checked(const SurfaceMesh& surface, const MeshRequest& request, const std::vector<Box>& regions = {}) {
+    Result<StudyMesh> mesh = mesh_body(surface, request, regions);
+    EXPECT_TRUE(mesh);
+    return {surface, mesh ? *mesh : StudyMesh{}, {}};
+}
+
+const SurfaceMesh thin_plate = box_surface({{0, 0, 0}, {0.1, 0.05, 0.005}}),
+                  square_bar = box_surface({{0, 0, 0}, {0.1, 0.02, 0.02}});
+
+TEST(Suitability, SaysNothingOfDefaultMeshes) {
+    const SurfaceMesh column = box_surface({{0, 0, 0}, {0.005, 0.005, 0.1}});
+    for (const SurfaceMesh& body : {thin_plate, square_bar, column, test::l_shape()})
+        for (const ElementKind element : {ElementKind::hex8, ElementKind::tet10})
+            EXPECT_THAT(unsuitable(checked(body, {element, {}}).facts()), testing::IsEmpty()) << to_string(element);
+}
+
+TEST(Suitability, TellsOfOneLayer) {
+    const Checked one = checked(thin_plate, {ElementKind::hex8, 0.005});
+    ASSERT_TRUE(too_few_layers(one.facts()));
+    EXPECT_THAT(*too_few_layers(one.facts()), HasSubstr("1 layer of hexahedra across 5 mm along z, fewer than 2"));
+    EXPECT_THAT(*too_few_layers(one.facts()), HasSubstr("choose --resolution 0.0025 or less"));
+    EXPECT_FALSE(too_few_layers(checked(thin_plate, {ElementKind::hex8, 0.0025}).facts()));
+    // Voxels of a slanted plate have no layers to count: the edge is compared with the thickness.
+    SurfaceMesh slanted = thin_plate;
+    slanted.vertices.row(0) += 0.2 * slanted.vertices.row(2);
+    EXPECT_TRUE(too_few_layers(checked(slanted, {ElementKind::hex8, 0.005}).facts()));
+    EXPECT_FALSE(too_few_layers(checked(slanted, {ElementKind::hex8, 0.00245}).facts()));
+}
+
+TEST(Suitability, TellsOfRodsThatTwistTooLittle) {
+    const Checked coarse = checked(square_bar, {ElementKind::hex8, 0.01});
+    ASSERT_TRUE(too_few_cells_to_twist(coarse.facts()));
+    EXPECT_THAT(*too_few_cells_to_twist(coarse.facts()), HasSubstr("2 layers of hexahedra across 20 mm"));
+    EXPECT_THAT(*too_few_cells_to_twist(coarse.facts()), HasSubstr("torsion may be off by 15 %"));
+    EXPECT_FALSE(too_few_cells_to_twist(checked(square_bar, {ElementKind::hex8, 0.0066}).facts()));
+    EXPECT_FALSE(too_few_cells_to_twist(checked(thin_plate, {ElementKind::hex8, 0.0025}).facts()));
+}
+
+TEST(Suitability, TellsOfFlatCells) {
+    const SurfaceMesh sheet = box_surface({{0, 0, 0}, {0.1, 0.1, 0.0005}});
+    ASSERT_TRUE(cells_too_flat(checked(sheet, {ElementKind::hex8, 0.006}).facts()));
+    EXPECT_THAT(*cells_too_flat(checked(sheet, {ElementKind::hex8, 0.006}).facts()),
+                HasSubstr("longer than 10 times their height, up to 11.8 times"));
+    EXPECT_FALSE(cells_too_flat(checked(thin_plate, {ElementKind::hex8, 0.005}).facts()));
+}
+
+TEST(Suitability, TellsOfAPatchBelowTheEdgeLength) {
+    Checked body = checked(square_bar, {});
+    body.effects = {{"soft_patch",
+                     {{"relative_change", -0.3},
+                      {"centre_m", Eigen::VectorXd(Eigen::Vector3d(0.05, 0.01, 0.01))},
+                      {"radius_m", 0.002}}}};
+    ASSERT_TRUE(patch_too_small(body.facts()));
+    EXPECT_THAT(*patch_too_small(body.facts()), HasSubstr("its radius of 2 mm is below the mesh's edge length of "));
+    body.effects[0].parameters["radius_m"] = 0.01;
+    EXPECT_FALSE(patch_too_small(body.facts()));
+}
+
+TEST(Suitability, TellsOfVolumeThatVoxelsMiss) {
+    const Checked ball = checked(test::cylinder(24, 0.015, 0.06), {ElementKind::hex8, 0.005});
+    EXPECT_THAT(testing::PrintToString(ball.mesh.warnings),
+                HasSubstr("more than 1 %: choose shorter edges or tetrahedra"));
+}
+
+}  // namespace
+}  // namespace myo
