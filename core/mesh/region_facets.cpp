@@ -23,7 +23,7 @@ using DirectedEdges = std::vector<std::pair<int, int>>;
 struct FacetTolerances {
     double bounds = 0.1;   // a plane and the body's bounds, as for the planes of a hexahedral grid
     double vertex = 0.01;  // a plane and a vertex; also how far the surface may move
-    double volume = 1e-3;  // relative change of the body's volume that is refused
+    double volume = 3e-3;  // relative change of the body's volume that is refused
 };
 constexpr FacetTolerances tolerances;
 
@@ -51,11 +51,17 @@ GridPlanes cutting_planes(const std::vector<Box>& regions, const Box& bounds, do
     return planes;
 }
 
-Box hull(const std::vector<Box>& regions) {
+// Where the surface must be cut: all regions, without end where they end at the body's bounds and no plane is cut.
+Box cut_range(const std::vector<Box>& regions, const Box& bounds, double edge) {
+    const double near = tolerances.bounds * edge, far = std::numeric_limits<double>::infinity();
     Box all = regions.front();
     for (const Box& region : regions) {
         all.lowest = all.lowest.cwiseMin(region.lowest);
         all.highest = all.highest.cwiseMax(region.highest);
+    }
+    for (int a = 0; a < 3; ++a) {
+        if (all.lowest(a) <= bounds.lowest(a) + near) all.lowest(a) = -far;
+        if (all.highest(a) >= bounds.highest(a) - near) all.highest(a) = far;
     }
     return all;
 }
@@ -265,7 +271,7 @@ Result<RegionFacets> region_facets(const SurfaceMesh& surface, const std::vector
     for (int axis = 0; axis < 3; ++axis)
         for (const double at : planes[static_cast<std::size_t>(axis)]) {
             cut = snapped_to_plane(std::move(cut), {axis, at}, tolerances.vertex * edge);
-            cut = cut_by_plane(cut, {axis, at}, hull(regions));
+            cut = cut_by_plane(cut, {axis, at}, cut_range(regions, bounds, edge));
         }
     cut = without_short_edges(cut, planes, edge, tolerances.vertex * edge);
     const double volume = enclosed_volume(surface);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "mesh/contour_fill.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
@@ -122,6 +124,18 @@ TEST(RegionFacets, MeetFacesThatLieInThePlaneOrNearIt) {
     for (const double at : {0.01, 0.01 + 1e-9, 0.01 - 2e-5})
         expect_conforming(l, {below(0, at)}, 0.004, {.volume = 1e-3});
     expect_conforming(l, {{{-far_away, -far_away, -far_away}, {0.01, 0.01, 0.005}}}, 0.004);
+}
+
+/// A box that ends a hair inside the body's bounds ends there: the section is filled to the surface.
+TEST(RegionFacets, ReachTheSurfaceWhereABoxNearlyDoes) {
+    const auto facets = region_facets(box_surface(bar), {{{-1, -1, -1}, {0.03, 0.0198, 0.0199}}}, 0.009);
+    ASSERT_TRUE(facets) << facets.error().text();
+    double area = 0.0;
+    for (Eigen::Index t = 0; t < facets->inner.cols(); ++t) {
+        const auto corner = [&](int i) -> Eigen::Vector3d { return facets->surface.vertices.col(facets->inner(i, t)); };
+        area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).x();
+    }
+    EXPECT_NEAR(area, 4e-4, 1e-12);
 }
 
 TEST(RegionFacets, GoAroundCavities) {
