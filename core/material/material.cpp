@@ -15,4 +15,15 @@ TensorFunction Material::volume_measure(const Eigen::Matrix3d& F, bool with_hess
     return response.volume;
 }
 
+void Material::respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy, Matrix3<Pack>& stress) const {
+    LawResponse<Pack> response;
+    respond(F, mu, kappa, false, response);
+    energy = response.distortion.value;
+    stress = response.distortion.gradient;
+    if (!has_split()) return;
+    const ScalarFunctionOf<Pack> U = bulk(response.volume.value, kappa);
+    energy += U.value;
+    stress += response.volume.gradient * U.first;
+}
+
 }  // namespace myo

@@ -35,6 +35,16 @@ public:
         });
     }
 
+    void respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy, Matrix3<Pack>& stress) const override {
+        const Matrix3<Pack> C = cofactor(F);
+        const Pack J = F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0), inverse = 1.0 / J;
+        const Pack I1 = double_dot(F, F), cube_root = inverse_cube_root(J), scale = mu * cube_root * cube_root;
+        const Pack of_cofactor = 0.5 * kappa * (J - inverse) - scale * I1 * (1.0 / 3.0) * inverse;
+        energy = 0.5 * (scale * I1 - 3.0 * mu) + 0.25 * kappa * (J * J - 1.0 - 2.0 * logarithm(J));
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) stress(i, j) = scale * F(i, j) + of_cofactor * C(i, j);
+    }
+
     template <class T>
     static ScalarFunctionOf<T> bulk_at(const T& theta, const T& kappa) {
         const T J = T(1.0) + theta, inverse = T(1.0) / J;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "material/catalogue.hpp"
@@ -45,6 +46,36 @@ TEST(Packs, LanesAgreeWithSinglePoints) {
                     EXPECT_NEAR(static_cast<double>(U.second[l]), u.second, 1e-13);
                 }
             }
+}
+
+/// Both parts of a law at once.
+TEST(Packs, WholeLawIsTheSumOfItsParts) {
+    const std::vector<Matrix3d> samples = test::sample_deformations();
+    for (const MaterialPointer& law : material_catalogue())
+        for (const Matrix3d& sample : samples) {
+            Matrix3<Pack> F, stress;
+            for (int lane = 0; lane < pack_width; ++lane) set_lane(F, lane, sample);
+            Pack energy;
+            law->respond_whole(F, Pack(0.7), Pack(2.3), energy, stress);
+            LawResponse<double> parts;
+            law->respond(sample, 0.7, 2.3, false, parts);
+            double value = parts.distortion.value;
+            Matrix3d P = parts.distortion.gradient;
+            if (law->has_split()) {
+                const ScalarFunction U = law->bulk(parts.volume.value, 2.3);
+                value += U.value;
+                P += U.first * parts.volume.gradient;
+            }
+            EXPECT_NEAR(static_cast<double>(energy[0]), value, 1e-13 * (1.0 + std::abs(value))) << law->id();
+            EXPECT_LT((lane_of(stress, 0) - P).norm(), 1e-12 * (1.0 + P.norm())) << law->id();
+        }
+}
+
+TEST(Packs, LogarithmIsExactOverManyDecades) {
+    for (double J = 1e-12; J < 1e12; J *= 3.7) EXPECT_NEAR(static_cast<double>(logarithm(Pack(J))[0]), std::log(J), 1e-15 * std::abs(std::log(J)) + 1e-15) << J;
+    for (const double e : {-1e-3, -1e-9, 1e-12, 2e-6, 0.3}) EXPECT_NEAR(static_cast<double>(logarithm(Pack(1.0 + e))[0]), std::log(1.0 + e), 1e-15 * std::abs(e)) << e;
+    EXPECT_TRUE(std::isnan(static_cast<double>(logarithm(Pack(-1.0))[0])));
+    EXPECT_EQ(static_cast<double>(logarithm(Pack(0.0))[0]), -std::numeric_limits<double>::infinity());
 }
 
 TEST(Packs, InverseCubeRootIsExactOverManyDecadesAndNotANumberBelowZero) {
