@@ -21,7 +21,7 @@ struct FieldInput {
 
     const Eigen::Matrix3Xd& x() const { return motion.frames[frame]; }
     double time_s() const { return motion.frame_time_s(static_cast<Eigen::Index>(frame)); }
-    CellMeans means() const { return cell_means(*model, models->elements(), x(), activations(*model, time_s())); }
+    CellMeans means() const { return cell_means(*model, x(), activations(*model, time_s())); }
     VectorXd at_nodes(const VectorXd& cell_values) const { return myo::at_nodes(mesh, cell_values, cell_volumes(mesh)); }
 };
 
@@ -65,11 +65,6 @@ const std::vector<Field>& catalogue() {
 }
 
 }  // namespace
-
-const Elements& RunModels::elements() const {
-    std::call_once(made_, [this] { elements_ = make_elements(trials.front().body->mesh, trials.front().body->kind); });
-    return *elements_;
-}
 
 const std::vector<FieldKind>& field_catalogue() {
     static const std::vector<FieldKind> kinds = [] {

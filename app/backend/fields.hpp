@@ -1,11 +1,8 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
-#include <optional>
 
 #include "commands/backend.hpp"
-#include "fem/element_block.hpp"
 #include "model/model.hpp"
 
 namespace myo {
@@ -13,13 +10,6 @@ namespace myo {
 /// What the fields of a run are made from: the models of its trials, on one mesh.
 struct RunModels {
     std::vector<Model> trials;
-
-    /// Of their mesh; made when first asked for, from any thread.
-    const Elements& elements() const;
-
-private:
-    mutable std::once_flag made_;
-    mutable std::optional<Elements> elements_;
 };
 
 const std::vector<FieldKind>& field_catalogue();

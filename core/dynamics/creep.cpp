@@ -33,6 +33,7 @@ MatrixXd viscous_history(const Model& model, double f, const Eigen::Ref<const Ma
 double branch_energy(const Model& model, const Eigen::Matrix3Xd& x, const VectorXd& strain) {
     Stiffness branch;
     branch.fibres = false;
+    branch.viscous_factors = model.point_factors;
     for (const Moduli& m : model.moduli) branch.viscous.push_back({model.creep->modulus_ratio * m.mu, 0.0});
     const VectorXd dashpots = -strain.tail(strain.size() / 2);
     InternalInput input;   // a rate that is E - E_v, whose potential is the energy

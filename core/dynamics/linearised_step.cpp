@@ -32,7 +32,7 @@ const LinearisedStep::LinearStage& LinearisedStep::linear_stage(const Stage& sta
     Stage at_rest = static_stage(*solver_->model().body, time_s_);
     at_rest.inertia_1_s2 = stage.inertia_1_s2;
     at_rest.rate_factor_1_s = stage.rate_factor_1_s;
-    at_rest.rate_history = -stage.rate_factor_1_s * strains(*solver_->model().body, x_);
+    at_rest.rate_history = -stage.rate_factor_1_s * strains(solver_->model(), x_);
     if (solver_->model().creep) at_rest.rate_history = at_rest.rate_history.replicate(2, 1).eval();
     at_rest.velocity_history = -stage.rate_factor_1_s * x_;
     stages_.push_back({at_rest, solver_->hessian(at_rest, x_)});
@@ -46,7 +46,7 @@ Kinematics LinearisedStep::displaced(const Matrix3Xd& u) {
     s.v = Matrix3Xd::Zero(3, u.cols());
     const SymmetricSparse K = solver_->hessian(static_stage(body, time_s_), x_);
     s.force = scatter(body.pattern, -(K.selfadjointView<Eigen::Lower>() * gather(body.pattern, u)));
-    s.strain = strain_tangent(body, x_, u);
+    s.strain = strain_tangent(solver_->model(), x_, u);
     if (solver_->model().creep) s.strain = s.strain.replicate(2, 1).eval();
     s.rate = VectorXd::Zero(s.strain.size());
     return s;
@@ -65,7 +65,7 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
             load -= velocity_tangent(model, force_state(linear.stage, x_, v), stage.velocity_history);
         }
         solution.x = scatter(pattern, solver_->solve_linear(linear.hessian, linear.stage, x_, gather(pattern, load)));
-        solution.strain = strain_tangent(*model.body, x_, solution.x);
+        solution.strain = strain_tangent(model, x_, solution.x);
         if (model.creep) solution.strain = with_dashpots(*model.creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         return true;
     };

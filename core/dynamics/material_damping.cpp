@@ -8,7 +8,7 @@ double damping_factor(const Model& model, const Eigen::Matrix3Xd& x, const Natur
     Model viscous = model;
     viscous.creep.reset();   // its branch is no damping by this time
     viscous.damping_s = 1.0;
-    const Eigen::Matrix3Xd force = viscous_gradient(viscous, x, strain_tangent(*model.body, x, mode.shape));
+    const Eigen::Matrix3Xd force = viscous_gradient(viscous, x, strain_tangent(model, x, mode.shape));
     return force.cwiseProduct(mode.shape).sum() / (mode.omega_rad_s * mode.omega_rad_s);   // shape' M shape = 1
 }
 

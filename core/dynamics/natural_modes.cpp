@@ -55,7 +55,7 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
             result.residual = std::max(result.residual, error);
         }
         result.status = SolveStatus::not_converged;
-        if (result.residual > 1e-8) continue;
+        if (result.residual > 1e-7) continue;
         result.status = SolveStatus::converged;
         for (int j = 0; j < count; ++j) result.modes.push_back({std::sqrt(ritz.eigenvalues()(j)), scatter(pattern, V.col(j))});
         return result;

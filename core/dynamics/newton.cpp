@@ -50,8 +50,8 @@ bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double 
 
 bool mixed_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor, Matrix3Xd& x, StageReport& report) {
     const Model& model = problem.model();
-    const std::vector<Moduli>& moduli = problem.constants().stiffness.elastic;
-    VectorXd pressure = pressures(model, moduli, x);
+    const Stiffness& stiffness = problem.constants().stiffness;
+    VectorXd pressure = pressures(model, stiffness, x);
     Matrix3Xd best = x;
     double best_residual = std::numeric_limits<double>::infinity();
     int without_progress = 0;
@@ -82,7 +82,7 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
             continue;
         }
         const Matrix3Xd dx = scatter(problem.pattern(), step);
-        pressure = predicted_pressures(model, moduli, x, dx);
+        pressure = predicted_pressures(model, stiffness, x, dx);
         if (!pressure.allFinite()) break;
         x += dx;
     }

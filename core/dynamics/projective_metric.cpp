@@ -1,38 +1,45 @@
 #include "dynamics/projective_metric.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace myo {
 namespace {
 
-/// Adds the Laplacian of a block's points, weighted with their stiffness.
+/// Integral of the product of two nodes' shape gradients over the cell in a lane.
 template <int N, int Q>
-void add_laplacian(const PackedCells<N, Q>& cells, const Model& model, std::vector<Eigen::Triplet<double>>& entries) {
+double gradient_product(const PackGeometry<N, Q>& geometry, std::size_t lane, int a, int b) {
+    double sum = 0.0;
+    for (std::size_t q = 0; q < Q; ++q)
+        for (int j = 0; j < 3; ++j)
+            sum += static_cast<double>(geometry.weight[q][lane]) * static_cast<double>(geometry.gradient[q](a, j)[lane]) * static_cast<double>(geometry.gradient[q](b, j)[lane]);
+    return sum;
+}
+
+/// The mean gradient leaves four motions free; they get a stiffness of the same size.
+double gradient_product(const PackAssumedStrain& geometry, std::size_t lane, int a, int b) {
+    double sum = 0.0, half_edge_squared = 0.0;
+    for (int j = 0; j < 3; ++j) {
+        sum += static_cast<double>(geometry.gradient(a, j)[lane]) * static_cast<double>(geometry.gradient(b, j)[lane]);
+        half_edge_squared += std::pow(static_cast<double>(geometry.edges(j, 0)[lane]), 2);
+    }
+    for (int s = 0; s < 4; ++s) sum += static_cast<double>(geometry.gamma(a, s)[lane]) * static_cast<double>(geometry.gamma(b, s)[lane]) / half_edge_squared;
+    return static_cast<double>(geometry.volume[lane]) * sum;
+}
+
+/// Adds the Laplacian of a block's cells, weighted with their stiffness.
+template <class Geometry>
+void add_laplacian(const PackedCells<Geometry>& cells, const Model& model, std::vector<Eigen::Triplet<double>>& entries) {
     const std::vector<int>& free = model.body->pattern.free_index;
     for (int cell = 0; cell < cells.cell_count; ++cell) {
         const auto pack = static_cast<std::size_t>(cell / pack_width), lane = static_cast<std::size_t>(cell % pack_width);
         const Moduli& m = model.moduli[static_cast<std::size_t>(cell)];
         const double stiffness = 2.0 * m.mu + (m.kappa - 2.0 / 3.0 * m.mu);
-        const PackGeometry<N, Q>& geometry = cells.geometry[pack];
         const auto node = [&](int a) { return free[static_cast<std::size_t>(cells.lane_nodes[pack][static_cast<std::size_t>(a)][lane])]; };
-        for (int b = 0; b < N; ++b)
-            for (int a = 0; a < N; ++a) {
-                if (node(a) < 0 || node(b) < 0 || node(a) < node(b)) continue;
-                double sum = 0.0;
-                for (std::size_t q = 0; q < Q; ++q)
-                    for (int j = 0; j < 3; ++j)
-                        sum += static_cast<double>(geometry.weight[q][lane]) * static_cast<double>(geometry.gradient[q](a, j)[lane]) *
-                               static_cast<double>(geometry.gradient[q](b, j)[lane]);
-                if (!cells.hourglass.empty()) {
-                    // One point leaves the hourglass motions free; they get a stiffness of the same size.
-                    const PackHourglass& hourglass = cells.hourglass[pack];
-                    const double a2 = hourglass.half_length[0][lane] * hourglass.half_length[0][lane];
-                    for (int s = 0; s < 4; ++s)
-                        sum += static_cast<double>(geometry.volume[lane]) / a2 * static_cast<double>(hourglass.gamma(a, s)[lane]) *
-                               static_cast<double>(hourglass.gamma(b, s)[lane]);
-                }
-                entries.emplace_back(node(a), node(b), stiffness * sum);
-            }
+        for (int b = 0; b < Geometry::nodes; ++b)
+            for (int a = 0; a < Geometry::nodes; ++a)
+                if (node(a) >= 0 && node(b) >= 0 && node(a) >= node(b))
+                    entries.emplace_back(node(a), node(b), stiffness * gradient_product(cells.geometry(static_cast<int>(pack)), lane, a, b));
     }
 }
 

@@ -196,7 +196,7 @@ private:
         }
         if (!found) return false;
         step.resolved = step.resolved && continued && (solution.x - *continued).norm() < 0.1 * (solution.x - point_.state.x).norm();
-        solution.strain = strains(body, solution.x);
+        solution.strain = strains(model(), solution.x);
         if (model().creep) solution.strain = with_dashpots(*model().creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         past_.add(stage.time_s, solution.x);
         if (beside) aside_.add(stage.time_s, solution.x - *beside);

@@ -62,7 +62,7 @@ struct RunPoint {
     std::size_t step = 0;     // of step_ends(), those reached
     double time_s = 0.0;
     Kinematics state;
-    Eigen::VectorXd peak_energy_J_m3;   // per cell, of a body that softens: see raise_peaks()
+    Eigen::VectorXd peak_energy_J_m3;   // per point, of a body that softens: see raise_peaks()
 };
 
 /// Part of a run: from a point of it (null: from the start) until so many of step_ends() are reached.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/cell_energy.hpp"
+#include "model/point_energy.hpp"
 
 namespace myo {
 

@@ -19,7 +19,7 @@ StageSolver::StageSolver(const Model& model, SolverOptions options) : options_(o
 // The factor of earlier moduli stays: it is a metric and is renewed where it serves badly.
 void StageSolver::soften(const VectorXd& factors) {
     softening_ = factors;
-    constants_.stiffness.elastic = softened(model().moduli, factors);
+    constants_.stiffness.elastic_factors = times_factors(model().point_factors, factors);
 }
 
 bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matrix3Xd& x, StageReport& report) {

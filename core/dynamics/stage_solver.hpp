@@ -26,7 +26,7 @@ public:
     /// Solves end unconverged as soon as this is cancelled: within an evaluation of the forces, or a factorisation.
     void heed(const Progress& progress) { heeded_ = progress.with_sink({}); }
 
-    /// Cells whose elastic moduli are these parts of the model's from now on; empty: virgin ones, as at first.
+    /// The elastic moduli at the points are these parts of the model's from now on; empty: of virgin ones, as at first.
     void soften(const Eigen::VectorXd& factors);
     const Eigen::VectorXd& softening() const { return softening_; }
 

@@ -47,8 +47,8 @@ Matrix3Xd held_by(const Body& body, Matrix3Xd x) {
 }
 
 void set_start_strains(const Model& model, StartKind start, Kinematics& state) {
-    state.strain = strains(*model.body, state.x);
-    state.rate = strain_tangent(*model.body, state.x, state.v);
+    state.strain = strains(model, state.x);
+    state.rate = strain_tangent(model, state.x, state.v);
     if (model.creep) add_dashpots(*model.creep, start == StartKind::equilibrium, state);
 }
 
@@ -80,7 +80,7 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
 bool needs_euler(const Model& model, double h_s, Kinematics& state) {
     if (state.force.allFinite() && state.strain.allFinite()) return model.damping_s > 0.0 && tears(*model.body, state.v, h_s);
     state.force.setZero();
-    state.strain = strains(*model.body, model.body->mesh.nodes);
+    state.strain = strains(model, model.body->mesh.nodes);
     if (model.creep) state.strain = state.strain.replicate(2, 1).eval();
     state.rate.setZero();
     return true;

@@ -57,8 +57,8 @@ void add_work(const StageReport& before, StageReport& report) {
 StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     const std::optional<StressSoftening>& softening = solver.model().softening;
     if (!softening) return find_equilibrium(solver, time_s, x);
-    // Under dead loads the strain rises from iteration to iteration, so that the cells end as soft as their own largest energy asks for.
-    solver.soften(Eigen::VectorXd::Ones(solver.model().body->cell_count()));
+    // Under dead loads the strain rises from iteration to iteration, so that points end as soft as their own largest energy asks for.
+    solver.soften(Eigen::VectorXd::Ones(solver.model().body->point_count()));
     StageReport report;
     double change = 0.0;
     for (int iteration = 0; iteration < 200; ++iteration) {
@@ -74,7 +74,7 @@ StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3
         if (change < 1e-6) return report;
     }
     report.status = SolveStatus::not_converged;
-    report.message = "no equilibrium was found: the softening of the cells still changes by " + format_number(change, 2);
+    report.message = "no equilibrium was found: the softening still changes by " + format_number(change, 2);
     return report;
 }
 

@@ -30,12 +30,13 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
         nodes.row(along) = centre + (nodes.row(along).array() - centre) * (1.0 + k * (nodes.row(across).array() - middle));
     }
     auto bent = std::make_shared<Body>(*affected.model.body);
-    const PackedElements shapes = pack_elements(make_elements(free_cells, bent->kind));
+    const PackedElements shapes = pack_elements(make_elements(free_cells, bent->kind, bent->surroundings));
     std::visit(
         [&](auto& cells) {
             const auto& shape = std::get<std::decay_t<decltype(cells)>>(shapes);
-            cells.geometry = shape.geometry;
-            cells.hourglass = shape.hourglass;
+            cells.shapes = shape.shapes;
+            cells.shape_of_pack = shape.shape_of_pack;
+            cells.surroundings = shape.surroundings;
         },
         bent->cells);
     affected.model.body = bent;

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "effect/cell_stiffness.hpp"
 #include "effect/effects.hpp"
 
 namespace myo {
@@ -9,8 +8,8 @@ namespace {
 constexpr const char* rate = "rate_1_s";
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    const double factor = 1.0 + number(parameters, rate) * site.session_time_s;
-    scale_stiffness(site, [&](const Eigen::Vector3d&) { return factor; }, affected);
+    const double factor = std::max(0.01, 1.0 + number(parameters, rate) * site.session_time_s);
+    for (Moduli& m : affected.model.moduli) m = {factor * m.mu, factor * m.kappa};
 }
 
 double longest_time(const EffectSearch& search) {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "effect/cell_stiffness.hpp"
+#include "effect/point_stiffness.hpp"
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
 

@@ -1,7 +1,6 @@
 #include "fem/element_block.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <cassert>
 
@@ -50,43 +49,6 @@ ElementBlock<Shape::nodes, Q> gauss_block(const VolumeMesh& mesh, const std::vec
     return block;
 }
 
-/// Hourglass shapes at the corners: eta zeta, xi zeta, xi eta, xi eta zeta.
-Eigen::Matrix<double, 8, 4> hourglass_shapes() {
-    const auto& s = Hex8::corners();
-    Eigen::Matrix<double, 8, 4> h;
-    h.col(0) = s.col(1).cwiseProduct(s.col(2));
-    h.col(1) = s.col(0).cwiseProduct(s.col(2));
-    h.col(2) = s.col(0).cwiseProduct(s.col(1));
-    h.col(3) = h.col(2).cwiseProduct(s.col(2));
-    return h;
-}
-
-/// One point with the cell's mean gradient, so that the patch test holds for any cell shape.
-ElementBlock<8, 1> stabilised_hex_block(const VolumeMesh& mesh) {
-    const ElementBlock<8, 8> full = gauss_block<Hex8, 8>(mesh, hex_gauss(2), false);
-    const Eigen::Matrix<double, 8, 4> h = hourglass_shapes();
-    ElementBlock<8, 1> block;
-    block.cells = mesh.cells;
-    block.geometry.resize(full.geometry.size());
-    block.hourglass.resize(full.geometry.size());
-    for (std::size_t c = 0; c < full.geometry.size(); ++c) {
-        const auto X = cell_positions<8>(mesh, static_cast<Eigen::Index>(c));
-        auto& geometry = block.geometry[c];
-        geometry.volume = geometry.weight[0] = full.geometry[c].volume;
-        geometry.gradient[0].setZero();
-        for (std::size_t q = 0; q < 8; ++q) geometry.gradient[0] += full.geometry[c].weight[q] / geometry.volume * full.geometry[c].gradient[q];
-
-        auto& hourglass = block.hourglass[c];
-        hourglass.gamma = 0.125 * (h - geometry.gradient[0] * (X * h));
-        const Eigen::Matrix3d jacobian = X * Hex8::derivatives(Eigen::Vector3d::Zero());
-        hourglass.half_length = jacobian.colwise().norm().transpose();
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(jacobian * hourglass.half_length.cwiseInverse().asDiagonal(),
-                                                    Eigen::ComputeFullU | Eigen::ComputeFullV);
-        hourglass.frame = svd.matrixU() * svd.matrixV().transpose();
-    }
-    return block;
-}
-
 template <class Shape>
 void add_cell_mass(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule, std::vector<MassEntry>& entries) {
     constexpr int N = Shape::nodes;
@@ -127,21 +89,23 @@ ElementKind default_element(CellType type) {
     return ElementKind::hex8;
 }
 
-Elements make_elements(const VolumeMesh& mesh, ElementKind kind) {
+Elements make_elements(const VolumeMesh& mesh, ElementKind kind, const CellSurroundings& surroundings) {
     assert(mesh.type == cell_type(kind));
     switch (kind) {
         case ElementKind::hex8_mean_dilatation: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), true);
         case ElementKind::hex8_full: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), false);
         case ElementKind::tet10: {
             auto block = gauss_block<Tet10, 4>(mesh, tet_degree2(), true);
-            block.most_point_bulk_over_mu = 1.5;
+            const PointBulkPolicy policy;
+            block.point_bulk_over_mu.assign(static_cast<std::size_t>(mesh.cell_count()), policy.free);
+            for (std::size_t c = 0; c < surroundings.size(); ++c) block.point_bulk_over_mu[c] = policy.over_mu(surroundings[c].front());
             return block;
         }
         case ElementKind::tet10_full: return gauss_block<Tet10, 4>(mesh, tet_degree2(), false);
         case ElementKind::tet4: return gauss_block<Tet4, 1>(mesh, tet_centroid(), false);
         case ElementKind::hex8: break;
     }
-    return stabilised_hex_block(mesh);
+    return assumed_strain_block(mesh, surroundings);
 }
 
 std::vector<MassEntry> consistent_mass(const VolumeMesh& mesh) {

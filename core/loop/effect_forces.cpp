@@ -43,7 +43,7 @@ public:
         InternalInput input;
         input.stiffness = &stiffness_;
         input.activation = &activation;
-        const Eigen::VectorXd rate = strain_tangent(*model_.body, m.x, m.v);
+        const Eigen::VectorXd rate = strain_tangent(model_, m.x, m.v);
         input.rate = {0.0, &rate};
         InternalEnergy internal = internal_energy(model_, m.x, input, HessianKind::none);
         // The factor scales potentials of velocities, not their gradients.

@@ -7,10 +7,11 @@ BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>&
     body->mesh = std::move(mesh);
     body->boundary = boundary_faces(body->mesh);
     body->kind = kind;
-    body->cells = pack_elements(make_elements(body->mesh, kind));
     body->incidence = node_incidence(body->mesh);
     body->clamped.assign(static_cast<std::size_t>(body->mesh.node_count()), false);
     for (const int node : clamped_nodes) body->clamped[static_cast<std::size_t>(node)] = true;
+    body->surroundings = cell_surroundings(body->mesh, body->clamped);
+    body->cells = pack_elements(make_elements(body->mesh, kind, body->surroundings));
     body->pattern = block_pattern(body->mesh, body->clamped);
 
     std::vector<Eigen::Triplet<double>> triplets;
@@ -22,6 +23,7 @@ BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>&
         [&](const auto& cells) {
             body->volume_points_per_cell = cells.volumes_per_cell();
             body->strains_per_cell = cells.strains_per_cell();
+            body->points_per_cell = cells.points;
         },
         body->cells);
     return body;

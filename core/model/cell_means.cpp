@@ -8,6 +8,9 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "material/lanes.hpp"
+#include "model/cell_kernel.hpp"
+#include "model/pack_model.hpp"
 
 namespace myo {
 
@@ -22,6 +25,7 @@ struct CellIntegrals {
     Matrix3d kirchhoff = Matrix3d::Zero();   // of P F' [J]
     double volume = 0.0;                     // of J [m3]
     double stretch = 0.0;                    // of the largest stretch [m3]
+    double rest_volume = 0.0;                // [m3]
 };
 
 double largest_stretch(const Matrix3d& F) {
@@ -29,36 +33,45 @@ double largest_stretch(const Matrix3d& F) {
     return std::sqrt(std::max(0.0, C.eigenvalues()(2)));
 }
 
-template <int N, int Q>
-CellIntegrals integrals_of(const ElementBlock<N, Q>& block, int cell, const Model& model, const Matrix3Xd& x) {
+/// Writes the integrals of a pack's cells.
+template <class Geometry>
+void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x, std::vector<CellIntegrals>& result) {
     const Material& law = *model.material;
-    const Moduli& moduli = model.moduli[static_cast<std::size_t>(cell)];
-    const CellGeometry<N, Q>& geometry = block.geometry[static_cast<std::size_t>(cell)];
-    Eigen::Matrix<double, 3, N> nodes;
-    for (int a = 0; a < N; ++a) nodes.col(a) = x.col(block.cells(a, cell));
-    const bool mean = block.mean_volume && law.has_split();
-    // As the forces share it out: see ElementBlock::most_point_bulk_over_mu.
-    const double point_kappa = mean ? std::min(moduli.kappa, block.most_point_bulk_over_mu * moduli.mu) : moduli.kappa;
-    CellIntegrals result;
-    Matrix3d mean_part = Matrix3d::Zero();   // of d theta/dF F'
-    double mean_theta = 0.0;
-    LawResponse<double> response;
-    for (std::size_t q = 0; q < Q; ++q) {
-        const double weight = geometry.weight[q];
-        const Matrix3d F = nodes * geometry.gradient[q];
-        law.respond(F, moduli.mu, moduli.kappa, false, response);
-        Matrix3d P = response.distortion.gradient;
-        if (law.has_split() && (!mean || point_kappa > 0.0)) P += law.bulk(response.volume.value, point_kappa).first * response.volume.gradient;
+    const auto xe = nodes_of_pack(cells, pack, x);
+    const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
+    const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
+    const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
+    const double* factors = factors_of(cells, pack, model.point_factors);
+    const bool mean = cells.mean_volume && law.has_split();
+    const Pack volume = cells.geometry(pack).volume, point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
+    Matrix3<Pack> kirchhoff = zero_tensor(), mean_part = zero_tensor();   // of P F' and of d theta/dF F'
+    Pack mean_theta = 0.0, mean_factor = 0.0, now = 0.0;
+    LawResponse<Pack> response;
+    for (int q = 0; q < Geometry::points; ++q) {
+        const Pack weight = points.weight(q), factor = factors ? entry(factors, q) : Pack(1.0);
+        const Matrix3<Pack> F = points.gradient(q), F_transposed = F.transpose();
+        law.respond(F, mu * factor, kappa * factor, false, response);
+        Matrix3<Pack> P = response.distortion.gradient;
+        if (law.has_split()) P += response.volume.gradient * law.bulk(response.volume.value, point_kappa * factor).first;
         if (mean) {
-            mean_theta += weight / geometry.volume * response.volume.value;
-            mean_part += weight * response.volume.gradient * F.transpose();
+            mean_theta += weight / volume * response.volume.value;
+            mean_factor += weight / volume * factor;
+            mean_part += product(response.volume.gradient, F_transposed) * weight;
         }
-        result.kirchhoff += weight * P * F.transpose();
-        result.volume += weight * F.determinant();
-        result.stretch += weight * largest_stretch(F);
+        kirchhoff += product(P, F_transposed) * weight;
+        const Matrix3<Pack> C = cofactor(F);
+        now += weight * (F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0));
+        for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
+            result[static_cast<std::size_t>(pack * pack_width + lane)].stretch += static_cast<double>(weight[static_cast<std::size_t>(lane)]) * largest_stretch(lane_of(F, lane));
     }
-    if (mean) result.kirchhoff += law.bulk(mean_theta, moduli.kappa - point_kappa).first * mean_part;
-    return result;
+    if (mean) kirchhoff += mean_part * law.bulk(mean_theta, (kappa - point_kappa) * mean_factor).first;
+    for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
+        const auto l = static_cast<std::size_t>(lane);
+        CellIntegrals& cell = result[static_cast<std::size_t>(pack * pack_width + lane)];
+        cell.kirchhoff = lane_of(kirchhoff, lane);
+        cell.volume = now[l];
+        cell.rest_volume = volume[l];
+    }
 }
 
 /// Of the fibres, P F' = d psi/ds s' with s = F m, in every cell [J].
@@ -75,26 +88,21 @@ void add_fibres(const Model& model, const Eigen::MatrixXi& cells, const Matrix3X
 
 }  // namespace
 
-CellMeans cell_means(const Model& model, const Elements& elements, const Matrix3Xd& x, const std::vector<double>& activation) {
+CellMeans cell_means(const Model& model, const Matrix3Xd& x, const std::vector<double>& activation) {
     assert(x.cols() == model.body->node_count() && activation.size() == model.fibres->size());
     const int count = model.body->cell_count();
     std::vector<CellIntegrals> integrals(static_cast<std::size_t>(count));
-    VectorXd rest_volume(count);
-    std::visit([&](const auto& block) {
-        assert(block.cell_count() == count);
-        parallel_ranges(count, 256, [&](int first, int end) {
-            for (int cell = first; cell < end; ++cell) {
-                integrals[static_cast<std::size_t>(cell)] = integrals_of(block, cell, model, x);
-                rest_volume(cell) = block.geometry[static_cast<std::size_t>(cell)].volume;
-            }
+    std::visit([&](const auto& cells) {
+        parallel_ranges(cells.pack_count(), 32, [&](int first, int end) {
+            for (int pack = first; pack < end; ++pack) add_integrals(cells, pack, model, x, integrals);
         });
-    }, elements);
+    }, model.body->cells);
     add_fibres(model, model.body->mesh.cells, x, activation, integrals);
     CellMeans means{VectorXd(count), VectorXd(count), VectorXd(count)};
     for (int cell = 0; cell < count; ++cell) {
         const CellIntegrals& each = integrals[static_cast<std::size_t>(cell)];
         const Matrix3d cauchy = each.volume > 0.0 ? Matrix3d(each.kirchhoff / each.volume) : Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-        means.stretch(cell) = each.stretch / rest_volume(cell);
+        means.stretch(cell) = each.stretch / each.rest_volume;
         means.pressure_Pa(cell) = -cauchy.trace() / 3.0;
         means.von_mises_Pa(cell) = std::sqrt(1.5) * (cauchy + means.pressure_Pa(cell) * Matrix3d::Identity()).norm();
     }

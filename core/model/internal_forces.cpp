@@ -8,6 +8,7 @@
 #include "model/cell_kernel.hpp"
 #include "model/fibre_forces.hpp"
 #include "model/node_sums.hpp"
+#include "model/pack_model.hpp"
 #include "model/positive_part.hpp"
 
 namespace myo {
@@ -26,12 +27,6 @@ void for_each_pack(const Cells& cells, const Visit& visit) {
     });
 }
 
-/// f(cell) of the pack's cells; past the last cell, of the last.
-template <class Cells, class Value>
-Pack pack_of(const Cells& cells, int pack, const Value& value) {
-    return Pack([&](auto lane) { return value(static_cast<std::size_t>(std::min(pack * pack_width + static_cast<int>(lane), cells.cell_count - 1))); });
-}
-
 template <class Cells>
 PackInput pack_input(const Model& model, const Cells& cells, const InternalInput& input, int pack) {
     const Stiffness& stiffness = *input.stiffness;
@@ -39,13 +34,16 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     in.material = model.material.get();
     in.elastic = !stiffness.elastic.empty();
     in.viscous = !stiffness.viscous.empty() && input.rate.history != nullptr;
+    in.poissons_ratio = poissons_ratio_of(cells, pack, model);
     if (in.elastic) {
         in.mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].mu; });
         in.kappa = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].kappa; });
-        if (cells.mean_volume) in.point_bulk = point_bulk(cells, pack, model.moduli);
+        in.point_bulk = point_bulk(cells, pack, model.moduli);
+        in.elastic_factors = factors_of(cells, pack, stiffness.elastic_factors);
     }
     if (in.viscous) {
         in.viscous_mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.viscous[c].mu; });
+        in.viscous_factors = factors_of(cells, pack, stiffness.viscous_factors);
         in.rate_factor = input.rate.factor;
         in.rate_history = input.rate.history->data() + pack * cells.strains_per_cell() * pack_width;
     }
@@ -85,13 +83,13 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
 }
 
 /// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is evaluated.
-template <bool WithHessian, int N, int Q, class Output>
-void evaluate_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, int first, int end,
+template <bool WithHessian, class Geometry, class Output>
+void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, int first, int end,
                     std::vector<Pack>& forces, std::vector<Pack>& energies, const Output& output) {
+    constexpr int N = Geometry::nodes;
     for (int pack = first; pack < end; ++pack) {
         PackOutput<N>& result = output(pack);
-        const PackInput in = pack_input(model, cells, input, pack);
-        evaluate_pack<WithHessian>(cells, pack, gather_lanes<N>(cells.lane_nodes[static_cast<std::size_t>(pack)], x), in, result);
+        evaluate_pack<WithHessian>(cells, pack, nodes_of_pack(cells, pack, x), pack_input(model, cells, input, pack), result);
         energies[static_cast<std::size_t>(pack)] = result.energy;
         std::copy(result.gradient.data(), result.gradient.data() + 3 * N, forces.begin() + pack * 3 * N);
     }
@@ -99,10 +97,10 @@ void evaluate_packs(const PackedCells<N, Q>& cells, const Model& model, const Ma
 
 /// Cells' matrices are made side by side for as many packs as fit in a cache, then every thread adds those that fall in its
 /// columns, one after the other, so that sums do not depend on the number of threads.
-template <int N, int Q>
-void assemble_packs(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive,
+template <class Geometry>
+void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive,
                     std::vector<Pack>& forces, std::vector<Pack>& energies, SymmetricSparse& hessian) {
-    constexpr int packs_at_once = 32;
+    constexpr int packs_at_once = 32, N = Geometry::nodes;
     const BlockPattern& pattern = model.body->pattern;
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
@@ -120,8 +118,9 @@ void assemble_packs(const PackedCells<N, Q>& cells, const Model& model, const Ma
     }
 }
 
-template <int N, int Q>
-void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, HessianKind kind, InternalEnergy& out) {
+template <class Geometry>
+void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, HessianKind kind, InternalEnergy& out) {
+    constexpr int N = Geometry::nodes;
     static thread_local std::vector<Pack> forces, energies;   // kept, because this runs thousands of times a second
     std::vector<Pack>&force_field = forces, &energy_field = energies;   // of this thread, for all that help it
     force_field.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
@@ -138,28 +137,31 @@ void add_cells(const PackedCells<N, Q>& cells, const Model& model, const Matrix3
 }
 
 /// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
-template <int N, int Q>
-VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, const std::vector<Moduli>& moduli, const Matrix3Xd& x, const Matrix3Xd* dx) {
+template <class Geometry>
+VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, const Stiffness& stiffness, const Matrix3Xd& x, const Matrix3Xd* dx) {
+    constexpr int Q = Geometry::points;
     const int per_cell = cells.volumes_per_cell();
     VectorXd pressure = VectorXd::Zero(cells.pack_count() * per_cell * pack_width);
     if (!model.material->has_split()) return pressure;
+    InternalInput input;
+    input.stiffness = &stiffness;
     for_each_pack(cells, [&](int pack) {
+        const PackInput in = pack_input(model, cells, input, pack);
+        const auto xe = nodes_of_pack(cells, pack, x), de = dx ? nodes_of_pack(cells, pack, *dx) : xe;
+        const PointKinematics<Geometry> points(cells.geometry(pack), cells.surroundings_of(pack), xe, in.poissons_ratio);
+        const auto motion = points.along(de);
+        const Pack kappa = cells.mean_volume ? in.kappa - in.point_bulk.of(in.mu, in.kappa) : in.kappa;
         LawResponse<Pack> law;
-        const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
-        const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
-        const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].mu; });
-        const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].kappa; });
-        const auto xe = gather_lanes<N>(nodes, x), de = dx ? gather_lanes<N>(nodes, *dx) : xe;
-        Pack theta = 0.0, d_theta = 0.0;
+        Pack theta = 0.0, d_theta = 0.0, factor = 0.0;
         for (int q = 0; q < Q; ++q) {
-            const auto& G = geometry.gradient[static_cast<std::size_t>(q)];
-            model.material->respond(deformation_gradient<N>(xe, G), mu, kappa, false, law);
-            const Pack share = cells.mean_volume ? geometry.weight[static_cast<std::size_t>(q)] / geometry.volume : Pack(1.0);
-            if (!cells.mean_volume) theta = d_theta = 0.0;
+            model.material->respond(points.gradient(q), in.mu, in.kappa, false, law);
+            const Pack share = cells.mean_volume ? points.weight(q) / cells.geometry(pack).volume : Pack(1.0);
+            if (!cells.mean_volume) theta = d_theta = factor = 0.0;
             theta += share * law.volume.value;
-            if (dx) d_theta += share * double_dot(law.volume.gradient, deformation_gradient<N>(de, G));
+            factor += share * in.elastic_factor(q);
+            if (dx) d_theta += share * double_dot(law.volume.gradient, points.tangent(q, motion));
             if (cells.mean_volume && q + 1 < Q) continue;
-            const ScalarFunctionOf<Pack> U = model.material->bulk(theta, cells.mean_volume ? kappa - point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa);
+            const ScalarFunctionOf<Pack> U = model.material->bulk(theta, kappa * factor);
             const Pack p = U.first + U.second * d_theta;
             p.copy_to(pressure.data() + (pack * per_cell + (cells.mean_volume ? 0 : q)) * pack_width, std::experimental::element_aligned);
         }
@@ -167,31 +169,21 @@ VectorXd pack_pressures(const PackedCells<N, Q>& cells, const Model& model, cons
     return pressure;
 }
 
-/// Strains of every cell at x, or their derivative along dx when dx is given.
-template <int N, int Q>
-VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const Matrix3Xd* dx) {
+/// Strains of every point at x, or their derivative along dx when dx is given.
+template <class Geometry>
+VectorXd pack_strains(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const Matrix3Xd* dx) {
     const int per_cell = cells.strains_per_cell();
     VectorXd result(cells.pack_count() * per_cell * pack_width);
     for_each_pack(cells, [&](int pack) {
-        const PackGeometry<N, Q>& geometry = cells.geometry[static_cast<std::size_t>(pack)];
-        const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
-        const auto xe = gather_lanes<N>(nodes, x), de = dx ? gather_lanes<N>(nodes, *dx) : xe;
-        const auto store = [&](int i, const Pack& value) {
-            value.copy_to(result.data() + (pack * per_cell + i) * pack_width, std::experimental::element_aligned);
-        };
-        for (int q = 0; q < Q; ++q) {
-            const auto& G = geometry.gradient[static_cast<std::size_t>(q)];
-            const Matrix3<Pack> F = deformation_gradient<N>(xe, G);
-            const PackStrain e = dx ? green_strain_tangent(F, deformation_gradient<N>(de, G)) : green_strain(F);
-            for (int i = 0; i < 6; ++i) store(6 * q + i, e[static_cast<std::size_t>(i)]);
+        const auto xe = nodes_of_pack(cells, pack, x), de = dx ? nodes_of_pack(cells, pack, *dx) : xe;
+        const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
+        const auto motion = points.along(de);
+        for (int q = 0; q < Geometry::points; ++q) {
+            const Matrix3<Pack> F = points.gradient(q);
+            const PackSymmetric e = dx ? green_strain_tangent(F, points.tangent(q, motion)) : green_strain(F);
+            for (int i = 0; i < 6; ++i)
+                e[static_cast<std::size_t>(i)].copy_to(result.data() + (pack * per_cell + 6 * q + i) * pack_width, std::experimental::element_aligned);
         }
-        if constexpr (N == 8 && Q == 1)
-            if (!cells.hourglass.empty()) {
-                const HourglassStrain h = hourglass_strain(xe, geometry.gradient[0], cells.hourglass[static_cast<std::size_t>(pack)]);
-                const Eigen::Matrix<Pack, 3, 4> values = dx ? hourglass_tangent(h, de) : h.strain;
-                for (int s = 0; s < 4; ++s)
-                    for (int i = 0; i < 3; ++i) store(6 + i + 3 * s, values(i, s));
-            }
     });
     return result;
 }
@@ -201,23 +193,19 @@ VectorXd pack_strains(const PackedCells<N, Q>& cells, const Matrix3Xd& x, const 
 Stiffness stiffness(const Model& model) {
     Stiffness s;
     s.elastic = model.moduli;
+    s.elastic_factors = model.point_factors;
     const double scale = viscous_scale(model);
     if (scale > 0.0) {
         s.viscous = model.moduli;
         for (Moduli& m : s.viscous) m = {m.mu * scale, m.kappa * scale};
+        s.viscous_factors = model.point_factors;
     }
     return s;
 }
 
 double viscous_scale(const Model& model) { return model.creep ? 1.0 : model.damping_s; }
 
-std::vector<Moduli> softened(std::vector<Moduli> moduli, const VectorXd& factors) {
-    for (Eigen::Index c = 0; c < factors.size(); ++c) {
-        Moduli& m = moduli[static_cast<std::size_t>(c)];
-        m = {m.mu * factors(c), m.kappa * factors(c)};
-    }
-    return moduli;
-}
+VectorXd times_factors(const VectorXd& a, const VectorXd& b) { return a.size() == 0 ? b : b.size() == 0 ? a : VectorXd(a.cwiseProduct(b)); }
 
 InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const InternalInput& input, HessianKind kind) {
     assert(x.cols() == model.body->node_count() && input.stiffness != nullptr);
@@ -232,20 +220,20 @@ InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const Int
     return out;
 }
 
-VectorXd pressures(const Model& model, const std::vector<Moduli>& moduli, const Matrix3Xd& x) {
-    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, moduli, x, nullptr); }, model.body->cells);
+VectorXd pressures(const Model& model, const Stiffness& stiffness, const Matrix3Xd& x) {
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, stiffness, x, nullptr); }, model.body->cells);
 }
 
-VectorXd predicted_pressures(const Model& model, const std::vector<Moduli>& moduli, const Matrix3Xd& x, const Matrix3Xd& dx) {
-    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, moduli, x, &dx); }, model.body->cells);
+VectorXd predicted_pressures(const Model& model, const Stiffness& stiffness, const Matrix3Xd& x, const Matrix3Xd& dx) {
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, stiffness, x, &dx); }, model.body->cells);
 }
 
-VectorXd strains(const Body& body, const Matrix3Xd& x) {
-    return std::visit([&](const auto& cells) { return pack_strains(cells, x, nullptr); }, body.cells);
+VectorXd strains(const Model& model, const Matrix3Xd& x) {
+    return std::visit([&](const auto& cells) { return pack_strains(cells, model, x, nullptr); }, model.body->cells);
 }
 
-VectorXd strain_tangent(const Body& body, const Matrix3Xd& x, const Matrix3Xd& dx) {
-    return std::visit([&](const auto& cells) { return pack_strains(cells, x, &dx); }, body.cells);
+VectorXd strain_tangent(const Model& model, const Matrix3Xd& x, const Matrix3Xd& dx) {
+    return std::visit([&](const auto& cells) { return pack_strains(cells, model, x, &dx); }, model.body->cells);
 }
 
 Matrix3Xd viscous_gradient(const Model& model, const Matrix3Xd& x, const VectorXd& rate) {

@@ -17,8 +17,10 @@ struct StrainRate {
 /// Stiffness the internal energy is evaluated with. It is the model's own, or, because the energy is linear in it,
 /// a derivative of it with respect to a parameter.
 struct Stiffness {
-    std::vector<Moduli> elastic;   // per cell; empty: left out
-    std::vector<Moduli> viscous;   // viscous_scale() times moduli, per cell [Pa s], or [Pa] of a creeping body; empty: left out
+    std::vector<Moduli> elastic;       // per cell; empty: left out
+    Eigen::VectorXd elastic_factors;   // of them, at the body's points; empty: 1
+    std::vector<Moduli> viscous;       // viscous_scale() times moduli, per cell [Pa s], or [Pa] of a creeping body; empty: left out
+    Eigen::VectorXd viscous_factors;   // of them, at the body's points; empty: 1
     bool fibres = true;
 };
 Stiffness stiffness(const Model& model);
@@ -27,8 +29,8 @@ Stiffness stiffness(const Model& model);
 /// strains that have their factors with them.
 double viscous_scale(const Model& model);
 
-/// Moduli times a factor per cell; no factors: as they are.
-std::vector<Moduli> softened(std::vector<Moduli> moduli, const Eigen::VectorXd& factors);
+/// Products of factors at the points, where empty ones are 1.
+Eigen::VectorXd times_factors(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 enum class HessianKind {
     none,
@@ -47,20 +49,20 @@ struct InternalInput {
     const Stiffness* stiffness = nullptr;
     const std::vector<double>* activation = nullptr;     // per fibre group
     StrainRate rate;                                     // used when stiffness->viscous is not empty
-    const Eigen::VectorXd* pressure = nullptr;           // volume_points entries; see CellInput
+    const Eigen::VectorXd* pressure = nullptr;           // volume_points entries; see PackInput
 };
 
 /// Elastic, viscous and fibre energy at the positions x (3 x n [m]) with its derivatives.
 /// Errors: none. An inverted cell gives non-finite values; the solver rejects the step.
 InternalEnergy internal_energy(const Model& model, const Eigen::Matrix3Xd& x, const InternalInput& input, HessianKind hessian);
 
-/// U'(theta) of every volume point at x for moduli per cell, and its linear prediction at x + dx.
-Eigen::VectorXd pressures(const Model& model, const std::vector<Moduli>& moduli, const Eigen::Matrix3Xd& x);
-Eigen::VectorXd predicted_pressures(const Model& model, const std::vector<Moduli>& moduli, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
+/// U'(theta) of every volume point at x for the elastic moduli of a stiffness, and its linear prediction at x + dx.
+Eigen::VectorXd pressures(const Model& model, const Stiffness& stiffness, const Eigen::Matrix3Xd& x);
+Eigen::VectorXd predicted_pressures(const Model& model, const Stiffness& stiffness, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
 
-/// All strain measures (Green strains, hourglass strains) at x, and their derivative along dx.
-Eigen::VectorXd strains(const Body& body, const Eigen::Matrix3Xd& x);
-Eigen::VectorXd strain_tangent(const Body& body, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
+/// Green strains of all points at x, and their derivative along dx.
+Eigen::VectorXd strains(const Model& model, const Eigen::Matrix3Xd& x);
+Eigen::VectorXd strain_tangent(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
 
 /// Gradient of the viscous energy for a given strain rate, 3 x n [N]; linear in the rate.
 Eigen::Matrix3Xd viscous_gradient(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rate);

@@ -7,6 +7,12 @@
 
 namespace myo {
 
+std::vector<double> poissons_ratios(const std::vector<Moduli>& moduli) {
+    std::vector<double> result;
+    for (const Moduli& m : moduli) result.push_back(young_from_moduli(m).poissons_ratio);
+    return result;
+}
+
 std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio) {
     return std::vector<Moduli>(static_cast<std::size_t>(cell_count), moduli_from_young(youngs_modulus_Pa, poissons_ratio));
 }

@@ -45,6 +45,8 @@ struct Model {
     BodyPointer body;
     MaterialPointer material;
     std::vector<Moduli> moduli;               // per cell
+    Eigen::VectorXd point_factors;            // of the moduli, at the body's points (see Body::point_entry); empty: 1
+    std::vector<double> poissons_ratio;       // per cell, by which hex8 cells thin as they bend: a datum, which derivatives hold; empty: that of the moduli
     double damping_s = 0.0;                       // Kelvin-Voigt: S = 2 damping mu dev(dE/dt)
     double density_kg_m3 = 0.0;
     MassModel mass_model = MassModel::consistent;
@@ -59,6 +61,9 @@ struct Model {
     std::optional<MaxwellBranch> creep;           // memory of the past strain: runs have it, statics and modes know the relaxed body
     std::optional<StressSoftening> softening;     // memory of the largest strain; every run and every equilibrium starts virgin
 };
+
+/// Poisson's ratio of the moduli of each cell.
+std::vector<double> poissons_ratios(const std::vector<Moduli>& moduli);
 
 /// The same moduli in every cell.
 std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);

@@ -4,23 +4,30 @@
 
 #include "base/parallel.hpp"
 #include "material/polar.hpp"
-#include "model/cell_kernel.hpp"
+#include "model/pack_tensors.hpp"
 
 namespace myo {
 namespace {
 
 using Rotations = Eigen::Matrix<double, 9, Eigen::Dynamic>;
 
-/// Sum of the cells' mean deformation gradients at each node, weighted with their volumes.
+/// Mean deformation gradients times volumes.
 template <int N, int Q>
-Rotations mean_gradients(const PackedCells<N, Q>& cells, const Body& body, const Eigen::Matrix3Xd& x) {
+Matrix3<Pack> mean_gradient(const PackGeometry<N, Q>& geometry, const PackNodes<N>& x) {
+    Matrix3<Pack> sum = zero_tensor();
+    for (std::size_t q = 0; q < Q; ++q) sum += nodal_product(x, geometry.gradient[q]) * geometry.weight[q];
+    return sum;
+}
+Matrix3<Pack> mean_gradient(const PackAssumedStrain& geometry, const PackNodes<8>& x) { return nodal_product(x, geometry.gradient) * geometry.volume; }
+
+/// Sum of the cells' mean deformation gradients at each node, weighted with their volumes.
+template <class Geometry>
+Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, const Eigen::Matrix3Xd& x) {
     std::vector<Matrix3<Pack>> means(static_cast<std::size_t>(cells.pack_count()));
     parallel_ranges(cells.pack_count(), 50, [&](int first, int end) {
         for (auto pack = static_cast<std::size_t>(first); pack < static_cast<std::size_t>(end); ++pack) {
-            const PackGeometry<N, Q>& geometry = cells.geometry[pack];
-            const auto xe = gather_lanes<N>(cells.lane_nodes[pack], x);
-            means[pack].setConstant(Pack(0.0));
-            for (std::size_t q = 0; q < Q; ++q) means[pack] += deformation_gradient<N>(xe, geometry.gradient[q]) * geometry.weight[q];
+            const auto xe = nodes_of_pack(cells, static_cast<int>(pack), x);
+            means[pack] = mean_gradient(cells.geometry(static_cast<int>(pack)), xe);
         }
     });
     Rotations sum = Rotations::Zero(9, body.node_count());
@@ -28,7 +35,7 @@ Rotations mean_gradients(const PackedCells<N, Q>& cells, const Body& body, const
     parallel_ranges(body.node_count(), 500, [&](int first, int end) {
         for (int i = first; i < end; ++i)
             for (int k = body.incidence.start[static_cast<std::size_t>(i)]; k < body.incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
-                const int cell = incident_cell<N>(body.incidence, k);
+                const int cell = incident_cell<Geometry::nodes>(body.incidence, k);
                 const double* mean = values + cell / pack_width * 9 * pack_width + cell % pack_width;
                 for (int e = 0; e < 9; ++e) sum(e, i) += mean[e * pack_width];
             }

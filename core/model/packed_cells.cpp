@@ -1,44 +1,97 @@
 #include "model/packed_cells.hpp"
 
+#include <cmath>
+
 namespace myo {
+namespace {
+
+using Lane = std::size_t;
+
+template <class Packs, class Values>
+void set_lane_of(Packs& packs, Lane lane, const Values& values) {
+    for (Eigen::Index k = 0; k < values.size(); ++k) packs.data()[k][lane] = values.data()[k];
+}
 
 template <int N, int Q>
-PackedCells<N, Q> pack_cells(const ElementBlock<N, Q>& block) {
-    PackedCells<N, Q> packed;
-    packed.mean_volume = block.mean_volume;
-    packed.most_point_bulk_over_mu = block.most_point_bulk_over_mu;
+void set_lane_of(PackGeometry<N, Q>& to, Lane lane, const CellGeometry<N, Q>& from) {
+    for (std::size_t q = 0; q < Q; ++q) {
+        set_lane_of(to.gradient[q], lane, from.gradient[q]);
+        to.weight[q][lane] = from.weight[q];
+    }
+    to.volume[lane] = from.volume;
+}
+
+void set_lane_of(PackAssumedStrain& to, Lane lane, const AssumedStrainGeometry& from) {
+    set_lane_of(to.gradient, lane, from.gradient);
+    set_lane_of(to.gamma, lane, from.gamma);
+    set_lane_of(to.edges, lane, from.edges);
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t m = 0; m < 3; ++m) set_lane_of(to.planes[k].in_plane[m], lane, from.planes[k].in_plane.col(static_cast<Eigen::Index>(m)));
+        set_lane_of(to.planes[k].trace, lane, from.planes[k].trace);
+        set_lane_of(to.planes[k].normal, lane, from.planes[k].normal);
+        set_lane_of(to.along[k], lane, from.along[k]);
+    }
+    to.volume[lane] = from.volume;
+}
+
+/// Whether two packs have the same shape but for the rounding of coordinates.
+template <class Geometry>
+bool same_shape(const Geometry& a, const Geometry& b) {
+    constexpr std::size_t count = sizeof(Geometry) / sizeof(Pack);
+    const Pack *x = reinterpret_cast<const Pack*>(&a), *y = reinterpret_cast<const Pack*>(&b);
+    const Pack scale = abs(a.volume);
+    if (any_of(abs(a.volume - b.volume) > 1e-11 * scale)) return false;
+    // Entries have dimensions of their own; those that should vanish are compared with the largest of the shape gradients.
+    Pack largest = 0.0;
+    for (std::size_t k = 0; k < count; ++k) largest = max(largest, abs(x[k]));
+    for (std::size_t k = 0; k < count; ++k)
+        if (any_of(abs(x[k] - y[k]) > 1e-11 * abs(x[k]) + 1e-15 * largest)) return false;
+    return true;
+}
+
+/// How many different shapes a pack is compared with: a grid whose lines are unequal has a few.
+constexpr std::size_t most_compared = 16;
+
+template <class Geometry>
+PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
+    PackedCells<Geometry> packed;
+    if constexpr (requires { block.mean_volume; }) packed.mean_volume = block.mean_volume;
     packed.cell_count = block.cell_count();
     const int packs = (block.cell_count() + pack_width - 1) / pack_width;
     packed.lane_nodes.resize(static_cast<std::size_t>(packs));
-    packed.geometry.resize(static_cast<std::size_t>(packs));
-    if (!block.hourglass.empty()) packed.hourglass.resize(static_cast<std::size_t>(packs));
-    for (std::size_t pack = 0; pack < packed.lane_nodes.size(); ++pack)
-        for (std::size_t lane = 0; lane < static_cast<std::size_t>(pack_width); ++lane) {
+    for (std::size_t pack = 0; pack < packed.lane_nodes.size(); ++pack) {
+        Geometry geometry;
+        for (Lane lane = 0; lane < static_cast<Lane>(pack_width); ++lane) {
             const int cell = std::min(static_cast<int>(pack) * pack_width + static_cast<int>(lane), block.cell_count() - 1);
-            for (int a = 0; a < N; ++a) packed.lane_nodes[pack][static_cast<std::size_t>(a)][lane] = block.cells(a, cell);
-            const CellGeometry<N, Q>& from = block.geometry[static_cast<std::size_t>(cell)];
-            PackGeometry<N, Q>& to = packed.geometry[pack];
-            for (std::size_t q = 0; q < Q; ++q) {
-                for (int a = 0; a < N; ++a)
-                    for (int j = 0; j < 3; ++j) to.gradient[q](a, j)[lane] = from.gradient[q](a, j);
-                to.weight[q][lane] = from.weight[q];
-            }
-            to.volume[lane] = from.volume;
-            if (block.hourglass.empty()) continue;
-            const HourglassGeometry& shape = block.hourglass[static_cast<std::size_t>(cell)];
-            PackHourglass& hourglass = packed.hourglass[pack];
-            for (int a = 0; a < 8; ++a)
-                for (int s = 0; s < 4; ++s) hourglass.gamma(a, s)[lane] = shape.gamma(a, s);
-            for (int i = 0; i < 3; ++i) {
-                for (int j = 0; j < 3; ++j) hourglass.frame(i, j)[lane] = shape.frame(i, j);
-                hourglass.half_length[static_cast<std::size_t>(i)][lane] = shape.half_length(i);
-            }
+            for (int a = 0; a < Geometry::nodes; ++a) packed.lane_nodes[pack][static_cast<std::size_t>(a)][lane] = block.cells(a, cell);
+            set_lane_of(geometry, lane, block.geometry[static_cast<std::size_t>(cell)]);
         }
+        const std::size_t known = packed.shapes.size(), first = known > most_compared ? known - most_compared : 0;
+        std::size_t shape = first;
+        while (shape < known && !same_shape(packed.shapes[shape], geometry)) ++shape;
+        if (shape == known) packed.shapes.push_back(geometry);
+        packed.shape_of_pack.push_back(static_cast<int>(shape));
+        if constexpr (requires { block.point_bulk_over_mu; })
+            if (!block.point_bulk_over_mu.empty()) packed.point_bulk_over_mu.push_back(pack_of(packed, static_cast<int>(pack), [&](std::size_t c) { return block.point_bulk_over_mu[c]; }));
+        if constexpr (requires { block.geometry.front().relaxed; }) {
+            packed.surroundings.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k)
+                packed.surroundings.back()[k] = pack_of(packed, static_cast<int>(pack), [&](std::size_t c) { return block.geometry[c].relaxed[k]; });
+        }
+    }
     return packed;
 }
 
+PackedCells<PackAssumedStrain> packed(const AssumedStrainBlock& block) { return pack_cells<PackAssumedStrain>(block); }
+template <int N, int Q>
+PackedCells<PackGeometry<N, Q>> packed(const ElementBlock<N, Q>& block) {
+    return pack_cells<PackGeometry<N, Q>>(block);
+}
+
+}  // namespace
+
 PackedElements pack_elements(const Elements& elements) {
-    return std::visit([](const auto& block) -> PackedElements { return pack_cells(block); }, elements);
+    return std::visit([](const auto& block) -> PackedElements { return packed(block); }, elements);
 }
 
 NodeIncidence node_incidence(const VolumeMesh& mesh) {

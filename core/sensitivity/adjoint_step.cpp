@@ -93,7 +93,7 @@ void AdjointFollower::jump(StageSolver& solver, const JumpRecord& at) {
     const SymmetricSparse K = solver.hessian(stage, s.x);
     add_to(state_.nodal[x_field], -1.0, scatter(pattern, K.selfadjointView<Eigen::Lower>() * gather(pattern, adjoint)));
     add_to(state_.nodal[v_field], model_.velocity_force_1_s, times_M);
-    if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, strain_tangent(*model_.body, s.x, adjoint));
+    if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, strain_tangent(model_, s.x, adjoint));
     if (depends_on_velocity(model_)) add_to(state_.nodal[v_field], -1.0, velocity_tangent(model_, force_state(stage, s.x, s.v), adjoint));
     const Matrix3Xd u = model_.velocity_force_1_s * s.v;
     gradient_.add({s.x, &s.v, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, at.time_s, &u, &s.v}, adjoint,
@@ -155,7 +155,7 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
         guess.add(p);
         rows[row] = scatter(body.pattern, p);
         mass_rows[row] = times_mass(rows[row], mass);
-        if (model_.damping_s > 0.0) strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(body, solution.x, rows[row]);
+        if (model_.damping_s > 0.0) strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(model_, solution.x, rows[row]);
         const Matrix3Xd v = depends_on_velocity(model_) ? stage_velocities(stage, solution.x) : Matrix3Xd();   // nothing else looks at it
         if (depends_on_velocity(model_)) velocity_rows[static_cast<std::size_t>(k)] = -velocity_tangent(model_, force_state(stage, solution.x, v), rows[row]);
         const Matrix3Xd u = accelerations(plain, record, nodal_fields + k), by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);

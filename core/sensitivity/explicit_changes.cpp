@@ -87,33 +87,17 @@ MatrixXd ExplicitChanges::residuals(const StageSolver& solver, const Stage& stag
     return result;
 }
 
-std::vector<Stiffness> ExplicitChanges::stiffness_of(const StageSolver& solver) const {
-    std::vector<Stiffness> result = stiffness_;
-    if (solver.softening().size() == 0) return result;
-    const MatrixXd d_factors = factor_tangents(*model_.softening, pairs_, peaks_);
-    for (std::size_t p = 0; p < result.size(); ++p) {
-        std::vector<Moduli>& elastic = result[p].elastic;
-        elastic = elastic.empty() ? std::vector<Moduli>(model_.moduli.size()) : softened(std::move(elastic), solver.softening());
-        for (std::size_t c = 0; c < elastic.size(); ++c) {
-            const double d = d_factors(static_cast<Index>(c), static_cast<Index>(p));
-            elastic[c].mu += d * model_.moduli[c].mu;
-            elastic[c].kappa += d * model_.moduli[c].kappa;
-        }
-    }
-    return result;
-}
-
 NodalColumns ExplicitChanges::gradient(const StageSolver& solver, const Stage& stage, const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates, const NodalColumns& d_velocities) const {
-    const std::vector<Stiffness> stiffness = stiffness_of(solver);
     bool elastic = false, viscous = false;
-    for (const Stiffness& s : stiffness) {
+    for (const Stiffness& s : stiffness_) {
         elastic = elastic || !s.elastic.empty();
         viscous = viscous || !s.viscous.empty();
     }
     UnitForces forces;
-    if (elastic || viscous) forces = unit_forces(model_, x, !viscous ? VectorXd() : model_.creep ? VectorXd(viscous_history(model_, 0.0, rates)) : rates);
+    if (elastic || viscous) forces = unit_forces(model_, x, solver.softening(), !viscous ? VectorXd() : model_.creep ? VectorXd(viscous_history(model_, 0.0, rates)) : rates);
     const MatrixXd changes = model_.creep ? viscous_changes(stage, rates, d_rates) : with_strains() ? d_rates : MatrixXd();
-    NodalColumns result = gradient_columns(model_, x, forces, stiffness, changes);
+    const MatrixXd d_factors = solver.softening().size() > 0 ? factor_tangents(*model_.softening, pairs_, peaks_) : MatrixXd();
+    NodalColumns result = gradient_columns(model_, x, forces, {stiffness_, changes, d_factors});
     for (std::size_t g = 0; g < model_.fibres->size(); ++g) {
         Matrix3Xd of_group;   // per unit of its activation
         for (std::size_t p = 0; p < parameters_.size(); ++p) {

@@ -45,8 +45,6 @@ private:
     /// Of a creeping body: the change of what viscous stresses are made of, positions held, along the parameters and the changes of its strain
     /// rates (of both, see creep.hpp).
     Eigen::MatrixXd viscous_changes(const Stage& stage, const Eigen::VectorXd& rates, const Eigen::MatrixXd& d_rates) const;
-    /// Those of the elastic moduli that are left of softened cells.
-    std::vector<Stiffness> stiffness_of(const StageSolver& solver) const;
     /// Of dW/dx without what pairs of models tell.
     NodalColumns gradient(const StageSolver& solver, const Stage& stage, const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rates, const Eigen::MatrixXd& d_rates,
                           const NodalColumns& d_velocities) const;

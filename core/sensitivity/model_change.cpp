@@ -39,7 +39,7 @@ std::vector<MassSpan> differences(const std::vector<MassSpan>& over, const std::
 }
 
 VectorXd stage_strains(const Model& model, const Stage& stage, const Matrix3Xd& x) {
-    VectorXd result = strains(*model.body, held_by(*model.body, x));
+    VectorXd result = strains(model, held_by(*model.body, x));
     if (model.creep) result = with_dashpots(*model.creep, stage.rate_factor_1_s, result, stage.rate_history);
     return result;
 }
@@ -63,7 +63,7 @@ bool changes_mass(const ModelChange& change) {
 }
 
 void soften(ModelChange& change, const VectorXd& factors) {
-    for (StageConstants* side : {&change.under, &change.over}) side->stiffness.elastic = softened(side->model->moduli, factors);
+    for (StageConstants* side : {&change.under, &change.over}) side->stiffness.elastic_factors = times_factors(side->model->point_factors, factors);
 }
 
 VectorXd held_residual_change(const ModelChange& change, const Stage& stage, const Matrix3Xd& x) {

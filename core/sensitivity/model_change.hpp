@@ -31,7 +31,7 @@ inline const MassMatrix& mass_change(const ModelChange& change, double at_s) {
     return change.masses[span_at(change.masses, at_s)].mass;
 }
 
-/// Factors of the cells' elastic moduli from now on, as in StageSolver; empty: virgin cells.
+/// Factors of the elastic moduli at the points from now on, as in StageSolver; empty: virgin ones.
 void soften(ModelChange& change, const Eigen::VectorXd& factors);
 
 /// Derivative of a stage's residual over the free unknowns [N per unit] with its positions, its constant, its histories and the softening held.

@@ -28,6 +28,7 @@ Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent) {
     Stiffness derivative;
     derivative.fibres = false;
     derivative.elastic = tangent.moduli;
+    derivative.elastic_factors = derivative.viscous_factors = model.point_factors;
     if (model.creep) {
         derivative.viscous = tangent.moduli;
         return derivative;

@@ -14,7 +14,7 @@ namespace myo {
 
 /// Derivative of a model with respect to one parameter. Empty parts are zero.
 struct ModelTangent {
-    std::vector<Moduli> moduli;        // per cell
+    std::vector<Moduli> moduli;        // per cell, the factors at the points held
     double damping_s = 0.0;
     std::vector<Signal> activation;    // per fibre group: d a(t)
     std::vector<Eigen::VectorXd> force_elements;   // per element: change of its parameters; empty ones are zero

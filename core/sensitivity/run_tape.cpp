@@ -45,7 +45,7 @@ StepRecord RunTape::replay(StageSolver& solver, const TapedStep& step, const dou
         stage.before_jump = taped.before_jump;
         solution.x = Eigen::Map<const Matrix3Xd>(positions + static_cast<Eigen::Index>(record.solved.size()) * state.x.size(), 3, state.x.cols());
         record.solved.push_back({stage, {solution.x, {}}});
-        if (with_strains_) solution.strain = strains(*model.body, solution.x);
+        if (with_strains_) solution.strain = strains(model, solution.x);
         return true;
     };
     const StepProblem<decltype(solve)> problem{solver.mass(step.time_s + 0.5 * step.h_s), step.time_s, step.h_s,

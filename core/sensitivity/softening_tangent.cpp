@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dynamics/start_state.hpp"
-#include "model/cell_energy.hpp"
+#include "model/point_energy.hpp"
 
 namespace myo {
 

@@ -23,6 +23,8 @@ using Eigen::VectorXd;
 
 constexpr int most_softening_rounds = 200;
 constexpr double softening_tolerance = 1e-9;
+/// Of the body's size: strains are nearly squares of positions, so that the differences are exact to its square, and to rounding over it.
+constexpr double start_difference = 1e-5;
 
 /// Carries d(Kinematics)/d(parameter) along a run, all parameters side by side. A step is linear but for the solves of its stages (see
 /// StepCoefficients).
@@ -109,7 +111,7 @@ public:
             const MatrixXd X = solver.solve_linear(solver.hessian(stage, solution.x), stage, solution.x, B, guesses_[k].next());
             guesses_[k].add(X);
             solutions[k] = scatter_columns(body.pattern, X);
-            if (explicit_.with_strains()) strains[k] = strain_tangents(body, solution.x, solutions[k]);
+            if (explicit_.with_strains()) strains[k] = strain_tangents(model_, solution.x, solutions[k]);
             if (model_.creep) strains[k] = with_dashpots(*model_.creep, stage.rate_factor_1_s, strains[k], histories);
             if (explicit_.with_strains()) explicit_.add_strain_changes(stage, solution.x, strains[k]);
         }
@@ -167,7 +169,7 @@ private:
         }
     }
 
-    /// Strains are squares of positions and rates bilinear in positions and velocities: differences of both sides are exact.
+    /// Strains and rates of the start by differences of both sides.
     void start_strains(const Kinematics& state) {
         for (MatrixXd* field : {&strain_[strain_field], &strain_[rate_field]}) *field = MatrixXd::Zero(state.strain.size(), static_cast<Index>(parameters_.size()));
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
@@ -175,7 +177,7 @@ private:
             const Matrix3Xd moved = nodal_column(nodal_[x_field], column);
             const double most = moved.cwiseAbs().maxCoeff(), size = std::cbrt(model_.body->unit_mass.sum());
             const ModelPair* const pair = explicit_.pair(p);
-            const double width = pair ? pair->width : most > 0.0 ? 1e-3 * size / most : 1.0;
+            const double width = pair ? pair->width : most > 0.0 ? start_difference * size / most : 1.0;
             const auto at = [&](const Model& model, double side) {
                 Kinematics beside;
                 beside.x = held_by(*model.body, state.x + 0.5 * side * width * moved);

@@ -65,9 +65,9 @@ TEST(CavityPressure, WidensAThickSphereAsLameSays) {
         errors.push_back(grown / lame - 1.0);
     }
     // Flat faces hold less than the sphere: the error falls with the square of their size.
-    EXPECT_LT(std::abs(errors[1]), 0.05);
+    EXPECT_LT(std::abs(errors[1]), 0.07);
     EXPECT_LT(std::abs(errors[1]), 0.4 * std::abs(errors[0]));
-    EXPECT_NEAR((4.0 * errors[1] - errors[0]) / 3.0, 0.0, 0.015);
+    EXPECT_NEAR((4.0 * errors[1] - errors[0]) / 3.0, 0.0, 0.02);
     test::record("error_of_the_inner_radius", errors);
 }
 

@@ -109,10 +109,10 @@ TEST(Softening, ABodyAtItsEquilibriumStaysAtRest) {
     EXPECT_GT(sag, 1.02 * (x - model.body->mesh.nodes).norm());
 }
 
-/// What a cell is softened by never heals, and its peak is the largest energy of the motion.
+/// What a point is softened by never heals, and its peak is the largest energy of the motion.
 TEST(Softening, PeaksOnlyRise) {
     const Model model = soft_beam();
-    Eigen::VectorXd last = Eigen::VectorXd::Zero(model.body->cell_count()), seen;
+    Eigen::VectorXd last = Eigen::VectorXd::Zero(model.body->point_count()), seen;
     RunObserver observer;
     observer.stood = [&](const RunPoint& point) {
         EXPECT_TRUE((point.peak_energy_J_m3.array() >= last.array()).all());

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "effect/places.hpp"
+#include "model/rest_points.hpp"
 #include "plain_body.hpp"
 
 namespace myo {
@@ -38,20 +39,18 @@ TEST(EffectForms, ASlippingClampAndACurvatureMakeALongerArcInEitherOrder) {
     }
 }
 
-TEST(EffectForms, StiffnessFollowsItsFormula) {
+TEST(EffectForms, StiffnessFollowsItsFormulaAtEveryPoint) {
     const test::HeldBeam beam = test::held_beam();
-    const Eigen::Matrix3Xd centres = cell_centres(*beam.site.body);
+    const Eigen::Matrix3Xd points = rest_points(*beam.site.body);
     const Affected graded = test::with_effect(beam, "stiffness_gradient", {{"relative_change", 0.4}, {"axis", 0.0}});
     const Affected drifted = test::with_effect(beam, "modulus_drift", {{"rate_1_s", 1e-3}});
     const Eigen::Vector3d centre(0.05, 0.015, 0.015);
     const Affected patched = test::with_effect(beam, "soft_patch", {{"relative_change", -0.5}, {"centre_m", Eigen::VectorXd(centre)}, {"radius_m", 0.02}});
-    for (std::size_t c = 0; c < beam.affected.model.moduli.size(); ++c) {
-        const Eigen::Vector3d X = centres.col(static_cast<Eigen::Index>(c));
-        const double mu = beam.affected.model.moduli[c].mu;
-        EXPECT_NEAR(graded.model.moduli[c].mu / mu, 1.0 + 0.4 * (X.x() / 0.12 - 0.5), 1e-9);
-        EXPECT_NEAR(drifted.model.moduli[c].mu / mu, 1.1, 1e-9);
-        EXPECT_NEAR(patched.model.moduli[c].kappa / beam.affected.model.moduli[c].kappa, 1.0 - 0.5 * std::exp(-(X - centre).squaredNorm() / 8e-4), 1e-9);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        EXPECT_NEAR(graded.model.point_factors(i), 1.0 + 0.4 * (points(0, i) / 0.12 - 0.5), 1e-9);
+        EXPECT_NEAR(patched.model.point_factors(i), 1.0 - 0.5 * std::exp(-(points.col(i) - centre).squaredNorm() / 8e-4), 1e-9);
     }
+    for (std::size_t c = 0; c < beam.affected.model.moduli.size(); ++c) EXPECT_NEAR(drifted.model.moduli[c].mu / beam.affected.model.moduli[c].mu, 1.1, 1e-9);
 }
 
 TEST(EffectForms, PlacesOnTheSurfaceReproduceThePoint) {

@@ -1,0 +1,17 @@
+#include "effect/point_stiffness.hpp"
+
+#include <algorithm>
+
+#include "model/internal_forces.hpp"
+#include "model/rest_points.hpp"
+
+namespace myo {
+
+void scale_stiffness(const EffectSite& site, const std::function<double(const Eigen::Vector3d&)>& factor, Affected& affected) {
+    const Eigen::Matrix3Xd points = rest_points(*site.body);
+    Eigen::VectorXd factors(points.cols());
+    for (Eigen::Index i = 0; i < factors.size(); ++i) factors(i) = std::max(0.01, factor(points.col(i)));
+    affected.model.point_factors = times_factors(affected.model.point_factors, factors);
+}
+
+}  // namespace myo

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "fem/element_block.hpp"
+
+namespace myo {
+
+/// Shape functions at the points at which an element's law is evaluated, one vector per point.
+std::vector<Eigen::VectorXd> shape_values_at_points(ElementKind kind);
+
+}  // namespace myo

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "model/body.hpp"
+
+namespace myo {
+
+/// Where the points of a body, at which its law is evaluated, lie at rest, 3 x point_count [m]; see Body::point_entry.
+Eigen::Matrix3Xd rest_points(const Body& body);
+
+}  // namespace myo
