@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "dynamics/natural_modes.hpp"
+#include "dynamics/statics.hpp"
+#include "material/strain_stiffening.hpp"
+#include "model/rest_points.hpp"
+#include "support/beam.hpp"
+#include "support/figures.hpp"
+
+// Bodies of a single layer of cells: all that bends them varies within a cell.
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+Vector3d tip_at_rest(const Model& model, const test::BeamSpec& spec) {
+    StageSolver solver(model);
+    Matrix3Xd x = model.body->mesh.nodes;
+    const StageReport report = solve_equilibrium(solver, 0.0, x);
+    EXPECT_TRUE(report.ok()) << report.message;
+    return test::tip_displacement(model, spec, x);
+}
+
+/// Length to thickness 40, one layer.
+test::BeamSpec strip(ElementKind kind, double nu) {
+    test::BeamSpec spec;
+    spec.kind = kind;
+    spec.size = {0.2, 0.005, 0.005};
+    spec.cells = kind == ElementKind::tet10 ? Eigen::Vector3i(20, 1, 1) : Eigen::Vector3i(40, 1, 1);
+    spec.poissons_ratio = nu;
+    return spec;
+}
+
+double small_load(const test::BeamSpec& spec) { return 1e-3 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0)); }
+
+TEST(OneLayer, BendsAndSwingsAsABeamWhateverPoissonsRatio) {
+    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10})
+        for (const double nu : {0.0, 0.3, 0.49, 0.4995}) {
+            const test::BeamSpec spec = strip(kind, nu);
+            const std::string what = to_string(kind) + "_nu" + std::to_string(static_cast<int>(std::lround(1e4 * nu)));
+            Model model = test::make_beam(spec);
+            const double E = spec.youngs_modulus_Pa, L = spec.size(0), I = test::second_moment(spec), P = small_load(spec);
+            Model loaded = model;
+            test::push_tip(loaded, spec, {0.0, 0.0, -P});
+            const double error = -tip_at_rest(loaded, spec).z() / (P * L * L * L / (3.0 * E * I)) - 1.0;
+            test::record("bending_" + what, error);
+            EXPECT_NEAR(error, 0.0, kind == ElementKind::tet10 || nu > 0.49 ? 0.03 : 0.02) << what;
+
+            if (nu > 0.495) continue;   // so slender, rounding of the bulk modulus hides the mode's residual
+            StageSolver solver(model);
+            const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 2);
+            ASSERT_TRUE(modes.ok()) << what;
+            const double beam = 1.87510407 * 1.87510407 * std::sqrt(E * I / (spec.density_kg_m3 * test::section_area(spec))) / (L * L);
+            test::record("frequency_" + what, modes.modes.front().omega_rad_s / beam - 1.0);
+            EXPECT_NEAR(modes.modes.front().omega_rad_s, beam, 0.02 * beam) << what;
+        }
+}
+
+/// A wide plate bends with E / (1 - nu^2) where it cannot curve across: against eight layers of the same element.
+TEST(OneLayer, OfAPlateBendsAsManyLayersDo) {
+    for (const double nu : {0.3, 0.49, 0.4995}) {
+        double drop[2] = {};
+        for (const int fine : {0, 1}) {
+            test::BeamSpec spec;
+            spec.size = {0.1, 0.05, 0.005};
+            spec.cells = fine ? Eigen::Vector3i(40, 20, 4) : Eigen::Vector3i(20, 10, 1);
+            spec.poissons_ratio = nu;
+            Model model = test::make_beam(spec);
+            test::push_tip(model, spec, {0.0, 0.0, -small_load(spec)});
+            drop[fine] = -tip_at_rest(model, spec).z();
+        }
+        test::record("plate_nu" + std::to_string(static_cast<int>(std::lround(1e4 * nu))), drop[0] / drop[1] - 1.0);
+        EXPECT_NEAR(drop[0], drop[1], (nu > 0.49 ? 0.03 : 0.02) * drop[1]) << nu;
+    }
+}
+
+/// Oblique cells and flat ones bend as straight and cubic ones do.
+TEST(OneLayer, OfObliqueOrFlatCellsBendsAlike) {
+    const double nu = 0.49;
+    const auto drop_of = [&](const Eigen::Vector3i& cells, const std::function<void(Matrix3Xd&)>& skewed) {
+        test::BeamSpec spec = strip(ElementKind::hex8, nu);
+        spec.cells = cells;
+        Model model = test::make_beam(spec);
+        VolumeMesh mesh = model.body->mesh;
+        skewed(mesh.nodes);
+        std::vector<int> held;
+        for (int i = 0; i < model.body->node_count(); ++i)
+            if (model.body->clamped[static_cast<std::size_t>(i)]) held.push_back(i);
+        model.body = make_body(mesh, spec.kind, held);
+        test::push_tip(model, spec, {0.0, 0.0, -small_load(spec)});
+        return -tip_at_rest(model, spec).z();
+    };
+    const double straight = drop_of({40, 1, 1}, [](Matrix3Xd&) {});
+    const double L = 0.2, h = 0.005;
+    /// Sections lean by `slope` in the middle of the beam and stand at both ends.
+    const auto leaning = [&](int across, double slope) {
+        return [=](Matrix3Xd& X) {
+            for (auto x : X.colwise()) x(0) += slope * (x(across) - 0.5 * h) * std::min({1.0, x(0) / 0.02, (L - x(0)) / 0.02});
+        };
+    };
+    for (const double slope : {0.3, 0.6}) {
+        EXPECT_NEAR(drop_of({40, 1, 1}, leaning(1, slope)), straight, 0.02 * straight) << "plan view, " << slope;
+        EXPECT_NEAR(drop_of({40, 1, 1}, leaning(2, slope)), straight, 0.05 * straight) << "side view, " << slope;
+    }
+    // Four cells to the length, ten times as long as thick: the first contracts nowhere at the clamp and not in full over its length.
+    for (const auto& [along, tolerance] : {std::pair{13, 0.03}, {4, 0.07}})
+        EXPECT_NEAR(drop_of({along, 1, 1}, [](Matrix3Xd&) {}), straight, tolerance * straight) << along << " cells along";
+}
+
+/// A modulus that is linear across the thickness: what is pulled along bends, by -B / D of its strain, B and D the first and second moments of
+/// the modulus.
+TEST(OneLayer, WithAGradientOfStiffnessBendsAsItIsPulled) {
+    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10}) {
+        const test::BeamSpec spec = strip(kind, 0.49);
+        Model model = test::make_beam(spec);
+        const double r = 1.0, h = spec.size(2), A = test::section_area(spec), E = spec.youngs_modulus_Pa, L = spec.size(0);
+        const Matrix3Xd points = rest_points(*model.body);
+        model.point_factors = (1.0 + r * (points.row(2).transpose().array() / h - 0.5)).matrix();
+        const double pull = 3e-7 * E * A;   // a larger one straightens what it bends
+        test::push_tip(model, spec, {pull, 0.0, 0.0});
+        const double strain = pull / (E * A) / (1.0 - r * r / 12.0), curvature = r / h * strain;
+        const double expected = 0.5 * curvature * L * L;   // towards the stiffer side
+        const double tip = tip_at_rest(model, spec).z();
+        test::record("gradient_" + to_string(kind), tip / expected - 1.0);
+        EXPECT_NEAR(tip, expected, 0.05 * expected) << to_string(kind);
+    }
+}
+
+/// Moment of a section b x h over its curvature where the stress is E eps (1 + a eps^2).
+double cubic_moment(const test::BeamSpec& spec, double a, double curvature) {
+    const double EI = spec.youngs_modulus_Pa * test::second_moment(spec), h = spec.size(2);
+    return EI * curvature * (1.0 + a * curvature * curvature * h * h * 3.0 / 20.0);
+}
+
+/// Small deflection of a cantilever under an end force whose sections follow a moment law.
+double end_drop(const test::BeamSpec& spec, double P, const std::function<double(double)>& curvature_of_moment) {
+    const double L = spec.size(0);
+    double drop = 0.0;
+    constexpr int parts = 400;
+    for (int k = 0; k < parts; ++k) {
+        const double s = (k + 0.5) / parts * L;   // from the tip
+        drop += curvature_of_moment(P * s) * s * L / parts;
+    }
+    return drop;
+}
+
+/// Yeoh's second term: uniaxial stress E eps (1 + 2 c2 (I1 - 3)), I1 - 3 = 3 eps^2 of small strain. Four points of a quadratic tetrahedron see the
+/// fourth power of a strain less well than nine of a hexahedron.
+TEST(OneLayer, StiffensInBendingAsBeamTheorySays) {
+    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10}) {
+        const test::BeamSpec spec = strip(kind, 0.499);
+        const double c2 = 1e4, P = 200.0 * small_load(spec);
+        Model model = test::make_beam(spec);
+        test::push_tip(model, spec, {0.0, 0.0, -P});
+        const double plain = -tip_at_rest(model, spec).z();
+        model.material = strain_stiffening(model.material, c2);
+        const double stiffened = -tip_at_rest(model, spec).z();
+        const auto curvature = [&](double a) {
+            return [&spec, a](double M) {
+                double k = M / (spec.youngs_modulus_Pa * test::second_moment(spec));
+                for (int i = 0; i < 50; ++i) k -= (cubic_moment(spec, a, k) - M) / (spec.youngs_modulus_Pa * test::second_moment(spec) * (1.0 + 3.0 * a * k * k * spec.size(2) * spec.size(2) * 0.15));
+                return k;
+            };
+        };
+        const double expected = end_drop(spec, P, curvature(6.0 * c2)) / end_drop(spec, P, curvature(0.0)) - 1.0, effect = stiffened / plain - 1.0;
+        test::record("stiffening_" + to_string(kind), effect / expected - 1.0);
+        ASSERT_LT(expected, -0.05);
+        EXPECT_NEAR(effect, expected, (kind == ElementKind::hex8 ? 0.05 : 0.35) * -expected) << to_string(kind);
+    }
+}
+
+/// Softening by the largest energy W = E eps^2 / 2 of every point: stress E eps (1 - d (1 - exp(-W / W0))).
+TEST(OneLayer, SoftensInBendingAsBeamTheorySays) {
+    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10}) {
+        const test::BeamSpec spec = strip(kind, 0.499);
+        const double P = 20.0 * small_load(spec), E = spec.youngs_modulus_Pa, h = spec.size(2), b = spec.size(1);
+        const double outer = P * spec.size(0) / (E * test::second_moment(spec)) * 0.5 * h;   // strain at the clamp
+        const StressSoftening law{0.3, E * outer * outer};
+        Model model = test::make_beam(spec);
+        test::push_tip(model, spec, {0.0, 0.0, -P});
+        const double plain = -tip_at_rest(model, spec).z();
+        model.softening = law;
+        const double softened = -tip_at_rest(model, spec).z();
+        const auto moment = [&](double k) {
+            double M = 0.0;
+            constexpr int parts = 200;
+            for (int i = 0; i < parts; ++i) {
+                const double z = ((i + 0.5) / parts - 0.5) * h, e = k * z;
+                M += E * e * law.factor(0.5 * E * e * e) * z * b * h / parts;
+            }
+            return M;
+        };
+        const auto curvature = [&](double M) {
+            double low = 0.0, high = 3.0 * M / (E * test::second_moment(spec));
+            for (int i = 0; i < 50; ++i) (moment(0.5 * (low + high)) < M ? low : high) = 0.5 * (low + high);
+            return 0.5 * (low + high);
+        };
+        const double expected = end_drop(spec, P, curvature) / end_drop(spec, P, [&](double M) { return M / (E * test::second_moment(spec)); }) - 1.0;
+        const double effect = softened / plain - 1.0;
+        test::record("softening_" + to_string(kind), effect / expected - 1.0);
+        ASSERT_GT(expected, 0.03);
+        EXPECT_NEAR(effect, expected, (kind == ElementKind::hex8 ? 0.05 : 0.35) * expected) << to_string(kind);
+    }
+}
+
+/// A muscle that fills the upper half of the layer: a beam of two moduli, E and E + w, whose upper half wants to be shorter by 1 - a.
+TEST(OneLayer, BendsByAMuscleOfHalfItsThickness) {
+    test::BeamSpec spec = strip(ElementKind::hex8, 0.49);
+    Model model = test::make_beam(spec);
+    const double stiffness = 1e5, a = 1.0 - 1e-4, E = spec.youngs_modulus_Pa, h = spec.size(2), L = spec.size(0);
+    const Box upper{{-1.0, -1.0, 0.5 * h}, {1.0, 1.0, 1.0}};
+    model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::vector<FibreGroup>{fibres_in_box(model.body->mesh, upper, Vector3d::UnitX(), stiffness, "upper")});
+    model.activation = {Signal::constant(a)};
+    // No force and no moment: with s = strain in the middle and curvature k (positive: shorter above), per width.
+    Eigen::Matrix2d K;
+    K << E * h + stiffness * h / 2.0, -stiffness * h * h / 8.0, -stiffness * h * h / 8.0, E * h * h * h / 12.0 + stiffness * h * h * h / 24.0;
+    const Eigen::Vector2d pull(-stiffness * (1.0 - a) * h / 2.0, stiffness * (1.0 - a) * h * h / 8.0);
+    const double curvature = (K(0, 0) * pull(1) - K(1, 0) * pull(0)) / (K(0, 0) * K(1, 1) - K(0, 1) * K(1, 0));
+    const double expected = 0.5 * curvature * L * L, tip = tip_at_rest(model, spec).z();
+    test::record("muscle_hex8", tip / expected - 1.0);
+    EXPECT_NEAR(tip, expected, 0.05 * expected);
+}
+
+}  // namespace
+}  // namespace myo
