@@ -1,22 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "dynamics/statics.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
+#include "support/statics.hpp"
 
 namespace myo {
 namespace {
 
-using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-
-Vector3d equilibrium_tip(const Model& model, const test::BeamSpec& spec) {
-    StageSolver solver(model);
-    Matrix3Xd x = model.body->mesh.nodes;
-    const StageReport report = solve_equilibrium(solver, 0.0, x);
-    EXPECT_TRUE(report.ok()) << report.message;
-    return test::tip_displacement(model, spec, x);
-}
 
 /// P L^3 / 3 E I + P L / (k G A) with Cowper's shear coefficient k = 10 (1 + nu) / (12 + 11 nu) of a rectangle.
 /// Source: Cowper 1966, "The shear coefficient in Timoshenko's beam theory".
@@ -43,7 +34,7 @@ TEST(SmallLoad, CantileverDeflectsAsTimoshenkoSays) {
             Model model = test::make_beam(spec);
             const double P = 1e-4 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0));
             test::push_tip(model, spec, {0.0, 0.0, -P});
-            const double error = -equilibrium_tip(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
+            const double error = -test::tip_at_equilibrium(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
             test::record(std::string("error_") + run.element + (nu > 0.0 ? "_nu03" : "_nu0"), error);
             EXPECT_LT(std::abs(error), 0.01) << run.element << " nu " << nu;
         }
@@ -62,7 +53,7 @@ TEST(SmallLoad, LayersOfQuadraticCells) {
             Model model = test::make_beam(spec);
             const double P = 1e-4 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0));
             test::push_tip(model, spec, {0.0, 0.0, -P});
-            error[layers] = -equilibrium_tip(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
+            error[layers] = -test::tip_at_equilibrium(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
             test::record("error_" + std::to_string(layers) + "_nu" + std::to_string(static_cast<int>(1000.0 * nu)), error[layers]);
         }
         EXPECT_LT(std::abs(error[1]), 0.06) << nu;
@@ -124,7 +115,7 @@ TEST(LargeDeflection, SlenderCantileverFollowsTheElastica) {
             Model model = test::make_beam(spec);
             const double P = alpha * spec.youngs_modulus_Pa * test::second_moment(spec);
             test::push_tip(model, spec, {0.0, 0.0, -P});
-            const Vector3d tip = equilibrium_tip(model, spec);
+            const Vector3d tip = test::tip_at_equilibrium(model, spec);
             const Elastica exact = elastica(alpha);
             const std::string suffix = std::string("_") + element + "_alpha" + std::to_string(static_cast<int>(alpha));
             test::record("drop_error" + suffix, -tip(2) / exact.drop - 1.0);

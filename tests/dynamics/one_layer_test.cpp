@@ -4,11 +4,12 @@
 #include <functional>
 
 #include "dynamics/natural_modes.hpp"
-#include "dynamics/statics.hpp"
+#include "dynamics/stage_solver.hpp"
 #include "material/strain_stiffening.hpp"
 #include "model/rest_points.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
+#include "support/statics.hpp"
 
 // Bodies of a single layer of cells: all that bends them varies within a cell.
 
@@ -17,14 +18,6 @@ namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-
-Vector3d tip_at_rest(const Model& model, const test::BeamSpec& spec) {
-    StageSolver solver(model);
-    Matrix3Xd x = model.body->mesh.nodes;
-    const StageReport report = solve_equilibrium(solver, 0.0, x);
-    EXPECT_TRUE(report.ok()) << report.message;
-    return test::tip_displacement(model, spec, x);
-}
 
 /// Length to thickness 40, one layer.
 test::BeamSpec strip(ElementKind kind, double nu) {
@@ -47,7 +40,7 @@ TEST(OneLayer, BendsAndSwingsAsABeamWhateverPoissonsRatio) {
             const double E = spec.youngs_modulus_Pa, L = spec.size(0), I = test::second_moment(spec), P = small_load(spec);
             Model loaded = model;
             test::push_tip(loaded, spec, {0.0, 0.0, -P});
-            const double error = -tip_at_rest(loaded, spec).z() / (P * L * L * L / (3.0 * E * I)) - 1.0;
+            const double error = -test::tip_at_equilibrium(loaded, spec).z() / (P * L * L * L / (3.0 * E * I)) - 1.0;
             test::record("bending_" + what, error);
             EXPECT_NEAR(error, 0.0, kind == ElementKind::tet10 || nu > 0.49 ? 0.03 : 0.02) << what;
 
@@ -72,7 +65,7 @@ TEST(OneLayer, OfAPlateBendsAsManyLayersDo) {
             spec.poissons_ratio = nu;
             Model model = test::make_beam(spec);
             test::push_tip(model, spec, {0.0, 0.0, -small_load(spec)});
-            drop[fine] = -tip_at_rest(model, spec).z();
+            drop[fine] = -test::tip_at_equilibrium(model, spec).z();
         }
         test::record("plate_nu" + std::to_string(static_cast<int>(std::lround(1e4 * nu))), drop[0] / drop[1] - 1.0);
         EXPECT_NEAR(drop[0], drop[1], (nu > 0.49 ? 0.03 : 0.02) * drop[1]) << nu;
@@ -93,7 +86,7 @@ TEST(OneLayer, OfObliqueOrFlatCellsBendsAlike) {
             if (model.body->clamped[static_cast<std::size_t>(i)]) held.push_back(i);
         model.body = make_body(mesh, spec.kind, held);
         test::push_tip(model, spec, {0.0, 0.0, -small_load(spec)});
-        return -tip_at_rest(model, spec).z();
+        return -test::tip_at_equilibrium(model, spec).z();
     };
     const double straight = drop_of({40, 1, 1}, [](Matrix3Xd&) {});
     const double L = 0.2, h = 0.005;
@@ -125,7 +118,7 @@ TEST(OneLayer, WithAGradientOfStiffnessBendsAsItIsPulled) {
         test::push_tip(model, spec, {pull, 0.0, 0.0});
         const double strain = pull / (E * A) / (1.0 - r * r / 12.0), curvature = r / h * strain;
         const double expected = 0.5 * curvature * L * L;   // towards the stiffer side
-        const double tip = tip_at_rest(model, spec).z();
+        const double tip = test::tip_at_equilibrium(model, spec).z();
         test::record("gradient_" + to_string(kind), tip / expected - 1.0);
         EXPECT_NEAR(tip, expected, 0.05 * expected) << to_string(kind);
     }
@@ -157,9 +150,9 @@ TEST(OneLayer, StiffensInBendingAsBeamTheorySays) {
         const double c2 = 1e4, P = 200.0 * small_load(spec);
         Model model = test::make_beam(spec);
         test::push_tip(model, spec, {0.0, 0.0, -P});
-        const double plain = -tip_at_rest(model, spec).z();
+        const double plain = -test::tip_at_equilibrium(model, spec).z();
         model.material = strain_stiffening(model.material, c2);
-        const double stiffened = -tip_at_rest(model, spec).z();
+        const double stiffened = -test::tip_at_equilibrium(model, spec).z();
         const auto curvature = [&](double a) {
             return [&spec, a](double M) {
                 double k = M / (spec.youngs_modulus_Pa * test::second_moment(spec));
@@ -183,9 +176,9 @@ TEST(OneLayer, SoftensInBendingAsBeamTheorySays) {
         const StressSoftening law{0.3, E * outer * outer};
         Model model = test::make_beam(spec);
         test::push_tip(model, spec, {0.0, 0.0, -P});
-        const double plain = -tip_at_rest(model, spec).z();
+        const double plain = -test::tip_at_equilibrium(model, spec).z();
         model.softening = law;
-        const double softened = -tip_at_rest(model, spec).z();
+        const double softened = -test::tip_at_equilibrium(model, spec).z();
         const auto moment = [&](double k) {
             double M = 0.0;
             constexpr int parts = 200;
@@ -221,7 +214,7 @@ TEST(OneLayer, BendsByAMuscleOfHalfItsThickness) {
     K << E * h + stiffness * h / 2.0, -stiffness * h * h / 8.0, -stiffness * h * h / 8.0, E * h * h * h / 12.0 + stiffness * h * h * h / 24.0;
     const Eigen::Vector2d pull(-stiffness * (1.0 - a) * h / 2.0, stiffness * (1.0 - a) * h * h / 8.0);
     const double curvature = (K(0, 0) * pull(1) - K(1, 0) * pull(0)) / (K(0, 0) * K(1, 1) - K(0, 1) * K(1, 0));
-    const double expected = 0.5 * curvature * L * L, tip = tip_at_rest(model, spec).z();
+    const double expected = 0.5 * curvature * L * L, tip = test::tip_at_equilibrium(model, spec).z();
     test::record("muscle_hex8", tip / expected - 1.0);
     EXPECT_NEAR(tip, expected, 0.05 * expected);
 }

@@ -1,0 +1,17 @@
+#include "support/statics.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dynamics/statics.hpp"
+
+namespace myo::test {
+
+Eigen::Vector3d tip_at_equilibrium(const Model& model, const BeamSpec& spec) {
+    StageSolver solver(model);
+    Eigen::Matrix3Xd x = model.body->mesh.nodes;
+    const StageReport report = solve_equilibrium(solver, 0.0, x);
+    EXPECT_TRUE(report.ok()) << report.message;
+    return tip_displacement(model, spec, x);
+}
+
+}  // namespace myo::test
