@@ -37,7 +37,7 @@ struct CellGeometry {
     double volume = 0.0;
 };
 
-/// Of the bulk modulus, so many times mu at most stay at the points of cells with a mean volume; the rest acts on their mean. What varies within a
+/// Bound of the bulk modulus at the points of cells with a mean volume, in units of mu; the rest acts on the mean volume. What varies within a
 /// cell answers as if Poisson's ratio were that of the part at the points.
 ///
 /// The mean alone is stable (quadratic displacements with one pressure per cell fulfil the inf-sup condition: test InfSup), what stays at the

@@ -37,7 +37,7 @@ GridLines grid_lines(const Box& box, double edge, const GridPlanes& planes = {})
 /// Edge length [m] aimed at along an axis at a coordinate.
 using EdgeAt = std::function<double(int axis, double at)>;
 
-/// The same with an edge length of its own between any two planes, that in the middle between them.
+/// grid_lines() with an edge length that varies: each interval between planes takes that of its middle.
 GridLines grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes = {});
 
 /// More cells than this are taken for a slip of the keyboard: they would fill the memory.

@@ -46,7 +46,7 @@ PlaneView view_along(const Eigen::Matrix3Xd& vertices, const Eigen::Vector3d& no
     return view;
 }
 
-// Of several edges that leave a vertex the one furthest left goes round the same inside.
+// Where several edges leave a vertex, the leftmost one continues the loop around the same region.
 std::size_t next_edge(const PlaneView& view, const std::vector<ContourEdge>& edges, const ContourEdge& last,
                       const std::vector<bool>& used) {
     std::size_t best = edges.size();

@@ -52,7 +52,8 @@ inline AssumedStrains from_corners(const CornerStrains& R) {
 
 /// The strains as a linear map of the amplitudes c(s, i) = edge i . F0^-1 q_s of the shapes, and its transpose.
 ///
-/// Of the strain of a plane with the trace t, the part 1 - s of the equibiaxial one is left out: A = in-plane - (1 - s)/2 t (I - n n') - s t nu/(1 - nu) n n'.
+/// A plane's strain of trace t keeps the part s of its equibiaxial strain:
+///   A = in-plane - (1 - s)/2 t (I - n n') - s t nu/(1 - nu) n n'.
 struct AssumedStrainMap {
     const PackAssumedStrain& geometry;
     Pack poissons_ratio;

@@ -29,7 +29,7 @@ KeyFigure modulus_figure(const Calibration& calibration, Eigen::Index row) {
     return {"Young’s modulus", shown.value, "kPa", note + ", declared " + readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
 }
 
-/// Of the first vibration, which most trials show.
+/// Describes the damping of the first vibration, which most trials excite.
 double damping_factor_of(const Study& study) {
     const bool known = study.integration && study.integration->frequency_Hz > 0.0;
     return known ? study.integration->damping_factor : slender_damping_factor(study.experiment.material.poissons_ratio);
