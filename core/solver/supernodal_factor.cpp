@@ -7,15 +7,13 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
-#include <experimental/simd>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "solver/factor_block.hpp"
 
 namespace myo {
 namespace {
-
-namespace stdx = std::experimental;
 
 /// Calls visit(s) for every supernode, children before parents or, downwards, parents before children; supernodes on different
 /// branches at the same time.
@@ -42,10 +40,25 @@ const int* parent_positions(const SupernodalPattern& p, int s) {
     return p.parent_position.data() + p.first_row[static_cast<std::size_t>(s)] + p.columns(s);
 }
 
+/// Replaces a lower triangle by its inverse, and what stands above it by zeros.
+template <class Block>
+void invert_lower(Block L) {
+    const Eigen::Index n = L.rows();
+    L.template triangularView<Eigen::StrictlyUpper>().setZero();
+    for (Eigen::Index c = 0; c < n; ++c) {
+        L(c, c) = 1 / L(c, c);
+        for (Eigen::Index r = c + 1; r < n; ++r) {
+            auto sum = L(r, c) * L(c, c);
+            for (Eigen::Index k = c + 1; k < r; ++k) sum += L(r, k) * L(k, c);
+            L(r, c) = -sum / L(r, r);
+        }
+    }
+}
+
 template <class Scalar>
 class Factorisation {
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    using Block = Eigen::Map<Matrix>;
+    using Block = Eigen::Map<Matrix, 0, Eigen::OuterStride<>>;
 
 public:
     Factorisation(const SupernodalPattern& pattern, SupernodalFactor<Scalar>& factor)
@@ -57,7 +70,7 @@ public:
     }
 
 private:
-    Block block(int s) { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_count(s), p_.columns(s)}; }
+    Block block(int s) { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_count(s), p_.columns(s), Eigen::OuterStride<>(p_.row_stride(s))}; }
 
     /// Adds what child c leaves to the parent's block L and to what the parent leaves.
     void assemble(int c, Block& L, Matrix& left) {
@@ -86,10 +99,15 @@ private:
             definite_ = false;
             return;
         }
-        if (below == 0) return;
-        auto bottom = L.bottomRows(below);
-        top.template triangularView<Eigen::Lower>().transpose().template solveInPlace<Eigen::OnTheRight>(bottom);
-        left.template selfadjointView<Eigen::Lower>().rankUpdate(bottom, Scalar(-1));
+        if (below > 0) {
+            auto bottom = L.bottomRows(below);
+            top.template triangularView<Eigen::Lower>().transpose().template solveInPlace<Eigen::OnTheRight>(bottom);
+            left.template selfadjointView<Eigen::Lower>().rankUpdate(bottom, Scalar(-1));
+        }
+        for (Eigen::Index start = 0; start < columns; start += diagonal_block_size) {
+            const Eigen::Index size = std::min<Eigen::Index>(diagonal_block_size, columns - start);
+            invert_lower(L.block(start, start, size, size));
+        }
     }
 
     const SupernodalPattern& p_;
@@ -98,103 +116,10 @@ private:
     std::atomic<bool> definite_ = true;
 };
 
-/// As many right-hand sides side by side as a register has lanes.
-template <class Scalar, int K>
-using Lanes = stdx::simd<Scalar, stdx::simd_abi::deduce_t<Scalar, K>>;
-
-/// Solves with a dense triangle and products with the block below it, for K columns side by side. L: rows x columns, column-major.
-/// It goes through L a few columns at a time, so that a pass touches few pages.
-template <class Scalar, int K>
-struct DenseBlock {
-    using Lane = Lanes<Scalar, K>;
-    static constexpr int step = 8;
-    const Scalar* L;
-    int rows, columns;
-
-    const Scalar* column(int c) const { return L + static_cast<std::size_t>(c) * static_cast<std::size_t>(rows); }
-
-    /// y <- L11^-1 y, then below -= L21 y.
-    void forward(Lane* y) const {
-        for (int start = 0; start < columns; start += step) {
-            const int end = std::min(start + step, columns);
-            for (int c = start; c < end; ++c) {
-                y[c] /= column(c)[c];
-                for (int r = c + 1; r < end; ++r) y[r] -= column(c)[r] * y[c];
-            }
-            int r = end;
-            for (; r + 4 <= rows; r += 4) {   // four rows share the loads of y
-                Lane sum0 = y[r], sum1 = y[r + 1], sum2 = y[r + 2], sum3 = y[r + 3];
-                for (int c = start; c < end; ++c) {
-                    const Scalar* at = column(c) + r;
-                    sum0 -= at[0] * y[c];
-                    sum1 -= at[1] * y[c];
-                    sum2 -= at[2] * y[c];
-                    sum3 -= at[3] * y[c];
-                }
-                y[r] = sum0;
-                y[r + 1] = sum1;
-                y[r + 2] = sum2;
-                y[r + 3] = sum3;
-            }
-            for (; r < rows; ++r)
-                for (int c = start; c < end; ++c) y[r] -= column(c)[r] * y[c];
-        }
-    }
-
-    /// y <- L11^-T (y - L21' below).
-    void backward(Lane* y) const {
-        for (int end = columns; end > 0; end -= step) {
-            const int start = std::max(0, end - step);
-            std::array<Lane, step> sum;
-            for (int c = start; c < end; ++c) sum[static_cast<std::size_t>(c - start)] = y[c];
-            if (end - start == step) {
-                const Scalar* at = column(start);
-                for (int r = end; r < rows; ++r)
-                    for (std::size_t k = 0; k < step; ++k) sum[k] -= at[k * static_cast<std::size_t>(rows) + static_cast<std::size_t>(r)] * y[r];
-            } else {
-                for (int c = start; c < end; ++c)
-                    for (int r = end; r < rows; ++r) sum[static_cast<std::size_t>(c - start)] -= column(c)[r] * y[r];
-            }
-            for (int c = end - 1; c >= start; --c) {
-                Lane& own = sum[static_cast<std::size_t>(c - start)];
-                for (int r = c + 1; r < end; ++r) own -= column(c)[r] * y[r];
-                y[c] = own / column(c)[c];
-            }
-        }
-    }
-};
-
-/// A single column has no lanes to fill; its products run along the block's columns.
-template <class Scalar>
-struct DenseBlock<Scalar, 1> {
-    using Lane = Scalar;
-    const Scalar* L;
-    int rows, columns;
-
-    auto part(int first, int count) const {
-        using Strided = Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
-        return Strided(L + first, count, columns, Eigen::OuterStride<>(rows));
-    }
-    static auto vector(Scalar* y, int count) { return Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>(y, count); }
-
-    void forward(Scalar* y) const {
-        const auto diagonal = part(0, columns);
-        auto own = vector(y, columns);
-        diagonal.template triangularView<Eigen::Lower>().solveInPlace(own);
-        if (rows > columns) vector(y + columns, rows - columns).noalias() -= part(columns, rows - columns) * own;
-    }
-    void backward(Scalar* y) const {
-        const auto diagonal = part(0, columns);
-        auto own = vector(y, columns);
-        if (rows > columns) own.noalias() -= part(columns, rows - columns).transpose() * vector(y + columns, rows - columns);
-        diagonal.template triangularView<Eigen::Lower>().transpose().solveInPlace(own);
-    }
-};
-
 /// The triangular solves on K columns. Each supernode has a copy of the rows that it touches.
 template <class Scalar, int K>
 class Substitution {
-    using Block = DenseBlock<Scalar, K>;
+    using Block = FactorBlock<Scalar, K>;
 
 public:
     using Lane = typename Block::Lane;
@@ -209,13 +134,13 @@ public:
 
 private:
     Lane* local(int s) { return local_.data() + p_.first_row[static_cast<std::size_t>(s)]; }
-    Block block(int s) const { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_count(s), p_.columns(s)}; }
+    Block block(int s) const { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_stride(s), p_.row_count(s), p_.columns(s)}; }
 
     void forward(int s, const std::vector<Lane>& y) {
         Lane* values = local(s);
-        const int own = p_.columns(s), rows = p_.row_count(s);
+        const int own = p_.columns(s);
         std::copy_n(y.begin() + p_.first_column[static_cast<std::size_t>(s)], own, values);
-        std::fill(values + own, values + rows, Lane(0));
+        std::fill(values + own, values + p_.row_stride(s), Lane(0));
         for (const int c : p_.children[static_cast<std::size_t>(s)]) {
             const Lane* from = local(c) + p_.columns(c);
             const int* position = parent_positions(p_, c);
@@ -239,7 +164,7 @@ private:
 
     const SupernodalPattern& p_;
     const SupernodalFactor<Scalar>& factor_;
-    std::vector<Lane> local_;
+    std::vector<Lane, Eigen::aligned_allocator<Lane>> local_;
 };
 
 /// Solves the columns first ... first + count - 1 of B, count <= K, at once.

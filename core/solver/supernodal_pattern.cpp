@@ -48,7 +48,8 @@ void match_parents(SupernodalPattern& p) {
         const int up = p.parent[static_cast<std::size_t>(s)];
         if (up < 0) continue;
         long at = p.first_row[static_cast<std::size_t>(up)];
-        for (long i = p.first_row[static_cast<std::size_t>(s)] + p.columns(s); i < p.first_row[static_cast<std::size_t>(s) + 1]; ++i) {
+        const long first = p.first_row[static_cast<std::size_t>(s)];
+        for (long i = first + p.columns(s); i < first + p.row_count(s); ++i) {
             while (p.rows[static_cast<std::size_t>(at)] != p.rows[static_cast<std::size_t>(i)]) ++at;
             assert(at < p.first_row[static_cast<std::size_t>(up) + 1]);
             p.parent_position[static_cast<std::size_t>(i)] = static_cast<int>(at - p.first_row[static_cast<std::size_t>(up)]);
@@ -69,9 +70,9 @@ void place_entries(const SymmetricSparse& lower, SupernodalPattern& p) {
         for (SymmetricSparse::InnerIterator it(lower, j); it; ++it, ++k) {
             const auto [column, row] = std::minmax({place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(j)]});
             const auto s = static_cast<std::size_t>(supernode[static_cast<std::size_t>(column)]);
-            const auto begin = p.rows.begin() + p.first_row[s], end = p.rows.begin() + p.first_row[s + 1];
+            const auto begin = p.rows.begin() + p.first_row[s], end = begin + p.row_counts[s];
             const long local_row = std::lower_bound(begin, end, row) - begin;
-            const long value = p.first_value[s] + (column - p.first_column[s]) * static_cast<long>(end - begin) + local_row;
+            const long value = p.first_value[s] + (column - p.first_column[s]) * static_cast<long>(p.row_stride(static_cast<int>(s))) + local_row;
             p.entry[k] = static_cast<std::uint32_t>(value);
         }
 }
@@ -90,15 +91,22 @@ SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
     const auto* rows = static_cast<const int*>(factor->s);
     p.permutation.assign(permutation, permutation + factor->n);
     p.first_column.assign(columns, columns + factor->nsuper + 1);
-    p.first_row.assign(row_starts, row_starts + factor->nsuper + 1);
-    p.rows.assign(rows, rows + factor->ssize);
+    p.first_row.assign(1, 0);
+    for (std::size_t s = 0; s < factor->nsuper; ++s) {
+        constexpr int unit = SupernodalPattern::stride_unit;
+        const int count = row_starts[s + 1] - row_starts[s];
+        p.row_counts.push_back(count);
+        p.rows.insert(p.rows.end(), rows + row_starts[s], rows + row_starts[s + 1]);
+        p.first_row.push_back(p.first_row.back() + (count + unit - 1) / unit * unit);
+        p.rows.resize(static_cast<std::size_t>(p.first_row.back()), -1);
+    }
     p.parent.assign(factor->nsuper, -1);
     p.first_value.assign(1, 0);
     std::vector<int> supernode(factor->n);
     for (std::size_t s = 0; s < factor->nsuper; ++s)
         std::fill(supernode.begin() + columns[s], supernode.begin() + columns[s + 1], static_cast<int>(s));
     for (int s = 0; s < p.supernodes(); ++s) {
-        p.first_value.push_back(p.first_value.back() + static_cast<long>(p.columns(s)) * p.row_count(s));
+        p.first_value.push_back(p.first_value.back() + static_cast<long>(p.columns(s)) * p.row_stride(s));
         if (p.row_count(s) == p.columns(s)) continue;
         const long first_below = p.first_row[static_cast<std::size_t>(s)] + p.columns(s);
         p.parent[static_cast<std::size_t>(s)] = supernode[static_cast<std::size_t>(p.rows[static_cast<std::size_t>(first_below)])];
