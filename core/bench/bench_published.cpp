@@ -39,7 +39,7 @@ Result<BenchFigures> beside_trace(const PublishedTrace& published) {
     if (reference) figures.quantities.push_back({"largest deviation from the trace, of its deflection", 100.0 * trace_deviation(trace, node, *reference), "%", {}});
     else figures.note = "without its trace: MYOLOOP_DATA names no folder of the data, and ../shared is none";
     Model light = model;   // its vertices still alike, its total mass that of the body
-    light.density_kg_m3 *= light.density_kg_m3 * light.body->unit_mass.sum() / mass_matrix(light).isotropic.sum();
+    light.density_kg_m3 *= light.density_kg_m3 * light.body->volume_m3 / mass_matrix(light).nodal_kg.sum();
     for (const auto& [name, variant, expected] : {std::tuple{"node at rest, dz", &model, published.rest_dz_mm},
                                                  {"node at rest, total mass corrected, dz", &light, published.true_mass_dz_mm}}) {
         const Result<double> rest = rest_dz_mm(*variant, node);

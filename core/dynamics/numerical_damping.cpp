@@ -41,7 +41,7 @@ double spectral_radius(const Matrix4d& A) { return A.eigenvalues().cwiseAbs().ma
 
 Matrix4d amplification(const TimeScheme& scheme, const Oscillator& oscillator, double h_s) {
     const Oscillator o{oscillator.omega_rad_s * h_s, oscillator.damping_ratio, oscillator.velocity_force_1_s * h_s};
-    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}};
+    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}, {}};
     mass.isotropic.insert(0, 0) = 1.0;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {
         const double stiffness = o.omega_rad_s * o.omega_rad_s, viscosity = 2.0 * o.damping_ratio * o.omega_rad_s;

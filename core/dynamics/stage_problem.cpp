@@ -108,7 +108,7 @@ double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const
     const double inertial =
         gather(pattern(), stage_.constant - stage_.inertia_1_s2 * times_mass(start, mass_span().mass)).norm();
     // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
-    const double volume = model().body->unit_mass.sum();
+    const double volume = model().body->volume_m3;
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
     InternalEnergy at_rest;   // of muscles and force elements: a guess that strains them would make little of what is left of them
     at_rest.gradient = Matrix3Xd::Zero(3, start.cols());
@@ -125,11 +125,11 @@ double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const
 double StageProblem::rounding_of_forces(const Matrix3Xd& x) const {
     const Body& body = *model().body;
     const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff() + x.rowwise().mean().norm();
-    const double edge = std::cbrt(body.unit_mass.sum() / body.cell_count());
+    const double edge = std::cbrt(body.volume_m3 / body.cell_count());
     double stiffest = 0.0;
     for (const Moduli& m : model().moduli) stiffest = std::max({stiffest, m.kappa, m.mu});
     const MassMatrix& mass = mass_span().mass;
-    const double largest_mass = mass.isotropic.sum() + (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
+    const double largest_mass = mass.nodal_kg.sum() + (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
     const double inertia = std::abs(stage_.inertia_1_s2) * largest_mass / body.node_count();
     return std::numeric_limits<double>::epsilon() * extent * (stiffest * edge + inertia) * std::sqrt(static_cast<double>(body.node_count()));
 }

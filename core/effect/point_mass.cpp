@@ -13,7 +13,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const EffectSite& site = search.sites.front();
-    const double body_kg = search.models.front().density_kg_m3 * site.body->unit_mass.sum();
+    const double body_kg = search.models.front().density_kg_m3 * site.body->volume_m3;
     std::vector<EffectProbe> list;
     for (const Eigen::Vector3d& place : spread_surface_points(site, 10))
         list.push_back(probe({{"mass_kg", 0.01 * body_kg}, {"position_m", Eigen::VectorXd(place)}}, "mass_kg"));

@@ -15,7 +15,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const EffectSite& site = search.sites.front();
-    const double size = std::cbrt(site.body->unit_mass.sum());
+    const double size = std::cbrt(site.body->volume_m3);
     std::vector<EffectProbe> list;
     for (const Eigen::Vector3d& centre : spread_cells(site, 9))
         list.push_back(probe({{"relative_change", -0.1}, {"centre_m", Eigen::VectorXd(centre)}, {"radius_m", 0.3 * size}}, "relative_change"));

@@ -102,7 +102,7 @@ Matrix3Xd BodyPatches::sums(const Matrix3Xd& of_nodes) const {
 BodyPatches body_patches(const Body& body, int about) {
     const Matrix3Xd& X = body.mesh.nodes;
     const Eigen::Vector3d lowest = X.rowwise().minCoeff(), extent = X.rowwise().maxCoeff() - lowest;
-    const double edge = std::cbrt(body.unit_mass.sum() / about);
+    const double edge = std::cbrt(body.volume_m3 / about);
     const Eigen::Array3d cubes = (extent.array() / edge).round().max(1.0);
     std::map<std::array<int, 3>, int> number;
     BodyPatches patches;

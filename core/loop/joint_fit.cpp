@@ -54,7 +54,7 @@ constexpr double heaviest_overlooked = 3.0;
 /// Places stay on the body, masses in proportion to it.
 void bound_by_body(const Study& study, std::vector<StudyParameter>& parameters) {
     const Box body = bounding_box(study.surface.vertices);
-    const double body_kg = study.experiment.material.density_kg_m3 * study.body->unit_mass.sum();
+    const double body_kg = study.experiment.material.density_kg_m3 * study.body->volume_m3;
     for (StudyParameter& p : parameters) {
         if (p.of_effect == "position_m" || p.of_effect == "centre_m") {
             p.parameter.lower = body.lowest(p.component);

@@ -18,6 +18,7 @@ BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>&
     for (const MassEntry& entry : consistent_mass(body->mesh)) triplets.emplace_back(entry.row, entry.column, entry.value);
     body->unit_mass.resize(body->mesh.node_count(), body->mesh.node_count());
     body->unit_mass.setFromTriplets(triplets.begin(), triplets.end());
+    body->volume_m3 = body->unit_mass.sum();
 
     std::visit(
         [&](const auto& cells) {

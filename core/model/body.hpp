@@ -24,6 +24,7 @@ struct Body {
     CellSurroundings surroundings;                // of hex8, as the body was made
     BlockPattern pattern;
     Eigen::SparseMatrix<double> unit_mass;        // n x n [m3]: consistent mass for density 1
+    double volume_m3 = 0.0;
     int volume_points_per_cell = 1;               // independent volume measures (pressures) per cell
     int strains_per_cell = 0;
     int points_per_cell = 0;                      // at which the law is evaluated

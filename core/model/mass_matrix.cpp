@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "model/model.hpp"
@@ -17,7 +18,7 @@ using Eigen::Matrix3Xd;
 Eigen::SparseMatrix<double> equal_vertex_mass(const Body& body) {
     Eigen::SparseMatrix<double> mass(body.node_count(), body.node_count());
     mass.setIdentity();
-    mass *= body.unit_mass.sum() / body.cell_count();
+    mass *= body.volume_m3 / body.cell_count();
     return mass;
 }
 
@@ -44,9 +45,12 @@ Eigen::SparseMatrix<double> directional_mass(const Model& model, double at_s) {
 
 }  // namespace
 
-MassMatrix mass_matrix(const Model& model, double at_s) {
-    return {isotropic_mass(model), directional_mass(model, at_s)};
+MassMatrix mass_matrix(Eigen::SparseMatrix<double> isotropic, Eigen::SparseMatrix<double> directional) {
+    Eigen::VectorXd nodal_kg = isotropic * Eigen::VectorXd::Ones(isotropic.cols());
+    return {std::move(isotropic), std::move(directional), std::move(nodal_kg)};
 }
+
+MassMatrix mass_matrix(const Model& model, double at_s) { return mass_matrix(isotropic_mass(model), directional_mass(model, at_s)); }
 
 std::vector<MassSpan> mass_spans(const Model& model) {
     std::vector<double> ends{std::numeric_limits<double>::infinity()};

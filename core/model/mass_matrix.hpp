@@ -14,8 +14,11 @@ struct MassMatrix {
     Eigen::SparseMatrix<double> isotropic;     // n x n [kg]; it also weighs
     Eigen::SparseMatrix<double> directional;   // 3n x 3n [kg], row 3 i + r, symmetric, without weight; 0 x 0: none
 
+    Eigen::VectorXd nodal_kg;                  // sums of the isotropic rows: what weighs at each node
+
     bool has_directional() const { return directional.size() > 0; }
 };
+MassMatrix mass_matrix(Eigen::SparseMatrix<double> isotropic, Eigen::SparseMatrix<double> directional);
 
 /// The body's mass by its mass model, attached masses on the diagonal, and the directional masses active at a time.
 MassMatrix mass_matrix(const Model& model, double at_s = 0.0);

@@ -18,8 +18,7 @@ std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, dou
 }
 
 Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, double t, bool before) {
-    const Eigen::VectorXd nodal_mass = mass.isotropic * Eigen::VectorXd::Ones(mass.isotropic.cols());
-    Eigen::Matrix3Xd f = model.gravity_m_s2 * nodal_mass.transpose();
+    Eigen::Matrix3Xd f = model.gravity_m_s2 * mass.nodal_kg.transpose();
     for (const DeadForce& load : model.forces)
         if (before ? load.active_before(t) : load.active(t)) f += load.force_N * load.share.transpose();
     return f;

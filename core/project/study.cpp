@@ -136,7 +136,7 @@ Result<void> check_seen(Study& study) {
 
 void warn_of_mass(const Model& model, std::vector<std::string>& warnings) {
     if (model.mass_model == MassModel::consistent) return;
-    const double part = mass_matrix(model).isotropic.sum() / (model.density_kg_m3 * model.body->unit_mass.sum());
+    const double part = mass_matrix(model).nodal_kg.sum() / (model.density_kg_m3 * model.body->volume_m3);
     warnings.push_back("equal vertex masses: the body weighs " + format_number(100.0 * part, 3) + " % of its mesh's true mass");
 }
 

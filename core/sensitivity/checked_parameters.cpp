@@ -53,7 +53,7 @@ void add_material(const Model& model, std::vector<CheckedParameter>& list) {
 }
 
 void add_loads(const Model& model, std::vector<CheckedParameter>& list) {
-    const double mass = model.density_kg_m3 * model.body->unit_mass.sum();
+    const double mass = model.density_kg_m3 * model.body->volume_m3;
     list.push_back({"gravity", 1e-2, [](Model& m, SimulationOptions&, double by) { m.gravity_m_s2 += by * direction; },
                     [](const ModelGradient& g) { return g.gravity_m_s2.dot(direction); }});
     for (std::size_t f = 0; f < model.forces.size(); ++f)
@@ -109,7 +109,7 @@ void add_force_elements(const Model& model, std::vector<CheckedParameter>& list)
 void add_start(const Model& model, const SimulationOptions& options, std::vector<CheckedParameter>& list) {
     const Matrix3Xd& X = model.body->mesh.nodes;
     const Matrix3Xd field = rough_field(*model.body);
-    const double edge = std::cbrt(model.body->unit_mass.sum() / model.body->cell_count());
+    const double edge = std::cbrt(model.body->volume_m3 / model.body->cell_count());
     if (!options.starts_at_equilibrium())
         list.push_back({"initial positions", 1e-4 * edge,
                         [X, field](Model&, SimulationOptions& o, double by) {

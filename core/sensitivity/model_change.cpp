@@ -30,8 +30,8 @@ std::vector<MassSpan> differences(const std::vector<MassSpan>& over, const std::
     for (std::size_t o = 0, u = 0; o < over.size() && u < under.size();) {
         const double until_s = std::min(over[o].until_s, under[u].until_s);
         result.push_back({until_s,
-                          {difference(over[o].mass.isotropic, under[u].mass.isotropic, width),
-                           difference(over[o].mass.directional, under[u].mass.directional, width)}});
+                          mass_matrix(difference(over[o].mass.isotropic, under[u].mass.isotropic, width),
+                                      difference(over[o].mass.directional, under[u].mass.directional, width))});
         o += over[o].until_s == until_s ? 1 : 0;
         u += under[u].until_s == until_s ? 1 : 0;
     }

@@ -28,7 +28,7 @@ UnitStep unit_step(const TimeScheme& scheme, double h, double step_before, doubl
     start.rate = measure(unit(rate_field));
     start.rate_lag = measure(unit(rate_lag_field));
     start.step_before_s = step_before;
-    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}};
+    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}, {}};
     mass.isotropic.insert(0, 0) = 1.0;
     UnitStep result;
     std::vector<double> constants, histories;

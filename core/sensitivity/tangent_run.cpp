@@ -175,7 +175,7 @@ private:
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
             const auto column = static_cast<Index>(p);
             const Matrix3Xd moved = nodal_column(nodal_[x_field], column);
-            const double most = moved.cwiseAbs().maxCoeff(), size = std::cbrt(model_.body->unit_mass.sum());
+            const double most = moved.cwiseAbs().maxCoeff(), size = std::cbrt(model_.body->volume_m3);
             const ModelPair* const pair = explicit_.pair(p);
             const double width = pair ? pair->width : most > 0.0 ? start_difference * size / most : 1.0;
             const auto at = [&](const Model& model, double side) {

@@ -132,7 +132,7 @@ inline RandomCase random_case(unsigned seed) {
     // The weight strains by up to a tenth, a force by up to a fifth; some loads are far beyond what a body bears.
     const double violence = dice.chance(0.1) ? dice.decades(1.0, 100.0) : 1.0;
     model.gravity_m_s2 = dice.decades(1e-4, 0.1) * violence * E / (model.density_kg_m3 * size) * dice.direction();
-    const double volume = body.unit_mass.sum();
+    const double volume = body.volume_m3;
     if (dice.chance(0.5)) {
         DeadForce load;
         load.share = Eigen::VectorXd::Zero(body.node_count());
