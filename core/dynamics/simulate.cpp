@@ -201,7 +201,11 @@ private:
         past_.add(stage.time_s, solution.x);
         if (beside) aside_.add(stage.time_s, solution.x - *beside);
         else aside_.clear();
-        step.solved.push_back({stage, solution});
+        step.solved.emplace_back();
+        SolvedStage& solved = step.solved.back();
+        solved.stage.time_s = stage.time_s;
+        solved.solution.x = solution.x;
+        if (observer_.stepped) solved = {stage, solution};   // strains and histories of all points are long
         return true;
     }
 

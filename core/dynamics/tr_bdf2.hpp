@@ -42,7 +42,8 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     if (!p.solve(bdf2, end)) return false;
     next.v = end.x / d - history;
     next.force = times_mass((next.v - c1 * v1 + c0 * s.v) / d, p.mass);
-    next.rate = end.strain / d + bdf2.rate_history;
+    next.rate = std::move(bdf2.rate_history);   // in place: these are as long as all points' strains
+    next.rate += end.strain / d;
     next.x = std::move(end.x);
     next.strain = std::move(end.strain);
     return true;

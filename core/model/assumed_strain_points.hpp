@@ -15,8 +15,7 @@ struct AssumedStrains {
 using CornerStrains = std::array<PackSymmetric, 8>;
 
 /// H at the corners: sums and differences of pairs, so that few additions serve all eight.
-inline CornerStrains at_corners(const AssumedStrains& strains) {
-    CornerStrains H;
+inline void set_at_corners(const AssumedStrains& strains, CornerStrains& H) {
     for (std::size_t k = 0; k < 6; ++k) {
         const Pack a0 = strains.linear[0][k], a1 = strains.linear[1][k], a2 = strains.linear[2][k];
         const Pack b0 = strains.bilinear[0][k], b1 = strains.bilinear[1][k], b2 = strains.bilinear[2][k];
@@ -31,7 +30,6 @@ inline CornerStrains at_corners(const AssumedStrains& strains) {
         H[6][k] = even1 + odd1, H[1][k] = even1 - odd1;
         H[7][k] = even2 + odd2, H[0][k] = even2 - odd2;
     }
-    return H;
 }
 
 /// Its transpose.
@@ -148,7 +146,7 @@ public:
     PointKinematics(const PackAssumedStrain& geometry, const PackSurroundings& surroundings, const PackNodes<8>& x, const Pack& poissons_ratio)
         : map_(geometry, surroundings, poissons_ratio), mean_(nodal_product(x, geometry.gradient)), inverse_(inverse(mean_)) {
         shapes_ = through_inverse(nodal_product(x, geometry.gamma));
-        strain_ = at_corners(map_.apply(shapes_));
+        set_at_corners(map_.apply(shapes_), strain_);
         // exp H to second order: never singular, and its determinant is exp(tr H) to the third.
         for (std::size_t corner = 0; corner < 8; ++corner) {
             const PackSymmetric& H = strain_[corner];
@@ -172,7 +170,10 @@ public:
         Eigen::Matrix<Pack, 3, 4> dq = nodal_product(dx, map_.geometry.gamma);
         for (int s = 0; s < 4; ++s)
             for (int i = 0; i < 3; ++i) dq(i, s) -= dF(i, 0) * shapes_(0, s) + dF(i, 1) * shapes_(1, s) + dF(i, 2) * shapes_(2, s);
-        return {dF, at_corners(map_.apply(through_inverse(dq)))};
+        Motion motion;
+        motion.mean = dF;
+        set_at_corners(map_.apply(through_inverse(dq)), motion.strains);
+        return motion;
     }
     Matrix3<Pack> tangent(int q, const Motion& motion) const {
         if (q == 0) return motion.mean;

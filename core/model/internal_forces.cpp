@@ -175,15 +175,19 @@ VectorXd pack_strains(const PackedCells<Geometry>& cells, const Model& model, co
     const int per_cell = cells.strains_per_cell();
     VectorXd result(cells.pack_count() * per_cell * pack_width);
     for_each_pack(cells, [&](int pack) {
-        const auto xe = nodes_of_pack(cells, pack, x), de = dx ? nodes_of_pack(cells, pack, *dx) : xe;
+        const auto xe = nodes_of_pack(cells, pack, x);
         const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
-        const auto motion = points.along(de);
-        for (int q = 0; q < Geometry::points; ++q) {
-            const Matrix3<Pack> F = points.gradient(q);
-            const PackSymmetric e = dx ? green_strain_tangent(F, points.tangent(q, motion)) : green_strain(F);
+        const auto write = [&](int q, const PackSymmetric& e) {
             for (int i = 0; i < 6; ++i)
                 e[static_cast<std::size_t>(i)].copy_to(result.data() + (pack * per_cell + 6 * q + i) * pack_width, std::experimental::element_aligned);
+        };
+        if (!dx) {
+            for (int q = 0; q < Geometry::points; ++q) write(q, green_strain(points.gradient(q)));
+            return;
         }
+        const auto de = nodes_of_pack(cells, pack, *dx);
+        const auto motion = points.along(de);
+        for (int q = 0; q < Geometry::points; ++q) write(q, green_strain_tangent(points.gradient(q), points.tangent(q, motion)));
     });
     return result;
 }
