@@ -99,7 +99,7 @@ TEST_F(Cancel, LeavesNoRunToWaitForAfterASearch) {
 
 TEST_F(Cancel, EndsADiagnosis) {
     ASSERT_NO_FATAL_FAILURE(open("silicone_beam"));
-    choose(0.01, CellType::hex8);
+    choose(0.006, CellType::hex8);
     ASSERT_NO_FATAL_FAILURE(mesh());
     for (const double after_s : {0.5, 2.0, 4.0, 7.0}) expect_soon(command::Diagnose{}, after_s);
     EXPECT_GE(cancelled, 2);
