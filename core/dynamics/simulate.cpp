@@ -201,11 +201,13 @@ private:
         past_.add(stage.time_s, solution.x);
         if (beside) aside_.add(stage.time_s, solution.x - *beside);
         else aside_.clear();
-        step.solved.emplace_back();
-        SolvedStage& solved = step.solved.back();
-        solved.stage.time_s = stage.time_s;
-        solved.solution.x = solution.x;
-        if (observer_.stepped) solved = {stage, solution};   // strains and histories of all points are long
+        SolvedStage& solved = step.solved.emplace_back();
+        if (observer_.stepped) {
+            solved = {stage, solution};
+        } else {   // the run itself needs no more of it, and strains and histories of all points are long
+            solved.stage.time_s = stage.time_s;
+            solved.solution.x = solution.x;
+        }
         return true;
     }
 

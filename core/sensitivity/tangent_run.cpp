@@ -23,7 +23,8 @@ using Eigen::VectorXd;
 
 constexpr int most_softening_rounds = 200;
 constexpr double softening_tolerance = 1e-9;
-/// Of the body's size: strains are nearly squares of positions, so that the differences are exact to its square, and to rounding over it.
+/// Width of the differences at the start, in units of the body's size. Strains are nearly squares of positions: the error
+/// is the square of the width, and rounding over it.
 constexpr double start_difference = 1e-5;
 
 /// Carries d(Kinematics)/d(parameter) along a run, all parameters side by side. A step is linear but for the solves of its stages (see
