@@ -29,8 +29,8 @@ static_assert(sizeof(PackBits) == sizeof(Pack));
 inline PackBits bits_of(const Pack& x) { return std::bit_cast<PackBits>(x); }
 inline Pack pack_of_bits(const PackBits& bits) { return std::bit_cast<Pack>(bits); }
 
-/// From a guess on the bits (3.5 % off: a third of the exponent's and mantissa's bits, by a multiplication with 2^32 / 3), two steps
-/// of fourth order on y^-3 = J: with e = 1 - J y^3 the root is y (1 + e/3 + 2 e^2/9 + 14 e^3/81 + ...).
+/// From a guess on the bits (3.5 % off: a third of the exponent's and mantissa's bits, by a multiplication with 2^32 /
+/// 3), two steps of fourth order on y^-3 = J: with e = 1 - J y^3 the root is y (1 + e/3 + 2 e^2/9 + 14 e^3/81 + ...).
 inline Pack inverse_cube_root(const Pack& J) {
     const PackBits third = ((bits_of(J) >> 32) * PackBits(0x55555556u)) >> 32;
     Pack y = pack_of_bits((PackBits(0x553ef0ffu) - third) << 32);

@@ -20,8 +20,12 @@ VolumeMesh beam_mesh(const BenchBeam& beam, const Box& box) {
 /// The least that a step has to read: factor and elements once per iteration, the factor both ways.
 double limit_ms(const Trace& trace, const Model& model) {
     if (trace.stages == 0 || trace.factor_bytes <= 0.0) return 0.0;
-    const double element_bytes = std::visit([](const auto& cells) { return static_cast<double>(cells.shapes.size() * sizeof(cells.shapes[0]) + cells.lane_nodes.size() * sizeof(cells.lane_nodes[0])); },
-                                            model.body->cells);
+    const double element_bytes = std::visit(
+        [](const auto& cells) {
+            return static_cast<double>(cells.shapes.size() * sizeof(cells.shapes[0]) +
+                                       cells.lane_nodes.size() * sizeof(cells.lane_nodes[0]));
+        },
+        model.body->cells);
     const double per_iteration = 2.0 * trace.factor_bytes / read_bandwidth(trace.factor_bytes) + element_bytes / read_bandwidth(element_bytes);
     const auto steps = static_cast<double>(trace.times_s.size() - 1);
     return 1e3 * per_iteration * trace.newton_iterations / steps;

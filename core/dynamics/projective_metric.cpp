@@ -12,7 +12,9 @@ double gradient_product(const PackGeometry<N, Q>& geometry, std::size_t lane, in
     double sum = 0.0;
     for (std::size_t q = 0; q < Q; ++q)
         for (int j = 0; j < 3; ++j)
-            sum += static_cast<double>(geometry.weight[q][lane]) * static_cast<double>(geometry.gradient[q](a, j)[lane]) * static_cast<double>(geometry.gradient[q](b, j)[lane]);
+            sum += static_cast<double>(geometry.weight[q][lane]) *
+                   static_cast<double>(geometry.gradient[q](a, j)[lane]) *
+                   static_cast<double>(geometry.gradient[q](b, j)[lane]);
     return sum;
 }
 
@@ -23,13 +25,16 @@ double gradient_product(const PackAssumedStrain& geometry, std::size_t lane, int
         sum += static_cast<double>(geometry.gradient(a, j)[lane]) * static_cast<double>(geometry.gradient(b, j)[lane]);
         half_edge_squared += std::pow(static_cast<double>(geometry.edges(j, 0)[lane]), 2);
     }
-    for (int s = 0; s < 4; ++s) sum += static_cast<double>(geometry.gamma(a, s)[lane]) * static_cast<double>(geometry.gamma(b, s)[lane]) / half_edge_squared;
+    for (int s = 0; s < 4; ++s)
+        sum += static_cast<double>(geometry.gamma(a, s)[lane]) * static_cast<double>(geometry.gamma(b, s)[lane]) /
+               half_edge_squared;
     return static_cast<double>(geometry.volume[lane]) * sum;
 }
 
 /// Adds the Laplacian of a block's cells, weighted with their stiffness.
 template <class Geometry>
-void add_laplacian(const PackedCells<Geometry>& cells, const Model& model, std::vector<Eigen::Triplet<double>>& entries) {
+void add_laplacian(const PackedCells<Geometry>& cells, const Model& model,
+                   std::vector<Eigen::Triplet<double>>& entries) {
     const std::vector<int>& free = model.body->pattern.free_index;
     for (int cell = 0; cell < cells.cell_count; ++cell) {
         const auto pack = static_cast<std::size_t>(cell / pack_width), lane = static_cast<std::size_t>(cell % pack_width);
@@ -39,7 +44,9 @@ void add_laplacian(const PackedCells<Geometry>& cells, const Model& model, std::
         for (int b = 0; b < Geometry::nodes; ++b)
             for (int a = 0; a < Geometry::nodes; ++a)
                 if (node(a) >= 0 && node(b) >= 0 && node(a) >= node(b))
-                    entries.emplace_back(node(a), node(b), stiffness * gradient_product(cells.geometry(static_cast<int>(pack)), lane, a, b));
+                    entries.emplace_back(
+                        node(a), node(b),
+                        stiffness * gradient_product(cells.geometry(static_cast<int>(pack)), lane, a, b));
     }
 }
 

@@ -129,7 +129,8 @@ double StageProblem::rounding_of_forces(const Matrix3Xd& x) const {
     double stiffest = 0.0;
     for (const Moduli& m : model().moduli) stiffest = std::max({stiffest, m.kappa, m.mu});
     const MassMatrix& mass = mass_span().mass;
-    const double largest_mass = mass.nodal_kg.sum() + (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
+    const double largest_mass =
+        mass.nodal_kg.sum() + (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
     const double inertia = std::abs(stage_.inertia_1_s2) * largest_mass / body.node_count();
     return std::numeric_limits<double>::epsilon() * extent * (stiffest * edge + inertia) * std::sqrt(static_cast<double>(body.node_count()));
 }

@@ -57,7 +57,8 @@ void add_work(const StageReport& before, StageReport& report) {
 StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     const std::optional<StressSoftening>& softening = solver.model().softening;
     if (!softening) return find_equilibrium(solver, time_s, x);
-    // Under dead loads the strain rises from iteration to iteration, so that points end as soft as their own largest energy asks for.
+    // Under dead loads the strain rises from iteration to iteration, so that points end as soft as their own largest
+    // energy asks for.
     solver.soften(Eigen::VectorXd::Ones(solver.model().body->point_count()));
     StageReport report;
     double change = 0.0;

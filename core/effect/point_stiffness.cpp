@@ -7,7 +7,8 @@
 
 namespace myo {
 
-void scale_stiffness(const EffectSite& site, const std::function<double(const Eigen::Vector3d&)>& factor, Affected& affected) {
+void scale_stiffness(const EffectSite& site, const std::function<double(const Eigen::Vector3d&)>& factor,
+                     Affected& affected) {
     const Eigen::Matrix3Xd points = rest_points(*site.body);
     Eigen::VectorXd factors(points.cols());
     for (Eigen::Index i = 0; i < factors.size(); ++i) factors(i) = std::max(0.01, factor(points.col(i)));

@@ -8,7 +8,8 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     const auto axis = static_cast<Eigen::Index>(number(parameters, "axis"));
     const Eigen::RowVectorXd coordinate = site.body->mesh.nodes.row(axis);
     const double lowest = coordinate.minCoeff(), size = coordinate.maxCoeff() - lowest, r = number(parameters, "relative_change");
-    scale_stiffness(site, [&](const Eigen::Vector3d& X) { return 1.0 + r * ((X(axis) - lowest) / size - 0.5); }, affected);
+    scale_stiffness(
+        site, [&](const Eigen::Vector3d& X) { return 1.0 + r * ((X(axis) - lowest) / size - 0.5); }, affected);
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) {

@@ -67,14 +67,16 @@ AssumedStrainGeometry geometry_of(const Eigen::Matrix<double, 3, 8>& X) {
 
 }  // namespace
 
-AssumedStrainBlock assumed_strain_block(const VolumeMesh& mesh, const CellSurroundings& surroundings, const AssumedStrainPolicy& policy) {
+AssumedStrainBlock assumed_strain_block(const VolumeMesh& mesh, const CellSurroundings& surroundings,
+                                        const AssumedStrainPolicy& policy) {
     AssumedStrainBlock block;
     block.cells = mesh.cells;
     block.geometry.reserve(static_cast<std::size_t>(mesh.cell_count()));
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         block.geometry.push_back(geometry_of(mesh.nodes(Eigen::all, mesh.cells.col(c))));
         if (surroundings.empty()) continue;
-        for (std::size_t k = 0; k < 3; ++k) block.geometry.back().relaxed[k] = policy.relaxed(surroundings[static_cast<std::size_t>(c)][k]);
+        for (std::size_t k = 0; k < 3; ++k)
+            block.geometry.back().relaxed[k] = policy.relaxed(surroundings[static_cast<std::size_t>(c)][k]);
     }
     return block;
 }

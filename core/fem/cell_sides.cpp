@@ -18,12 +18,16 @@ CellSurroundings around_hexahedra(const VolumeMesh& mesh, const std::vector<bool
             for (const std::size_t side : {0u, 1u}) {   // faces of a cell are listed x-, x+, y-, ...
                 const auto face = static_cast<Eigen::Index>(6 * c + 2 * k + side);
                 const auto nodes = faces.nodes.col(face);
-                if (std::all_of(nodes.begin(), nodes.end(), [&](int node) { return clamped[static_cast<std::size_t>(node)]; })) ++held[k];
+                if (std::all_of(nodes.begin(), nodes.end(),
+                                [&](int node) { return clamped[static_cast<std::size_t>(node)]; }))
+                    ++held[k];
                 else if (faces.beyond(face) < 0) ++open[k];
             }
         const bool at_clamp = held[0] + held[1] + held[2] > 0;
         for (std::size_t k = 0; k < 3; ++k)
-            result[c][k] = held[k] > 0 ? CellSides::clamped : open[k] == 0 || (at_clamp && open[k] == 1) ? CellSides::inner : CellSides::free;
+            result[c][k] = held[k] > 0                                  ? CellSides::clamped
+                           : open[k] == 0 || (at_clamp && open[k] == 1) ? CellSides::inner
+                                                                        : CellSides::free;
     }
     return result;
 }
@@ -39,9 +43,10 @@ bool opposite(const Normals& normals) {
     return false;
 }
 
-/// Whether nodes see two opposite sides of the body: those on its surface the sides that they lie on, those within what their neighbours lie on. Cells
-/// with such corners are one or two to the thickness.
-std::vector<bool> see_both_sides(const VolumeMesh& mesh, const std::vector<bool>& clamped, const std::vector<Normals>& on) {
+/// Whether nodes see two opposite sides of the body: those on its surface the sides that they lie on, those within what
+/// their neighbours lie on. Cells with such corners are one or two to the thickness.
+std::vector<bool> see_both_sides(const VolumeMesh& mesh, const std::vector<bool>& clamped,
+                                 const std::vector<Normals>& on) {
     std::vector<Normals> seen = on;
     std::vector<bool> outside(on.size());
     const BoundaryFaces faces = boundary_faces(mesh);
@@ -53,7 +58,8 @@ std::vector<bool> see_both_sides(const VolumeMesh& mesh, const std::vector<bool>
             for (int b = 0; b < 4; ++b)
                 for (const Eigen::Vector3d& n : on[static_cast<std::size_t>(cell(b))]) {
                     // As many as there are directions, not as there are faces.
-                    const bool known = std::any_of(seen[node].begin(), seen[node].end(), [&](const Eigen::Vector3d& m) { return m.dot(n) > 0.9; });
+                    const bool known = std::any_of(seen[node].begin(), seen[node].end(),
+                                                   [&](const Eigen::Vector3d& m) { return m.dot(n) > 0.9; });
                     if (!known) seen[node].push_back(n);
                 }
         }
@@ -67,12 +73,15 @@ std::vector<Normals> normals_at_nodes(const VolumeMesh& mesh, const std::vector<
     const BoundaryFaces faces = boundary_faces(mesh);
     for (const auto& face : faces.nodes.colwise()) {
         const auto corners = face.head<3>();
-        if (std::all_of(corners.begin(), corners.end(), [&](int node) { return clamped[static_cast<std::size_t>(node)]; })) continue;
+        if (std::all_of(corners.begin(), corners.end(),
+                        [&](int node) { return clamped[static_cast<std::size_t>(node)]; }))
+            continue;
         const auto X = [&](int k) { return Eigen::Vector3d(mesh.nodes.col(corners(k))); };
         const Eigen::Vector3d n = (X(1) - X(0)).cross(X(2) - X(0)).normalized();
         for (const int node : corners) {
             Normals& list = normals[static_cast<std::size_t>(node)];
-            if (std::none_of(list.begin(), list.end(), [&](const Eigen::Vector3d& m) { return m.dot(n) > 0.9; })) list.push_back(n);
+            if (std::none_of(list.begin(), list.end(), [&](const Eigen::Vector3d& m) { return m.dot(n) > 0.9; }))
+                list.push_back(n);
         }
     }
     return normals;
@@ -91,7 +100,9 @@ CellSurroundings around_tetrahedra(const VolumeMesh& mesh, const std::vector<boo
             thin = thin || both[n];
             held = held || clamped[n];
         }
-        const CellSides sides = thin || opposite(of_cell) ? CellSides::free : held ? CellSides::clamped : CellSides::inner;
+        const CellSides sides = thin || opposite(of_cell) ? CellSides::free
+                                : held                    ? CellSides::clamped
+                                                          : CellSides::inner;
         result.push_back({sides, sides, sides});
     }
     return result;

@@ -9,7 +9,8 @@ namespace myo {
 
 /// What lies around a cell: of a hexahedron at both sides along one of its edges, of a tetrahedron at its corners.
 enum class CellSides {
-    free,      // no other cell at one side at least, next to a clamp at both; a tetrahedron that is one of one or two across the body
+    free,      // no other cell at one side at least, next to a clamp at both; a tetrahedron that is one of one or two
+               // across the body
     inner,     // other cells at both sides, next to a clamp at one; all other tetrahedra
     clamped,   // a face at one side is held still; a corner of a tetrahedron that is not free
 };

@@ -98,7 +98,8 @@ Elements make_elements(const VolumeMesh& mesh, ElementKind kind, const CellSurro
             auto block = gauss_block<Tet10, 4>(mesh, tet_degree2(), true);
             const PointBulkPolicy policy;
             block.point_bulk_over_mu.assign(static_cast<std::size_t>(mesh.cell_count()), policy.free);
-            for (std::size_t c = 0; c < surroundings.size(); ++c) block.point_bulk_over_mu[c] = policy.over_mu(surroundings[c].front());
+            for (std::size_t c = 0; c < surroundings.size(); ++c)
+                block.point_bulk_over_mu[c] = policy.over_mu(surroundings[c].front());
             return block;
         }
         case ElementKind::tet10_full: return gauss_block<Tet10, 4>(mesh, tet_degree2(), false);

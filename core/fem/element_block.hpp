@@ -37,19 +37,22 @@ struct CellGeometry {
     double volume = 0.0;
 };
 
-/// Bound of the bulk modulus at the points of cells with a mean volume, in units of mu; the rest acts on the mean volume. What varies within a
-/// cell answers as if Poisson's ratio were that of the part at the points.
+/// Bound of the bulk modulus at the points of cells with a mean volume, in units of mu; the rest acts on the mean
+/// volume. What varies within a cell answers as if Poisson's ratio were that of the part at the points.
 ///
-/// The mean alone is stable (quadratic displacements with one pressure per cell fulfil the inf-sup condition: test InfSup), what stays at the
-/// points is bounded as nu goes to 1/2, so that nothing locks, and no pressure is an unknown. How much is best depends on how free the nodes
-/// are. Measured with 1.5 / 3 / 5 / 8 everywhere at nu 0.49: one layer of a plate bends +10 / +5 / +1 / -1.6 % off; the thick beam of
-/// `myoloop bench locking` in three layers -0.9 / -1.8 / -2.4 / -2.9 %, and -0.2 % with 1.5 but for 2/3 next to the clamp.
+/// The mean alone is stable (quadratic displacements with one pressure per cell fulfil the inf-sup condition: test
+/// InfSup), what stays at the points is bounded as nu goes to 1/2, so that nothing locks, and no pressure is an
+/// unknown. How much is best depends on how free the nodes are. Measured with 1.5 / 3 / 5 / 8 everywhere at nu 0.49:
+/// one layer of a plate bends +10 / +5 / +1 / -1.6 % off; the thick beam of `myoloop bench locking` in three layers
+/// -0.9 / -1.8 / -2.4 / -2.9 %, and -0.2 % with 1.5 but for 2/3 next to the clamp.
 struct PointBulkPolicy {
     double free = 4.0;            // nu 0.38
     double inner = 1.5;           // nu 0.23
     double clamped = 2.0 / 3.0;   // nu 0
 
-    double over_mu(CellSides sides) const { return sides == CellSides::free ? free : sides == CellSides::inner ? inner : clamped; }
+    double over_mu(CellSides sides) const {
+        return sides == CellSides::free ? free : sides == CellSides::inner ? inner : clamped;
+    }
 };
 
 /// All cells of one formulation. cells: N x m node numbers.

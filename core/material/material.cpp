@@ -15,7 +15,8 @@ TensorFunction Material::volume_measure(const Eigen::Matrix3d& F, bool with_hess
     return response.volume;
 }
 
-void Material::respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy, Matrix3<Pack>& stress) const {
+void Material::respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy,
+                             Matrix3<Pack>& stress) const {
     LawResponse<Pack> response;
     respond(F, mu, kappa, false, response);
     energy = response.distortion.value;

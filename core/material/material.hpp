@@ -63,8 +63,10 @@ public:
     virtual void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian, LawResponse<double>& out) const = 0;
     virtual void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian, LawResponse<Pack>& out) const = 0;
 
-    /// The whole law at F: energy density and first Piola stress. By respond() and bulk(), unless a law saves work by doing both at once.
-    virtual void respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy, Matrix3<Pack>& stress) const;
+    /// The whole law at F: energy density and first Piola stress. By respond() and bulk(), unless a law saves work by
+    /// doing both at once.
+    virtual void respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy,
+                               Matrix3<Pack>& stress) const;
 
     /// U(theta) [J/m3], U''(0) = kappa. Zero for laws without a split.
     virtual ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const = 0;

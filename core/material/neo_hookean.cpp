@@ -35,7 +35,8 @@ public:
         });
     }
 
-    void respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy, Matrix3<Pack>& stress) const override {
+    void respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy,
+                       Matrix3<Pack>& stress) const override {
         const Matrix3<Pack> C = cofactor(F);
         const Pack J = F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0), inverse = 1.0 / J;
         const Pack I1 = double_dot(F, F), cube_root = inverse_cube_root(J), scale = mu * cube_root * cube_root;

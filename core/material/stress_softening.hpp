@@ -4,7 +4,8 @@
 
 namespace myo {
 
-/// Softening by the largest strain so far, as of filled rubbers: the elastic stress of a point is that of the virgin material times
+/// Softening by the largest strain so far, as of filled rubbers: the elastic stress of a point is that of the virgin
+/// material times
 ///   1 - d (1 - exp(-W / W0)),
 /// where W is the largest isochoric energy density that the point, taken as virgin, has had.
 /// Source: Ogden & Roxburgh 1999; Simo 1987 (damage by the largest energy).

@@ -36,8 +36,10 @@ inline void set_at_corners(const AssumedStrains& strains, CornerStrains& H) {
 inline AssumedStrains from_corners(const CornerStrains& R) {
     AssumedStrains sums;
     for (std::size_t k = 0; k < 6; ++k) {
-        const Pack odd3 = R[4][k] - R[3][k], even3 = R[4][k] + R[3][k], odd0 = R[5][k] - R[2][k], even0 = R[5][k] + R[2][k];
-        const Pack odd1 = R[6][k] - R[1][k], even1 = R[6][k] + R[1][k], odd2 = R[7][k] - R[0][k], even2 = R[7][k] + R[0][k];
+        const Pack odd3 = R[4][k] - R[3][k], even3 = R[4][k] + R[3][k], odd0 = R[5][k] - R[2][k],
+                   even0 = R[5][k] + R[2][k];
+        const Pack odd1 = R[6][k] - R[1][k], even1 = R[6][k] + R[1][k], odd2 = R[7][k] - R[0][k],
+                   even2 = R[7][k] + R[0][k];
         sums.linear[0][k] = (odd2 - odd3) + (odd0 - odd1);
         sums.linear[1][k] = (odd2 - odd3) - (odd0 - odd1);
         sums.linear[2][k] = (odd2 + odd3) + (odd0 + odd1);
@@ -57,7 +59,8 @@ struct AssumedStrainMap {
     Pack poissons_ratio;
     std::array<Pack, 3> left_out, across;   // of each plane: (1 - s)/2, and what of t stands along n n'
 
-    AssumedStrainMap(const PackAssumedStrain& g, const PackSurroundings& relaxed, const Pack& nu) : geometry(g), poissons_ratio(nu) {
+    AssumedStrainMap(const PackAssumedStrain& g, const PackSurroundings& relaxed, const Pack& nu)
+        : geometry(g), poissons_ratio(nu) {
         const Pack thinning = nu / (1.0 - nu), even = sqrt((1.0 - nu) / (1.0 + nu));
         for (std::size_t k = 0; k < 3; ++k) {
             Pack s = relaxed[k] * even;
@@ -68,14 +71,16 @@ struct AssumedStrainMap {
     }
 
     static constexpr double linear_scale = assumed_strain_rule::corner;
-    static constexpr double bilinear_scale = assumed_strain_rule::corner * assumed_strain_rule::corner * assumed_strain_rule::bilinear_share;
+    static constexpr double bilinear_scale =
+        assumed_strain_rule::corner * assumed_strain_rule::corner * assumed_strain_rule::bilinear_share;
 
     /// Strain of a plane per unit of its m-th measure (E_ii, E_jj, 2 E_ij) at a corner.
     PackSymmetric basis(std::size_t plane, std::size_t m) const {
         const PackAssumedStrain::Plane& p = geometry.planes[plane];
         PackSymmetric a;
         for (std::size_t k = 0; k < 6; ++k)
-            a[k] = linear_scale * (p.in_plane[m][k] + p.trace[m] * (across[plane] * p.normal[k] - (k < 3 ? left_out[plane] : Pack(0.0))));
+            a[k] = linear_scale * (p.in_plane[m][k] +
+                                   p.trace[m] * (across[plane] * p.normal[k] - (k < 3 ? left_out[plane] : Pack(0.0))));
         return a;
     }
     /// That along an edge.
@@ -83,25 +88,33 @@ struct AssumedStrainMap {
         const PackSymmetric& t = geometry.along[edge];
         const Pack sideways = poissons_ratio * (t[0] + t[1] + t[2]);
         PackSymmetric b;
-        for (std::size_t k = 0; k < 6; ++k) b[k] = bilinear_scale * ((1.0 + poissons_ratio) * t[k] - (k < 3 ? sideways : Pack(0.0)));
+        for (std::size_t k = 0; k < 6; ++k)
+            b[k] = bilinear_scale * ((1.0 + poissons_ratio) * t[k] - (k < 3 ? sideways : Pack(0.0)));
         return b;
     }
 
     AssumedStrains apply(const Eigen::Matrix<Pack, 3, 4>& h) const {
         Eigen::Matrix<Pack, 4, 3> c;
         for (int i = 0; i < 3; ++i)
-            for (int s = 0; s < 4; ++s) c(s, i) = geometry.edges(0, i) * h(0, s) + geometry.edges(1, i) * h(1, s) + geometry.edges(2, i) * h(2, s);
+            for (int s = 0; s < 4; ++s)
+                c(s, i) =
+                    geometry.edges(0, i) * h(0, s) + geometry.edges(1, i) * h(1, s) + geometry.edges(2, i) * h(2, s);
         AssumedStrains strains;
         for (int k = 0; k < 3; ++k) {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
             const auto plane = static_cast<std::size_t>(k);
             const PackAssumedStrain::Plane& p = geometry.planes[plane];
-            const Pack e0 = linear_scale * c(j, i), e1 = linear_scale * c(i, j), e2 = linear_scale * (c(i, i) + c(j, j));
-            const Pack trace = p.trace[0] * e0 + p.trace[1] * e1 + p.trace[2] * e2, normal = across[plane] * trace, even = left_out[plane] * trace;
-            for (std::size_t m = 0; m < 6; ++m) strains.linear[plane][m] = p.in_plane[0][m] * e0 + p.in_plane[1][m] * e1 + p.in_plane[2][m] * e2 + normal * p.normal[m];
+            const Pack e0 = linear_scale * c(j, i), e1 = linear_scale * c(i, j),
+                       e2 = linear_scale * (c(i, i) + c(j, j));
+            const Pack trace = p.trace[0] * e0 + p.trace[1] * e1 + p.trace[2] * e2, normal = across[plane] * trace,
+                       even = left_out[plane] * trace;
+            for (std::size_t m = 0; m < 6; ++m)
+                strains.linear[plane][m] =
+                    p.in_plane[0][m] * e0 + p.in_plane[1][m] * e1 + p.in_plane[2][m] * e2 + normal * p.normal[m];
             for (std::size_t m = 0; m < 3; ++m) strains.linear[plane][m] -= even;
             const PackSymmetric& t = geometry.along[plane];
-            const Pack e = bilinear_scale * c(3, k), more = (1.0 + poissons_ratio) * e, less = poissons_ratio * e * (t[0] + t[1] + t[2]);
+            const Pack e = bilinear_scale * c(3, k), more = (1.0 + poissons_ratio) * e,
+                       less = poissons_ratio * e * (t[0] + t[1] + t[2]);
             for (std::size_t m = 0; m < 6; ++m) strains.bilinear[plane][m] = more * t[m];
             for (std::size_t m = 0; m < 3; ++m) strains.bilinear[plane][m] -= less;
         }
@@ -118,18 +131,23 @@ struct AssumedStrainMap {
             const PackAssumedStrain::Plane& p = geometry.planes[plane];
             const PackSymmetric& r = stress.linear[plane];
             const Pack of_trace = across[plane] * double_dot(p.normal, r) - left_out[plane] * (r[0] + r[1] + r[2]);
-            const auto measure = [&](std::size_t m) { return linear_scale * (double_dot(p.in_plane[m], r) + of_trace * p.trace[m]); };
+            const auto measure = [&](std::size_t m) {
+                return linear_scale * (double_dot(p.in_plane[m], r) + of_trace * p.trace[m]);
+            };
             const Pack twist = measure(2);
             c(j, i) += measure(0);
             c(i, j) += measure(1);
             c(i, i) += twist;
             c(j, j) += twist;
             const PackSymmetric &t = geometry.along[plane], &b = stress.bilinear[plane];
-            c(3, k) += bilinear_scale * ((1.0 + poissons_ratio) * double_dot(t, b) - poissons_ratio * (t[0] + t[1] + t[2]) * (b[0] + b[1] + b[2]));
+            c(3, k) += bilinear_scale * ((1.0 + poissons_ratio) * double_dot(t, b) -
+                                         poissons_ratio * (t[0] + t[1] + t[2]) * (b[0] + b[1] + b[2]));
         }
         Eigen::Matrix<Pack, 3, 4> S;
         for (int s = 0; s < 4; ++s)
-            for (int i = 0; i < 3; ++i) S(i, s) = geometry.edges(i, 0) * c(s, 0) + geometry.edges(i, 1) * c(s, 1) + geometry.edges(i, 2) * c(s, 2);
+            for (int i = 0; i < 3; ++i)
+                S(i, s) =
+                    geometry.edges(i, 0) * c(s, 0) + geometry.edges(i, 1) * c(s, 1) + geometry.edges(i, 2) * c(s, 2);
         return S;
     }
 };
@@ -143,8 +161,11 @@ public:
         CornerStrains strains;
     };
 
-    PointKinematics(const PackAssumedStrain& geometry, const PackSurroundings& surroundings, const PackNodes<8>& x, const Pack& poissons_ratio)
-        : map_(geometry, surroundings, poissons_ratio), mean_(nodal_product(x, geometry.gradient)), inverse_(inverse(mean_)) {
+    PointKinematics(const PackAssumedStrain& geometry, const PackSurroundings& surroundings, const PackNodes<8>& x,
+                    const Pack& poissons_ratio)
+        : map_(geometry, surroundings, poissons_ratio),
+          mean_(nodal_product(x, geometry.gradient)),
+          inverse_(inverse(mean_)) {
         shapes_ = through_inverse(nodal_product(x, geometry.gamma));
         set_at_corners(map_.apply(shapes_), strain_);
         // exp H to second order: never singular, and its determinant is exp(tr H) to the third.
@@ -162,14 +183,18 @@ public:
     }
 
     Matrix3<Pack> gradient(int q) const { return q == 0 ? mean_ : times_symmetric(mean_, stretch(q)); }
-    Pack weight(int q) const { return (q == 0 ? assumed_strain_rule::middle_weight : assumed_strain_rule::corner_weight) * map_.geometry.volume; }
+    Pack weight(int q) const {
+        return (q == 0 ? assumed_strain_rule::middle_weight : assumed_strain_rule::corner_weight) *
+               map_.geometry.volume;
+    }
 
     Motion along(const PackNodes<8>& dx) const {
         // d(F0^-1 q) = F0^-1 (dq - dF0 F0^-1 q).
         const Matrix3<Pack> dF = nodal_product(dx, map_.geometry.gradient);
         Eigen::Matrix<Pack, 3, 4> dq = nodal_product(dx, map_.geometry.gamma);
         for (int s = 0; s < 4; ++s)
-            for (int i = 0; i < 3; ++i) dq(i, s) -= dF(i, 0) * shapes_(0, s) + dF(i, 1) * shapes_(1, s) + dF(i, 2) * shapes_(2, s);
+            for (int i = 0; i < 3; ++i)
+                dq(i, s) -= dF(i, 0) * shapes_(0, s) + dF(i, 1) * shapes_(1, s) + dF(i, 2) * shapes_(2, s);
         Motion motion;
         motion.mean = dF;
         set_at_corners(map_.apply(through_inverse(dq)), motion.strains);
@@ -195,7 +220,8 @@ public:
         const PackAssumedStrain& g = map_.geometry;
         for (int s = 0; s < 4; ++s)
             for (int a = 0; a < 8; ++a)
-                result(a, s) = g.gamma(a, s) - (g.gradient(a, 0) * shapes_(0, s) + g.gradient(a, 1) * shapes_(1, s) + g.gradient(a, 2) * shapes_(2, s));
+                result(a, s) = g.gamma(a, s) - (g.gradient(a, 0) * shapes_(0, s) + g.gradient(a, 1) * shapes_(1, s) +
+                                                g.gradient(a, 2) * shapes_(2, s));
         return result;
     }
 
@@ -203,7 +229,8 @@ private:
     Eigen::Matrix<Pack, 3, 4> through_inverse(const Eigen::Matrix<Pack, 3, 4>& q) const {
         Eigen::Matrix<Pack, 3, 4> h;
         for (int s = 0; s < 4; ++s)
-            for (int i = 0; i < 3; ++i) h(i, s) = inverse_(i, 0) * q(0, s) + inverse_(i, 1) * q(1, s) + inverse_(i, 2) * q(2, s);
+            for (int i = 0; i < 3; ++i)
+                h(i, s) = inverse_(i, 0) * q(0, s) + inverse_(i, 1) * q(1, s) + inverse_(i, 2) * q(2, s);
         return h;
     }
 
@@ -240,7 +267,8 @@ public:
         const Matrix3<Pack>& inverse = points_.mean_inverse();
         Eigen::Matrix<Pack, 3, 4> T;
         for (int s = 0; s < 4; ++s)
-            for (int i = 0; i < 3; ++i) T(i, s) = inverse(0, i) * S(0, s) + inverse(1, i) * S(1, s) + inverse(2, i) * S(2, s);
+            for (int i = 0; i < 3; ++i)
+                T(i, s) = inverse(0, i) * S(0, s) + inverse(1, i) * S(1, s) + inverse(2, i) * S(2, s);
         return T;
     }
 

@@ -8,13 +8,15 @@ namespace myo {
 
 /// Second derivative of a cell's energy with respect to its nodes.
 ///
-/// With the strains written as H = sum of sign(q, m) H_m over the corners q, where m is a set of edges and the sign the product of the
-/// corner's coordinates in it, the second derivatives with respect to H_m and H_n depend on the difference of the sets alone:
-/// eight sums over the corners hold all of them. At the end they are taken to the plane and edge strains, then to F0 and q, then to the nodes.
+/// With the strains written as H = sum of sign(q, m) H_m over the corners q, where m is a set of edges and the sign the
+/// product of the corner's coordinates in it, the second derivatives with respect to H_m and H_n depend on the
+/// difference of the sets alone: eight sums over the corners hold all of them. At the end they are taken to the plane
+/// and edge strains, then to F0 and q, then to the nodes.
 template <>
 class StiffnessSum<PackAssumedStrain> {
 public:
-    StiffnessSum(const PointKinematics<PackAssumedStrain>& points, PackMatrix<8>& matrix) : points_(points), matrix_(matrix), stress_(points) {
+    StiffnessSum(const PointKinematics<PackAssumedStrain>& points, PackMatrix<8>& matrix)
+        : points_(points), matrix_(matrix), stress_(points) {
         mean_.setConstant(Pack(0.0));
         for (auto& sum : strain_) sum.fill(Pack(0.0));
         for (auto& sum : mixed_)
@@ -69,7 +71,8 @@ public:
             for (const auto& [s, r] : to_n) {
                 if (s < 0) continue;
                 for (std::size_t j = 0; j < 3; ++j)
-                    for (int i = 0; i < 3; ++i) mixed[j][static_cast<std::size_t>(s)](i, r) += G(i, static_cast<int>(j));
+                    for (int i = 0; i < 3; ++i)
+                        mixed[j][static_cast<std::size_t>(s)](i, r) += G(i, static_cast<int>(j));
             }
             for (std::size_t m = 0; m < 12; ++m) {
                 const auto& K = strain_[static_cast<std::size_t>(set[m] ^ set[n])];
@@ -81,7 +84,8 @@ public:
                 }
                 for (const auto& [s, r] : amplitudes(m))
                     for (const auto& [t, u] : to_n)
-                        if (s >= 0 && t >= 0) shapes[static_cast<std::size_t>(s)][static_cast<std::size_t>(t)](r, u) += value;
+                        if (s >= 0 && t >= 0)
+                            shapes[static_cast<std::size_t>(s)][static_cast<std::size_t>(t)](r, u) += value;
             }
         }
         to_nodes(shapes, mixed);
@@ -137,10 +141,16 @@ private:
         const auto column = [&](int k, int l) {
             Matrix3<Pack> U;
             for (int row = 0; row < 9; ++row)
-                U(row % 3, row / 3) = A(row, 3 * l) * points_.mean()(0, k) + A(row, 1 + 3 * l) * points_.mean()(1, k) + A(row, 2 + 3 * l) * points_.mean()(2, k);
+                U(row % 3, row / 3) = A(row, 3 * l) * points_.mean()(0, k) + A(row, 1 + 3 * l) * points_.mean()(1, k) +
+                                      A(row, 2 + 3 * l) * points_.mean()(2, k);
             return U;
         };
-        return {column(0, 0), column(1, 1), column(2, 2), column(0, 1) + column(1, 0), column(1, 2) + column(2, 1), column(2, 0) + column(0, 2)};
+        return {column(0, 0),
+                column(1, 1),
+                column(2, 2),
+                column(0, 1) + column(1, 0),
+                column(1, 2) + column(2, 1),
+                column(2, 0) + column(0, 2)};
     }
 
     /// What one corner adds to the sums.
@@ -149,16 +159,20 @@ private:
         std::array<Matrix3<Pack>, 6> mixed;
     };
 
-    /// Adds a corner and the one opposite to it, whose signs are the same in sets of two edges and opposite in those of one or three.
+    /// Adds a corner and the one opposite to it, whose signs are the same in sets of two edges and opposite in those of
+    /// one or three.
     void add_opposite(int q, const Corner& a, const Corner& b) {
         for (std::size_t k = 0; k < 21; ++k) {
             const Pack even = a.strain[k] + b.strain[k], odd = a.strain[k] - b.strain[k];
-            for (int m = 0; m < 8; ++m) add_signed(strain_[static_cast<std::size_t>(m)][k], is_even(m) ? even : odd, sign(q, m));
+            for (int m = 0; m < 8; ++m)
+                add_signed(strain_[static_cast<std::size_t>(m)][k], is_even(m) ? even : odd, sign(q, m));
         }
         for (std::size_t k = 0; k < 6; ++k)
             for (int e = 0; e < 9; ++e) {
                 const Pack x = a.mixed[k](e % 3, e / 3), y = b.mixed[k](e % 3, e / 3), even = x + y, odd = x - y;
-                for (int m = 1; m < 7; ++m) add_signed(mixed_[static_cast<std::size_t>(m)][k](e % 3, e / 3), is_even(m) ? even : odd, sign(q, m));
+                for (int m = 1; m < 7; ++m)
+                    add_signed(mixed_[static_cast<std::size_t>(m)][k](e % 3, e / 3), is_even(m) ? even : odd,
+                               sign(q, m));
             }
     }
     static bool is_even(int set) { return set == 0 || set == 3 || set == 5 || set == 6; }
@@ -169,14 +183,19 @@ private:
         Matrix9<Pack> AM;
         for (int l = 0; l < 3; ++l)
             for (int k = 0; k < 3; ++k)
-                for (int row = 0; row < 9; ++row) AM(row, k + 3 * l) = A(row, k) * M(l, 0) + A(row, k + 3) * M(l, 1) + A(row, k + 6) * M(l, 2);
+                for (int row = 0; row < 9; ++row)
+                    AM(row, k + 3 * l) = A(row, k) * M(l, 0) + A(row, k + 3) * M(l, 1) + A(row, k + 6) * M(l, 2);
         for (int column = 0; column < 9; ++column)
             for (int j = 0; j < 3; ++j)
-                for (int i = 0; i < 3; ++i) mean_(i + 3 * j, column) += AM(i, column) * M(j, 0) + AM(i + 3, column) * M(j, 1) + AM(i + 6, column) * M(j, 2);
+                for (int i = 0; i < 3; ++i)
+                    mean_(i + 3 * j, column) +=
+                        AM(i, column) * M(j, 0) + AM(i + 3, column) * M(j, 1) + AM(i + 6, column) * M(j, 2);
     }
 
-    /// From the amplitudes, of which c(s, i) = edge_i . F0^-1 (dq_s - dF0 h_s), to the nodes, with the curvature of F0^-1.
-    void to_nodes(const std::array<std::array<Matrix3<Pack>, 4>, 4>& shapes, const std::array<std::array<Matrix3<Pack>, 4>, 3>& mixed) {
+    /// From the amplitudes, of which c(s, i) = edge_i . F0^-1 (dq_s - dF0 h_s), to the nodes, with the curvature of
+    /// F0^-1.
+    void to_nodes(const std::array<std::array<Matrix3<Pack>, 4>, 4>& shapes,
+                  const std::array<std::array<Matrix3<Pack>, 4>, 3>& mixed) {
         const PackAssumedStrain& geometry = points_.map().geometry;
         const Matrix3<Pack> E = transposed_product(points_.mean_inverse(), geometry.edges);   // F0^-T edges
         const auto transposed = [](const Matrix3<Pack>& A) { return Matrix3<Pack>(A.transpose()); };
@@ -185,7 +204,8 @@ private:
         for (std::size_t n = 0; n < 3; ++n)
             for (std::size_t m = 0; m < 3; ++m)
                 for (int k = 0; k < 3; ++k)
-                    for (int i = 0; i < 3; ++i) K[m][n](i, k) = mean_(i + 3 * static_cast<int>(m), k + 3 * static_cast<int>(n));
+                    for (int i = 0; i < 3; ++i)
+                        K[m][n](i, k) = mean_(i + 3 * static_cast<int>(m), k + 3 * static_cast<int>(n));
         for (std::size_t s = 0; s < 4; ++s) {
             for (std::size_t j = 0; j < 3; ++j) {
                 K[j][3 + s] = product(mixed[j][s], E_transposed);
@@ -204,7 +224,9 @@ private:
         Eigen::Matrix<Pack, 8, 3> GF;
         for (int j = 0; j < 3; ++j)
             for (int a = 0; a < 8; ++a)
-                GF(a, j) = geometry.gradient(a, 0) * points_.mean_inverse()(0, j) + geometry.gradient(a, 1) * points_.mean_inverse()(1, j) + geometry.gradient(a, 2) * points_.mean_inverse()(2, j);
+                GF(a, j) = geometry.gradient(a, 0) * points_.mean_inverse()(0, j) +
+                           geometry.gradient(a, 1) * points_.mean_inverse()(1, j) +
+                           geometry.gradient(a, 2) * points_.mean_inverse()(2, j);
         for (int b = 0; b < 8; ++b) {
             std::array<Matrix3<Pack>, 7> V;
             for (std::size_t m = 0; m < 7; ++m) {

@@ -37,7 +37,9 @@ struct Body {
     int strain_count() const { return pack_count() * pack_width * strains_per_cell; }
     int point_count() const { return pack_count() * pack_width * points_per_cell; }
     /// Entry of point q of a cell in a field over the points.
-    Eigen::Index point_entry(int cell, int q) const { return (cell / pack_width * points_per_cell + q) * pack_width + cell % pack_width; }
+    Eigen::Index point_entry(int cell, int q) const {
+        return (cell / pack_width * points_per_cell + q) * pack_width + cell % pack_width;
+    }
     /// Degrees of freedom before clamping, as the field counts them.
     int dofs() const { return 3 * node_count(); }
 };

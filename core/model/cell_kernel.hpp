@@ -41,7 +41,8 @@ struct PackOutput {
     Pack energy;
     PackNodes<N> gradient;    // dW/dx
     PackMatrix<N> hessian;    // untouched unless asked for
-    LawResponse<Pack> law;    // of the last point; kept with the output, since a new one for every pack would be cleared every time
+    LawResponse<Pack>
+        law;   // of the last point; kept with the output, since a new one for every pack would be cleared every time
 };
 
 /// Strain rate of a point: rate_factor E(F) + history.
@@ -66,12 +67,12 @@ inline Matrix3<Pack> viscous_stress(const Pack& viscous_mu, const PackSymmetric&
     return full(S);
 }
 
-/// Adds the Kelvin-Voigt response of one point: potential mu_v / rate_factor |dev Edot|^2, Edot = rate_factor E(F) + history.
-/// Its gradient is F S with S = 2 mu_v dev Edot and its Hessian is symmetric: a strain rate differenced like the velocity keeps every
-/// step a minimisation.
+/// Adds the Kelvin-Voigt response of one point: potential mu_v / rate_factor |dev Edot|^2, Edot = rate_factor E(F) +
+/// history. Its gradient is F S with S = 2 mu_v dev Edot and its Hessian is symmetric: a strain rate differenced like
+/// the velocity keeps every step a minimisation.
 template <bool WithHessian>
-void add_viscous_response(const Matrix3<Pack>& F, const Pack& viscous_mu, double rate_factor, const double* history, int q, Pack& value, Matrix3<Pack>& P,
-                          Matrix9<Pack>& A) {
+void add_viscous_response(const Matrix3<Pack>& F, const Pack& viscous_mu, double rate_factor, const double* history,
+                          int q, Pack& value, Matrix3<Pack>& P, Matrix9<Pack>& A) {
     const PackSymmetric D = deviator(strain_rate(F, rate_factor, history, q));
     const Matrix3<Pack> S = viscous_stress(viscous_mu, D);
     if (rate_factor > 0.0) value += (1.0 / rate_factor) * viscous_mu * double_dot(D, D);
@@ -96,7 +97,8 @@ class MeanVolume {
 public:
     static constexpr int N = Geometry::nodes, Q = Geometry::points;
 
-    MeanVolume(const PointKinematics<Geometry>& points, const Pack& volume) : inverse_volume_(1.0 / volume), volume_(volume), gradient_(points) {}
+    MeanVolume(const PointKinematics<Geometry>& points, const Pack& volume)
+        : inverse_volume_(1.0 / volume), volume_(volume), gradient_(points) {}
 
     void add(int q, const Pack& weight, const Pack& factor, const TensorFunctionOf<Pack>& theta) {
         theta_ += weight * inverse_volume_ * theta.value;
@@ -106,7 +108,8 @@ public:
     }
 
     void finish(const PointKinematics<Geometry>& points, const PackInput& in, PackOutput<N>& out) const {
-        const ScalarFunctionOf<Pack> U = in.material->bulk(theta_, (in.kappa - in.point_bulk.of(in.mu, in.kappa)) * factor_);
+        const ScalarFunctionOf<Pack> U =
+            in.material->bulk(theta_, (in.kappa - in.point_bulk.of(in.mu, in.kappa)) * factor_);
         out.energy += volume_ * U.value;
         PackNodes<N> gradient = PackNodes<N>::Constant(Pack(0.0));
         gradient_.add_to(gradient);
@@ -114,7 +117,8 @@ public:
         if constexpr (WithHessian) {
             const Pack p = in.pressure ? load_pack(in.pressure) : U.first;
             for (std::size_t q = 0; q < Q; ++q)
-                add_pulled_back<N>(hessian_[q], points.geometry().gradient[q], p * points.weight(static_cast<int>(q)), out.hessian);
+                add_pulled_back<N>(hessian_[q], points.geometry().gradient[q], p * points.weight(static_cast<int>(q)),
+                                   out.hessian);
             const Pack stiffness = U.second * inverse_volume_;
             for (int b = 0; b < N; ++b)
                 for (int a = b; a < N; ++a) {
@@ -133,7 +137,8 @@ private:
 
 /// dU/dF at a point, and with a Hessian its second derivatives, p standing for U' in the geometric part.
 template <bool WithHessian>
-void add_bulk_response(const ScalarFunctionOf<Pack>& U, const Pack& p, const TensorFunctionOf<Pack>& theta, Pack& value, Matrix3<Pack>& P, Matrix9<Pack>& A) {
+void add_bulk_response(const ScalarFunctionOf<Pack>& U, const Pack& p, const TensorFunctionOf<Pack>& theta, Pack& value,
+                       Matrix3<Pack>& P, Matrix9<Pack>& A) {
     value += U.value;
     P += theta.gradient * U.first;
     if constexpr (WithHessian)
@@ -144,7 +149,8 @@ void add_bulk_response(const ScalarFunctionOf<Pack>& U, const Pack& p, const Ten
 
 /// Energy, gradient and, if asked for, Hessian of one pack of cells at the positions x.
 template <bool WithHessian, class Geometry>
-void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes<Geometry::nodes>& x, const PackInput& in, PackOutput<Geometry::nodes>& out) {
+void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes<Geometry::nodes>& x,
+                   const PackInput& in, PackOutput<Geometry::nodes>& out) {
     constexpr int Q = Geometry::points;
     constexpr bool has_mean_volume = requires(const Geometry& g) { g.weight; };
     const Geometry& geometry = cells.geometry(pack);
@@ -193,7 +199,9 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
         } else if constexpr (WithHessian) {
             A.setConstant(Pack(0.0));
         }
-        if (in.viscous) add_viscous_response<WithHessian>(F, in.viscous_mu * in.viscous_factor(q), in.rate_factor, in.rate_history, q, density, P, A);
+        if (in.viscous)
+            add_viscous_response<WithHessian>(F, in.viscous_mu * in.viscous_factor(q), in.rate_factor, in.rate_history,
+                                              q, density, P, A);
         out.energy += weight * density;
         stress.add(q, P * weight);
         if constexpr (WithHessian) {

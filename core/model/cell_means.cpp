@@ -35,7 +35,8 @@ double largest_stretch(const Matrix3d& F) {
 
 /// Writes the integrals of a pack's cells.
 template <class Geometry>
-void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x, std::vector<CellIntegrals>& result) {
+void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
+                   std::vector<CellIntegrals>& result) {
     const Material& law = *model.material;
     const auto xe = nodes_of_pack(cells, pack, x);
     const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
@@ -43,7 +44,8 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
     const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
     const double* factors = factors_of(cells, pack, model.point_factors);
     const bool mean = cells.mean_volume && law.has_split();
-    const Pack volume = cells.geometry(pack).volume, point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
+    const Pack volume = cells.geometry(pack).volume,
+               point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
     Matrix3<Pack> kirchhoff = zero_tensor(), mean_part = zero_tensor();   // of P F' and of d theta/dF F'
     Pack mean_theta = 0.0, mean_factor = 0.0, now = 0.0;
     LawResponse<Pack> response;
@@ -52,7 +54,8 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
         const Matrix3<Pack> F = points.gradient(q), F_transposed = F.transpose();
         law.respond(F, mu * factor, kappa * factor, false, response);
         Matrix3<Pack> P = response.distortion.gradient;
-        if (law.has_split()) P += response.volume.gradient * law.bulk(response.volume.value, point_kappa * factor).first;
+        if (law.has_split())
+            P += response.volume.gradient * law.bulk(response.volume.value, point_kappa * factor).first;
         if (mean) {
             mean_theta += weight / volume * response.volume.value;
             mean_factor += weight / volume * factor;
@@ -62,7 +65,8 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
         const Matrix3<Pack> C = cofactor(F);
         now += weight * (F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0));
         for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
-            result[static_cast<std::size_t>(pack * pack_width + lane)].stretch += static_cast<double>(weight[static_cast<std::size_t>(lane)]) * largest_stretch(lane_of(F, lane));
+            result[static_cast<std::size_t>(pack * pack_width + lane)].stretch +=
+                static_cast<double>(weight[static_cast<std::size_t>(lane)]) * largest_stretch(lane_of(F, lane));
     }
     if (mean) kirchhoff += mean_part * law.bulk(mean_theta, (kappa - point_kappa) * mean_factor).first;
     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {

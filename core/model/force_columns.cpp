@@ -21,13 +21,15 @@ constexpr int packs_per_thread = 16;
 
 /// Adds the viscous forces of a strain rate.
 template <class Geometry>
-void add_viscous(const PointKinematics<Geometry>& points, const Pack& viscous_mu, const double* factors, const double* rate, PackNodes<Geometry::nodes>& gradient) {
+void add_viscous(const PointKinematics<Geometry>& points, const Pack& viscous_mu, const double* factors,
+                 const double* rate, PackNodes<Geometry::nodes>& gradient) {
     StressSum<Geometry> stress(points);
     Pack unused = 0.0;
     Matrix9<Pack> no_tangent;
     for (int q = 0; q < Geometry::points; ++q) {
         Matrix3<Pack> P = zero_tensor();
-        add_viscous_response<false>(points.gradient(q), factors ? viscous_mu * entry(factors, q) : viscous_mu, 0.0, rate, q, unused, P, no_tangent);
+        add_viscous_response<false>(points.gradient(q), factors ? viscous_mu * entry(factors, q) : viscous_mu, 0.0,
+                                    rate, q, unused, P, no_tangent);
         stress.add(q, P * points.weight(q));
     }
     stress.add_to(gradient);
@@ -43,7 +45,8 @@ Pack lanes_of(const Cells& cells, int pack, const Value& value) {
 }
 
 template <class Geometry>
-UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const VectorXd& softening, const VectorXd& rate) {
+UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
+                          const VectorXd& softening, const VectorXd& rate) {
     constexpr int N = Geometry::nodes;
     const auto size = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
     UnitForces forces{std::vector<Pack>(size), std::vector<Pack>(size), std::vector<Pack>(rate.size() > 0 ? size : 0)};
@@ -81,7 +84,8 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
 
 /// The elastic forces of every point of a pack for the model's moduli: what a change of the factor there multiplies.
 template <class Geometry>
-std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x) {
+std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const PackedCells<Geometry>& cells, int pack,
+                                                                         const Model& model, const Matrix3Xd& x) {
     constexpr int N = Geometry::nodes, Q = Geometry::points;
     const auto xe = nodes_of_pack(cells, pack, x);
     const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
@@ -100,7 +104,8 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
         LawResponse<Pack>& law = laws[q];
         model.material->respond(points.gradient(point), mu * factor, kappa * factor, false, law);
         Matrix3<Pack> P = law.distortion.gradient;
-        if (model.material->has_split()) P += law.volume.gradient * model.material->bulk(law.volume.value, point_kappa * factor).first;
+        if (model.material->has_split())
+            P += law.volume.gradient * model.material->bulk(law.volume.value, point_kappa * factor).first;
         StressSum<Geometry> stress(points);
         stress.add(point, P * weight);
         forces[q].setConstant(Pack(0.0));
@@ -114,7 +119,8 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
     if (mean)   // the cell's bulk modulus is the mean of those of its points
         for (std::size_t q = 0; q < Q; ++q) {
             const int point = static_cast<int>(q);
-            const Pack factor = factors ? entry(factors, point) : Pack(1.0), share = points.weight(point) / cells.geometry(pack).volume;
+            const Pack factor = factors ? entry(factors, point) : Pack(1.0),
+                       share = points.weight(point) / cells.geometry(pack).volume;
             forces[q] += mean_gradient * model.material->bulk(theta, (kappa - point_kappa) * factor * share).first;
         }
     return forces;
@@ -128,7 +134,8 @@ void add_weighted(const std::vector<Pack>& unit, int pack, const Pack& weight, P
 }
 
 template <class Geometry>
-NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const UnitForces& forces, const GradientChanges& changes) {
+NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
+                          const UnitForces& forces, const GradientChanges& changes) {
     constexpr int N = Geometry::nodes;
     const auto columns = static_cast<Index>(changes.stiffness.size());
     constexpr Index at_once = 8;   // columns for which a pack is looked at once; more would fill the cache with forces
@@ -159,10 +166,13 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                     if (!own.viscous.empty()) add_weighted<N>(forces.viscous, pack, lanes_of(cells, pack, [&](std::size_t c) { return own.viscous[c].mu; }), out);
                     if (points)
                         add_viscous(*points, viscous_mu, factors_of(cells, pack, model.point_factors),
-                                    changes.rates.col(start + k).data() + pack * cells.strains_per_cell() * pack_width, out.gradient);
+                                    changes.rates.col(start + k).data() + pack * cells.strains_per_cell() * pack_width,
+                                    out.gradient);
                     if (of_points) {
-                        const double* const d = changes.softening.col(start + k).data() + pack * Geometry::points * pack_width;
-                        for (std::size_t q = 0; q < Geometry::points; ++q) out.gradient += (*of_points)[q] * entry(d, static_cast<int>(q));
+                        const double* const d =
+                            changes.softening.col(start + k).data() + pack * Geometry::points * pack_width;
+                        for (std::size_t q = 0; q < Geometry::points; ++q)
+                            out.gradient += (*of_points)[q] * entry(d, static_cast<int>(q));
                     }
                     std::copy(out.gradient.data(), out.gradient.data() + 3 * N, nodal.begin() + static_cast<std::ptrdiff_t>(field) * k + pack * 3 * N);
                 }
@@ -175,7 +185,8 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
 }
 
 template <class Geometry>
-MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const NodalColumns& dx) {
+MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
+                            const NodalColumns& dx) {
     constexpr int N = Geometry::nodes;
     const int per_cell = cells.strains_per_cell();
     MatrixXd result(cells.pack_count() * per_cell * pack_width, dx.rows() / 3);
@@ -193,8 +204,11 @@ MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& mod
                 const auto motion = points.along(de);
                 double* to = result.col(p).data() + pack * per_cell * pack_width;
                 for (int q = 0; q < Geometry::points; ++q) {
-                    const PackSymmetric e = green_strain_tangent(F[static_cast<std::size_t>(q)], points.tangent(q, motion));
-                    for (int i = 0; i < 6; ++i) e[static_cast<std::size_t>(i)].copy_to(to + (6 * q + i) * pack_width, std::experimental::element_aligned);
+                    const PackSymmetric e =
+                        green_strain_tangent(F[static_cast<std::size_t>(q)], points.tangent(q, motion));
+                    for (int i = 0; i < 6; ++i)
+                        e[static_cast<std::size_t>(i)].copy_to(to + (6 * q + i) * pack_width,
+                                                               std::experimental::element_aligned);
                 }
             }
         }
@@ -206,13 +220,17 @@ MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& mod
 
 UnitForces unit_forces(const Model& model, const Matrix3Xd& x, const VectorXd& softening, const VectorXd& rate) {
     assert(x.cols() == model.body->node_count());
-    return std::visit([&](const auto& cells) { return unit_forces_of(cells, model, x, softening, rate); }, model.body->cells);
+    return std::visit([&](const auto& cells) { return unit_forces_of(cells, model, x, softening, rate); },
+                      model.body->cells);
 }
 
-NodalColumns gradient_columns(const Model& model, const Matrix3Xd& x, const UnitForces& forces, const GradientChanges& changes) {
-    assert(x.cols() == model.body->node_count() && (changes.rates.size() == 0 || changes.rates.cols() == static_cast<Index>(changes.stiffness.size())));
+NodalColumns gradient_columns(const Model& model, const Matrix3Xd& x, const UnitForces& forces,
+                              const GradientChanges& changes) {
+    assert(x.cols() == model.body->node_count() &&
+           (changes.rates.size() == 0 || changes.rates.cols() == static_cast<Index>(changes.stiffness.size())));
     assert(changes.softening.size() == 0 || changes.softening.rows() == model.body->point_count());
-    return std::visit([&](const auto& cells) { return gradients_of(cells, model, x, forces, changes); }, model.body->cells);
+    return std::visit([&](const auto& cells) { return gradients_of(cells, model, x, forces, changes); },
+                      model.body->cells);
 }
 
 MatrixXd strain_tangents(const Model& model, const Matrix3Xd& x, const NodalColumns& dx) {

@@ -84,12 +84,14 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
 
 /// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is evaluated.
 template <bool WithHessian, class Geometry, class Output>
-void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, int first, int end,
-                    std::vector<Pack>& forces, std::vector<Pack>& energies, const Output& output) {
+void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
+                    const InternalInput& input, int first, int end, std::vector<Pack>& forces,
+                    std::vector<Pack>& energies, const Output& output) {
     constexpr int N = Geometry::nodes;
     for (int pack = first; pack < end; ++pack) {
         PackOutput<N>& result = output(pack);
-        evaluate_pack<WithHessian>(cells, pack, nodes_of_pack(cells, pack, x), pack_input(model, cells, input, pack), result);
+        evaluate_pack<WithHessian>(cells, pack, nodes_of_pack(cells, pack, x), pack_input(model, cells, input, pack),
+                                   result);
         energies[static_cast<std::size_t>(pack)] = result.energy;
         std::copy(result.gradient.data(), result.gradient.data() + 3 * N, forces.begin() + pack * 3 * N);
     }
@@ -98,8 +100,9 @@ void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, cons
 /// Cells' matrices are made side by side for as many packs as fit in a cache, then every thread adds those that fall in its
 /// columns, one after the other, so that sums do not depend on the number of threads.
 template <class Geometry>
-void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, bool positive,
-                    std::vector<Pack>& forces, std::vector<Pack>& energies, SymmetricSparse& hessian) {
+void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
+                    const InternalInput& input, bool positive, std::vector<Pack>& forces, std::vector<Pack>& energies,
+                    SymmetricSparse& hessian) {
     constexpr int packs_at_once = 32, N = Geometry::nodes;
     const BlockPattern& pattern = model.body->pattern;
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
@@ -119,7 +122,8 @@ void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, cons
 }
 
 template <class Geometry>
-void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input, HessianKind kind, InternalEnergy& out) {
+void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input,
+               HessianKind kind, InternalEnergy& out) {
     constexpr int N = Geometry::nodes;
     static thread_local std::vector<Pack> forces, energies;   // kept, because this runs thousands of times a second
     std::vector<Pack>&force_field = forces, &energy_field = energies;   // of this thread, for all that help it
@@ -138,7 +142,8 @@ void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Mat
 
 /// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
 template <class Geometry>
-VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, const Stiffness& stiffness, const Matrix3Xd& x, const Matrix3Xd* dx) {
+VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, const Stiffness& stiffness,
+                        const Matrix3Xd& x, const Matrix3Xd* dx) {
     constexpr int Q = Geometry::points;
     const int per_cell = cells.volumes_per_cell();
     VectorXd pressure = VectorXd::Zero(cells.pack_count() * per_cell * pack_width);
@@ -148,7 +153,8 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
     for_each_pack(cells, [&](int pack) {
         const PackInput in = pack_input(model, cells, input, pack);
         const auto xe = nodes_of_pack(cells, pack, x), de = dx ? nodes_of_pack(cells, pack, *dx) : xe;
-        const PointKinematics<Geometry> points(cells.geometry(pack), cells.surroundings_of(pack), xe, in.poissons_ratio);
+        const PointKinematics<Geometry> points(cells.geometry(pack), cells.surroundings_of(pack), xe,
+                                               in.poissons_ratio);
         const auto motion = points.along(de);
         const Pack kappa = cells.mean_volume ? in.kappa - in.point_bulk.of(in.mu, in.kappa) : in.kappa;
         LawResponse<Pack> law;
@@ -179,7 +185,8 @@ VectorXd pack_strains(const PackedCells<Geometry>& cells, const Model& model, co
         const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
         const auto write = [&](int q, const PackSymmetric& e) {
             for (int i = 0; i < 6; ++i)
-                e[static_cast<std::size_t>(i)].copy_to(result.data() + (pack * per_cell + 6 * q + i) * pack_width, std::experimental::element_aligned);
+                e[static_cast<std::size_t>(i)].copy_to(result.data() + (pack * per_cell + 6 * q + i) * pack_width,
+                                                       std::experimental::element_aligned);
         };
         if (!dx) {
             for (int q = 0; q < Geometry::points; ++q) write(q, green_strain(points.gradient(q)));
@@ -187,7 +194,8 @@ VectorXd pack_strains(const PackedCells<Geometry>& cells, const Model& model, co
         }
         const auto de = nodes_of_pack(cells, pack, *dx);
         const auto motion = points.along(de);
-        for (int q = 0; q < Geometry::points; ++q) write(q, green_strain_tangent(points.gradient(q), points.tangent(q, motion)));
+        for (int q = 0; q < Geometry::points; ++q)
+            write(q, green_strain_tangent(points.gradient(q), points.tangent(q, motion)));
     });
     return result;
 }
@@ -209,7 +217,9 @@ Stiffness stiffness(const Model& model) {
 
 double viscous_scale(const Model& model) { return model.creep ? 1.0 : model.damping_s; }
 
-VectorXd times_factors(const VectorXd& a, const VectorXd& b) { return a.size() == 0 ? b : b.size() == 0 ? a : VectorXd(a.cwiseProduct(b)); }
+VectorXd times_factors(const VectorXd& a, const VectorXd& b) {
+    return a.size() == 0 ? b : b.size() == 0 ? a : VectorXd(a.cwiseProduct(b));
+}
 
 InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const InternalInput& input, HessianKind kind) {
     assert(x.cols() == model.body->node_count() && input.stiffness != nullptr);
@@ -225,11 +235,13 @@ InternalEnergy internal_energy(const Model& model, const Matrix3Xd& x, const Int
 }
 
 VectorXd pressures(const Model& model, const Stiffness& stiffness, const Matrix3Xd& x) {
-    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, stiffness, x, nullptr); }, model.body->cells);
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, stiffness, x, nullptr); },
+                      model.body->cells);
 }
 
 VectorXd predicted_pressures(const Model& model, const Stiffness& stiffness, const Matrix3Xd& x, const Matrix3Xd& dx) {
-    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, stiffness, x, &dx); }, model.body->cells);
+    return std::visit([&](const auto& cells) { return pack_pressures(cells, model, stiffness, x, &dx); },
+                      model.body->cells);
 }
 
 VectorXd strains(const Model& model, const Matrix3Xd& x) {

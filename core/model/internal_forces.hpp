@@ -19,7 +19,8 @@ struct StrainRate {
 struct Stiffness {
     std::vector<Moduli> elastic;       // per cell; empty: left out
     Eigen::VectorXd elastic_factors;   // of them, at the body's points; empty: 1
-    std::vector<Moduli> viscous;       // viscous_scale() times moduli, per cell [Pa s], or [Pa] of a creeping body; empty: left out
+    std::vector<Moduli>
+        viscous;   // viscous_scale() times moduli, per cell [Pa s], or [Pa] of a creeping body; empty: left out
     Eigen::VectorXd viscous_factors;   // of them, at the body's points; empty: 1
     bool fibres = true;
 };
@@ -58,7 +59,8 @@ InternalEnergy internal_energy(const Model& model, const Eigen::Matrix3Xd& x, co
 
 /// U'(theta) of every volume point at x for the elastic moduli of a stiffness, and its linear prediction at x + dx.
 Eigen::VectorXd pressures(const Model& model, const Stiffness& stiffness, const Eigen::Matrix3Xd& x);
-Eigen::VectorXd predicted_pressures(const Model& model, const Stiffness& stiffness, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
+Eigen::VectorXd predicted_pressures(const Model& model, const Stiffness& stiffness, const Eigen::Matrix3Xd& x,
+                                    const Eigen::Matrix3Xd& dx);
 
 /// Green strains of all points at x, and their derivative along dx.
 Eigen::VectorXd strains(const Model& model, const Eigen::Matrix3Xd& x);

@@ -50,7 +50,9 @@ MassMatrix mass_matrix(Eigen::SparseMatrix<double> isotropic, Eigen::SparseMatri
     return {std::move(isotropic), std::move(directional), std::move(nodal_kg)};
 }
 
-MassMatrix mass_matrix(const Model& model, double at_s) { return mass_matrix(isotropic_mass(model), directional_mass(model, at_s)); }
+MassMatrix mass_matrix(const Model& model, double at_s) {
+    return mass_matrix(isotropic_mass(model), directional_mass(model, at_s));
+}
 
 std::vector<MassSpan> mass_spans(const Model& model) {
     std::vector<double> ends{std::numeric_limits<double>::infinity()};
@@ -74,8 +76,8 @@ std::size_t span_at(const std::vector<MassSpan>& spans, double at_s) {
     return k;
 }
 
-// Eigen multiplies dense rows one by one through the sparse matrix; node by node is several times faster, and a fourth number per node
-// makes its vector one of the processor's.
+// Eigen multiplies dense rows one by one through the sparse matrix; node by node is several times faster, and a fourth
+// number per node makes its vector one of the processor's.
 Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {
     Eigen::Matrix4Xd padded(4, X.cols());
     padded.topRows<3>() = X;

@@ -46,7 +46,8 @@ struct Model {
     MaterialPointer material;
     std::vector<Moduli> moduli;               // per cell
     Eigen::VectorXd point_factors;            // of the moduli, at the body's points (see Body::point_entry); empty: 1
-    std::vector<double> poissons_ratio;       // per cell, by which hex8 cells thin as they bend: a datum, which derivatives hold; empty: that of the moduli
+    std::vector<double> poissons_ratio;   // per cell, by which hex8 cells thin as they bend: a datum, which derivatives
+                                          // hold; empty: that of the moduli
     double damping_s = 0.0;                       // Kelvin-Voigt: S = 2 damping mu dev(dE/dt)
     double density_kg_m3 = 0.0;
     MassModel mass_model = MassModel::consistent;

@@ -18,7 +18,9 @@ Matrix3<Pack> mean_gradient(const PackGeometry<N, Q>& geometry, const PackNodes<
     for (std::size_t q = 0; q < Q; ++q) sum += nodal_product(x, geometry.gradient[q]) * geometry.weight[q];
     return sum;
 }
-Matrix3<Pack> mean_gradient(const PackAssumedStrain& geometry, const PackNodes<8>& x) { return nodal_product(x, geometry.gradient) * geometry.volume; }
+Matrix3<Pack> mean_gradient(const PackAssumedStrain& geometry, const PackNodes<8>& x) {
+    return nodal_product(x, geometry.gradient) * geometry.volume;
+}
 
 /// Sum of the cells' mean deformation gradients at each node, weighted with their volumes.
 template <class Geometry>

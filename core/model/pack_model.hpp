@@ -10,7 +10,8 @@ namespace myo {
 /// Poisson's ratio by which the cells of a pack thin as they bend; see Model::poissons_ratio.
 template <class Geometry>
 Pack poissons_ratio_of(const PackedCells<Geometry>& cells, int pack, const Model& model) {
-    if (!model.poissons_ratio.empty()) return pack_of(cells, pack, [&](std::size_t c) { return model.poissons_ratio[c]; });
+    if (!model.poissons_ratio.empty())
+        return pack_of(cells, pack, [&](std::size_t c) { return model.poissons_ratio[c]; });
     const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
     const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
     return (3.0 * kappa - 2.0 * mu) / (2.0 * (3.0 * kappa + mu));   // as young_from_moduli()
@@ -24,7 +25,8 @@ const double* factors_of(const PackedCells<Geometry>&, int pack, const Eigen::Ve
 
 /// Where the points of a pack are at the positions x of its nodes.
 template <class Geometry>
-PointKinematics<Geometry> points_of(const PackedCells<Geometry>& cells, int pack, const Model& model, const PackNodes<Geometry::nodes>& x) {
+PointKinematics<Geometry> points_of(const PackedCells<Geometry>& cells, int pack, const Model& model,
+                                    const PackNodes<Geometry::nodes>& x) {
     return {cells.geometry(pack), cells.surroundings_of(pack), x, poissons_ratio_of(cells, pack, model)};
 }
 

@@ -106,12 +106,15 @@ inline Pack column_dot(const Matrix3<Pack>& A, int i, const Matrix3<Pack>& B, in
 
 /// Green's strain.
 inline PackSymmetric green_strain(const Matrix3<Pack>& F) {
-    return {0.5 * (column_dot(F, 0, F, 0) - 1.0), 0.5 * (column_dot(F, 1, F, 1) - 1.0), 0.5 * (column_dot(F, 2, F, 2) - 1.0),
-            0.5 * column_dot(F, 0, F, 1),         0.5 * column_dot(F, 1, F, 2),         0.5 * column_dot(F, 2, F, 0)};
+    return {0.5 * (column_dot(F, 0, F, 0) - 1.0), 0.5 * (column_dot(F, 1, F, 1) - 1.0),
+            0.5 * (column_dot(F, 2, F, 2) - 1.0), 0.5 * column_dot(F, 0, F, 1),
+            0.5 * column_dot(F, 1, F, 2),         0.5 * column_dot(F, 2, F, 0)};
 }
 
 /// Its derivative along dF: the symmetric part of F'dF.
-inline PackSymmetric green_strain_tangent(const Matrix3<Pack>& F, const Matrix3<Pack>& dF) { return symmetric_part(transposed_product(F, dF)); }
+inline PackSymmetric green_strain_tangent(const Matrix3<Pack>& F, const Matrix3<Pack>& dF) {
+    return symmetric_part(transposed_product(F, dF));
+}
 
 /// The trace-free part.
 inline PackSymmetric deviator(PackSymmetric e) {

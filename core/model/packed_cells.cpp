@@ -26,7 +26,8 @@ void set_lane_of(PackAssumedStrain& to, Lane lane, const AssumedStrainGeometry& 
     set_lane_of(to.gamma, lane, from.gamma);
     set_lane_of(to.edges, lane, from.edges);
     for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t m = 0; m < 3; ++m) set_lane_of(to.planes[k].in_plane[m], lane, from.planes[k].in_plane.col(static_cast<Eigen::Index>(m)));
+        for (std::size_t m = 0; m < 3; ++m)
+            set_lane_of(to.planes[k].in_plane[m], lane, from.planes[k].in_plane.col(static_cast<Eigen::Index>(m)));
         set_lane_of(to.planes[k].trace, lane, from.planes[k].trace);
         set_lane_of(to.planes[k].normal, lane, from.planes[k].normal);
         set_lane_of(to.along[k], lane, from.along[k]);
@@ -41,7 +42,8 @@ bool same_shape(const Geometry& a, const Geometry& b) {
     const Pack *x = reinterpret_cast<const Pack*>(&a), *y = reinterpret_cast<const Pack*>(&b);
     const Pack scale = abs(a.volume);
     if (any_of(abs(a.volume - b.volume) > 1e-11 * scale)) return false;
-    // Entries have dimensions of their own; those that should vanish are compared with the largest of the shape gradients.
+    // Entries have dimensions of their own; those that should vanish are compared with the largest of the shape
+    // gradients.
     Pack largest = 0.0;
     for (std::size_t k = 0; k < count; ++k) largest = max(largest, abs(x[k]));
     for (std::size_t k = 0; k < count; ++k)
@@ -63,7 +65,8 @@ PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
         Geometry geometry;
         for (Lane lane = 0; lane < static_cast<Lane>(pack_width); ++lane) {
             const int cell = std::min(static_cast<int>(pack) * pack_width + static_cast<int>(lane), block.cell_count() - 1);
-            for (int a = 0; a < Geometry::nodes; ++a) packed.lane_nodes[pack][static_cast<std::size_t>(a)][lane] = block.cells(a, cell);
+            for (int a = 0; a < Geometry::nodes; ++a)
+                packed.lane_nodes[pack][static_cast<std::size_t>(a)][lane] = block.cells(a, cell);
             set_lane_of(geometry, lane, block.geometry[static_cast<std::size_t>(cell)]);
         }
         const std::size_t known = packed.shapes.size(), first = known > most_compared ? known - most_compared : 0;
@@ -72,11 +75,14 @@ PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
         if (shape == known) packed.shapes.push_back(geometry);
         packed.shape_of_pack.push_back(static_cast<int>(shape));
         if constexpr (requires { block.point_bulk_over_mu; })
-            if (!block.point_bulk_over_mu.empty()) packed.point_bulk_over_mu.push_back(pack_of(packed, static_cast<int>(pack), [&](std::size_t c) { return block.point_bulk_over_mu[c]; }));
+            if (!block.point_bulk_over_mu.empty())
+                packed.point_bulk_over_mu.push_back(pack_of(
+                    packed, static_cast<int>(pack), [&](std::size_t c) { return block.point_bulk_over_mu[c]; }));
         if constexpr (requires { block.geometry.front().relaxed; }) {
             packed.surroundings.emplace_back();
             for (std::size_t k = 0; k < 3; ++k)
-                packed.surroundings.back()[k] = pack_of(packed, static_cast<int>(pack), [&](std::size_t c) { return block.geometry[c].relaxed[k]; });
+                packed.surroundings.back()[k] = pack_of(packed, static_cast<int>(pack),
+                                                        [&](std::size_t c) { return block.geometry[c].relaxed[k]; });
         }
     }
     return packed;

@@ -52,8 +52,9 @@ struct PackAssumedStrain {
 /// What of a pack's cells is not shared with others of the same shape: AssumedStrainGeometry::relaxed.
 using PackSurroundings = std::array<Pack, 3>;
 
-/// An element block laid out for the vectorised kernel. Cell c is lane c % pack_width of pack c / pack_width; the last pack is
-/// filled up with copies of the last cell, whose results nobody reads. Packs of the same shape, as most of a grid, share it.
+/// An element block laid out for the vectorised kernel. Cell c is lane c % pack_width of pack c / pack_width; the last
+/// pack is filled up with copies of the last cell, whose results nobody reads. Packs of the same shape, as most of a
+/// grid, share it.
 ///
 /// Per-cell fields (strains, pressures, forces) are stored pack by pack: entry i of cell c is at
 /// (c / pack_width * entries + i) * pack_width + c % pack_width.
@@ -77,13 +78,16 @@ struct PackedCells {
         static const PackSurroundings none{};
         return surroundings.empty() ? none : surroundings[static_cast<std::size_t>(pack)];
     }
-    const Geometry& geometry(int pack) const { return shapes[static_cast<std::size_t>(shape_of_pack[static_cast<std::size_t>(pack)])]; }
+    const Geometry& geometry(int pack) const {
+        return shapes[static_cast<std::size_t>(shape_of_pack[static_cast<std::size_t>(pack)])];
+    }
     /// Green strains of every point.
     static constexpr int strains_per_cell() { return 6 * points; }
     int volumes_per_cell() const { return mean_volume ? 1 : points; }
 };
 
-using PackedElements = std::variant<PackedCells<PackAssumedStrain>, PackedCells<PackGeometry<8, 8>>, PackedCells<PackGeometry<4, 1>>, PackedCells<PackGeometry<10, 4>>>;
+using PackedElements = std::variant<PackedCells<PackAssumedStrain>, PackedCells<PackGeometry<8, 8>>,
+                                    PackedCells<PackGeometry<4, 1>>, PackedCells<PackGeometry<10, 4>>>;
 PackedElements pack_elements(const Elements& elements);
 
 /// Where each node finds its share of a field of cell vectors (3 entries per node of a cell, node by node): first entries of
@@ -121,7 +125,10 @@ PackNodes<Geometry::nodes> nodes_of_pack(const PackedCells<Geometry>& cells, int
 /// value(cell) in the lanes of a pack; past the last cell that of the last.
 template <class Geometry, class Value>
 Pack pack_of(const PackedCells<Geometry>& cells, int pack, const Value& value) {
-    return Pack([&](auto lane) { return value(static_cast<std::size_t>(std::min(pack * pack_width + static_cast<int>(lane), cells.cell_count - 1))); });
+    return Pack([&](auto lane) {
+        return value(
+            static_cast<std::size_t>(std::min(pack * pack_width + static_cast<int>(lane), cells.cell_count - 1)));
+    });
 }
 
 }  // namespace myo

@@ -7,8 +7,8 @@
 
 namespace myo {
 
-/// The bulk modulus that acts at the points of cells with a mean volume: of_mu mu + of_kappa kappa, see PointBulkPolicy. Linear in the moduli
-/// while their ratio stays on one side of the element's bound.
+/// The bulk modulus that acts at the points of cells with a mean volume: of_mu mu + of_kappa kappa, see
+/// PointBulkPolicy. Linear in the moduli while their ratio stays on one side of the element's bound.
 struct PointBulk {
     Pack of_mu = 0.0, of_kappa = 0.0;
 
@@ -21,7 +21,8 @@ PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::ve
     PointBulk result;
     if (cells.point_bulk_over_mu.empty()) return result;
     const Pack bound = cells.point_bulk_over_mu[static_cast<std::size_t>(pack)];
-    const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].mu; }), kappa = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].kappa; });
+    const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].mu; }),
+               kappa = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].kappa; });
     const auto below = kappa < bound * mu;
     result.of_mu = bound;
     std::experimental::where(below, result.of_mu) = 0.0;

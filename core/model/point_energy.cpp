@@ -21,8 +21,10 @@ Eigen::VectorXd densities_of(const PackedCells<Geometry>& cells, const Model& mo
             const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
             const double* factors = factors_of(cells, pack, model.point_factors);
             for (int q = 0; q < Q; ++q) {
-                model.material->respond(points.gradient(q), factors ? mu * entry(factors, q) : mu, Pack(0.0), false, law);
-                law.distortion.value.copy_to(result.data() + (pack * Q + q) * pack_width, std::experimental::element_aligned);
+                model.material->respond(points.gradient(q), factors ? mu * entry(factors, q) : mu, Pack(0.0), false,
+                                        law);
+                law.distortion.value.copy_to(result.data() + (pack * Q + q) * pack_width,
+                                             std::experimental::element_aligned);
             }
         }
     });

@@ -19,7 +19,8 @@ using PackMatrix = std::array<Matrix3<Pack>, static_cast<std::size_t>(N * (N + 1
 //
 //   PointKinematics   gradient(q): F of a point; along(dx): a motion; tangent(q, motion): dF
 //   StressSum         add(q, P): P times its weight, dW/dF of a point; add_to(forces): dW/dx
-//   StiffnessSum      add(q, A, P): A = d2W/dF2 of a point times its weight, P its stress, for the curvature of F in x; add_to(matrix): d2W/dx2
+//   StiffnessSum      add(q, A, P): A = d2W/dF2 of a point times its weight, P its stress, for the curvature of F in x;
+//   add_to(matrix): d2W/dx2
 //
 // and all that energies, forces, works, strains and means are made of is written once, for any of them.
 
@@ -37,14 +38,17 @@ class PointKinematics<PackGeometry<N, Q>> {
 public:
     using Motion = const PackNodes<N>*;
 
-    PointKinematics(const PackGeometry<N, Q>& geometry, const PackSurroundings&, const PackNodes<N>& x, const Pack&) : geometry_(geometry), x_(x) {}
+    PointKinematics(const PackGeometry<N, Q>& geometry, const PackSurroundings&, const PackNodes<N>& x, const Pack&)
+        : geometry_(geometry), x_(x) {}
 
     Matrix3<Pack> gradient(int q) const { return nodal_product(x_, geometry_.gradient[static_cast<std::size_t>(q)]); }
     Pack weight(int q) const { return geometry_.weight[static_cast<std::size_t>(q)]; }
     const PackGeometry<N, Q>& geometry() const { return geometry_; }
 
     Motion along(const PackNodes<N>& dx) const { return &dx; }
-    Matrix3<Pack> tangent(int q, Motion dx) const { return nodal_product(*dx, geometry_.gradient[static_cast<std::size_t>(q)]); }
+    Matrix3<Pack> tangent(int q, Motion dx) const {
+        return nodal_product(*dx, geometry_.gradient[static_cast<std::size_t>(q)]);
+    }
 
 private:
     const PackGeometry<N, Q>& geometry_;
@@ -54,7 +58,8 @@ private:
 template <int N, int Q>
 class StressSum<PackGeometry<N, Q>> {
 public:
-    explicit StressSum(const PointKinematics<PackGeometry<N, Q>>& points) : geometry_(points.geometry()), forces_(PackNodes<N>::Constant(Pack(0.0))) {}
+    explicit StressSum(const PointKinematics<PackGeometry<N, Q>>& points)
+        : geometry_(points.geometry()), forces_(PackNodes<N>::Constant(Pack(0.0))) {}
 
     void add(int q, const Matrix3<Pack>& P) { add_nodal(P, geometry_.gradient[static_cast<std::size_t>(q)], forces_); }
     void add_to(PackNodes<N>& forces) const { forces += forces_; }
@@ -66,7 +71,8 @@ private:
 
 /// Blocks K_ab += G_a A G_b for a >= b: the pull-back of a 9 x 9 tangent to the nodes. A is symmetric.
 template <int N>
-void add_pulled_back(const Matrix9<Pack>& A, const Eigen::Matrix<Pack, N, 3>& G, const Pack& weight, PackMatrix<N>& matrix) {
+void add_pulled_back(const Matrix9<Pack>& A, const Eigen::Matrix<Pack, N, 3>& G, const Pack& weight,
+                     PackMatrix<N>& matrix) {
     for (int b = 0; b < N; ++b) {
         const Pack g0 = weight * G(b, 0), g1 = weight * G(b, 1), g2 = weight * G(b, 2);
         Eigen::Matrix<Pack, 9, 3> AG;
@@ -75,7 +81,8 @@ void add_pulled_back(const Matrix9<Pack>& A, const Eigen::Matrix<Pack, N, 3>& G,
         for (int a = b; a < N; ++a) {
             Matrix3<Pack>& block = matrix[static_cast<std::size_t>(lower_block<N>(a, b))];
             for (int k = 0; k < 3; ++k)
-                for (int i = 0; i < 3; ++i) block(i, k) += G(a, 0) * AG(i, k) + G(a, 1) * AG(i + 3, k) + G(a, 2) * AG(i + 6, k);
+                for (int i = 0; i < 3; ++i)
+                    block(i, k) += G(a, 0) * AG(i, k) + G(a, 1) * AG(i + 3, k) + G(a, 2) * AG(i + 6, k);
         }
     }
 }
@@ -84,9 +91,12 @@ template <int N, int Q>
 class StiffnessSum<PackGeometry<N, Q>> {
 public:
     /// The blocks are added to at once.
-    StiffnessSum(const PointKinematics<PackGeometry<N, Q>>& points, PackMatrix<N>& matrix) : geometry_(points.geometry()), matrix_(matrix) {}
+    StiffnessSum(const PointKinematics<PackGeometry<N, Q>>& points, PackMatrix<N>& matrix)
+        : geometry_(points.geometry()), matrix_(matrix) {}
 
-    void add(int q, const Matrix9<Pack>& A, const Matrix3<Pack>&) { add_pulled_back<N>(A, geometry_.gradient[static_cast<std::size_t>(q)], Pack(1.0), matrix_); }
+    void add(int q, const Matrix9<Pack>& A, const Matrix3<Pack>&) {
+        add_pulled_back<N>(A, geometry_.gradient[static_cast<std::size_t>(q)], Pack(1.0), matrix_);
+    }
     void finish() {}
 
 private:

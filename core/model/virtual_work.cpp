@@ -18,7 +18,8 @@ struct PackWork {
 };
 
 template <class Geometry>
-PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, const StrainRate& rate) {
+PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
+                   const Matrix3Xd& p, const StrainRate& rate) {
     const Material& material = *model.material;
     const PointBulk bulk = point_bulk(cells, pack, model.moduli);
     const auto xe = nodes_of_pack(cells, pack, x), pe = nodes_of_pack(cells, pack, p);
@@ -53,7 +54,8 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
             }
         }
         if (history)
-            work.viscous += 2.0 * weight * factor * double_dot(deviator(strain_rate(F, rate.factor, history, q)), green_strain_tangent(F, dF));
+            work.viscous += 2.0 * weight * factor *
+                            double_dot(deviator(strain_rate(F, rate.factor, history, q)), green_strain_tangent(F, dF));
     }
     if (split && cells.mean_volume) {
         const Pack mean = cells.geometry(pack).volume * material.bulk(theta, mean_factor).first * d_theta;

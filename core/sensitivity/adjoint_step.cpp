@@ -155,7 +155,8 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
         guess.add(p);
         rows[row] = scatter(body.pattern, p);
         mass_rows[row] = times_mass(rows[row], mass);
-        if (model_.damping_s > 0.0) strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(model_, solution.x, rows[row]);
+        if (model_.damping_s > 0.0)
+            strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(model_, solution.x, rows[row]);
         const Matrix3Xd v = depends_on_velocity(model_) ? stage_velocities(stage, solution.x) : Matrix3Xd();   // nothing else looks at it
         if (depends_on_velocity(model_)) velocity_rows[static_cast<std::size_t>(k)] = -velocity_tangent(model_, force_state(stage, solution.x, v), rows[row]);
         const Matrix3Xd u = accelerations(plain, record, nodal_fields + k), by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);

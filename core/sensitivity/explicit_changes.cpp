@@ -94,9 +94,14 @@ NodalColumns ExplicitChanges::gradient(const StageSolver& solver, const Stage& s
         viscous = viscous || !s.viscous.empty();
     }
     UnitForces forces;
-    if (elastic || viscous) forces = unit_forces(model_, x, solver.softening(), !viscous ? VectorXd() : model_.creep ? VectorXd(viscous_history(model_, 0.0, rates)) : rates);
+    if (elastic || viscous)
+        forces = unit_forces(model_, x, solver.softening(),
+                             !viscous       ? VectorXd()
+                             : model_.creep ? VectorXd(viscous_history(model_, 0.0, rates))
+                                            : rates);
     const MatrixXd changes = model_.creep ? viscous_changes(stage, rates, d_rates) : with_strains() ? d_rates : MatrixXd();
-    const MatrixXd d_factors = solver.softening().size() > 0 ? factor_tangents(*model_.softening, pairs_, peaks_) : MatrixXd();
+    const MatrixXd d_factors =
+        solver.softening().size() > 0 ? factor_tangents(*model_.softening, pairs_, peaks_) : MatrixXd();
     NodalColumns result = gradient_columns(model_, x, forces, {stiffness_, changes, d_factors});
     for (std::size_t g = 0; g < model_.fibres->size(); ++g) {
         Matrix3Xd of_group;   // per unit of its activation

@@ -67,7 +67,8 @@ GradientCheck check_gradient(const Model& model, SimulationOptions options, cons
         const auto i = static_cast<std::size_t>(task);
         const CheckedParameter& parameter = parameters[i / 4];
         Model changed = model;
-        if (changed.poissons_ratio.empty()) changed.poissons_ratio = poissons_ratios(model.moduli);   // which derivatives hold
+        if (changed.poissons_ratio.empty())
+            changed.poissons_ratio = poissons_ratios(model.moduli);   // which derivatives hold
         SimulationOptions changed_options = options;
         parameter.change(changed, changed_options, shifts[i % 4] * parameter.step);
         losses[i] = loss_of_run(changed, changed_options, loss, progress, messages[i]);

@@ -63,7 +63,8 @@ bool changes_mass(const ModelChange& change) {
 }
 
 void soften(ModelChange& change, const VectorXd& factors) {
-    for (StageConstants* side : {&change.under, &change.over}) side->stiffness.elastic_factors = times_factors(side->model->point_factors, factors);
+    for (StageConstants* side : {&change.under, &change.over})
+        side->stiffness.elastic_factors = times_factors(side->model->point_factors, factors);
 }
 
 VectorXd held_residual_change(const ModelChange& change, const Stage& stage, const Matrix3Xd& x) {

@@ -27,8 +27,9 @@ struct ModelGradient {
     Eigen::Matrix3Xd initial_velocities;              // 3 x n; zero on clamped nodes
 };
 
-/// With respect to Young's modulus [per Pa] and Poisson's ratio of the law, shifted alike in the given cells (all of them when empty); each
-/// cell has its own from its moduli. Model::poissons_ratio, by which hex8 cells thin, is held: at rest their energy is stationary in it.
+/// With respect to Young's modulus [per Pa] and Poisson's ratio of the law, shifted alike in the given cells (all of
+/// them when empty); each cell has its own from its moduli. Model::poissons_ratio, by which hex8 cells thin, is held:
+/// at rest their energy is stationary in it.
 YoungPoisson young_gradient(const Model& model, const ModelGradient& gradient, const std::vector<int>& cells = {});
 
 /// With respect to the fibre direction in each cell, 3 x cells (zero where the group has none), for a group whose fibres have the

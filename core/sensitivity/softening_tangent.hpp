@@ -10,8 +10,8 @@
 
 namespace myo {
 
-/// Largest isochoric energy densities of the points so far, and their derivatives along parameters. Where points have it at the same time again and
-/// again there is no derivative; there it is that of the first time.
+/// Largest isochoric energy densities of the points so far, and their derivatives along parameters. Where points have
+/// it at the same time again and again there is no derivative; there it is that of the first time.
 struct PeakTangents {
     Eigen::VectorXd energy_J_m3;   // point_count
     Eigen::MatrixXd derivative;    // point_count x parameters

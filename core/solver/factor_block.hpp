@@ -17,8 +17,9 @@ using Lanes = std::experimental::simd<Scalar, std::experimental::simd_abi::deduc
 /// A pass goes through a block this many columns at a time, and as many rows of its diagonal.
 inline constexpr int diagonal_block_size = 8;
 
-/// A supernode's dense block of a Cholesky factor, for solves with K right-hand sides: rows x columns, column-major, `stride` apart. In place
-/// of each small block L_d on its diagonal stands L_d^-1, zeros above its own diagonal: a solve is made of products alone.
+/// A supernode's dense block of a Cholesky factor, for solves with K right-hand sides: rows x columns, column-major,
+/// `stride` apart. In place of each small block L_d on its diagonal stands L_d^-1, zeros above its own diagonal: a
+/// solve is made of products alone.
 template <class Scalar, int K>
 struct FactorBlock {
     using Lane = Lanes<Scalar, K>;
@@ -26,7 +27,9 @@ struct FactorBlock {
     const Scalar* values;
     int stride, rows, columns;
 
-    const Scalar* column(int c) const { return values + static_cast<std::size_t>(c) * static_cast<std::size_t>(stride); }
+    const Scalar* column(int c) const {
+        return values + static_cast<std::size_t>(c) * static_cast<std::size_t>(stride);
+    }
 
     /// y <- L11^-1 y, then below -= L21 y.
     void forward(Lane* y) const {
@@ -81,8 +84,8 @@ struct FactorBlock {
     }
 };
 
-/// A single right-hand side has no lanes to fill: its products run down the columns, a register of rows at a time. y and the columns are filled
-/// up to the stride.
+/// A single right-hand side has no lanes to fill: its products run down the columns, a register of rows at a time. y
+/// and the columns are filled up to the stride.
 template <class Scalar>
 struct FactorBlock<Scalar, 1> {
     using Lane = Scalar;
@@ -93,7 +96,9 @@ struct FactorBlock<Scalar, 1> {
     const Scalar* values;
     int stride, rows, columns;
 
-    const Scalar* column(int c) const { return values + static_cast<std::size_t>(c) * static_cast<std::size_t>(stride); }
+    const Scalar* column(int c) const {
+        return values + static_cast<std::size_t>(c) * static_cast<std::size_t>(stride);
+    }
 
     void forward(Scalar* y) const {
         for (int start = 0; start < columns; start += step) {
@@ -113,14 +118,17 @@ private:
     template <class Visit>
     static void for_few(int n, const Visit& visit) {
         [&]<std::size_t... k>(std::index_sequence<k...>) {
-            ((n == static_cast<int>(k) + 1 ? visit(std::integral_constant<int, static_cast<int>(k) + 1>{}) : void()), ...);
+            ((n == static_cast<int>(k) + 1 ? visit(std::integral_constant<int, static_cast<int>(k) + 1>{}) : void()),
+             ...);
         }(std::make_index_sequence<step - 1>{});
     }
 
     static Rows load(const Scalar* at) { return Rows(at, std::experimental::element_aligned); }
     /// The register that row `first` is in, and which of its rows come no earlier.
     static int register_of(int first) { return first / width * width; }
-    static Mask from(int first) { return Rows([](auto lane) { return static_cast<Scalar>(lane); }) >= static_cast<Scalar>(first % width); }
+    static Mask from(int first) {
+        return Rows([](auto lane) { return static_cast<Scalar>(lane); }) >= static_cast<Scalar>(first % width);
+    }
 
     template <int N>
     void forward_columns(int start, Scalar* y) const {
@@ -128,7 +136,8 @@ private:
         const auto n = static_cast<std::size_t>(stride);
         std::array<Scalar, N> own{};
         for (std::size_t c = 0; c < N; ++c)
-            for (std::size_t r = c; r < N; ++r) own[r] += at[c * n + static_cast<std::size_t>(start) + r] * y[static_cast<std::size_t>(start) + c];
+            for (std::size_t r = c; r < N; ++r)
+                own[r] += at[c * n + static_cast<std::size_t>(start) + r] * y[static_cast<std::size_t>(start) + c];
         std::copy(own.begin(), own.end(), y + start);
         const int end = start + N;
         if (end >= rows) return;
@@ -168,7 +177,8 @@ private:
             for (std::size_t c = 0; c < N; ++c) sums[c] += load(at + c * n + r) * below;
         }
         std::array<Scalar, N> own;
-        for (std::size_t c = 0; c < N; ++c) own[c] = y[static_cast<std::size_t>(start) + c] - std::experimental::reduce(sums[c]);
+        for (std::size_t c = 0; c < N; ++c)
+            own[c] = y[static_cast<std::size_t>(start) + c] - std::experimental::reduce(sums[c]);
         for (std::size_t c = 0; c < N; ++c) {
             Scalar value = 0;
             for (std::size_t r2 = c; r2 < N; ++r2) value += at[c * n + static_cast<std::size_t>(start) + r2] * own[r2];

@@ -70,7 +70,10 @@ public:
     }
 
 private:
-    Block block(int s) { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_count(s), p_.columns(s), Eigen::OuterStride<>(p_.row_stride(s))}; }
+    Block block(int s) {
+        return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_count(s), p_.columns(s),
+                Eigen::OuterStride<>(p_.row_stride(s))};
+    }
 
     /// Adds what child c leaves to the parent's block L and to what the parent leaves.
     void assemble(int c, Block& L, Matrix& left) {
@@ -134,7 +137,10 @@ public:
 
 private:
     Lane* local(int s) { return local_.data() + p_.first_row[static_cast<std::size_t>(s)]; }
-    Block block(int s) const { return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_stride(s), p_.row_count(s), p_.columns(s)}; }
+    Block block(int s) const {
+        return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_stride(s), p_.row_count(s),
+                p_.columns(s)};
+    }
 
     void forward(int s, const std::vector<Lane>& y) {
         Lane* values = local(s);

@@ -8,11 +8,11 @@
 
 namespace myo {
 
-/// Values of the factor L of D P A P' D, D = diag(A)^(-1/2): each supernode's rows x columns, column-major, see FactorBlock.
+/// Values of the factor L of D P A P' D, D = diag(A)^(-1/2): each supernode's rows x columns, column-major, see
+/// FactorBlock.
 ///
-/// Every supernode gathers what its children leave for it and hands what it leaves to its parent, so that independent subtrees go
-/// to different threads and sums do not depend on their number.
-/// Source: Liu 1992 (the multifrontal method).
+/// Every supernode gathers what its children leave for it and hands what it leaves to its parent, so that independent
+/// subtrees go to different threads and sums do not depend on their number. Source: Liu 1992 (the multifrontal method).
 template <class Scalar>
 struct SupernodalFactor {
     std::vector<Scalar, Eigen::aligned_allocator<Scalar>> values;

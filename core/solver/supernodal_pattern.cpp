@@ -72,7 +72,9 @@ void place_entries(const SymmetricSparse& lower, SupernodalPattern& p) {
             const auto s = static_cast<std::size_t>(supernode[static_cast<std::size_t>(column)]);
             const auto begin = p.rows.begin() + p.first_row[s], end = begin + p.row_counts[s];
             const long local_row = std::lower_bound(begin, end, row) - begin;
-            const long value = p.first_value[s] + (column - p.first_column[s]) * static_cast<long>(p.row_stride(static_cast<int>(s))) + local_row;
+            const long value = p.first_value[s] +
+                               (column - p.first_column[s]) * static_cast<long>(p.row_stride(static_cast<int>(s))) +
+                               local_row;
             p.entry[k] = static_cast<std::uint32_t>(value);
         }
 }

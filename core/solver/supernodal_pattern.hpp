@@ -21,7 +21,7 @@ struct SupernodalPattern {
     std::vector<int> row_counts;             // per supernode
     std::vector<long> first_row;             // per supernode, into `rows`, and its end
     std::vector<long> first_value;           // per supernode, into the values, and their end
-    std::vector<int> rows;                   // of each supernode, ascending, its own columns first; filled up to row_stride()
+    std::vector<int> rows;   // of each supernode, ascending, its own columns first; filled up to row_stride()
     std::vector<int> parent_position;        // beside `rows`: for rows below the own columns, their place among the parent's rows
     std::vector<int> parent;                 // per supernode, -1 at roots; parents come after their children
     std::vector<std::uint32_t> entry;        // per stored entry of A: its place among the values
@@ -34,8 +34,11 @@ struct SupernodalPattern {
     int supernodes() const { return static_cast<int>(parent.size()); }
     int columns(int s) const { return first_column[static_cast<std::size_t>(s) + 1] - first_column[static_cast<std::size_t>(s)]; }
     int row_count(int s) const { return row_counts[static_cast<std::size_t>(s)]; }
-    /// Rows that a column of the supernode's block takes: whole cache lines of single precision, so that no pass over it needs an end of its own.
-    int row_stride(int s) const { return static_cast<int>(first_row[static_cast<std::size_t>(s) + 1] - first_row[static_cast<std::size_t>(s)]); }
+    /// Rows that a column of the supernode's block takes: whole cache lines of single precision, so that no pass over
+    /// it needs an end of its own.
+    int row_stride(int s) const {
+        return static_cast<int>(first_row[static_cast<std::size_t>(s) + 1] - first_row[static_cast<std::size_t>(s)]);
+    }
     long value_count() const { return first_value.empty() ? 0 : first_value.back(); }
 };
 

@@ -71,7 +71,8 @@ TEST(Creep, KeepsTheOrderOfEveryScheme) {
     const auto error_of = [&](const Trace& trace) {
         double sum = 0.0;
         const std::size_t steps = trace.positions.size() - 1, fine = (reference.positions.size() - 1) / steps;
-        for (std::size_t part = 1; part <= 4; ++part) sum += (trace.positions[part * steps / 4] - reference.positions[part * steps / 4 * fine]).norm();
+        for (std::size_t part = 1; part <= 4; ++part)
+            sum += (trace.positions[part * steps / 4] - reference.positions[part * steps / 4 * fine]).norm();
         return sum;
     };
     for (const auto& [name, scheme] : test::all_schemes()) {

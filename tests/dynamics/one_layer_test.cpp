@@ -29,7 +29,9 @@ test::BeamSpec strip(ElementKind kind, double nu) {
     return spec;
 }
 
-double small_load(const test::BeamSpec& spec) { return 1e-3 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0)); }
+double small_load(const test::BeamSpec& spec) {
+    return 1e-3 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0));
+}
 
 TEST(OneLayer, BendsAndSwingsAsABeamWhateverPoissonsRatio) {
     for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10})
@@ -37,7 +39,8 @@ TEST(OneLayer, BendsAndSwingsAsABeamWhateverPoissonsRatio) {
             const test::BeamSpec spec = strip(kind, nu);
             const std::string what = to_string(kind) + "_nu" + std::to_string(static_cast<int>(std::lround(1e4 * nu)));
             Model model = test::make_beam(spec);
-            const double E = spec.youngs_modulus_Pa, L = spec.size(0), I = test::second_moment(spec), P = small_load(spec);
+            const double E = spec.youngs_modulus_Pa, L = spec.size(0), I = test::second_moment(spec),
+                         P = small_load(spec);
             Model loaded = model;
             test::push_tip(loaded, spec, {0.0, 0.0, -P});
             const double error = -test::tip_at_equilibrium(loaded, spec).z() / (P * L * L * L / (3.0 * E * I)) - 1.0;
@@ -48,7 +51,8 @@ TEST(OneLayer, BendsAndSwingsAsABeamWhateverPoissonsRatio) {
             StageSolver solver(model);
             const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 2);
             ASSERT_TRUE(modes.ok()) << what;
-            const double beam = 1.87510407 * 1.87510407 * std::sqrt(E * I / (spec.density_kg_m3 * test::section_area(spec))) / (L * L);
+            const double beam =
+                1.87510407 * 1.87510407 * std::sqrt(E * I / (spec.density_kg_m3 * test::section_area(spec))) / (L * L);
             test::record("frequency_" + what, modes.modes.front().omega_rad_s / beam - 1.0);
             EXPECT_NEAR(modes.modes.front().omega_rad_s, beam, 0.02 * beam) << what;
         }
@@ -93,25 +97,29 @@ TEST(OneLayer, OfObliqueOrFlatCellsBendsAlike) {
     /// Sections lean by `slope` in the middle of the beam and stand at both ends.
     const auto leaning = [&](int across, double slope) {
         return [=](Matrix3Xd& X) {
-            for (auto x : X.colwise()) x(0) += slope * (x(across) - 0.5 * h) * std::min({1.0, x(0) / 0.02, (L - x(0)) / 0.02});
+            for (auto x : X.colwise())
+                x(0) += slope * (x(across) - 0.5 * h) * std::min({1.0, x(0) / 0.02, (L - x(0)) / 0.02});
         };
     };
     for (const double slope : {0.3, 0.6}) {
         EXPECT_NEAR(drop_of({40, 1, 1}, leaning(1, slope)), straight, 0.02 * straight) << "plan view, " << slope;
         EXPECT_NEAR(drop_of({40, 1, 1}, leaning(2, slope)), straight, 0.05 * straight) << "side view, " << slope;
     }
-    // Four cells to the length, ten times as long as thick: the first contracts nowhere at the clamp and not in full over its length.
+    // Four cells to the length, ten times as long as thick: the first contracts nowhere at the clamp and not in full
+    // over its length.
     for (const auto& [along, tolerance] : {std::pair{13, 0.03}, {4, 0.07}})
-        EXPECT_NEAR(drop_of({along, 1, 1}, [](Matrix3Xd&) {}), straight, tolerance * straight) << along << " cells along";
+        EXPECT_NEAR(drop_of({along, 1, 1}, [](Matrix3Xd&) {}), straight, tolerance * straight)
+            << along << " cells along";
 }
 
-/// A modulus that is linear across the thickness: what is pulled along bends, by -B / D of its strain, B and D the first and second moments of
-/// the modulus.
+/// A modulus that is linear across the thickness: what is pulled along bends, by -B / D of its strain, B and D the
+/// first and second moments of the modulus.
 TEST(OneLayer, WithAGradientOfStiffnessBendsAsItIsPulled) {
     for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10}) {
         const test::BeamSpec spec = strip(kind, 0.49);
         Model model = test::make_beam(spec);
-        const double r = 1.0, h = spec.size(2), A = test::section_area(spec), E = spec.youngs_modulus_Pa, L = spec.size(0);
+        const double r = 1.0, h = spec.size(2), A = test::section_area(spec), E = spec.youngs_modulus_Pa,
+                     L = spec.size(0);
         const Matrix3Xd points = rest_points(*model.body);
         model.point_factors = (1.0 + r * (points.row(2).transpose().array() / h - 0.5)).matrix();
         const double pull = 3e-7 * E * A;   // a larger one straightens what it bends
@@ -142,8 +150,8 @@ double end_drop(const test::BeamSpec& spec, double P, const std::function<double
     return drop;
 }
 
-/// Yeoh's second term: uniaxial stress E eps (1 + 2 c2 (I1 - 3)), I1 - 3 = 3 eps^2 of small strain. Four points of a quadratic tetrahedron see the
-/// fourth power of a strain less well than nine of a hexahedron.
+/// Yeoh's second term: uniaxial stress E eps (1 + 2 c2 (I1 - 3)), I1 - 3 = 3 eps^2 of small strain. Four points of a
+/// quadratic tetrahedron see the fourth power of a strain less well than nine of a hexahedron.
 TEST(OneLayer, StiffensInBendingAsBeamTheorySays) {
     for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10}) {
         const test::BeamSpec spec = strip(kind, 0.499);
@@ -156,11 +164,15 @@ TEST(OneLayer, StiffensInBendingAsBeamTheorySays) {
         const auto curvature = [&](double a) {
             return [&spec, a](double M) {
                 double k = M / (spec.youngs_modulus_Pa * test::second_moment(spec));
-                for (int i = 0; i < 50; ++i) k -= (cubic_moment(spec, a, k) - M) / (spec.youngs_modulus_Pa * test::second_moment(spec) * (1.0 + 3.0 * a * k * k * spec.size(2) * spec.size(2) * 0.15));
+                for (int i = 0; i < 50; ++i)
+                    k -=
+                        (cubic_moment(spec, a, k) - M) / (spec.youngs_modulus_Pa * test::second_moment(spec) *
+                                                          (1.0 + 3.0 * a * k * k * spec.size(2) * spec.size(2) * 0.15));
                 return k;
             };
         };
-        const double expected = end_drop(spec, P, curvature(6.0 * c2)) / end_drop(spec, P, curvature(0.0)) - 1.0, effect = stiffened / plain - 1.0;
+        const double expected = end_drop(spec, P, curvature(6.0 * c2)) / end_drop(spec, P, curvature(0.0)) - 1.0,
+                     effect = stiffened / plain - 1.0;
         test::record("stiffening_" + to_string(kind), effect / expected - 1.0);
         ASSERT_LT(expected, -0.05);
         EXPECT_NEAR(effect, expected, (kind == ElementKind::hex8 ? 0.05 : 0.35) * -expected) << to_string(kind);
@@ -193,7 +205,9 @@ TEST(OneLayer, SoftensInBendingAsBeamTheorySays) {
             for (int i = 0; i < 50; ++i) (moment(0.5 * (low + high)) < M ? low : high) = 0.5 * (low + high);
             return 0.5 * (low + high);
         };
-        const double expected = end_drop(spec, P, curvature) / end_drop(spec, P, [&](double M) { return M / (E * test::second_moment(spec)); }) - 1.0;
+        const double expected = end_drop(spec, P, curvature) /
+                                    end_drop(spec, P, [&](double M) { return M / (E * test::second_moment(spec)); }) -
+                                1.0;
         const double effect = softened / plain - 1.0;
         test::record("softening_" + to_string(kind), effect / expected - 1.0);
         ASSERT_GT(expected, 0.03);
@@ -201,17 +215,20 @@ TEST(OneLayer, SoftensInBendingAsBeamTheorySays) {
     }
 }
 
-/// A muscle that fills the upper half of the layer: a beam of two moduli, E and E + w, whose upper half wants to be shorter by 1 - a.
+/// A muscle that fills the upper half of the layer: a beam of two moduli, E and E + w, whose upper half wants to be
+/// shorter by 1 - a.
 TEST(OneLayer, BendsByAMuscleOfHalfItsThickness) {
     test::BeamSpec spec = strip(ElementKind::hex8, 0.49);
     Model model = test::make_beam(spec);
     const double stiffness = 1e5, a = 1.0 - 1e-4, E = spec.youngs_modulus_Pa, h = spec.size(2), L = spec.size(0);
     const Box upper{{-1.0, -1.0, 0.5 * h}, {1.0, 1.0, 1.0}};
-    model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::vector<FibreGroup>{fibres_in_box(model.body->mesh, upper, Vector3d::UnitX(), stiffness, "upper")});
+    model.fibres = std::make_shared<const std::vector<FibreGroup>>(
+        std::vector<FibreGroup>{fibres_in_box(model.body->mesh, upper, Vector3d::UnitX(), stiffness, "upper")});
     model.activation = {Signal::constant(a)};
     // No force and no moment: with s = strain in the middle and curvature k (positive: shorter above), per width.
     Eigen::Matrix2d K;
-    K << E * h + stiffness * h / 2.0, -stiffness * h * h / 8.0, -stiffness * h * h / 8.0, E * h * h * h / 12.0 + stiffness * h * h * h / 24.0;
+    K << E * h + stiffness * h / 2.0, -stiffness * h * h / 8.0, -stiffness * h * h / 8.0,
+        E * h * h * h / 12.0 + stiffness * h * h * h / 24.0;
     const Eigen::Vector2d pull(-stiffness * (1.0 - a) * h / 2.0, stiffness * (1.0 - a) * h * h / 8.0);
     const double curvature = (K(0, 0) * pull(1) - K(1, 0) * pull(0)) / (K(0, 0) * K(1, 1) - K(0, 1) * K(1, 0));
     const double expected = 0.5 * curvature * L * L, tip = test::tip_at_equilibrium(model, spec).z();

@@ -48,9 +48,11 @@ TEST(EffectForms, StiffnessFollowsItsFormulaAtEveryPoint) {
     const Affected patched = test::with_effect(beam, "soft_patch", {{"relative_change", -0.5}, {"centre_m", Eigen::VectorXd(centre)}, {"radius_m", 0.02}});
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         EXPECT_NEAR(graded.model.point_factors(i), 1.0 + 0.4 * (points(0, i) / 0.12 - 0.5), 1e-9);
-        EXPECT_NEAR(patched.model.point_factors(i), 1.0 - 0.5 * std::exp(-(points.col(i) - centre).squaredNorm() / 8e-4), 1e-9);
+        EXPECT_NEAR(patched.model.point_factors(i),
+                    1.0 - 0.5 * std::exp(-(points.col(i) - centre).squaredNorm() / 8e-4), 1e-9);
     }
-    for (std::size_t c = 0; c < beam.affected.model.moduli.size(); ++c) EXPECT_NEAR(drifted.model.moduli[c].mu / beam.affected.model.moduli[c].mu, 1.1, 1e-9);
+    for (std::size_t c = 0; c < beam.affected.model.moduli.size(); ++c)
+        EXPECT_NEAR(drifted.model.moduli[c].mu / beam.affected.model.moduli[c].mu, 1.1, 1e-9);
 }
 
 TEST(EffectForms, PlacesOnTheSurfaceReproduceThePoint) {

@@ -20,7 +20,9 @@ Matrix3d tensor(const Eigen::Matrix<double, 6, 1>& s) {
     return A;
 }
 
-AssumedStrainBlock distorted_block() { return assumed_strain_block(test::distorted_mesh(CellType::hex8, {2, 2, 2}, 0.2), {}); }
+AssumedStrainBlock distorted_block() {
+    return assumed_strain_block(test::distorted_mesh(CellType::hex8, {2, 2, 2}, 0.2), {});
+}
 
 /// The shapes see no linear field, and there are as many as a mean gradient cannot see.
 TEST(AssumedStrain, ShapesAreOrthogonalToLinearFields) {
@@ -43,7 +45,8 @@ TEST(AssumedStrain, PlanesHaveTheStrainOfTheirEdgesAndNoneAcross) {
     for (const AssumedStrainGeometry& cell : block.geometry)
         for (int k = 0; k < 3; ++k) {
             const AssumedStrainGeometry::Plane& plane = cell.planes[static_cast<std::size_t>(k)];
-            const Vector3d g_i = cell.edges.col((k + 1) % 3), g_j = cell.edges.col((k + 2) % 3), n = g_i.cross(g_j).normalized();
+            const Vector3d g_i = cell.edges.col((k + 1) % 3), g_j = cell.edges.col((k + 2) % 3),
+                           n = g_i.cross(g_j).normalized();
             EXPECT_LT((tensor(plane.normal) - n * n.transpose()).norm(), 1e-13);
             for (int m = 0; m < 3; ++m) {
                 const Matrix3d A = tensor(plane.in_plane.col(m));
@@ -85,9 +88,12 @@ TEST(AssumedStrain, EquibiaxialStrainCountsByWhatLiesBeside) {
     for (int c = 0; c < block.cell_count(); ++c) {
         const Vector3d centre = mesh.nodes(Eigen::all, mesh.cells.col(c)).rowwise().mean();
         const auto cell = static_cast<std::size_t>(c);
-        EXPECT_EQ(around[cell][0], centre.x() < 1.0 ? CellSides::clamped : centre.x() > 3.0 ? CellSides::free : CellSides::inner);
+        EXPECT_EQ(around[cell][0], centre.x() < 1.0   ? CellSides::clamped
+                                   : centre.x() > 3.0 ? CellSides::free
+                                                      : CellSides::inner);
         EXPECT_EQ(around[cell][1], CellSides::free);
-        EXPECT_EQ(around[cell][2], (centre.z() > 1.0 && centre.z() < 2.0) || centre.x() < 1.0 ? CellSides::inner : CellSides::free);
+        EXPECT_EQ(around[cell][2],
+                  (centre.z() > 1.0 && centre.z() < 2.0) || centre.x() < 1.0 ? CellSides::inner : CellSides::free);
         for (std::size_t k = 0; k < 3; ++k) {
             EXPECT_EQ(block.geometry[cell].relaxed[k], policy.relaxed(around[cell][k]));
         }

@@ -72,8 +72,11 @@ TEST(Packs, WholeLawIsTheSumOfItsParts) {
 }
 
 TEST(Packs, LogarithmIsExactOverManyDecades) {
-    for (double J = 1e-12; J < 1e12; J *= 3.7) EXPECT_NEAR(static_cast<double>(logarithm(Pack(J))[0]), std::log(J), 1e-15 * std::abs(std::log(J)) + 1e-15) << J;
-    for (const double e : {-1e-3, -1e-9, 1e-12, 2e-6, 0.3}) EXPECT_NEAR(static_cast<double>(logarithm(Pack(1.0 + e))[0]), std::log(1.0 + e), 1e-15 * std::abs(e)) << e;
+    for (double J = 1e-12; J < 1e12; J *= 3.7)
+        EXPECT_NEAR(static_cast<double>(logarithm(Pack(J))[0]), std::log(J), 1e-15 * std::abs(std::log(J)) + 1e-15)
+            << J;
+    for (const double e : {-1e-3, -1e-9, 1e-12, 2e-6, 0.3})
+        EXPECT_NEAR(static_cast<double>(logarithm(Pack(1.0 + e))[0]), std::log(1.0 + e), 1e-15 * std::abs(e)) << e;
     EXPECT_TRUE(std::isnan(static_cast<double>(logarithm(Pack(-1.0))[0])));
     EXPECT_EQ(static_cast<double>(logarithm(Pack(0.0))[0]), -std::numeric_limits<double>::infinity());
 }

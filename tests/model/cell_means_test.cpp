@@ -25,7 +25,9 @@ protected:
         model.material = neo_hookean();
         model.moduli = uniform_moduli(model.body->cell_count(), E_Pa, nu);
     }
-    CellMeans deformed(const Matrix3d& F, const std::vector<double>& activation = {}) const { return cell_means(model, F * model.body->mesh.nodes, activation); }
+    CellMeans deformed(const Matrix3d& F, const std::vector<double>& activation = {}) const {
+        return cell_means(model, F * model.body->mesh.nodes, activation);
+    }
 
     Model model;
 };

@@ -168,7 +168,8 @@ TEST(ModelDerivatives, ClampsKeepTheFreePartOfTheHessian) {
 TEST(ModelDerivatives, StrainTangentAgreesWithDifferences) {
     for_each_case([](Case& c, const std::string& what) {
         const Matrix3Xd dx = test::rough_field(c.x.cols(), 0.9);
-        const VectorXd differences = (strains(c.model, c.x + eps * dx) - strains(c.model, c.x - eps * dx)) / (2.0 * eps);
+        const VectorXd differences =
+            (strains(c.model, c.x + eps * dx) - strains(c.model, c.x - eps * dx)) / (2.0 * eps);
         test::expect_derivative(strain_tangent(c.model, c.x, dx), differences, 1e-8, what);
     });
 }
@@ -178,9 +179,11 @@ TEST(ModelDerivatives, PredictedPressuresAreTheLinearPrediction) {
         if (c.model.material->bulk(0.1, 1.0).value == 0.0) return;   // a law without a split
         const Matrix3Xd dx = test::rough_field(c.x.cols(), 0.9);
         const VectorXd p = pressures(c.model, c.moduli, c.x);
-        const VectorXd differences = (pressures(c.model, c.moduli, c.x + eps * dx) - pressures(c.model, c.moduli, c.x - eps * dx)) / (2.0 * eps);
+        const VectorXd differences =
+            (pressures(c.model, c.moduli, c.x + eps * dx) - pressures(c.model, c.moduli, c.x - eps * dx)) / (2.0 * eps);
         EXPECT_EQ(p.size(), c.model.body->volume_points());
-        EXPECT_LT((predicted_pressures(c.model, c.moduli, c.x, Matrix3Xd::Zero(3, c.x.cols())) - p).norm(), 1e-15 * p.norm() + 1e-300);
+        EXPECT_LT((predicted_pressures(c.model, c.moduli, c.x, Matrix3Xd::Zero(3, c.x.cols())) - p).norm(),
+                  1e-15 * p.norm() + 1e-300);
         test::expect_derivative(predicted_pressures(c.model, c.moduli, c.x, dx) - p, differences, 1e-7, what);
         // With the pressures of x itself the mixed Hessian is the exact one.
         const MatrixXd exact = full(c.at(c.x, HessianKind::exact).hessian), mixed = full(c.at(c.x, HessianKind::exact, &p).hessian);

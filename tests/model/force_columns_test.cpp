@@ -26,7 +26,9 @@ TEST(ForceColumns, EqualTheFunctionsForSingleOnes) {
             Model model = test::make_beam(spec);
             model.material = law;
             const Body& body = *model.body;
-            const auto wavy = [&](double shift) { return VectorXd(1.0 + 0.3 * VectorXd::LinSpaced(body.point_count(), shift, 7.0 + shift).array().sin()); };
+            const auto wavy = [&](double shift) {
+                return VectorXd(1.0 + 0.3 * VectorXd::LinSpaced(body.point_count(), shift, 7.0 + shift).array().sin());
+            };
             model.point_factors = wavy(0.0);
             const VectorXd softening = wavy(1.0);
             MatrixXd d_softening(body.point_count(), columns);
@@ -47,7 +49,8 @@ TEST(ForceColumns, EqualTheFunctionsForSingleOnes) {
                 }
             }
             const MatrixXd tangents = strain_tangents(model, x, motions);
-            const NodalColumns gradients = gradient_columns(model, x, unit_forces(model, x, softening, rate), {stiffness, tangents, d_softening});
+            const NodalColumns gradients =
+                gradient_columns(model, x, unit_forces(model, x, softening, rate), {stiffness, tangents, d_softening});
             for (Index p = 0; p < columns; ++p) {
                 const std::string what = element + " " + law->id() + " column " + std::to_string(p);
                 const VectorXd tangent = strain_tangent(model, x, nodal_column(motions, p));
@@ -69,7 +72,9 @@ TEST(ForceColumns, EqualTheFunctionsForSingleOnes) {
                 const Matrix3Xd of_rate = viscous_gradient(model, x, tangent);
                 ASSERT_GT(of_stiffness.norm(), 0.0) << what;
                 ASSERT_GT(of_rate.norm(), 0.0) << what;
-                EXPECT_LT((nodal_column(gradients, p) - of_stiffness - of_rate - of_softening).norm(), 1e-11 * (of_stiffness.norm() + of_rate.norm() + of_softening.norm())) << what;
+                EXPECT_LT((nodal_column(gradients, p) - of_stiffness - of_rate - of_softening).norm(),
+                          1e-11 * (of_stiffness.norm() + of_rate.norm() + of_softening.norm()))
+                    << what;
             }
         }
 }

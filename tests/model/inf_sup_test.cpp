@@ -21,12 +21,13 @@ MatrixXd matrix_for(const Model& model, const Moduli& moduli) {
     s.elastic.assign(model.moduli.size(), moduli);
     InternalInput input;
     input.stiffness = &s;
-    return MatrixXd(internal_energy(model, model.body->mesh.nodes, input, HessianKind::exact).hessian).selfadjointView<Eigen::Lower>();
+    return MatrixXd(internal_energy(model, model.body->mesh.nodes, input, HessianKind::exact).hessian)
+        .selfadjointView<Eigen::Lower>();
 }
 
-/// The smallest value beta > 0 with which every pressure of the cells is balanced by a motion of unit shear energy, on a cube held at one side. K of the bulk
-/// modulus is B' V^-1 B, that of the shear modulus the norm of motions: beta^2 are the eigenvalues of the one in the other that are not zero.
-/// Source: Chapelle & Bathe 1993, "The inf-sup test".
+/// The smallest value beta > 0 with which every pressure of the cells is balanced by a motion of unit shear energy, on
+/// a cube held at one side. K of the bulk modulus is B' V^-1 B, that of the shear modulus the norm of motions: beta^2
+/// are the eigenvalues of the one in the other that are not zero. Source: Chapelle & Bathe 1993, "The inf-sup test".
 double inf_sup(ElementKind kind, int n) {
     Model model;
     const VolumeMesh mesh = test::box_mesh(kind, {Vector3d::Zero(), Vector3d::Ones()}, {n, n, n});
@@ -35,7 +36,8 @@ double inf_sup(ElementKind kind, int n) {
         if (mesh.nodes(0, i) < 1e-9) held.push_back(i);
     model.body = make_body(mesh, kind, held);
     model.material = neo_hookean();
-    model.moduli = uniform_moduli(model.body->cell_count(), 1.0, 0.4999);   // nearly incompressible: what stays at the points goes with mu
+    model.moduli = uniform_moduli(model.body->cell_count(), 1.0,
+                                  0.4999);   // nearly incompressible: what stays at the points goes with mu
     const MatrixXd shear = matrix_for(model, {1.0, 0.0}), bulk = matrix_for(model, {0.0, 1.0});
     const SymmetricEigen S = symmetric_eigen(shear);
     EXPECT_GT(S.values.minCoeff(), 0.0);

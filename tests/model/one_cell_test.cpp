@@ -16,7 +16,8 @@ using Eigen::VectorXd;
 
 Model one_cell(double nu) {
     Model model;
-    model.body = make_body(test::box_mesh(ElementKind::hex8, {Vector3d::Zero(), Vector3d::Ones()}, {1, 1, 1}), ElementKind::hex8, {});
+    model.body = make_body(test::box_mesh(ElementKind::hex8, {Vector3d::Zero(), Vector3d::Ones()}, {1, 1, 1}),
+                           ElementKind::hex8, {});
     model.material = neo_hookean();
     model.moduli = uniform_moduli(1, 1.0, nu);
     return model;
@@ -26,7 +27,9 @@ MatrixXd stiffness_at(const Model& model, const Vector3d& stretch) {
     const Stiffness s = stiffness(model);
     InternalInput input;
     input.stiffness = &s;
-    return MatrixXd(internal_energy(model, stretch.asDiagonal() * model.body->mesh.nodes, input, HessianKind::exact).hessian).selfadjointView<Eigen::Lower>();
+    return MatrixXd(
+               internal_energy(model, stretch.asDiagonal() * model.body->mesh.nodes, input, HessianKind::exact).hessian)
+        .selfadjointView<Eigen::Lower>();
 }
 
 /// Motions that the mean deformation gradient does not see, 24 x 12.
@@ -36,7 +39,8 @@ MatrixXd within_cell(const Model& model) {
     MatrixXd motions = MatrixXd::Zero(24, 12);
     for (int a = 0; a < 8; ++a)
         for (int s = 0; s < 4; ++s)
-            for (int r = 0; r < 3; ++r) motions(3 * nodes(a, 0) + r, 3 * s + r) = static_cast<double>(cell.gamma(a, s)[0]);
+            for (int r = 0; r < 3; ++r)
+                motions(3 * nodes(a, 0) + r, 3 * s + r) = static_cast<double>(cell.gamma(a, s)[0]);
     return motions;
 }
 
@@ -44,7 +48,8 @@ MatrixXd within_cell(const Model& model) {
 TEST(OneCell, HasSixRigidMotionsAndOneStiffOneAtRest) {
     for (const double nu : {0.0, 0.3, 0.49, 0.4995}) {
         const VectorXd values = symmetric_eigenvalues(stiffness_at(one_cell(nu), Vector3d::Ones()));
-        test::record("rest_nu" + std::to_string(static_cast<int>(1e4 * nu)), std::vector<double>(values.begin() + 6, values.end()));
+        test::record("rest_nu" + std::to_string(static_cast<int>(1e4 * nu)),
+                     std::vector<double>(values.begin() + 6, values.end()));
         EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-12 * values(23)) << nu;
         EXPECT_GT(values(6), 1e-2) << nu;
         EXPECT_LT(values(22), 3.0) << nu;
@@ -54,8 +59,8 @@ TEST(OneCell, HasSixRigidMotionsAndOneStiffOneAtRest) {
     }
 }
 
-/// Bending modes of a free cell carry the law: E of a bar, E / (1 - nu^2) where the cell cannot curve across, mu in torsion, each times the integral
-/// of the squared strain.
+/// Bending modes of a free cell carry the law: E of a bar, E / (1 - nu^2) where the cell cannot curve across, mu in
+/// torsion, each times the integral of the squared strain.
 TEST(OneCell, BendsWithYoungsModulus) {
     const double nu = 0.3;
     const MatrixXd K = stiffness_at(one_cell(nu), Vector3d::Ones()), motions = within_cell(one_cell(nu));
@@ -76,14 +81,18 @@ TEST(OneCell, BendsWithYoungsModulus) {
     EXPECT_GT(symmetric_eigenvalues(within).minCoeff(), 0.0);
 }
 
-/// Pressed to half its height, with its volume kept: nothing within the cell buckles, unlike cells with enhanced modes (Wriggers & Reese 1996).
+/// Pressed to half its height, with its volume kept: nothing within the cell buckles, unlike cells with enhanced modes
+/// (Wriggers & Reese 1996).
 TEST(OneCell, StaysStableWhenPressedToHalf) {
     for (const double nu : {0.3, 0.49, 0.4995})
-        for (const Vector3d& stretch : {Vector3d(0.5, std::sqrt(2.0), std::sqrt(2.0)), Vector3d(0.5, 1.0, 1.0), Vector3d(2.0, std::sqrt(0.5), std::sqrt(0.5))}) {
+        for (const Vector3d& stretch : {Vector3d(0.5, std::sqrt(2.0), std::sqrt(2.0)), Vector3d(0.5, 1.0, 1.0),
+                                        Vector3d(2.0, std::sqrt(0.5), std::sqrt(0.5))}) {
             const Model model = one_cell(nu);
             const MatrixXd motions = within_cell(model);
             const VectorXd values = symmetric_eigenvalues(motions.transpose() * stiffness_at(model, stretch) * motions);
-            test::record("within_nu" + std::to_string(static_cast<int>(1e4 * nu)) + "_" + std::to_string(static_cast<int>(10 * stretch(1))), std::vector<double>(values.begin(), values.end()));
+            test::record("within_nu" + std::to_string(static_cast<int>(1e4 * nu)) + "_" +
+                             std::to_string(static_cast<int>(10 * stretch(1))),
+                         std::vector<double>(values.begin(), values.end()));
             EXPECT_GT(values.minCoeff(), 0.0) << nu << " " << stretch.transpose();
         }
 }
