@@ -35,7 +35,8 @@ Json figures_json(const BenchFigures& f) {
                               {"value", json_number(q.value)},
                               {"unit", q.unit},
                               {"expected", q.expected ? json_number(*q.expected) : Json()},
-                              {"error", q.error() ? json_number(*q.error()) : Json()}});
+                              {"error", q.error() ? json_number(*q.error()) : Json()},
+                              {"target", q.target ? json_number(*q.target) : Json()}});
     return {{"name", f.name},
             {"dofs", f.dofs},
             {"cells", f.cells},
@@ -64,12 +65,23 @@ void print_heading(const BenchCase& one) {
     std::printf("  %9s %7s %9s %7s %7s %9s %8s %7s\n", "", "ms", "and step", "a step", "a step", "factor", "MB", "ms");
 }
 
-/// A physical result below its row: "tip at rest, dz  -6.74 mm (expected -6.755: -0.2 %)".
+std::string aimed_at(const Json& quantity) {
+    if (quantity["target"].is_null()) return "";
+    const double target = quantity["target"].get<double>();
+    const bool met = std::abs(quantity["error"].get<double>()) <= target;
+    return "; target " + format_number(100.0 * target, 2) + (met ? " %" : " %, MISSED");
+}
+
+/// A physical result below its row: "tip at rest, dz  -6.74 mm (expected -6.755: -0.2 %)", with what was aimed at if
+/// that is known: "; target 2 %, MISSED".
 void print_quantity(const Json& quantity) {
     const auto number = [&](const char* key, int digits) { return quantity[key].is_null() ? std::string("-") : format_number(quantity[key].get<double>(), digits); };
     std::string text = number("value", 5) + " " + quantity["unit"].get<std::string>();
-    if (!quantity["error"].is_null())
-        text += " (expected " + number("expected", 5) + ": " + format_number(100.0 * quantity["error"].get<double>(), 2) + " %)";
+    if (!quantity["error"].is_null()) {
+        const double hundredths = std::round(1e4 * quantity["error"].get<double>()) + 0.0;   // what is less is rounding
+        text += " (expected " + number("expected", 5) + ": " + format_number(0.01 * hundredths, 2) + " %" +
+                aimed_at(quantity) + ")";
+    }
     std::printf("  %*s  %s: %s\n", 71, "", quantity["name"].get<std::string>().c_str(), text.c_str());
 }
 

@@ -22,6 +22,7 @@ struct BenchQuantity {
     double value = 0.0;
     std::string unit;                 // as shown: "mm", "%"
     std::optional<double> expected;   // same unit, from elsewhere
+    std::optional<double> target{};   // largest relative error aimed at
 
     /// Relative to what is expected.
     std::optional<double> error() const { return expected ? std::optional<double>(value / *expected - 1.0) : std::nullopt; }
