@@ -17,5 +17,7 @@ BenchCase bench_scaling();
 BenchCase bench_published();
 BenchCase bench_locking();
 BenchCase bench_converged();
+BenchCase bench_accuracy();
+BenchCase bench_default_meshes();
 
 }  // namespace myo

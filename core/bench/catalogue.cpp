@@ -17,6 +17,8 @@ const std::vector<BenchCase>& bench_catalogue() {
         bench_published(),
         bench_locking(),
         bench_converged(),
+        bench_accuracy(),
+        bench_default_meshes(),
     };
     return cases;
 }
