@@ -11,11 +11,12 @@
 namespace myo {
 namespace {
 
-constexpr NameTable<ElementKind, 6> element_names{{{
+constexpr NameTable<ElementKind, 7> element_names{{{
     {ElementKind::hex8, "hex8"},
     {ElementKind::hex8_mean_dilatation, "hex8_mean_dilatation"},
     {ElementKind::hex8_full, "hex8_full"},
     {ElementKind::tet10, "tet10"},
+    {ElementKind::tet10_fine, "tet10_fine"},
     {ElementKind::tet10_full, "tet10_full"},
     {ElementKind::tet4, "tet4"},
 }}};
@@ -49,6 +50,18 @@ ElementBlock<Shape::nodes, Q> gauss_block(const VolumeMesh& mesh, const std::vec
     return block;
 }
 
+/// Quadratic tetrahedra with a mean volume and a part of the bulk modulus at their points.
+template <int Q>
+ElementBlock<10, Q> tet10_block(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
+                                const CellSurroundings& surroundings) {
+    auto block = gauss_block<Tet10, Q>(mesh, rule, true);
+    const PointBulkPolicy policy;
+    block.point_bulk_over_mu.assign(static_cast<std::size_t>(mesh.cell_count()), policy.free);
+    for (std::size_t c = 0; c < surroundings.size(); ++c)
+        block.point_bulk_over_mu[c] = policy.over_mu(surroundings[c].front());
+    return block;
+}
+
 template <class Shape>
 void add_cell_mass(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule, std::vector<MassEntry>& entries) {
     constexpr int N = Shape::nodes;
@@ -74,6 +87,7 @@ bool parse_element(const std::string& id, ElementKind& kind) { return element_na
 CellType cell_type(ElementKind kind) {
     switch (kind) {
         case ElementKind::tet10:
+        case ElementKind::tet10_fine:
         case ElementKind::tet10_full: return CellType::tet10;
         case ElementKind::tet4: return CellType::tet4;
         case ElementKind::hex8:
@@ -89,19 +103,15 @@ ElementKind default_element(CellType type) {
     return ElementKind::hex8;
 }
 
+ElementKind fine_element(ElementKind kind) { return kind == ElementKind::tet10 ? ElementKind::tet10_fine : kind; }
+
 Elements make_elements(const VolumeMesh& mesh, ElementKind kind, const CellSurroundings& surroundings) {
     assert(mesh.type == cell_type(kind));
     switch (kind) {
         case ElementKind::hex8_mean_dilatation: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), true);
         case ElementKind::hex8_full: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), false);
-        case ElementKind::tet10: {
-            auto block = gauss_block<Tet10, 4>(mesh, tet_degree2(), true);
-            const PointBulkPolicy policy;
-            block.point_bulk_over_mu.assign(static_cast<std::size_t>(mesh.cell_count()), policy.free);
-            for (std::size_t c = 0; c < surroundings.size(); ++c)
-                block.point_bulk_over_mu[c] = policy.over_mu(surroundings[c].front());
-            return block;
-        }
+        case ElementKind::tet10: return tet10_block<4>(mesh, tet_degree2(), surroundings);
+        case ElementKind::tet10_fine: return tet10_block<10>(mesh, tet_degree3(), surroundings);
         case ElementKind::tet10_full: return gauss_block<Tet10, 4>(mesh, tet_degree2(), false);
         case ElementKind::tet4: return gauss_block<Tet4, 1>(mesh, tet_centroid(), false);
         case ElementKind::hex8: break;

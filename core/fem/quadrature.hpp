@@ -24,33 +24,43 @@ inline std::vector<QuadraturePoint> hex_gauss(int n) {
     return points;
 }
 
+/// The four points of a tetrahedron with three barycentric coordinates a: on the lines from the corners to the faces.
+inline void add_towards_corners(double a, double w, std::vector<QuadraturePoint>& points) {
+    const double b = 1.0 - 3.0 * a;
+    points.insert(points.end(), {{{a, a, a}, w}, {{b, a, a}, w}, {{a, b, a}, w}, {{a, a, b}, w}});
+}
+
+/// The six points with two barycentric coordinates a and two 1/2 - a: on the lines between the middles of edges.
+inline void add_towards_edges(double a, double w, std::vector<QuadraturePoint>& points) {
+    const double b = 0.5 - a;
+    points.insert(points.end(), {{{a, a, b}, w}, {{a, b, a}, w}, {{b, a, a}, w}, {{b, b, a}, w}, {{b, a, b}, w},
+                                 {{a, b, b}, w}});
+}
+
 inline std::vector<QuadraturePoint> tet_centroid() { return {{{0.25, 0.25, 0.25}, 1.0 / 6.0}}; }
 
 /// Four points, degree 2 (Hammer & Stroud 1956).
 inline std::vector<QuadraturePoint> tet_degree2() {
-    const double a = (5.0 - std::sqrt(5.0)) / 20.0, b = 1.0 - 3.0 * a, w = 1.0 / 24.0;
-    return {{{a, a, a}, w}, {{b, a, a}, w}, {{a, b, a}, w}, {{a, a, b}, w}};
+    std::vector<QuadraturePoint> points;
+    add_towards_corners((5.0 - std::sqrt(5.0)) / 20.0, 1.0 / 24.0, points);
+    return points;
+}
+
+/// Ten points, degree 3, positive weights (Shunn & Ham 2012). The fourth power of a linear function with mean zero is
+/// off by at most 3 %, with the four points by 20 to 53 %.
+inline std::vector<QuadraturePoint> tet_degree3() {
+    std::vector<QuadraturePoint> points;
+    add_towards_corners(0.0738349017262234, 0.0476331348432089 / 6.0, points);
+    add_towards_edges(0.0937556561159491, 0.1349112434378610 / 6.0, points);
+    return points;
 }
 
 /// Fifteen points, degree 5 (Keast 1986, no. 6): for the consistent mass of tet10, whose integrand has degree 4.
 inline std::vector<QuadraturePoint> tet_degree5() {
     std::vector<QuadraturePoint> points{{{0.25, 0.25, 0.25}, 0.030283678097089}};
-    const auto corners = [&](double a, double w) {
-        const double b = 1.0 - 3.0 * a;
-        points.push_back({{a, a, a}, w});
-        points.push_back({{b, a, a}, w});
-        points.push_back({{a, b, a}, w});
-        points.push_back({{a, a, b}, w});
-    };
-    corners(1.0 / 3.0, 0.006026785714286);
-    corners(1.0 / 11.0, 0.011645249086029);
-    const double a = 0.066550153573664, b = 0.5 - a, w = 0.010949141561386;
-    points.push_back({{a, a, b}, w});
-    points.push_back({{a, b, a}, w});
-    points.push_back({{b, a, a}, w});
-    points.push_back({{b, b, a}, w});
-    points.push_back({{b, a, b}, w});
-    points.push_back({{a, b, b}, w});
+    add_towards_corners(1.0 / 3.0, 0.006026785714286, points);
+    add_towards_corners(1.0 / 11.0, 0.011645249086029, points);
+    add_towards_edges(0.066550153573664, 0.010949141561386, points);
     return points;
 }
 

@@ -21,6 +21,7 @@ std::vector<Eigen::VectorXd> shape_values_at_points(ElementKind kind) {
         case ElementKind::hex8_full: return values_of<Hex8>(hex_gauss(2));
         case ElementKind::tet10:
         case ElementKind::tet10_full: return values_of<Tet10>(tet_degree2());
+        case ElementKind::tet10_fine: return values_of<Tet10>(tet_degree3());
         case ElementKind::tet4: return values_of<Tet4>(tet_centroid());
         case ElementKind::hex8: break;
     }

@@ -86,8 +86,9 @@ struct PackedCells {
     int volumes_per_cell() const { return mean_volume ? 1 : points; }
 };
 
-using PackedElements = std::variant<PackedCells<PackAssumedStrain>, PackedCells<PackGeometry<8, 8>>,
-                                    PackedCells<PackGeometry<4, 1>>, PackedCells<PackGeometry<10, 4>>>;
+using PackedElements =
+    std::variant<PackedCells<PackAssumedStrain>, PackedCells<PackGeometry<8, 8>>, PackedCells<PackGeometry<4, 1>>,
+                 PackedCells<PackGeometry<10, 4>>, PackedCells<PackGeometry<10, 10>>>;
 PackedElements pack_elements(const Elements& elements);
 
 /// Where each node finds its share of a field of cell vectors (3 entries per node of a cell, node by node): first entries of

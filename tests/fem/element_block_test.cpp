@@ -26,6 +26,15 @@ TEST(ElementBlock, NamesGoThereAndBack) {
     for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) EXPECT_EQ(cell_type(default_element(type)), type);
 }
 
+TEST(ElementBlock, AFineElementHasTheSameNodesAndIsItsOwn) {
+    EXPECT_EQ(fine_element(ElementKind::tet10), ElementKind::tet10_fine);
+    for (const std::string& id : element_ids()) {
+        const ElementKind kind = test::element(id), fine = fine_element(kind);
+        EXPECT_EQ(cell_type(fine), cell_type(kind)) << id;
+        EXPECT_EQ(fine_element(fine), fine) << id;
+    }
+}
+
 TEST(ElementBlock, VolumesAreTheMeshsAndGradientsReproduceLinearFields) {
     Matrix3d A;
     A << 0.9, 0.3, -0.2, 0.1, 1.2, 0.4, -0.5, 0.2, 0.8;

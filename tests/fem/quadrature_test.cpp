@@ -45,7 +45,37 @@ TEST(Quadrature, GaussIsExactToTwiceThePointsLessOnePerAxisAndNoFurther) {
 TEST(Quadrature, TetrahedronRulesHaveTheStatedDegree) {
     EXPECT_EQ(exact_degree(tet_centroid(), 6), 1);
     EXPECT_EQ(exact_degree(tet_degree2(), 6), 2);
+    EXPECT_EQ(exact_degree(tet_degree3(), 6), 3);
     EXPECT_EQ(exact_degree(tet_degree5(), 8), 5);
+}
+
+/// A negative weight could make the energy of a part of a cell negative.
+TEST(Quadrature, TenPointsLieWithinTheTetrahedronWithPositiveWeights) {
+    EXPECT_EQ(tet_degree3().size(), 10u);
+    for (const QuadraturePoint& point : tet_degree3()) {
+        EXPECT_GT(point.weight, 0.0);
+        EXPECT_GT(point.xi.minCoeff(), 0.0);
+        EXPECT_LT(point.xi.sum(), 1.0);
+    }
+}
+
+/// Fourth powers of linear functions, beyond the rule's degree, are what it is used for. Of the functions with mean
+/// zero those with two different values at the corners bound the error.
+TEST(Quadrature, TenPointsSeeFourthPowersOfLinearFunctions) {
+    const Eigen::Vector4d functions[] = {{3.0, -1.0, -1.0, -1.0}, {1.0, 1.0, -1.0, -1.0}};
+    for (const Eigen::Vector4d& at_corners : functions) {
+        const auto fourth = [&](const std::vector<QuadraturePoint>& rule) {
+            double sum = 0.0;
+            for (const QuadraturePoint& point : rule) {
+                const double value = at_corners(0) * (1.0 - point.xi.sum()) + at_corners.tail<3>().dot(point.xi);
+                sum += point.weight * std::pow(value, 4);
+            }
+            return sum;
+        };
+        const double exact = fourth(tet_degree5());
+        EXPECT_NEAR(fourth(tet_degree3()), exact, 0.03 * exact);
+        EXPECT_LT(fourth(tet_degree2()), 0.81 * exact);
+    }
 }
 
 }  // namespace

@@ -88,7 +88,9 @@ TEST_P(CellMeansOf, AMuscleAddsItsTension) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, CellMeansOf,
-                         ::testing::Values(ElementKind::hex8, ElementKind::hex8_mean_dilatation, ElementKind::hex8_full, ElementKind::tet10, ElementKind::tet10_full, ElementKind::tet4),
+                         ::testing::Values(ElementKind::hex8, ElementKind::hex8_mean_dilatation,
+                                           ElementKind::hex8_full, ElementKind::tet10, ElementKind::tet10_fine,
+                                           ElementKind::tet10_full, ElementKind::tet4),
                          [](const auto& each) { return to_string(each.param); });
 
 TEST(AtNodes, IsTheMeanOfTheCellsAround) {
