@@ -42,7 +42,7 @@ Json gradcheck_json(const Study& study, const StudyGradientCheck& run, const Run
     return {{"schema", "gradcheck/1"},
             {"trial", study.trials.front().name},
             {"dofs", study.body->dofs()},
-            {"element", to_string(study.mesh.element)},
+            {"element", to_string(study.body->kind)},
             {"integrator", to_string(study.settings.integrator)},
             {"strategy", to_string(study.settings.strategy)},
             {"dt_s", study.trials.front().options.h_s},
@@ -66,7 +66,7 @@ int gradcheck_command(const GradcheckCall& call) {
     const Study& study = *opening.study;
     for (const std::string& warning : study.warnings) console.warn(warning);
     const StudyTrial& checked = study.trials.front();
-    console.print(study.experiment.name + ", trial " + checked.name + ": " + std::to_string(study.body->dofs()) + " DOF of " + to_string(study.mesh.element) + ", " +
+    console.print(study.experiment.name + ", trial " + checked.name + ": " + std::to_string(study.body->dofs()) + " DOF of " + to_string(study.body->kind) + ", " +
                   std::to_string(call.steps) + " steps of " + format_number(1e3 * checked.options.h_s, 4) + " ms with " + to_string(study.settings.integrator));
 
     const double setup_s = opening.setup.seconds();

@@ -20,7 +20,7 @@ struct SimulateCall : StudyCall {
 constexpr int series_frames = 100;
 
 std::string mesh_line(const Study& study) {
-    return std::to_string(study.mesh.mesh.cell_count()) + " " + to_string(study.mesh.element) + " elements of " +
+    return std::to_string(study.mesh.mesh.cell_count()) + " " + to_string(study.body->kind) + " elements of " +
            format_number(1e3 * study.mesh.resolution_m, 3) + " mm, " + std::to_string(3 * study.mesh.mesh.node_count()) + " degrees of freedom, " +
            to_string(study.settings.integrator) + ", " + std::to_string(study.settings.threads) +
            (study.settings.threads == 1 ? " thread" : " threads");

@@ -77,7 +77,8 @@ Result<RunResult> run_mesh_scene(const Scene& scene, const MeshedBody& body, con
     const std::vector<int> held = nodes_in_box(mesh->mesh, held_part(experiment.clamp_box_m, bounding_box(scene.surface.vertices)));
     if (held.empty()) return Error{"no node lies at the held end; choose a finer resolution", experiment.name};
     Model model;
-    model.body = make_body(mesh->mesh, mesh->element, held);
+    const bool fine = any_varies_within_cells(experiment.effects);
+    model.body = make_body(mesh->mesh, fine ? fine_element(mesh->element) : mesh->element, held);
     model.material = find_material(settings.material);
     if (!model.material) return Error{"no material law '" + settings.material + "'", "material"};
     model.moduli = uniform_moduli(model.body->cell_count(), settings.youngs_modulus_Pa, settings.poissons_ratio);

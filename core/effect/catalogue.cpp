@@ -54,6 +54,13 @@ std::vector<std::string> effect_ids() {
     return ids;
 }
 
+bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
+    return std::any_of(effects.begin(), effects.end(), [](const EffectDeclaration& declaration) {
+        const Effect* const effect = find_effect(declaration.id);
+        return effect != nullptr && effect->varies_within_cells;
+    });
+}
+
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected) {
     std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
     for (const EffectDeclaration& declaration : effects) {

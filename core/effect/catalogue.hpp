@@ -15,6 +15,9 @@ const Effect* find_effect(const std::string& id);
 
 std::vector<std::string> effect_ids();
 
+/// Whether one of these effects varies within cells: their body needs fine_element().
+bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects);
+
 /// Applies effects stage by stage, within a stage in their order. Asserts that they are of the catalogue.
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected);
 

@@ -3,6 +3,16 @@
 #include <utility>
 
 namespace myo {
+namespace {
+
+std::vector<int> held_nodes(const Body& body) {
+    std::vector<int> held;
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) held.push_back(i);
+    return held;
+}
+
+}  // namespace
 
 BodyPointer released_body(const Body& body, const std::vector<int>& nodes) {
     auto released = std::make_shared<Body>(body);
@@ -14,10 +24,9 @@ BodyPointer released_body(const Body& body, const std::vector<int>& nodes) {
 BodyPointer on_nodes(const Body& body, Eigen::Matrix3Xd nodes_m) {
     VolumeMesh mesh = body.mesh;
     mesh.nodes = std::move(nodes_m);
-    std::vector<int> held;
-    for (int i = 0; i < body.node_count(); ++i)
-        if (body.clamped[static_cast<std::size_t>(i)]) held.push_back(i);
-    return make_body(std::move(mesh), body.kind, held);
+    return make_body(std::move(mesh), body.kind, held_nodes(body));
 }
+
+BodyPointer of_kind(const Body& body, ElementKind kind) { return make_body(body.mesh, kind, held_nodes(body)); }
 
 }  // namespace myo

@@ -103,6 +103,7 @@ struct Effect {
     void (*apply)(const EffectSite&, const EffectParameters&, Affected&) = nullptr;
     std::vector<EffectProbe> (*probes)(const EffectSearch&) = nullptr;   // empty: it cannot show in this experiment
     EffectParameters (*plainest)(const Model& declared, const EffectParameters&) = nullptr;   // the same effect, where several numbers say the same; may be null
+    bool varies_within_cells = false;   // fields of moduli, energies beyond strain squared: see fine_element()
 
     const EffectParameterEntry* parameter(const std::string& name) const;
 };

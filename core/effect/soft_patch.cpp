@@ -25,10 +25,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect soft_patch() {
-    return {"soft_patch", EffectStage::material, "the modulus differs around a point",
-            {fitted_number("relative_change", -0.98, 20.0, 0.3), {"centre_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
-             fitted_number("radius_m", 1e-4, 10.0, 0.005, true)},
-            apply, probes};
+    Effect effect{"soft_patch", EffectStage::material, "the modulus differs around a point",
+                  {fitted_number("relative_change", -0.98, 20.0, 0.3),
+                   {"centre_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
+                   fitted_number("radius_m", 1e-4, 10.0, 0.005, true)},
+                  apply, probes};
+    effect.varies_within_cells = true;
+    return effect;
 }
 
 }  // namespace myo

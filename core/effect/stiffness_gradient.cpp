@@ -29,8 +29,11 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 
 Effect stiffness_gradient() {
     // Beyond 2 the modulus would be negative at one end.
-    return {"stiffness_gradient", EffectStage::material, "the modulus is linear in one coordinate",
-            {fitted_number("relative_change", -1.98, 1.98, 0.3), {"axis", EffectParameterKind::axis}}, apply, probes};
+    Effect effect{"stiffness_gradient", EffectStage::material, "the modulus is linear in one coordinate",
+                  {fitted_number("relative_change", -1.98, 1.98, 0.3), {"axis", EffectParameterKind::axis}},
+                  apply, probes};
+    effect.varies_within_cells = true;
+    return effect;
 }
 
 }  // namespace myo

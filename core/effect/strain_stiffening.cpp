@@ -16,7 +16,10 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}
 }  // namespace
 
 Effect strain_stiffening_effect() {
-    return {"strain_stiffening", EffectStage::material, "the material stiffens with strain (Yeoh's second term)", {fitted_number(c2, -0.2, 1e3, 0.5)}, apply, probes};
+    Effect effect{"strain_stiffening", EffectStage::material, "the material stiffens with strain (Yeoh's second term)",
+                  {fitted_number(c2, -0.2, 1e3, 0.5)}, apply, probes};
+    effect.varies_within_cells = true;
+    return effect;
 }
 
 }  // namespace myo

@@ -20,8 +20,11 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect stress_softening() {
-    return {"stress_softening", EffectStage::material, "the stress softens with the largest energy that a point has seen",
-            {fitted_number(damage, 0.0, 0.98, 0.1), fitted_number(scale, 1e-3, 1e7, 10.0, true)}, apply, probes};
+    Effect effect{"stress_softening", EffectStage::material,
+                  "the stress softens with the largest energy that a point has seen",
+                  {fitted_number(damage, 0.0, 0.98, 0.1), fitted_number(scale, 1e-3, 1e7, 10.0, true)}, apply, probes};
+    effect.varies_within_cells = true;
+    return effect;
 }
 
 }  // namespace myo

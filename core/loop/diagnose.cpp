@@ -1,7 +1,11 @@
 #include "loop/diagnosis.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/text.hpp"
 #include "diagnosis/residual_spot.hpp"
+#include "effect/catalogue.hpp"
 #include "loop/fit_declared.hpp"
 #include "loop/judge.hpp"
 #include "loop/search_effects.hpp"
@@ -56,7 +60,20 @@ void conclude(DiagnosisWork& work) {
 
 }  // namespace
 
+bool may_be_named(const DiagnoseSettings& settings, const std::string& effect) {
+    return std::find(settings.without.begin(), settings.without.end(), effect) == settings.without.end();
+}
+
+Study for_candidates(Study study, const DiagnoseSettings& settings) {
+    const std::vector<Effect>& all = effect_catalogue();
+    const bool fine = std::any_of(all.begin(), all.end(), [&](const Effect& effect) {
+        return effect.varies_within_cells && may_be_named(settings, effect.id);
+    });
+    return fine ? with_fine_element(std::move(study)) : study;
+}
+
 Study as_diagnosed(const Diagnosis& diagnosis, Study study) {
+    study = for_candidates(std::move(study), diagnosis.settings);
     for (StudyTrial& trial : study.trials) trial.options.h_s *= diagnosis.step_factor;
     study.modulus_factor = diagnosis.modulus_factor;
     return study;

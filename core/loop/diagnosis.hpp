@@ -101,7 +101,14 @@ struct Diagnosis {
     bool complete() const { return !stopped && failure.empty(); }
 };
 
-/// The study with the steps and the cells' modulus that a diagnosis used.
+/// Whether a verdict may name this effect.
+bool may_be_named(const DiagnoseSettings& settings, const std::string& effect);
+
+/// The study on a body that shows every effect that may be named. All fits of a diagnosis use it, because two elements
+/// differ by more than small effects do.
+Study for_candidates(Study study, const DiagnoseSettings& settings);
+
+/// The study with the body, the steps and the cells' modulus that a diagnosis used.
 Study as_diagnosed(const Diagnosis& diagnosis, Study study);
 
 /// Declared fit, numerical error, significance, scores, refits, pairs, verdict, prediction of all trials.

@@ -38,7 +38,7 @@ std::uint64_t fingerprint(const Study& study) {
 }
 
 std::string study_words(const Study& study) {
-    return study.experiment.name + ", " + to_string(study.mesh.element) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
+    return study.experiment.name + ", " + to_string(study.body->kind) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
            std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator) + ", " + std::to_string(fingerprint(study));
 }
 
@@ -60,7 +60,7 @@ Study on_one_thread(Study study) {
 }  // namespace
 
 DiagnosisWork::DiagnosisWork(const Study& as_declared, const DiagnoseSettings& settings, const Progress& told, const std::function<void(const Diagnosis&)>& shown)
-    : study(prepared(as_declared)),
+    : study(prepared(for_candidates(as_declared, settings))),
       serial(on_one_thread(study)),
       progress(told),
       live(shown),
@@ -69,10 +69,7 @@ DiagnosisWork::DiagnosisWork(const Study& as_declared, const DiagnoseSettings& s
     result.settings = settings;
 }
 
-bool DiagnosisWork::allowed(const std::string& effect) const {
-    const std::vector<std::string>& without = result.settings.without;
-    return std::find(without.begin(), without.end(), effect) == without.end();
-}
+bool DiagnosisWork::allowed(const std::string& effect) const { return may_be_named(result.settings, effect); }
 
 std::vector<std::size_t> DiagnosisWork::all_trials() const {
     std::vector<std::size_t> all(study.trials.size());

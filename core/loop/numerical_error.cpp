@@ -37,7 +37,7 @@ constexpr double step_ratio = 0.5, step_order = 2.0;
 /// At which displacements converge with the edge where nothing locks: hex8 2.5 by a manufactured solution, tet10 3.6 at ν 0.3 and 3.1 at 0.499.
 double mesh_order(ElementKind element) {
     if (element == ElementKind::hex8) return 2.5;
-    return element == ElementKind::tet10 ? 3.0 : 2.0;
+    return fine_element(element) == ElementKind::tet10_fine ? 3.0 : 2.0;
 }
 
 /// From the change by a refinement of this order to its limit.

@@ -24,7 +24,7 @@ Json size_json(const Study& study) {
     Json json{{"dofs", 3 * study.mesh.mesh.node_count()},
             {"nodes", study.mesh.mesh.node_count()},
             {"elements", study.mesh.mesh.cell_count()},
-            {"element", to_string(study.mesh.element)},
+            {"element", to_string(study.body->kind)},
             {"resolution_m", study.mesh.resolution_m},
             {"material", study.settings.material.value_or(study.experiment.material.model)},
             {"as_published", study.settings.as_published},

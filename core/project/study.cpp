@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
+#include "effect/changed_body.hpp"
 #include "material/catalogue.hpp"
 #include "measurement/noise.hpp"
 #include "mesh/region.hpp"
@@ -188,6 +189,15 @@ void check_integration(Study& study) {
     study.warnings.insert(study.warnings.end(), found.begin(), found.end());
 }
 
+Study with_fine_element(Study study) {
+    study.settings.fine_element = true;
+    const ElementKind fine = fine_element(study.body->kind);
+    if (fine == study.body->kind) return study;
+    study.body = of_kind(*study.body, fine);
+    for (StudyTrial& trial : study.trials) trial.model.body = study.body;
+    return study;
+}
+
 Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress, const StudyMesh* meshed) {
     Study study;
     study.experiment = experiment;
@@ -212,7 +222,8 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, box_on_mesh(study.mesh, held));
     if (clamped.empty())
         return declaration_error(experiment, "clamp.box_m", "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
-    study.body = make_body(study.mesh.mesh, study.mesh.element, clamped);
+    const bool fine = settings.fine_element || any_varies_within_cells(experiment.effects);
+    study.body = make_body(study.mesh.mesh, fine ? fine_element(study.mesh.element) : study.mesh.element, clamped);
 
     std::vector<Eigen::Vector3d> rest;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) {

@@ -31,6 +31,7 @@ struct StudySettings {
     MassModel mass_model = MassModel::consistent;
     double assumed_damping_s = 0.003;      // where none is declared: 9 % of critical damping at 10 Hz, as silicones have
     bool as_published = false;             // it started from published_settings()
+    bool fine_element = false;             // also where no declared effect needs it: to try others
     int threads = 1;
 
     TimeScheme scheme() const { return {integrator, spectral_radius}; }
@@ -85,6 +86,9 @@ void check_integration(Study& study);
 /// Errors: every input error of the schema that needs more than the TOML, with key and line; cancelled.
 /// @param meshed  the body as these settings mesh it, made before; null: it is meshed now
 Result<Study> prepare_study(const Experiment& experiment, const StudySettings& settings, const Progress& progress = {}, const StudyMesh* meshed = nullptr);
+
+/// The same study on a body that shows what varies within cells, see fine_element(): to try effects that do.
+Study with_fine_element(Study study);
 
 /// a - 1 of every muscle when `leader` steps to `level`: followers take their share.
 std::vector<Signal> with_level(const Experiment& experiment, std::vector<Signal> activation, std::size_t leader, double level);

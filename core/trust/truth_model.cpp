@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effect/catalogue.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/region.hpp"
 #include "project/check_body.hpp"
@@ -77,6 +78,7 @@ Result<Study> truth_study(const SyntheticCase& c, const Experiment& declared, co
     settings.integrator = c.truth.scheme.integrator;
     settings.spectral_radius = c.truth.scheme.rho_inf;
     settings.h_s = 1.0 / (c.rate_Hz * c.truth.steps_per_sample);
+    settings.fine_element = c.effect && any_varies_within_cells({*c.effect});
     const bool deep = c.body.held_m > 0.0;
     settings.mesh.element = deep ? ElementKind::hex8_mean_dilatation : ElementKind::tet10;
     if (deep) settings.mesh.resolution_m = std::min(finer_hexes * automatic_resolution(*surface, CellType::hex8), c.body.thickness_m / least_layers_of_hexes);

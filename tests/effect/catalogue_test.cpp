@@ -119,6 +119,15 @@ TEST_P(MovingEffect, ChangesTheMotionAndLeavesWhatItIsGiven) {
     EXPECT_EQ(simulate(alone.model, alone.options).positions.back(), without.positions.back());
 }
 
+/// The finer element is chosen by this mark.
+TEST_P(MovingEffect, IsMarkedWhereItVariesWithinCells) {
+    const test::HeldBeam beam = test::held_beam({6, 2, 2});
+    const Affected affected = test::with_effect(beam, GetParam().first, GetParam().second);
+    const bool varies = affected.model.point_factors.size() > 0 || affected.model.softening.has_value() ||
+                        affected.model.material != beam.affected.model.material;
+    EXPECT_EQ(any_varies_within_cells({{GetParam().first, GetParam().second}}), varies);
+}
+
 /// What a search starts from can be simulated, and a small amount changes little: absence is a limit.
 TEST_P(MovingEffect, IsContinuousAtItsAbsence) {
     const test::HeldBeam beam = test::held_beam({6, 2, 2});
