@@ -1,14 +1,13 @@
 #include "fibre/fibre_group.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 
 #include "fem/quadrature.hpp"
+#include "fem/reference_coordinates.hpp"
 #include "fem/shape_functions.hpp"
 #include "fibre/cell_parts.hpp"
-#include "mesh/clipping.hpp"
 #include "mesh/region.hpp"
 
 namespace myo {
@@ -50,16 +49,13 @@ Eigen::Matrix<double, 3, 4> points_of(const ClippedVolume& part) {
     return (axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * corners).colwise() + centre;
 }
 
-/// The part of a straight-sided tetrahedron inside a box: so a group that ends inside cells keeps its lever arm and its stiffness in bending.
-void add_cut_tetrahedron(const VolumeMesh& mesh, int cell, const Box& box, const Eigen::Vector3d& direction, FibreGroup& group) {
-    const Eigen::Matrix<double, 3, 4> corners = mesh.nodes(Eigen::all, mesh.cells.col(cell).head<4>());
-    const ClippedVolume part = tetrahedron_in_box(corners, box, region_tolerance(mesh));
+/// The part of a cell inside a box: so a group that ends inside cells keeps its lever arm and its stiffness in bending.
+void add_cut_cell(const VolumeMesh& mesh, int cell, const Box& box, const Eigen::Vector3d& direction,
+                  FibreGroup& group) {
+    const ClippedVolume part = cell_in_box(mesh, cell, box, region_tolerance(mesh));
     if (!(part.volume_m3 > 0.0)) return;
-    Eigen::Matrix3d edges;
-    for (int i = 0; i < 3; ++i) edges.col(i) = corners.col(i + 1) - corners.col(0);
-    const Eigen::Matrix3d inverse = edges.inverse();
     const auto add = [&](const Eigen::Vector3d& x, double volume_m3) {
-        add_fibre_point(mesh, cell, inverse * (x - corners.col(0)), volume_m3, direction, group);
+        add_fibre_point(mesh, cell, reference_coordinates(mesh, cell, x), volume_m3, direction, group);
     };
     if (mesh.type == CellType::tet4) return add(part.centre_m(), part.volume_m3);   // its strain is the same everywhere
     const Eigen::Matrix<double, 3, 4> points = points_of(part);
@@ -84,8 +80,9 @@ FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Ve
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         if (fraction(c) <= 0.0) continue;
         Box cell_box;
-        if (mesh.type == CellType::hex8 && axis_aligned(mesh, c, cell_box)) add_box_cell(mesh, c, cell_box, box, direction, group);
-        else if (mesh.type != CellType::hex8 && fraction(c) < uncut) add_cut_tetrahedron(mesh, c, box, direction, group);
+        if (mesh.type == CellType::hex8 && axis_aligned(mesh, c, cell_box))
+            add_box_cell(mesh, c, cell_box, box, direction, group);
+        else if (fraction(c) < uncut) add_cut_cell(mesh, c, box, direction, group);
         else add_whole_cell(mesh, c, fraction(c), [&](const Eigen::Vector3d&) { return direction; }, group);
     }
     return group;

@@ -30,8 +30,8 @@ struct FibreGroup {
 
 /// Fibres along `direction` (unit, rest frame) in the part of the body inside `box`.
 ///
-/// An axis-aligned hexahedron and a tetrahedron are integrated over their intersection with the box, exactly for strains linear in the rest
-/// position, so that a group thinner than a cell bends as it should; other hexahedra use their own points, weighted with the fraction inside.
+/// Cells are integrated over their intersection with the box, exactly for flat faces and strains linear in the rest
+/// position, so that a group thinner than a cell bends as it should.
 FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Vector3d& direction, double stiffness_Pa,
                          std::string name);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "fem/reference_coordinates.hpp"
 #include "fem/shape_functions.hpp"
 #include "material/polar.hpp"
 
@@ -12,19 +13,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// Reference coordinates of a point of a cell, by Newton's method from the middle.
-template <class Shape>
-Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Vector3d& point, const Vector3d& middle) {
-    Vector3d xi = middle;
-    for (int iteration = 0; iteration < 30; ++iteration) {
-        const Vector3d error = point - X * Shape::values(xi);
-        const Vector3d step = (X * Shape::derivatives(xi)).inverse() * error;
-        xi += step;
-        if (step.norm() < 1e-14) break;
-    }
-    return xi;
-}
 
 template <class Shape>
 void set_shape(MarkerBinding& binding, const Eigen::Matrix3Xd& X, const Vector3d& point, const Vector3d& middle) {

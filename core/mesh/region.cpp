@@ -151,6 +151,17 @@ SurfaceIntegral surface_weights(const VolumeMesh& mesh, const BoundaryFaces& fac
     return integral;
 }
 
+ClippedVolume cell_in_box(const VolumeMesh& mesh, Eigen::Index cell, const Box& box, double tolerance) {
+    ClippedVolume part;
+    for (const Corners& tet : tetrahedra_of(mesh.type, mesh.nodes(Eigen::all, mesh.cells.col(cell)))) {
+        const ClippedVolume piece = tetrahedron_in_box(tet, box, tolerance);
+        part.volume_m3 += piece.volume_m3;
+        part.moment_m4 += piece.moment_m4;
+        part.second_moment_m5 += piece.second_moment_m5;
+    }
+    return part;
+}
+
 Eigen::VectorXd volume_fractions(const VolumeMesh& mesh, const Box& box) {
     const double tolerance = region_tolerance(mesh);
     Eigen::VectorXd fractions = Eigen::VectorXd::Zero(mesh.cell_count());
@@ -159,14 +170,13 @@ Eigen::VectorXd volume_fractions(const VolumeMesh& mesh, const Box& box) {
         if (misses(X, box, tolerance)) continue;
         double fraction = mesh.type == CellType::hex8 ? aligned_fraction(X, box, tolerance) : -1.0;
         if (fraction < 0.0) {
-            double inside = 0.0, whole = 0.0;
+            double whole = 0.0;
             for (const Corners& tet : tetrahedra_of(mesh.type, X)) {
                 Eigen::Matrix3d J;
                 for (int i = 0; i < 3; ++i) J.col(i) = tet.col(i + 1) - tet.col(0);
                 whole += std::abs(J.determinant()) / 6.0;
-                inside += tetrahedron_in_box(tet, box, tolerance).volume_m3;
             }
-            fraction = whole > 0.0 ? inside / whole : 0.0;
+            fraction = whole > 0.0 ? cell_in_box(mesh, c, box, tolerance).volume_m3 / whole : 0.0;
         }
         fractions[c] = std::clamp(fraction, 0.0, 1.0);
     }

@@ -61,14 +61,20 @@ TEST(FibresInBox, HaveTheVolumeAndSeeLinearFieldsExactly) {
     }
 }
 
-/// A slab thinner than a cell: volume, centroid and second moment of the fibre field are those of the slab, on any box mesh of hexahedra
-/// or quadratic tetrahedra.
+/// A slab thinner than a cell: volume, centroid and second moment of the fibre field are those of the slab, on any mesh
+/// of hexahedra or quadratic tetrahedra, upright or oblique.
 TEST(FibresInBox, ThinSlabBendsAsItShould) {
-    const Box slab{{0.1, 0.0, 0.05}, {0.9, 0.8, 0.15}};
+    const Box slab{{0.3, 0.0, 0.05}, {0.9, 0.8, 0.15}};
     const Vector3d m = Vector3d::UnitX();
     std::vector<VolumeMesh> meshes;
     for (const Eigen::Vector3i& cells : {Eigen::Vector3i(1, 1, 1), Eigen::Vector3i(3, 2, 2), Eigen::Vector3i(10, 4, 12)})
-        for (const ElementKind element : {ElementKind::hex8, ElementKind::tet10}) meshes.push_back(test::box_mesh(element, test::unit_box(), cells));
+        for (const ElementKind element : {ElementKind::hex8, ElementKind::tet10}) {
+            meshes.push_back(test::box_mesh(element, test::unit_box(), cells));
+            // A parallelogram in plan: the bilinear motion below is still one of the element.
+            VolumeMesh oblique = meshes.back();
+            oblique.nodes.row(0) += 0.3 * oblique.nodes.row(1);
+            meshes.push_back(std::move(oblique));
+        }
     for (const VolumeMesh& mesh : meshes) {
         const FibreGroup group = fibres_in_box(mesh, slab, m, 2.0, "slab");
         const double volume = slab.size().prod();

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "fem/shape_functions.hpp"
+#include "mesh/volume_mesh.hpp"
+
+namespace myo {
+
+/// Reference coordinates of a point of a cell, by Newton's method from `middle`, those of a point well inside.
+///
+/// @param X  nodes of the cell [m], 3 x Shape::nodes, in the order of the shape functions
+template <class Shape>
+Eigen::Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Eigen::Vector3d& point_m,
+                                      const Eigen::Vector3d& middle) {
+    Eigen::Vector3d xi = middle;
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        const Eigen::Vector3d error = point_m - X * Shape::values(xi);
+        const Eigen::Vector3d step = (X * Shape::derivatives(xi)).inverse() * error;
+        xi += step;
+        if (step.norm() < 1e-14) break;
+    }
+    return xi;
+}
+
+inline Eigen::Vector3d reference_coordinates(const VolumeMesh& mesh, int cell, const Eigen::Vector3d& point_m) {
+    const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(cell));
+    const Eigen::Vector3d in_tetrahedron = Eigen::Vector3d::Constant(0.25);
+    switch (mesh.type) {
+        case CellType::tet4: return reference_coordinates<Tet4>(X, point_m, in_tetrahedron);
+        case CellType::tet10: return reference_coordinates<Tet10>(X, point_m, in_tetrahedron);
+        default: return reference_coordinates<Hex8>(X, point_m, Eigen::Vector3d::Zero());
+    }
+}
+
+}  // namespace myo
