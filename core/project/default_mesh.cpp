@@ -112,20 +112,26 @@ void add_block(const Blocks& blocks, const Eigen::Vector3i& at, double edge, dou
         std::min(slice.rod_thickness_m, along ? std::min(blocks.length(b, at[b]), blocks.length(c, at[c])) : 0.0);
 }
 
-double tetrahedra_resolution(double edge, const SurfaceMesh& surface) {
-    double shortest = std::min(edge, mesh_policy.edge_over_thickness * local_thickness(surface));
-    const auto unknowns = [&](double e) { return estimate_counts(surface, CellType::tet10, e).dofs; };
-    // Unknowns grow at most with the cube of the edges' number.
-    while (shortest < edge && unknowns(shortest) > mesh_policy.most_unknowns)
-        shortest = std::min(edge, 1.05 * shortest);
-    return shortest;
-}
-
 double area(const SurfaceMesh& surface, Eigen::Index t) {
     const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t));
     return 0.5 * (surface.vertices.col(surface.triangles(1, t)) - a)
                      .cross(surface.vertices.col(surface.triangles(2, t)) - a)
                      .norm();
+}
+
+double whole_area(const SurfaceMesh& surface) {
+    double sum = 0.0;
+    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) sum += area(surface, t);
+    return sum;
+}
+
+double tetrahedra_resolution(double edge, const SurfaceMesh& surface) {
+    double shortest = std::min(edge, longest_edge(surface, local_thickness(surface)));
+    const auto unknowns = [&](double e) { return estimate_counts(surface, CellType::tet10, e).dofs; };
+    // Unknowns grow at most with the cube of the edges' number.
+    while (shortest < edge && unknowns(shortest) > mesh_policy.most_unknowns)
+        shortest = std::min(edge, 1.05 * shortest);
+    return shortest;
 }
 
 /// Distance along a ray to the nearest triangle beyond `skip` (Möller & Trumbore 1997); infinite when there is none.
@@ -203,8 +209,7 @@ std::vector<BodySlice> body_slices(const SurfaceMesh& surface, double edge) {
 double local_thickness(const SurfaceMesh& surface) {
     // Rays start where equal shares of the area end, so that large triangles send several and small ones one of many.
     const Eigen::Index count = surface.triangles.cols();
-    double whole = 0.0;
-    for (Eigen::Index t = 0; t < count; ++t) whole += area(surface, t);
+    const double whole = whole_area(surface);
     const double skip = 1e-6 * bounding_box(surface.vertices).size().norm();
     std::vector<double> lengths;
     double passed = 0.0;
@@ -224,6 +229,11 @@ double local_thickness(const SurfaceMesh& surface) {
                                                                      static_cast<double>(lengths.size()));
     std::nth_element(lengths.begin(), place, lengths.end());
     return *place;
+}
+
+double longest_edge(const SurfaceMesh& surface, double thickness_m) {
+    const bool rod = whole_area(surface) * thickness_m > mesh_policy.least_rod_surface * enclosed_volume(surface);
+    return (rod ? mesh_policy.rod_edge_over_thickness : mesh_policy.edge_over_thickness) * thickness_m;
 }
 
 ElementKind automatic_element(const SurfaceMesh& surface) {

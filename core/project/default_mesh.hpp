@@ -23,8 +23,9 @@ struct MeshPolicy {
     double most_aspect = 5.0;  // of cells made flat by their layers; longer edges are shortened ...
     double least_edge_share = 0.5;  // ... to this part at most: a sheet would take millions of cells
     double least_part = 0.05;       // of the volume: smaller parts get their layers but do not shorten other edges
-    double edge_over_thickness =
-        1.5;  // tetrahedra: longer edges than this times the thickness leave cells without shape
+    double edge_over_thickness = 1.5;      // tetrahedra: longer edges leave cells without shape
+    double rod_edge_over_thickness = 0.7;  // of rods: with one layer they twist 18 % too little, with two 5 %
+    double least_rod_surface = 3.0;        // surface times thickness over volume: plates have 2, rods 4
     double thickness_quantile = 0.1;  // of the surface, that is at most so thick: tips and rims do not count
     int thickness_rays = 400;
     double most_unknowns = 30'000;  // to which edges are shortened for the thickness
@@ -54,6 +55,9 @@ std::vector<BodySlice> body_slices(const SurfaceMesh& surface, double edge);
 
 /// Thickness that all but a small part of the surface exceeds [m]: along rays inward from its triangles.
 double local_thickness(const SurfaceMesh& surface);
+
+/// The longest edge of tetrahedra that bend and twist within a few percent where a body is `thickness_m` thick [m].
+double longest_edge(const SurfaceMesh& surface, double thickness_m);
 
 /// hex8 for rectilinear bodies, tet10 for all others.
 ElementKind automatic_element(const SurfaceMesh& surface);

@@ -99,7 +99,14 @@ std::optional<std::string> too_few_layers(const MeshFacts& facts) {
 
 std::optional<std::string> too_few_cells_to_twist(const MeshFacts& facts) {
     const SuitabilityPolicy& policy = suitability_policy;
-    if (!has_hexahedra(facts)) return std::nullopt;
+    if (!has_hexahedra(facts)) {
+        const double thickness = local_thickness(facts.surface), edge = mean_edge_length(facts.mesh.mesh);
+        const double best = longest_edge(facts.surface, thickness);
+        if (best > thickness || edge < policy.rod_edge_over_thickness * thickness) return std::nullopt;
+        return "edges of " + in_mm(edge) + " leave one layer of tetrahedra across a rod of " + in_mm(thickness) +
+               ": its torsion may be off by " + format_number(policy.tetrahedral_rod_twist_error_percent) +
+               " %; choose --resolution " + format_number(best, 3) + " or less, or leave it out";
+    }
     const std::optional<Layers> fewest = fewest_layers(facts, true);
     if (!fewest || fewest->count >= policy.least_rod_layers) return std::nullopt;
     return layers_text(*fewest) + " of a rod, fewer than " + std::to_string(policy.least_rod_layers) +

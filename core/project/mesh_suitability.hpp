@@ -16,6 +16,8 @@ struct SuitabilityPolicy {
     double least_part = 0.05;                // of the body's volume that must be thin for a warning
     int least_rod_layers = 3;                // across a rod in both directions
     double rod_twist_error_percent = 15.0;   // of 2 x 2 cells; 3 x 2: 9
+    double rod_edge_over_thickness = 1.0;    // of tetrahedra: longer edges leave a single layer across a rod
+    double tetrahedral_rod_twist_error_percent = 18.0;
     double layer_twist_error_percent = 5.0;  // of one layer, at least four cells wide
     double most_aspect = 10.0;
     double least_flat_share = 0.05;       // of the cells that must be flatter for a warning

@@ -126,6 +126,7 @@ TEST(LocalThickness, IsThatOfTheWall) {
     EXPECT_NEAR(local_thickness(weld(test::sphere(3, 0.02))), 0.04, 1e-3);
     EXPECT_LT(automatic_resolution(box_in_mm(100, 50, 5), CellType::tet10), 8e-3);
     EXPECT_NEAR(automatic_resolution(box_in_mm(100, 30, 30), CellType::tet10), std::cbrt(9e-5) / 3.0, 1e-12);
+    EXPECT_NEAR(automatic_resolution(box_in_mm(100, 5, 5), CellType::tet10), 0.7 * 5e-3, 1e-12);   // a rod
 }
 
 }  // namespace
