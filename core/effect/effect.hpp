@@ -29,7 +29,8 @@ struct EffectDeclaration {
 
 enum class EffectParameterKind {
     number,
-    vector3,             // position, direction or shift
+    vector3,             // position or shift
+    direction,           // unit vector: two angles for a fit, see direction.hpp; the scale is in rad
     number_or_vector3,   // a size, or one with its direction
     axis,                // 0 x, 1 y, 2 z
     marker,

@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180.0;
 
 Vector3d tilted(const Vector3d& gravity, const EffectParameters& parameters) {
-    const Vector3d axis = vector(parameters, "axis");
-    return axis.norm() > 0.0 ? Vector3d(Eigen::AngleAxisd(degree * number(parameters, "tilt_deg"), axis.normalized()) * gravity) : gravity;
+    return Eigen::AngleAxisd(degree * number(parameters, "tilt_deg"), vector(parameters, "axis").normalized()) *
+           gravity;
 }
 
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
@@ -52,8 +52,14 @@ EffectParameters plainest(const Model& declared, const EffectParameters& paramet
 }  // namespace
 
 Effect gravity_tilt() {
-    return {"gravity_tilt", EffectStage::force, "the mount is tilted: gravity turned by an angle about an axis",
-            {fitted_number("tilt_deg", -180.0, 180.0, 2.0), {"axis", EffectParameterKind::vector3, false, -1.0, 1.0, 0.3}}, apply, probes, plainest};
+    return {"gravity_tilt",
+            EffectStage::force,
+            "the mount is tilted: gravity turned by an angle about an axis",
+            {fitted_number("tilt_deg", -180.0, 180.0, 2.0),
+             {"axis", EffectParameterKind::direction, false, -std::numbers::pi, std::numbers::pi, 0.3}},
+            apply,
+            probes,
+            plainest};
 }
 
 }  // namespace myo

@@ -84,8 +84,11 @@ std::vector<StudyParameter> study_parameters(const Study& study, const std::vect
 std::vector<StudyParameter> effect_study_parameters(const EffectDeclaration& effect, std::size_t index) {
     std::vector<StudyParameter> list;
     for (const EffectNumber& n : effect_numbers(effect)) {
-        Parameter parameter{n.name, effect_number(effect, n.parameter, n.component), n.lower, n.upper, n.scale, n.over_decades};
-        list.push_back({Kind::effect, 0, index, std::move(parameter), {}, n.parameter, n.component});
+        Parameter parameter{n.name,  effect_number(effect, n.parameter, n.component, n.base),
+                            n.lower, n.upper,
+                            n.scale, n.over_decades};
+        list.push_back({Kind::effect, 0, index, std::move(parameter), n.base.isZero(0.0) ? "" : "rad", n.parameter,
+                        n.component, n.base});
     }
     return list;
 }
@@ -98,7 +101,7 @@ double value_of(const StudyParameter& p, const StudyValues& values) {
         case Kind::rotation: return values.rotation_rad(static_cast<Eigen::Index>(p.index));
         case Kind::start_shift: return values.start_shift_s[p.trial];
         case Kind::level: return values.levels[p.trial].at(p.index);
-        case Kind::effect: return effect_number(values.effects[p.index], p.of_effect, p.component);
+        case Kind::effect: return effect_number(values.effects[p.index], p.of_effect, p.component, p.base);
     }
     return 0.0;
 }
@@ -111,7 +114,7 @@ void set_value(const StudyParameter& p, double value, StudyValues& values) {
         case Kind::rotation: values.rotation_rad(static_cast<Eigen::Index>(p.index)) = value; break;
         case Kind::start_shift: values.start_shift_s[p.trial] = value; break;
         case Kind::level: values.levels[p.trial][p.index] = value; break;
-        case Kind::effect: set_effect_number(values.effects[p.index], p.of_effect, p.component, value); break;
+        case Kind::effect: set_effect_number(values.effects[p.index], p.of_effect, p.component, value, p.base); break;
     }
 }
 

@@ -33,7 +33,10 @@ struct StudyParameter {
     Parameter parameter;
     std::string unit;
     std::string of_effect{};     // effect: name of its parameter
-    int component = -1;          // effect: of a vector
+    int component = -1;          // effect: of a vector, or angle of a direction
+    Eigen::Vector3d base = Eigen::Vector3d::Zero();   // effect: of a direction, see EffectNumber
+
+    bool is_angle() const { return !base.isZero(0.0); }
 };
 
 /// The numbers of an effect, number `index` of the values', for a fit.

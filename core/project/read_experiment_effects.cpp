@@ -19,6 +19,11 @@ EffectParameter read_parameter(const TomlReader& effect, const EffectParameterEn
     switch (entry.kind) {
         case EffectParameterKind::number: return effect.number(key, range_of(entry));
         case EffectParameterKind::vector3: return Eigen::VectorXd(effect.vector3(key));
+        case EffectParameterKind::direction: {
+            const Eigen::Vector3d direction = effect.vector3(key);
+            if (!(direction.norm() > 0.0)) effect.fail(key, "has no direction: it is zero");
+            return Eigen::VectorXd(direction.normalized());
+        }
         case EffectParameterKind::number_or_vector3:
             if (effect.is_array(key)) return Eigen::VectorXd(effect.vector3(key));
             return effect.number(key);

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "effect/catalogue.hpp"
+#include "effect/direction.hpp"
 
 namespace myo {
 
@@ -52,21 +53,42 @@ std::vector<EffectNumber> effect_numbers(const EffectDeclaration& effect) {
             numbers.push_back({parameter.name, -1, name, parameter.lowest, parameter.highest, parameter.scale, parameter.over_decades});
             continue;
         }
+        if (parameter.kind == EffectParameterKind::direction) {
+            const Eigen::Vector3d base = v->normalized();
+            for (int i = 0; i < 2; ++i)
+                numbers.push_back({parameter.name, i, name + ".turn_" + std::to_string(i + 1) + "_rad",
+                                   parameter.lowest, parameter.highest, parameter.scale, false, base});
+            continue;
+        }
         for (int i = 0; i < static_cast<int>(v->size()); ++i)
             numbers.push_back({parameter.name, i, name + "." + "xyz"[i % 3], parameter.lowest, parameter.highest, parameter.scale, false});
     }
     return numbers;
 }
 
-double effect_number(const EffectDeclaration& effect, const std::string& parameter, int component) {
+double effect_number(const EffectDeclaration& effect, const std::string& parameter, int component,
+                     const Eigen::Vector3d& base) {
     const EffectParameter& value = effect.parameters.at(parameter);
-    return component < 0 ? std::get<double>(value) : std::get<Eigen::VectorXd>(value)(component);
+    if (component < 0) return std::get<double>(value);
+    const auto& v = std::get<Eigen::VectorXd>(value);
+    return base.isZero(0.0) ? v(component) : direction_angles(base, v)(component);
 }
 
-void set_effect_number(EffectDeclaration& effect, const std::string& parameter, int component, double value) {
+void set_effect_number(EffectDeclaration& effect, const std::string& parameter, int component, double value,
+                       const Eigen::Vector3d& base) {
     EffectParameter& place = effect.parameters.at(parameter);
-    if (component < 0) place = value;
-    else std::get<Eigen::VectorXd>(place)(component) = value;
+    if (component < 0) {
+        place = value;
+        return;
+    }
+    auto& v = std::get<Eigen::VectorXd>(place);
+    if (base.isZero(0.0)) {
+        v(component) = value;
+        return;
+    }
+    Eigen::Vector2d angles = direction_angles(base, v);
+    angles(component) = value;
+    v = direction_at(base, angles);
 }
 
 }  // namespace myo

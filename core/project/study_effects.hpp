@@ -16,16 +16,22 @@ Affected with_effects(const Study& study, std::size_t trial, Model model, const 
 /// Whether an effect changes what is seen alone, and not the motion.
 bool is_seen_only(const EffectDeclaration& effect);
 
-/// Numbers of an effect that a fit may move: a parameter, or a component of one.
+/// Numbers of an effect that a fit may move: a parameter, a component of one, or an angle of a direction.
 struct EffectNumber {
     std::string parameter;
-    int component = -1;            // of a vector; -1: the number itself
-    std::string name;              // "effect.quadratic_drag.coefficient_kg_m3", "effect.point_mass.position_m.x"
+    int component = -1;            // of a vector, or which angle of a direction; -1: the number itself
+    std::string name;  // "effect.quadratic_drag.coefficient_kg_m3", "effect.point_mass.position_m.x",
+                       // "effect.gravity_tilt.axis.turn_1_rad"
     double lower = 0.0, upper = 0.0, scale = 1.0;
     bool over_decades = false;
+    Eigen::Vector3d base =
+        Eigen::Vector3d::Zero();  // of a direction: the one from which the angles are measured; zero for all others
 };
 std::vector<EffectNumber> effect_numbers(const EffectDeclaration& effect);
-double effect_number(const EffectDeclaration& effect, const std::string& parameter, int component);
-void set_effect_number(EffectDeclaration& effect, const std::string& parameter, int component, double value);
+/// @param base  as of EffectNumber
+double effect_number(const EffectDeclaration& effect, const std::string& parameter, int component,
+                     const Eigen::Vector3d& base = Eigen::Vector3d::Zero());
+void set_effect_number(EffectDeclaration& effect, const std::string& parameter, int component, double value,
+                       const Eigen::Vector3d& base = Eigen::Vector3d::Zero());
 
 }  // namespace myo

@@ -38,7 +38,7 @@ struct DroppedBeam {
     }
 
     Affected at(EffectDeclaration effect, const EffectNumber& number, double value) const {
-        set_effect_number(effect, number.parameter, number.component, value);
+        set_effect_number(effect, number.parameter, number.component, value, number.base);
         return test::with_effect(beam, effect.id, effect.parameters);
     }
 
@@ -73,7 +73,7 @@ struct DroppedBeam {
 int compare_numbers(const DroppedBeam& dropped, const EffectDeclaration& effect, double difference, double tolerance, std::vector<double>& errors) {
     int compared = 0;
     for (const EffectNumber& number : effect_numbers(effect)) {
-        const double value = effect_number(effect, number.parameter, number.component);
+        const double value = effect_number(effect, number.parameter, number.component, number.base);
         const double size = number.over_decades ? std::max(std::abs(value), 0.05 * number.scale) : number.scale;
         const MatrixXd exact = dropped.exact(effect, number, value, 1e-4 * size);
         EXPECT_GT(exact.size(), 0) << number.name;
