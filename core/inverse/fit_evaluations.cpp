@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/decompositions.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 
@@ -32,7 +31,10 @@ VectorXd for_each_number(const std::vector<Parameter>& parameters, const VectorX
 }  // namespace
 
 double internal_value(const Parameter& p, double value) { return p.over_decades ? std::log1p(value / p.scale) : value / p.scale; }
-double physical_value(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::expm1(internal) : internal * p.scale; }
+double physical_value(const Parameter& p, double internal) {
+    if (internal == internal_value(p, p.value)) return p.value;
+    return p.over_decades ? p.scale * std::expm1(internal) : internal * p.scale;
+}
 double physical_slope(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::exp(internal) : p.scale; }
 
 VectorXd physical_values(const std::vector<Parameter>& parameters, const VectorXd& internal) { return for_each_number(parameters, internal, physical_value); }
@@ -96,18 +98,14 @@ void set_covariance(const std::vector<Parameter>& parameters, const ResidualEval
     const auto n = static_cast<Index>(parameters.size());
     report.deviations = VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
     report.correlation = MatrixXd::Identity(n, n);
+    report.undetermined.clear();
     if (!end.ok || n == 0) return;
-    VectorXd scale(n);
-    for (Index i = 0; i < n; ++i) scale(i) = parameters[static_cast<std::size_t>(i)].scale;
-    const MatrixXd J = end.jacobian * scale.asDiagonal();
-    const SymmetricEigen eigen = symmetric_eigen(J.transpose() * J);
-    if (eigen.values(0) <= 1e-14 * eigen.values(n - 1)) return;   // a direction the data do not see
     const double freedom = static_cast<double>(std::max<Index>(1, end.residuals.size() - n));
-    const double variance = std::max(1.0, end.residuals.squaredNorm() / freedom);
-    const MatrixXd covariance = variance * eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
-    const VectorXd deviation = covariance.diagonal().cwiseSqrt();
-    report.deviations = deviation.cwiseProduct(scale);
-    report.correlation = deviation.cwiseInverse().asDiagonal() * covariance * deviation.cwiseInverse().asDiagonal();
+    Identifiability found =
+        identifiability(parameters, end.jacobian, std::max(1.0, end.residuals.squaredNorm() / freedom));
+    report.deviations = std::move(found.deviations);
+    report.correlation = std::move(found.correlation);
+    report.undetermined = std::move(found.undetermined);
 }
 
 }  // namespace myo

@@ -5,7 +5,8 @@
 
 namespace myo {
 
-/// The number that a fit moves, in units of what matters, and back; and the derivative of the way back.
+/// The number that a fit moves, in units of what matters, and back, to the last bit at the parameter's own value; and
+/// the derivative of the way back.
 double internal_value(const Parameter& p, double value);
 double physical_value(const Parameter& p, double internal);
 double physical_slope(const Parameter& p, double internal);
@@ -49,7 +50,8 @@ private:
     ResidualEvaluation stopped_{false, "stopped by the user", {}, {}};
 };
 
-/// Sets the report's deviations and correlations from J'J of an evaluation, in units of the parameters' scales to be well conditioned.
+/// Sets the report's deviations, correlations and undetermined parameters from the Jacobian of an evaluation, see
+/// identifiability().
 void set_covariance(const std::vector<Parameter>& parameters, const ResidualEvaluation& end, LeastSquaresReport& report);
 
 }  // namespace myo

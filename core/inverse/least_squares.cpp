@@ -3,6 +3,9 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "inverse/fit_evaluations.hpp"
 
 namespace myo {
@@ -10,29 +13,36 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Ceres asks first for residuals, then, when it accepts the step, for the Jacobian.
+/// Ceres asks first for residuals, then, when it accepts the step, for the Jacobian. The block holds the numbers that
+/// are moved; the others keep their places in `internal`.
 class ResidualBlock final : public ceres::CostFunction {
 public:
-    ResidualBlock(const std::vector<Parameter>& parameters, FitEvaluations& evaluations, int residuals) : parameters_(parameters), evaluations_(evaluations) {
+    ResidualBlock(const std::vector<Parameter>& parameters, const VectorXd& internal,
+                  const std::vector<Eigen::Index>& moved, FitEvaluations& evaluations, int residuals)
+        : parameters_(parameters), internal_(internal), moved_(moved), evaluations_(evaluations) {
         set_num_residuals(residuals);
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(moved.size()));
     }
 
     bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-        const VectorXd internal = Eigen::Map<const VectorXd>(blocks[0], static_cast<Eigen::Index>(parameters_.size()));
+        VectorXd internal = internal_;
+        internal(moved_) = Eigen::Map<const VectorXd>(blocks[0], static_cast<Eigen::Index>(moved_.size()));
         const ResidualEvaluation& evaluation = evaluations_.at(physical_values(parameters_, internal));
         if (!evaluation.ok || evaluation.residuals.size() != num_residuals()) return false;
         std::copy(evaluation.residuals.begin(), evaluation.residuals.end(), residuals);
         if (jacobians != nullptr && jacobians[0] != nullptr) {
             using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-            Eigen::Map<RowMajor>(jacobians[0], evaluation.jacobian.rows(), evaluation.jacobian.cols()) =
-                evaluation.jacobian * physical_slopes(parameters_, internal).asDiagonal();
+            const VectorXd slopes = physical_slopes(parameters_, internal);
+            Eigen::Map<RowMajor>(jacobians[0], evaluation.jacobian.rows(), static_cast<Eigen::Index>(moved_.size())) =
+                evaluation.jacobian(Eigen::all, moved_) * slopes(moved_).asDiagonal();
         }
         return true;
     }
 
 private:
     const std::vector<Parameter>& parameters_;
+    VectorXd internal_;
+    std::vector<Eigen::Index> moved_;
     FitEvaluations& evaluations_;
 };
 
@@ -51,6 +61,47 @@ private:
     const Progress& progress_;
     double relative_decrease_;
 };
+
+ceres::Solver::Options solver_settings(const LeastSquaresOptions& options) {
+    ceres::Solver::Options settings;
+    settings.linear_solver_type = ceres::DENSE_QR;
+    settings.logging_type = ceres::SILENT;
+    settings.max_num_iterations = options.max_evaluations;
+    settings.function_tolerance = options.relative_decrease;
+    settings.parameter_tolerance = options.relative_step;
+    settings.gradient_tolerance = 1e-12;
+    settings.initial_trust_region_radius = 1e4;
+    settings.num_threads = 1;
+    return settings;
+}
+
+/// Moves some of the numbers from where they are; `internal` holds where they ended.
+ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, const std::vector<Eigen::Index>& moved,
+                                    int residuals, const LeastSquaresOptions& options, const Progress& progress,
+                                    FitEvaluations& evaluations, VectorXd& internal) {
+    VectorXd block = internal(moved);
+    ceres::Problem problem;
+    problem.AddResidualBlock(new ResidualBlock(parameters, internal, moved, evaluations, residuals), nullptr,
+                             block.data());
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+        const Parameter& parameter = parameters[static_cast<std::size_t>(moved[k])];
+        if (std::isfinite(parameter.lower))
+            problem.SetParameterLowerBound(block.data(), static_cast<int>(k),
+                                           internal_value(parameter, parameter.lower));
+        if (std::isfinite(parameter.upper))
+            problem.SetParameterUpperBound(block.data(), static_cast<int>(k),
+                                           internal_value(parameter, parameter.upper));
+    }
+    ceres::Solver::Options settings = solver_settings(options);
+    EndFit end(progress, options.relative_decrease);
+    settings.callbacks.push_back(&end);
+    ceres::Solver::Summary summary;
+    FLAGS_minloglevel =
+        google::GLOG_FATAL;  // Ceres prints whole residual vectors where a model could not be run; the report says it
+    ceres::Solve(settings, &problem, &summary);
+    internal(moved) = block;
+    return summary;
+}
 
 }  // namespace
 
@@ -75,32 +126,21 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
         return report;
     }
     report.jacobian = first.jacobian;
-    if (n == 0) {
+    std::vector<Eigen::Index> moved = sufficient_parameters(parameters, first.jacobian, {});
+    if (moved.empty()) {
         report.status = FitStatus::converged;
         return report;
     }
-
-    ceres::Problem problem;
-    problem.AddResidualBlock(new ResidualBlock(parameters, evaluations, static_cast<int>(first.residuals.size())), nullptr, internal.data());
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Parameter& parameter = parameters[i];
-        if (std::isfinite(parameter.lower)) problem.SetParameterLowerBound(internal.data(), static_cast<int>(i), internal_value(parameter, parameter.lower));
-        if (std::isfinite(parameter.upper)) problem.SetParameterUpperBound(internal.data(), static_cast<int>(i), internal_value(parameter, parameter.upper));
-    }
-    ceres::Solver::Options settings;
-    settings.linear_solver_type = ceres::DENSE_QR;
-    settings.logging_type = ceres::SILENT;
-    settings.max_num_iterations = options.max_evaluations;
-    settings.function_tolerance = options.relative_decrease;
-    settings.parameter_tolerance = options.relative_step;
-    settings.gradient_tolerance = 1e-12;
-    settings.initial_trust_region_radius = 1e4;
-    settings.num_threads = 1;
-    EndFit end(progress, options.relative_decrease);
-    settings.callbacks.push_back(&end);
     ceres::Solver::Summary summary;
-    FLAGS_minloglevel = google::GLOG_FATAL;   // Ceres prints whole residual vectors where a model could not be run; the report says it
-    ceres::Solve(settings, &problem, &summary);
+    while (true) {
+        summary = move_numbers(parameters, moved, static_cast<int>(first.residuals.size()), options, progress,
+                               evaluations, internal);
+        // Where others ended, a number that had no influence at the start may have some: the axis of a tilt that was
+        // none.
+        std::vector<Eigen::Index> more = sufficient_parameters(parameters, evaluations.best().jacobian, moved);
+        if (progress.cancelled() || more.size() == moved.size()) break;
+        moved = std::move(more);
+    }
 
     if (progress.cancelled()) {
         report.status = FitStatus::cancelled;

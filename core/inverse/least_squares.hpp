@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "inverse/identifiability.hpp"
 
 namespace myo {
 
@@ -21,6 +22,9 @@ struct Parameter {
     double scale = 1.0;               // a change of this size matters
     /// Of values from 0 over decades: the fit moves ln(1 + value / scale), so that its steps are shares of the value.
     bool over_decades = false;
+
+    /// The bounds are one value: exact, a fit does not move it.
+    bool is_fixed() const { return !(lower < upper); }
 };
 
 /// Residuals r (m) in units of their standard deviation and J = dr/dp (m x n) at p.
@@ -54,8 +58,10 @@ struct LeastSquaresReport {
     std::string message;
     Eigen::VectorXd start;
     Eigen::VectorXd values;           // of the evaluation with the least cost: the first of these, where several are equal
-    Eigen::VectorXd deviations;       // standard deviations; NaN where the data do not determine the parameter
+    Eigen::VectorXd
+        deviations;  // standard deviations; NaN where the data do not determine the parameter, 0 where it is fixed
     Eigen::MatrixXd correlation;      // n x n
+    std::vector<Undetermined> undetermined;   // the parameters without a deviation
     double cost_before = 0.0;
     double cost_after = 0.0;
     Eigen::MatrixXd jacobian;         // m x n at the values, or near them where it was asked for apart
@@ -76,13 +82,19 @@ struct LeastSquaresOptions {
     int most_jacobians = 1000;        // asked for apart; after these secants have to do
 };
 
-/// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per evaluation.
+/// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per
+/// evaluation.
 ///
-/// Cancelled or not converged, it gives the best values so far, with their deviations; status failed means that the model
-/// could not be run at the start. Progress counts evaluations, with the running one as a fraction, at most ten times a second.
+/// Moved are parameters that suffice, see sufficient_parameters(): one without influence on the residuals stays at its
+/// start, and of some that only act together all but one; with errors of derivatives as their only slopes they would go
+/// anywhere. One that acts by itself where the others ended is fitted from there.
 ///
-/// Deviations: (J'J)^-1 at the end, times the residual variance where that exceeds 1 (the model does not explain the data
-/// to their noise, so the noise alone would promise too much).
+/// Cancelled or not converged, it gives the best values so far, with their deviations; status failed means that the
+/// model could not be run at the start. Progress counts evaluations, with the running one as a fraction, at most ten
+/// times a second.
+///
+/// Deviations: (J'J)^-1 at the end, on what the data determine (identifiability()), times the residual variance where
+/// that exceeds 1 (the model does not explain the data to their noise, so the noise alone would promise too much).
 /// Source: Nocedal & Wright 2006, ch. 10; Ceres Solver.
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const LeastSquaresOptions& options = {}, const Progress& progress = {});

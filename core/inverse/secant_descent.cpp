@@ -95,7 +95,11 @@ private:
         const Eigen::HouseholderQR<MatrixXd> qr(J);
         const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
         const VectorXd c = (qr.householderQ().adjoint() * r).head(n);
-        const StepBounds bounds = internal_step_bounds(parameters_, here_.u);
+        StepBounds bounds = internal_step_bounds(parameters_, here_.u);
+        // Errors of derivatives are no reason to go anywhere.
+        const std::vector<bool> flat = without_influence(parameters_, here_.J * slopes().cwiseInverse().asDiagonal());
+        for (Index i = 0; i < n; ++i)
+            if (flat[static_cast<std::size_t>(i)]) bounds.lower(i) = bounds.upper(i) = 0.0;
         // Marquardt's damping: as much as brings the step within the radius.
         MatrixXd A(2 * n, n);
         VectorXd b = VectorXd::Zero(2 * n);

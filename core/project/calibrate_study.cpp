@@ -9,6 +9,7 @@
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "project/predict_trials.hpp"
+#include "project/values_at_bounds.hpp"
 
 namespace myo {
 namespace {
@@ -117,31 +118,38 @@ void set_runs(const Study& study, const StudyValues& declared, const StudyValues
     result.after = scored_run(study, fitted, std::move(after), all);
 }
 
+/// One sentence for each parameter without influence, and one for those that the data determine together only.
+std::vector<std::string> undetermined_sentences(const Calibration& calibration) {
+    std::vector<std::string> sentences;
+    const auto parameter = [&](Eigen::Index i) -> const StudyParameter& {
+        return calibration.parameters[static_cast<std::size_t>(i)];
+    };
+    for (const Undetermined& group : calibration.fit.undetermined) {
+        const Eigen::Index first = group.parameters.front();
+        std::string sentence =
+            parameter(first).parameter.name + ": " + calibration.undetermined_reason(static_cast<std::size_t>(first));
+        if (group.parameters.size() == 1 && calibration.fit.values(first) == calibration.fit.start(first))
+            sentence += ", so it is left at its start, " + format_number(calibration.fit.start(first)) +
+                        (parameter(first).unit.empty() ? "" : " " + parameter(first).unit);
+        sentences.push_back(std::move(sentence));
+    }
+    return sentences;
+}
+
 std::vector<std::string> calibration_warnings(const Study& study, const Calibration& calibration) {
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings = undetermined_sentences(calibration);
     const LeastSquaresReport& fit = calibration.fit;
     const auto name = [&](Eigen::Index i) { return calibration.parameters[static_cast<std::size_t>(i)].parameter.name; };
     for (Eigen::Index i = 0; i < fit.deviations.size(); ++i) {
         const Parameter& parameter = calibration.parameters[static_cast<std::size_t>(i)].parameter;
-        if (!std::isfinite(fit.deviations(i))) warnings.push_back(name(i) + ": the data do not determine it");
-        else if (fit.deviations(i) > 0.5 * (parameter.upper - parameter.lower))
+        if (fit.deviations(i) > 0.5 * (parameter.upper - parameter.lower))
             warnings.push_back(name(i) + ": the data tell less of it than its bounds do (± " + format_number(fit.deviations(i), 2) + ")");
         for (Eigen::Index j = 0; j < i; ++j)
             if (std::abs(fit.correlation(i, j)) > 0.999)
                 warnings.push_back(name(j) + " and " + name(i) + ": these trials cannot tell them apart (correlation " + format_number(fit.correlation(i, j), 6) + ")");
     }
-    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
-        const Parameter& parameter = calibration.parameters[i].parameter;
-        const double value = fit.values(static_cast<Eigen::Index>(i));
-        const double near = 1e-6 * parameter.scale;
-        if (value > parameter.lower + near && value < parameter.upper - near) continue;
-        if (calibration.parameters[i].kind == StudyParameter::Kind::youngs_modulus)
-            warnings.push_back("material.youngs_modulus_Pa: the fit ended at the edge of the declared tolerance of " +
-                               std::to_string(std::lround(100.0 * study.experiment.material.youngs_modulus_tolerance)) +
-                               " %; the model may lack an effect, or material.youngs_modulus_tolerance is too narrow");
-        else
-            warnings.push_back(parameter.name + ": the fit ended at a bound");
-    }
+    for (const ValueAtBound& at : values_at_bounds(calibration))
+        warnings.push_back(bound_sentence(study, calibration, at));
     for (const CalibrationStart& start : calibration.starts)
         if (start.status == FitStatus::converged && start.cost_after > 1.01 * fit.cost_after) {
             warnings.push_back("starts converged to different values: there are several minima, of which the one with the least cost is given");
@@ -176,6 +184,12 @@ int Calibration::evaluations() const {
     return sum;
 }
 
+std::string Calibration::undetermined_reason(std::size_t parameter) const {
+    std::vector<Parameter> plain;
+    for (const StudyParameter& p : parameters) plain.push_back(p.parameter);
+    return myo::undetermined_reason(plain, fit.undetermined, fit.values, static_cast<Eigen::Index>(parameter));
+}
+
 Calibration calibrate_study(const Study& study, const CalibrationSettings& settings, const Progress& progress) {
     const Stopwatch watch;
     Calibration result;
@@ -204,17 +218,24 @@ Calibration calibrate_study(const Study& study, const CalibrationSettings& setti
         return evaluation;
     };
     std::mt19937_64 random(settings.seed);
+    std::vector<bool> unmoved(result.parameters.size(), false);   // by the first start, for they have no influence
     double done = 0.0;
     for (int s = 0; s < settings.starts && (s == 0 || !progress.cancelled()); ++s) {
         std::vector<Parameter> parameters;
         for (const StudyParameter& p : result.parameters) parameters.push_back(p.parameter);
-        for (Parameter& p : parameters) p.value = s == 0 ? given_start(p, settings) : random_start(p, random);
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            const double drawn = s == 0 ? 0.0 : random_start(parameters[i], random);
+            parameters[i].value = s == 0 || unmoved[i] ? given_start(parameters[i], settings) : drawn;
+        }
         const Progress inner = progress.with_sink([&](const ProgressEvent& event) {
             const std::string words = settings.starts > 1 ? "start " + std::to_string(s + 1) + " of " + std::to_string(settings.starts) + "  " : "";
             progress.report({event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
         });
         LeastSquaresReport fit = fit_least_squares(parameters, residuals, {}, inner);
         done += static_cast<double>(fit.history.size());
+        if (s == 0)
+            for (const Undetermined& group : fit.undetermined)
+                if (group.parameters.size() == 1) unmoved[static_cast<std::size_t>(group.parameters.front())] = true;
         result.starts.push_back({fit.status, fit.message, fit.start, fit.values, fit.cost_before, fit.cost_after, fit.history});
         const bool better = fit.usable() && (!result.usable() || fit.cost_after < result.fit.cost_after);
         if (better || s == 0) result.fit = std::move(fit);

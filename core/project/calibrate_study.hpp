@@ -57,11 +57,15 @@ struct Calibration {
     /// The fit trials are there, before and after. A validation trial may be missing: the runs say why.
     bool usable() const { return fit.usable(); }
     int evaluations() const;               // of all starts
+    /// Why the data do not determine a parameter, as a clause, see undetermined_reason(); empty for one that they
+    /// determine.
+    std::string undetermined_reason(std::size_t parameter) const;
 };
 
 /// Fits on the fit trials, then predicts the validation trials with the declared and with the fitted values.
 ///
-/// Random starts lie within the bounds and three scales of the declared values (Parameter::scale; over decades: a factor of seven).
+/// Random starts lie within the bounds and three scales of the declared values (Parameter::scale; over decades: a
+/// factor of seven), except of parameters without influence on the data, which keep the value of the first start.
 /// Cancelled, it runs nothing more and gives the best values so far; unusable when no evaluation was complete.
 Calibration calibrate_study(const Study& study, const CalibrationSettings& settings = {}, const Progress& progress = {});
 

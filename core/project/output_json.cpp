@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "project/predict_trials.hpp"
+#include "project/values_at_bounds.hpp"
 
 namespace myo {
 namespace {
@@ -81,16 +82,24 @@ void add_levels(const Study& study, std::size_t trial, const StudyValues& values
 /// Null where the trial did not complete.
 Json rms_json(const TrialScore* score) { return score != nullptr ? json_number(score->rms_m) : Json(); }
 
+/// `reason` where the data do not determine it, `at_bound` where it ended at one, `direction` of an angle of one: where
+/// it points.
 Json parameters_json(const Calibration& calibration) {
     Json parameters = Json::object();
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const StudyParameter& p = calibration.parameters[i];
         const auto row = static_cast<Eigen::Index>(i);
-        parameters[p.parameter.name] = {{"value", json_number(calibration.fit.values(row))},
-                                        {"std", json_number(calibration.fit.deviations(row))},
-                                        {"start", json_number(calibration.fit.start(row))},
-                                        {"unit", p.unit}};
+        Json& entry = parameters[p.parameter.name];
+        entry = {{"value", json_number(calibration.fit.values(row))},
+                 {"std", json_number(calibration.fit.deviations(row))},
+                 {"start", json_number(calibration.fit.start(row))},
+                 {"unit", p.unit}};
+        if (const std::string reason = calibration.undetermined_reason(i); !reason.empty()) entry["reason"] = reason;
+        if (p.is_angle())
+            entry["direction"] = json_array(vector(calibration.after.values.effects[p.index].parameters, p.of_effect));
     }
+    for (const ValueAtBound& at : values_at_bounds(calibration))
+        parameters[calibration.parameters[at.parameter].parameter.name]["at_bound"] = at.upper ? "upper" : "lower";
     return parameters;
 }
 

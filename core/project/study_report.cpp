@@ -23,10 +23,19 @@ double fitted_frequency(const Study& study, const Calibration& calibration) {
     return 0.0;
 }
 
+/// "± 0.1 kPa", or why there is none.
+std::string deviation_words(const Calibration& calibration, Eigen::Index row, const ReadableEstimate& shown,
+                            const std::string& unit) {
+    const std::string reason = calibration.undetermined_reason(static_cast<std::size_t>(row));
+    if (!reason.empty()) return "not determined: " + reason;
+    return shown.deviation.empty() ? "without a standard deviation" : "± " + shown.deviation + " " + unit;
+}
+
 KeyFigure modulus_figure(const Calibration& calibration, Eigen::Index row) {
     const ReadableEstimate shown = readable_estimate(1e-3 * calibration.fit.values(row), 1e-3 * calibration.fit.deviations(row));
-    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation + " kPa";
-    return {"Young’s modulus", shown.value, "kPa", note + ", declared " + readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
+    return {"Young’s modulus", shown.value, "kPa",
+            deviation_words(calibration, row, shown, "kPa") + ", declared " +
+                readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
 }
 
 /// Describes the damping of the first vibration, which most trials excite.
@@ -38,7 +47,7 @@ double damping_factor_of(const Study& study) {
 KeyFigure damping_figure(const Study& study, const Calibration& calibration, Eigen::Index row) {
     const double damping = calibration.fit.values(row);
     const ReadableEstimate shown = readable_estimate(1e3 * damping, 1e3 * calibration.fit.deviations(row));
-    std::string note = shown.deviation.empty() ? "not determined by the data" : "± " + shown.deviation + " ms";
+    std::string note = deviation_words(calibration, row, shown, "ms");
     if (const double f = fitted_frequency(study, calibration); f > 0.0)
         note += "; damping ratio " +
                 readable_number(damping_ratio(damping_factor_of(study), damping, 2.0 * std::numbers::pi * f), 2) +
@@ -94,6 +103,10 @@ Section parameter_section(const Study& study, const Calibration& calibration) {
     Section section{"Parameters", {parameter_table(study, calibration)}};
     section.blocks.push_back(Paragraph{"± is one standard deviation, from the noise of the markers; where the model leaves more than noise, it is "
                                        "enlarged in proportion. It does not cover what the model leaves out."});
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
+        if (const std::string reason = calibration.undetermined_reason(i); !reason.empty())
+            section.blocks.push_back(Paragraph{readable_parameter(calibration.parameters[i], study).name +
+                                               " is not determined: " + reason + "."});
     if (calibration.starts.size() > 1) section.blocks.push_back(Details{"Starts", {starts_table(study, calibration)}});
     if (calibration.parameters.size() < 2) return section;
     Table correlation{"How errors of the parameters go together: 1 and −1 mean that the data tell them apart badly.", {{""}}, {}};
