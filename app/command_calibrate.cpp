@@ -104,7 +104,10 @@ int calibrate_command(const CalibrateCall& call) {
     if (!opening.study) return opening.status;
     const std::optional<Study>& study = opening.study;
     if (study_parameters(*study, call.parameters).empty())
-        return console.refuse({"material.calibrate is empty and nothing else is unknown; name what to fit with --parameters", call.experiment.string()});
+        return console.refuse(
+            {"nothing is left to fit: material.calibrate names nothing that is not exact, and nothing else is unknown; "
+             "name what to fit with --parameters, or give it a tolerance above 0",
+             call.experiment.string()});
     CalibrationSettings settings{call.parameters, {}, call.starts, call.work.seed.value_or(1)};
     EarlierCalibration earlier;
     if (call.resume) {

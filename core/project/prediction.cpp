@@ -39,8 +39,10 @@ StudyValues declared_values(const Study& study) {
 std::vector<StudyParameter> study_parameters(const Study& study, const std::vector<std::string>& names) {
     std::vector<StudyParameter> list;
     const StudyValues start = declared_values(study);
+    // A half-width of zero declares an exact value: there is nothing to fit.
     const auto add = [&](Kind kind, std::size_t trial, std::size_t index, const std::string& name, double lower, double upper, double scale,
                          const std::string& unit) {
+        if (!(lower < upper)) return;
         StudyParameter entry{kind, trial, index, {name, 0.0, lower, upper, scale}, unit, {}, -1};
         entry.parameter.value = value_of(entry, start);
         list.push_back(std::move(entry));

@@ -160,6 +160,13 @@ void check_trials(Experiment& experiment) {
         experiment.warnings.push_back("material.calibrate: \"actuation_level\" has no effect, no trial has a level \"free\"");
 }
 
+void check_calibrate(Experiment& experiment) {
+    const MaterialDeclaration& material = experiment.material;
+    if (material.youngs_modulus_tolerance == 0.0 && contains(material.calibrate, "youngs_modulus"))
+        experiment.warnings.push_back(
+            "material.youngs_modulus_tolerance: 0 declares the modulus exact, so a fit does not move it");
+}
+
 void check_effects(const Experiment& experiment) {
     const std::vector<std::string> markers = marker_names(experiment);
     std::vector<std::string> trials;
@@ -198,6 +205,7 @@ void check_declarations(Experiment& experiment) {
     check_marker_names(experiment);
     check_rest_pose_fit(experiment);
     check_trials(experiment);
+    check_calibrate(experiment);
     check_effects(experiment);
 }
 

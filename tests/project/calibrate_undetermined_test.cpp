@@ -127,6 +127,37 @@ TEST(CalibrateUndetermined, AnAxisIsTwoAnglesOfWhichTheDataSeeOneCombination) {
     EXPECT_GT(axis.y(), 0.99);
 }
 
+/// A tolerance of 0 is an exact value, in a calibration with and without other parameters.
+TEST(CalibrateExact, AToleranceOfZeroHoldsTheModulus) {
+    const test::Folder folder("exact");
+    std::string toml = replaced(test::swung_beam_toml(), "youngs_modulus_Pa = 2.6e5",
+                                "youngs_modulus_Pa = 2.6e5\nyoungs_modulus_tolerance = 0");
+    toml = replaced(toml, "calibrate = [\"youngs_modulus\"]", "calibrate = [\"youngs_modulus\", \"damping\"]");
+    write_motion(folder, toml, 2.6e5);
+    const Study study = test::study_in(folder);
+    EXPECT_THAT(study.warnings,
+                Contains("material.youngs_modulus_tolerance: 0 declares the modulus exact, so a fit does not move it"));
+    const Calibration found = calibrate_study(study);
+    ASSERT_TRUE(found.fit.converged()) << found.fit.message;
+    ASSERT_EQ(found.parameters.size(), 1u);
+    EXPECT_EQ(found.parameters[0].parameter.name, "damping_s");
+    EXPECT_NEAR(found.fit.values(0), 0.004, 5.0 * found.fit.deviations(0));
+    EXPECT_EQ(found.after.values.youngs_modulus_Pa, 2.6e5);
+    EXPECT_TRUE(study_parameters(study, {"youngs_modulus"}).empty());
+}
+
+/// Limits of a registration are half-widths, too.
+TEST(CalibrateExact, ALimitOfZeroHoldsTheRegistration) {
+    const test::Folder folder("exact");
+    std::string toml = test::swung_beam_toml();
+    toml.insert(toml.find("[markers]"),
+                "[registration]\nknown = false\nmax_translation_m = 0.001\nmax_rotation_deg = 0\n");
+    write_motion(folder, toml, 2.6e5);
+    const Calibration found = calibrate_study(test::study_in(folder));
+    ASSERT_TRUE(found.fit.converged()) << found.fit.message;
+    EXPECT_EQ(found.parameters.size(), 4u);
+}
+
 TEST(ValuesAtBounds, NameTheValueAndTheBound) {
     const test::Folder folder("bound");
     write_motion(folder, test::swung_beam_toml(), 1.5e5);   // below the tolerance of 30 %
