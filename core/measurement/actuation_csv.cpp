@@ -57,6 +57,7 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
             if (column == 0) table.time_s(row) = value;
             else table.values(static_cast<Eigen::Index>(column) - 1, row) = value;
         }
+        table.lines.push_back(line.number);
         if (row > 0 && !(table.time_s(row) > table.time_s(row - 1))) {
             const bool closes = row == rows - 1 && table.time_s(row) < table.time_s(row - 1);
             if (closes && table.values.col(row) == table.values.col(row - 1)) {
@@ -64,6 +65,7 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
                                          " s and repeats the values before it; it is left out");
                 table.time_s.conservativeResize(row);
                 table.values.conservativeResize(Eigen::NoChange, row);
+                table.lines.pop_back();
                 break;
             }
             return Error{"time " + format_number(table.time_s(row), 9) + " s does not ascend from " +

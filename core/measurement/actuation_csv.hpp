@@ -16,6 +16,7 @@ struct ActuationTable {
     Eigen::VectorXd time_s;      // rows, ascending
     Eigen::MatrixXd values;      // muscles x rows, target stretch a (1 = passive)
     std::vector<std::string> warnings;   // for a person, with file and line
+    std::vector<int> lines;      // of the rows in their file; empty for a table that was not read from one
 };
 
 /// Reads `time_s,<muscle>,...`.

@@ -43,6 +43,13 @@ public:
         return (box.size().array() > 0.0).all() && holds_material(box);
     }
 
+    // A body lies in a box that all its vertices lie in.
+    bool lies_in(const Box& box) const {
+        const Box bounds = bounding_box(body_.vertices);
+        return (bounds.lowest.array() >= box.lowest.array() - tolerance_).all() &&
+               (bounds.highest.array() <= box.highest.array() + tolerance_).all();
+    }
+
     bool holds_surface(const Box& box) const {
         double area = 0.0;
         for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t) {
@@ -94,10 +101,15 @@ Result<SurfaceMesh> read_body_surface(const Experiment& experiment) {
     return body;
 }
 
+Error holds_whole_body(const Experiment& experiment) {
+    return declaration_error(experiment, "clamp.box_m", "holds the whole body, nothing can move; its corners are in m");
+}
+
 Result<void> check_on_body(const Experiment& experiment, const SurfaceMesh& body) {
     const BodyCheck check(body);
     if (!check.holds_material(experiment.clamp_box_m))
         return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");
+    if (check.lies_in(experiment.clamp_box_m)) return holds_whole_body(experiment);
     for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
         const auto* box = std::get_if<MuscleBox>(&experiment.muscles[i].part);
         if (box != nullptr && !check.holds_volume(box->box_m))

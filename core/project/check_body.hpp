@@ -12,12 +12,15 @@ namespace myo {
 /// key, at the key's line or the place in the STL.
 Result<SurfaceMesh> read_body_surface(const Experiment& experiment);
 
+/// The error of a clamp that leaves nothing of the body to move.
+Error holds_whole_body(const Experiment& experiment);
+
 /// Clamp, muscles, loads and rest positions against the body.
 ///
 /// @param body  closed and outward, mesh frame
-/// Errors, with key and line: a clamp or muscle box without material, a load box without surface, a rest position farther
-/// than max_standoff_m from the surface. Fixed markers are not on the body and may be anywhere. Muscles painted or along a line are
-/// looked at where they meet a mesh, by muscle_groups().
+/// Errors, with key and line: a clamp or muscle box without material, a clamp box that holds the whole body, a load box
+/// without surface, a rest position farther than max_standoff_m from the surface. Fixed markers are not on the body and
+/// may be anywhere. Muscles painted or along a line are looked at where they meet a mesh, by muscle_groups().
 Result<void> check_on_body(const Experiment& experiment, const SurfaceMesh& body);
 
 }  // namespace myo

@@ -29,7 +29,8 @@ struct OptimizeSettings {
 };
 
 /// The problem of a study's only trial (with_one_trial()): one signal for every muscle that follows none, from t = 0 to the last sample.
-/// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds.
+/// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds,
+/// a lowest one of 0 or below but as published.
 Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings);
 
 /// How one of several starts ended.

@@ -223,6 +223,7 @@ Result<ActuationTable> read_trial_actuation(const Experiment& experiment, const 
         return declaration_error(experiment, key, file + " has a column \"" + column + "\", " + reason);
     }
     table.time_s = recorded->time_s;
+    table.lines = recorded->lines;
     table.values = Eigen::MatrixXd::Ones(muscle_count, recorded->time_s.size());
     for (Eigen::Index i = 0; i < muscle_count; ++i) {
         const std::string& name = muscles[static_cast<std::size_t>(i)].name;

@@ -9,6 +9,7 @@
 #include "material/catalogue.hpp"
 #include "measurement/noise.hpp"
 #include "mesh/region.hpp"
+#include "project/activation_range.hpp"
 #include "project/check_body.hpp"
 #include "project/mesh_suitability.hpp"
 #include "project/muscle_groups.hpp"
@@ -44,9 +45,13 @@ Result<void> add_loads(const Study& study, const TrialDeclaration& trial, Model&
     return {};
 }
 
-Result<void> add_activation(const Experiment& experiment, const TrialDeclaration& declaration, StudyTrial& trial) {
+Result<void> add_activation(const Study& study, const TrialDeclaration& declaration, StudyTrial& trial) {
+    const Experiment& experiment = study.experiment;
     const Result<ActuationTable> table = read_trial_actuation(experiment, declaration);
     if (!table) return table.error();
+    if (!study.settings.as_published)
+        if (const Result<void> positive = check_recorded_activation(experiment, declaration, *table); !positive)
+            return positive.error();
     for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
         Signal signal = Signal::constant(1.0);
         if (table->time_s.size() > 0) {
@@ -74,7 +79,8 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
     trial.role = declaration.role;
     trial.model = model;
     if (const Result<void> loads = add_loads(study, declaration, trial.model); !loads) return loads.error();
-    if (const Result<void> activation = add_activation(experiment, declaration, trial); !activation) return activation.error();
+    if (const Result<void> activation = add_activation(study, declaration, trial); !activation)
+        return activation.error();
 
     Result<TrialRecording> recording = read_trial(experiment, declaration);
     if (!recording) return recording.error();
@@ -139,6 +145,15 @@ void warn_of_mass(const Model& model, std::vector<std::string>& warnings) {
     if (model.mass_model == MassModel::consistent) return;
     const double part = mass_matrix(model).nodal_kg.sum() / (model.density_kg_m3 * model.body->volume_m3);
     warnings.push_back("equal vertex masses: the body weighs " + format_number(100.0 * part, 3) + " % of its mesh's true mass");
+}
+
+/// What the trials' clocks, signals and roles leave to doubt.
+void add_warnings(Study& study) {
+    const auto add = [&](const std::vector<std::string>& sentences) {
+        study.warnings.insert(study.warnings.end(), sentences.begin(), sentences.end());
+    };
+    add(doubtful_frames(study));
+    add(activation_notes(study));
 }
 
 }  // namespace
@@ -208,6 +223,9 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     study.surface = std::move(*surface);
     if (const Result<void> fits = check_on_body(experiment, study.surface); !fits) return fits.error();
 
+    if (!settings.as_published)
+        if (const Result<void> positive = check_declared_activation(experiment); !positive) return positive.error();
+
     const std::string law = settings.material.value_or(experiment.material.model);
     const MaterialPointer material = find_material(law);
     if (!material) return declaration_error(experiment, "material.model", "no material law '" + law + "'");
@@ -222,6 +240,7 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     const std::vector<int> clamped = nodes_in_box(study.mesh.mesh, box_on_mesh(study.mesh, held));
     if (clamped.empty())
         return declaration_error(experiment, "clamp.box_m", "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
+    if (static_cast<Eigen::Index>(clamped.size()) == study.mesh.mesh.node_count()) return holds_whole_body(experiment);
     const bool fine = settings.fine_element || any_varies_within_cells(experiment.effects);
     study.body = make_body(study.mesh.mesh, fine ? fine_element(study.mesh.element) : study.mesh.element, clamped);
 
@@ -259,8 +278,7 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
         if (experiment.muscles.empty() && find_effect(effect.id)->stage == EffectStage::actuation)
             study.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
     set_noise(recordings, study);
-    const std::vector<std::string> doubtful = doubtful_frames(study);
-    study.warnings.insert(study.warnings.end(), doubtful.begin(), doubtful.end());
+    add_warnings(study);
     return study;
 }
 

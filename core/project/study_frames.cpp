@@ -14,6 +14,30 @@
 namespace myo {
 namespace {
 
+/// When the times of a trace are taken to be of another clock than the trial's.
+struct ClockPolicy {
+    double late_intervals =
+        20.0;  // between samples, that a trace begins after t = 0: a camera that was switched on late, or a doubt
+    double most_lead = 10.0;        // times its own length: nobody simulates so much to compare so little
+};
+constexpr ClockPolicy clock_policy;
+
+bool begins_late(const Recording& recording) {
+    return recording.rate_Hz > 0.0 && recording.time_s(0) * recording.rate_Hz > clock_policy.late_intervals;
+}
+
+/// File times that are the trial's must meet it.
+Result<void> check_clock(const Experiment& experiment, const TrialDeclaration& declaration,
+                         const Recording& recording) {
+    const double first = recording.time_s(0), last = recording.time_s(recording.sample_count() - 1);
+    if (last >= 0.0 && !(begins_late(recording) && first > clock_policy.most_lead * (last - first))) return {};
+    return declaration_error(experiment, trial_key(experiment, declaration) + ".start_s",
+                             declaration.trace.filename().string() + " runs from " + format_number(first) + " s to " +
+                                 format_number(last) +
+                                 " s, far from the trial's t = 0: it was recorded by another clock; state start_s, the "
+                                 "time in the file at which the trial starts");
+}
+
 Result<void> find_start(const Experiment& experiment, const TrialDeclaration& declaration, const Recording& recording,
                         StudyTrial& trial) {
     if (declaration.start_s) {
@@ -23,7 +47,7 @@ Result<void> find_start(const Experiment& experiment, const TrialDeclaration& de
     }
     if (!is_foreign_recording(experiment, declaration)) {
         trial.start_message = "t = 0 is the file's";
-        return {};
+        return check_clock(experiment, declaration, recording);
     }
     std::vector<std::string> body_markers;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) body_markers.push_back(marker.name);
@@ -104,13 +128,14 @@ Result<void> place_recording(const Experiment& experiment, const TrialDeclaratio
 }
 
 std::vector<std::string> doubtful_frames(const Study& study) {
-    constexpr double late_intervals = 20.0, far_of_body = 0.03;
+    constexpr double far_of_body = 0.03;
     std::vector<std::string> warnings;
     const Box body = bounding_box(study.surface.vertices);
     for (const StudyTrial& trial : study.trials) {
-        const double first = trial.measured.time_s(0), rate = trial.measured.rate_Hz;
-        if (rate > 0.0 && first * rate > late_intervals)
-            warnings.push_back("trial " + trial.name + ": its trace begins " + format_number(first, 4) + " s after the start, t = 0; if its clock began elsewhere, state start_s");
+        if (begins_late(trial.measured))
+            warnings.push_back("trial " + trial.name + ": its trace begins " +
+                               format_number(trial.measured.time_s(0), 4) +
+                               " s after the start, t = 0; if its clock began elsewhere, state start_s");
         if (trial.registration_rms_m && *trial.registration_rms_m > far_of_body * (body.highest - body.lowest).maxCoeff())
             warnings.push_back("trial " + trial.name + ": before its start the markers are " + format_number(1e3 * *trial.registration_rms_m, 3) +
                                " mm rms from their declared rest positions: was the body at rest, and was the right marker meant by each name?");

@@ -10,11 +10,12 @@ namespace myo {
 /// samples from before the start. Otherwise file time and trial time are the same.
 bool is_foreign_recording(const Experiment& experiment, const TrialDeclaration& declaration);
 
-/// Puts a trial's recording into the mesh frame and the trial's time: fills measured, first_sample, start_s, start_found,
-/// reference_m, registration_rms_m, occluded_fraction.
+/// Puts a trial's recording into the mesh frame and the trial's time: fills measured, first_sample, start_s,
+/// start_found, reference_m, registration_rms_m, occluded_fraction.
 ///
 /// recording: declared markers on the body first, then the fixed ones; camera frame, file time.
-/// Errors: no start to be found, no rest pose before it, no rigid fit; nothing left between start_s and end_s.
+/// Errors: file times far from t = 0 where they are to be the trial's, no start to be found, no rest pose before it, no
+/// rigid fit; nothing left between start_s and end_s.
 Result<void> place_recording(const Experiment& experiment, const TrialDeclaration& declaration, const Recording& recording,
                              StudyTrial& trial);
 

@@ -146,6 +146,7 @@ TEST(Optimize, BadCallsAreTurnedDownInOneSentence) {
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--frequency", "-1"}, "--frequency"},
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--smoothness", "-1"}, "--smoothness"},
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--lowest", "2", "--highest", "1"}, "--lowest"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--lowest", "0"}, "--lowest"},
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--resume"}, "nothing to resume"},
         {{"gradcheck", folder.str("muscled"), "--trial", "wawe"}, "did you mean 'wave'"},
         {{"gradcheck", folder.str("nowhere")}, "nowhere"},

@@ -234,6 +234,20 @@ TEST(Simulate, BrokenInputIsOneSentenceWithItsPlace) {
     EXPECT_THAT(run.err, HasSubstr("experiment.toml:"));
 }
 
+/// A clamp in mm holds the whole body: every command that runs it says so, none dies.
+TEST(Simulate, AClampThatHoldsTheWholeBodyIsRefused) {
+    const Folder folder("held");
+    write_small_experiment(folder);
+    const std::vector<std::string> held{"--set", "clamp.box_m=[[-1,-1,-1],[1,21,21]]"};
+    for (const char* command : {"simulate", "calibrate", "diagnose"}) {
+        const ProgramRun run = run_program(call({command, folder.str("exp"), "--out", folder.str("out")}, held));
+        EXPECT_EQ(run.status, 2) << command;
+        EXPECT_EQ(count_lines(run.err), 1) << run.err;
+        EXPECT_THAT(run.err, HasSubstr("clamp.box_m: holds the whole body, nothing can move"));
+    }
+    EXPECT_EQ(run_program(call({"gradcheck", folder.str("exp")}, held)).status, 2);
+}
+
 TEST(Simulate, CtrlCStopsAtOnceAndKeepsNothingHalf) {
     const Folder folder("interrupt");
     write_small_experiment(folder, 20.0);

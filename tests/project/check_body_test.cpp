@@ -54,6 +54,7 @@ TEST_F(CheckBody, AGoodStlIsReadInMetres) {
 TEST_F(CheckBody, DeclarationsThatMissTheBodySaySo) {
     struct Case { const char* key; const char* value; const char* word; };
     for (const Case& c : {Case{"clamp.box_m", "[[-0.02,0,0],[-0.01,1,1]]", "no material"},
+                          Case{"clamp.box_m", "[[0,0,0],[0.1,0.03,0.03]]", "holds the whole body, nothing can move"},
                           Case{"muscle[0].box_m", "[[0.2,0,0],[0.3,1,1]]", "no material"},
                           Case{"muscle[0].box_m", "[[0.1,0,0],[0.2,0.03,0.03]]", "no material"},       // touches the tip face
                           Case{"muscle[0].box_m", "[[0.05,0,0],[0.05,0.03,0.03]]", "no material"},     // flat

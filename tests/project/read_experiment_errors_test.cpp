@@ -84,6 +84,8 @@ const std::vector<Mutation> mutations = {
      "clamp.box_m: ", "z 0.04 > 0.031"},
     {"[[-5e-4, -1e-3, -1e-3], [5e-4, 0.031, 0.031]]", "[[-2, -1, -1], [-1, 1, 1]]", "box_m",
      "clamp.box_m: ", "no material"},
+    {"[[-5e-4, -1e-3, -1e-3], [5e-4, 0.031, 0.031]]", "[[-1, -1, -1], [1, 31, 31]]", "box_m",
+     "clamp.box_m: ", "holds the whole body, nothing can move"},
     {"[[-5e-4, -1e-3, -1e-3], [5e-4, 0.031, 0.031]]", "[-5e-4, -1e-3]", "box_m", "clamp.box_m: ", "array of 3 numbers"},
     {"[[-5e-4, -1e-3, -1e-3], [5e-4, 0.031, 0.031]]", "[[-5e-4, -1e-3, -1e-3]]", "box_m",
      "clamp.box_m: ", "two corners"},

@@ -64,6 +64,32 @@ TEST(StudyWarnings, TellOfAClockThatBeganElsewhere) {
     EXPECT_THAT(said[0], HasSubstr("trial swing: its trace begins 5 s after the start"));
 }
 
+/// Times that nobody would simulate up to are those of another clock; so are times that all lie before the start.
+TEST(StudyWarnings, RefuseATraceOfAnotherClock) {
+    const test::Folder folder("study_warnings");
+    test::swung_beam(folder, 0.1);
+    for (const char* rows : {"1000.00", "1700000000.00", "-5.00"}) {
+        const double first = std::stod(rows);
+        std::string text = "time_s";
+        for (const char* name : {"tip_left", "tip_right", "tip_low", "middle"})
+            for (const char axis : {'x', 'y', 'z'}) text += std::string(",") + name + "_" + axis + "_m";
+        for (int k = 0; k < 60; ++k) {
+            char number[128];
+            std::snprintf(number, sizeof number, "\n%.2f,0.1,0,0.03,0.1,0.03,0.03,0.1,0.015,0,0.05,0.015,0.03",
+                          first + 0.01 * k);
+            text += number;
+        }
+        folder.write("swing.csv", text + "\n");
+        StudySettings settings;
+        settings.mesh.resolution_m = 0.015;
+        const Result<Study> study = prepare_study(*read_experiment(folder.path()), settings);
+        ASSERT_FALSE(study) << rows;
+        EXPECT_THAT(study.error().what, testing::StartsWith("trial[0].start_s: swing.csv runs from "));
+        EXPECT_THAT(study.error().what, HasSubstr("state start_s, the time in the file at which the trial starts"));
+        EXPECT_THAT(study.error().where, HasSubstr("experiment.toml:"));
+    }
+}
+
 TEST(StudyWarnings, TellOfMarkersThatAreNotWhereTheyWereDeclared) {
     const std::string rest_pose = declared_with("[registration]\nknown = false\nmethod = \"rest_pose\"\n");
     EXPECT_TRUE(said_of(6, 0.0, 0.0, rest_pose).empty());
