@@ -15,6 +15,8 @@
 #include "project/muscle_groups.hpp"
 #include "project/read_experiment.hpp"
 #include "project/read_trial.hpp"
+#include "project/shared_recordings.hpp"
+#include "project/signal_span.hpp"
 #include "project/study_frames.hpp"
 
 namespace myo {
@@ -154,6 +156,10 @@ void add_warnings(Study& study) {
     };
     add(doubtful_frames(study));
     add(activation_notes(study));
+    for (const MissedSignal& missed : missed_signals(study))
+        study.warnings.push_back(missed_signal_sentence(study, missed));
+    for (const SharedRecording& shared : shared_recordings(study.experiment))
+        study.warnings.push_back(shared_recording_sentence(study.experiment, shared));
 }
 
 }  // namespace
