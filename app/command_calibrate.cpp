@@ -77,9 +77,6 @@ Result<void> write_results(const CalibrateCall& call, const Study& study, const 
     return write_json(call.out / "calibrate.json", calibrate_json(study, calibration, facts));
 }
 
-const char* const try_words =
-    "; a smaller --dt, another mesh (--element, --resolution) or a start nearer the truth (--set material.youngs_modulus_Pa=...) may help";
-
 /// What is written is said to be only a part, when it is.
 int end_status(const CalibrateCall& call, const Calibration& calibration, Console& console) {
     const std::string restart = " written to " + call.out.string() + ", --resume goes on from them";
@@ -93,7 +90,7 @@ int end_status(const CalibrateCall& call, const Calibration& calibration, Consol
         return status_failed;
     }
     if (calibration.after.ok()) return status_done;
-    console.complain("the fit converged, but with its values " + calibration.after.failure + try_words);
+    console.complain("the fit converged, but with its values " + with_options(calibration.after.failure));
     return status_failed;
 }
 
@@ -124,7 +121,8 @@ int calibrate_command(const CalibrateCall& call) {
     calibration.earlier_evaluations = earlier.evaluations;
     if (!calibration.usable()) {
         if (calibration.stopped) return stopped_before(first_evaluation, console);
-        console.complain("the fit failed: " + calibration.fit.message + try_words);
+        console.complain("the fit failed: " + with_options(calibration.fit.message) +
+                         "; a start nearer the truth (--set material.youngs_modulus_Pa=...) may help");
         return status_failed;
     }
     for (const std::string& warning : calibration.warnings) console.warn(warning);

@@ -86,7 +86,7 @@ int simulate_command(const SimulateCall& call) {
         return status_stopped;
     }
     if (!run.ok()) {
-        console.complain(run.failure + " (--dt), another mesh (--element, --resolution) or another --integrator; " + kept);
+        console.complain(with_options(run.failure) + "; " + kept);
         return status_failed;
     }
     console.print("\n" + format_number(run.seconds, 3) + " s; written to " + call.out.string());

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "dynamics/run_advice.hpp"
 #include "exit_status.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/quality.hpp"
@@ -113,6 +114,12 @@ RunFacts run_facts(const StudyCall& call, double setup_s) {
 std::string assumed_damping(const Study& study) {
     if (study.experiment.material.damping_s) return {};
     return "material.damping_s is not declared; " + format_number(1e3 * study.trials.front().model.damping_s, 4) + " ms is assumed";
+}
+
+std::string with_options(const std::string& failure) {
+    return failure.ends_with(smaller_step_advice)
+               ? failure + " (--dt), another mesh (--element, --resolution) or another --integrator"
+               : failure;
 }
 
 std::string in_millimetres(double metres) {

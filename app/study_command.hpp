@@ -56,4 +56,7 @@ std::string assumed_damping(const Study& study);
 /// "  0.312" for 3.12e-4 m; "-" when there is no number.
 std::string in_millimetres(double metres);
 
+/// Why a run failed; where a smaller step may help, with the options that choose it and what else may help there.
+std::string with_options(const std::string& failure);
+
 }  // namespace myo

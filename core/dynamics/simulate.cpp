@@ -8,6 +8,7 @@
 #include "dynamics/creep.hpp"
 #include "dynamics/energy.hpp"
 #include "dynamics/extrapolation.hpp"
+#include "dynamics/run_advice.hpp"
 #include "dynamics/softening.hpp"
 #include "dynamics/start_state.hpp"
 #include "dynamics/step_grid.hpp"
@@ -19,7 +20,8 @@ namespace {
 using Eigen::Matrix3Xd;
 
 std::string where_it_failed(double t, double h, const std::string& reason) {
-    return "at t = " + std::to_string(t) + " s (h = " + std::to_string(h) + " s) " + reason + "; try a smaller step";
+    return "at t = " + std::to_string(t) + " s (h = " + std::to_string(h) + " s) " + reason + "; " +
+           smaller_step_advice;
 }
 
 /// Steps are halved until they are this part of what they were.

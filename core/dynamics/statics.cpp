@@ -1,10 +1,12 @@
 #include "dynamics/statics.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include "base/text.hpp"
 #include "dynamics/softening.hpp"
 #include "dynamics/undeformed.hpp"
+#include "material/moduli.hpp"
 
 namespace myo {
 
@@ -18,6 +20,22 @@ Stage static_stage(const Body& body, double time_s) {
 }
 
 namespace {
+
+/// "E = 260000 Pa", of the first cell.
+std::string modulus_words(const Model& model) {
+    return "E = " + format_number(young_from_moduli(model.moduli.front()).youngs_modulus_Pa, 3) + " Pa";
+}
+
+/// What was sought, how far it got, and what helps.
+std::string failure_words(const StageSolver& solver, const StageReport& report) {
+    std::string text = "no equilibrium was found under gravity, the loads and the activations at the start: after " +
+                       std::to_string(report.newton_iterations) + " iterations ";
+    text += std::isfinite(report.residual)
+                ? "the forces that are left over are " + format_number(report.residual, 2) + " times those on the body"
+                : "the forces on the body are not finite, for it is torn or turned inside out";
+    return text + ". Check the units of the modulus (" + modulus_words(solver.model()) +
+           "), of density, gravity and loads; smaller loads or a finer mesh may help";
+}
 
 /// With the stiffness that the solver has.
 StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
@@ -41,7 +59,7 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
         x = undeformed_near(*solver.model().body, start);
         report = solver.solve(static_stage(*solver.model().body, time_s), x);
     }
-    if (!report.ok()) report.message = "no equilibrium was found: " + report.message;
+    if (!report.ok()) report.message = failure_words(solver, report);
     return report;
 }
 
@@ -75,7 +93,10 @@ StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3
         if (change < 1e-6) return report;
     }
     report.status = SolveStatus::not_converged;
-    report.message = "no equilibrium was found: the softening still changes by " + format_number(change, 2);
+    report.message =
+        "no equilibrium was found under gravity, the loads and the activations at the start: the softening of the "
+        "cells still changes by " +
+        format_number(change, 2) + " after 200 iterations; smaller loads may help";
     return report;
 }
 

@@ -248,6 +248,23 @@ TEST(Simulate, AClampThatHoldsTheWholeBodyIsRefused) {
     EXPECT_EQ(run_program(call({"gradcheck", folder.str("exp")}, held)).status, 2);
 }
 
+/// Whole sentences, and no advice on steps and integrators to a problem of statics.
+TEST(Simulate, SaysWhatHelpsWhereThereIsNoEquilibrium) {
+    const Folder folder("no_equilibrium");
+    write_small_experiment(folder);
+    const std::vector<std::string> soft{"--resolution", "0.01",
+                                        "--set",        "material.youngs_modulus_Pa=1",
+                                        "--set",        "trial[0].start=equilibrium"};
+    const ProgramRun run =
+        run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--trial", "drop"}, soft));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.err,
+                HasSubstr("no equilibrium was found under gravity, the loads and the activations at the start"));
+    EXPECT_THAT(run.err, HasSubstr("(E = 1 Pa)"));
+    for (const char* words : {"--dt", "--integrator", "smaller step"})
+        EXPECT_EQ(run.err.find(words), std::string::npos) << run.err;
+}
+
 TEST(Simulate, CtrlCStopsAtOnceAndKeepsNothingHalf) {
     const Folder folder("interrupt");
     write_small_experiment(folder, 20.0);

@@ -110,6 +110,22 @@ TEST(Run, SaysClearlyWhenItDoesNotConverge) {
     EXPECT_TRUE(x.allFinite());
 }
 
+/// What was sought, how far it got, and what helps a problem of statics: no step, no integrator.
+TEST(Run, SaysWhatHelpsWhereThereIsNoEquilibrium) {
+    test::BeamSpec spec = hanging_beam("hex8");
+    spec.youngs_modulus_Pa = 1.0;
+    SimulationOptions options = options_for(Integrator::tr_bdf2, 0.005, 2);
+    options.start = StartKind::equilibrium;
+    const Trace trace = simulate(test::make_beam(spec), options);
+    ASSERT_EQ(trace.status, RunStatus::failed);
+    for (const char* words :
+         {"no equilibrium was found under gravity, the loads and the activations at the start: after ",
+          "Check the units of the modulus (E = 1 Pa)", "smaller loads or a finer mesh may help"})
+        EXPECT_NE(trace.message.find(words), std::string::npos) << trace.message;
+    for (const char* words : {"step", "integrator", "did not converge"})
+        EXPECT_EQ(trace.message.find(words), std::string::npos) << trace.message;
+}
+
 TEST(Run, IsIdenticalWhenRepeated) {
     test::BeamSpec spec = hanging_beam("hex8");
     spec.damping_s = 0.002;
