@@ -16,11 +16,14 @@ namespace {
 
 /// When the times of a trace are taken to be of another clock than the trial's.
 struct ClockPolicy {
-    double late_intervals =
-        20.0;  // between samples, that a trace begins after t = 0: a camera that was switched on late, or a doubt
-    double most_lead = 10.0;        // times its own length: nobody simulates so much to compare so little
+    /// Between samples, that a trace begins after t = 0, from which on it is doubted: a camera may have been switched on late.
+    double late_intervals = 20.0;
+    double most_lead = 10.0;   // times its own length: nobody simulates so much to compare so little
 };
 constexpr ClockPolicy clock_policy;
+
+/// Of Unix times, ten digits are seconds.
+constexpr int clock_digits = 12;
 
 bool begins_late(const Recording& recording) {
     return recording.rate_Hz > 0.0 && recording.time_s(0) * recording.rate_Hz > clock_policy.late_intervals;
@@ -32,8 +35,8 @@ Result<void> check_clock(const Experiment& experiment, const TrialDeclaration& d
     const double first = recording.time_s(0), last = recording.time_s(recording.sample_count() - 1);
     if (last >= 0.0 && !(begins_late(recording) && first > clock_policy.most_lead * (last - first))) return {};
     return declaration_error(experiment, trial_key(experiment, declaration) + ".start_s",
-                             declaration.trace.filename().string() + " runs from " + format_number(first) + " s to " +
-                                 format_number(last) +
+                             declaration.trace.filename().string() + " runs from " +
+                                 format_number(first, clock_digits) + " s to " + format_number(last, clock_digits) +
                                  " s, far from the trial's t = 0: it was recorded by another clock; state start_s, the "
                                  "time in the file at which the trial starts");
 }

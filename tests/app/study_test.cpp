@@ -304,6 +304,16 @@ TEST(Calibrate, WritesEveryKeyOfTheContractAndAPage) {
     expect_clean(folder);
 }
 
+TEST(Calibrate, RefusesToFitOnlyWhatIsExact) {
+    const Folder folder("calibrate_exact");
+    write_small_experiment(folder, 0.3);
+    const ProgramRun run =
+        run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--parameters", "youngs_modulus"},
+                         {"--set", "material.youngs_modulus_tolerance=0"}));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.err, HasSubstr("nothing is left to fit"));
+}
+
 TEST(Calibrate, LogsEveryEvaluationAndResumeGoesOnFromTheLast) {
     const Folder folder("calibrate_resume");
     write_small_experiment(folder, 0.3);

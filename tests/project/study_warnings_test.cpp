@@ -86,7 +86,8 @@ TEST(StudyWarnings, RefuseATraceOfAnotherClock) {
         settings.mesh.resolution_m = 0.015;
         const Result<Study> study = prepare_study(*read_experiment(folder.path()), settings);
         ASSERT_FALSE(study) << rows;
-        EXPECT_THAT(study.error().what, testing::StartsWith("trial[0].start_s: swing.csv runs from "));
+        EXPECT_THAT(study.error().what, testing::StartsWith("trial[0].start_s: swing.csv runs from " +
+                                                            std::to_string(std::lround(first)) + " s to "));
         EXPECT_THAT(study.error().what, HasSubstr("state start_s, the time in the file at which the trial starts"));
         EXPECT_THAT(study.error().where, HasSubstr("experiment.toml:"));
     }
