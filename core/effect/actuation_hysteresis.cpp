@@ -25,7 +25,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
     };
     respond_to_signals(
         acts,
-        [=](const std::vector<double>& u, double) {
+        [=](const std::vector<double>&, const std::vector<double>& u) {
             double z = moved(0.0, u.front());
             std::vector<double> x{(1.0 - h) * u.front() + h * z};
             for (std::size_t k = 1; k < u.size(); ++k) {

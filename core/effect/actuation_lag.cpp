@@ -8,17 +8,19 @@ namespace {
 
 constexpr const char* tau_s = "time_constant_s";
 
-/// tau x' = u - x, exact for u linear between samples.
+/// tau x' = u - x, exact for u linear between samples and across its jumps, where x bends.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     if (!(tau > 0.0)) return;
     respond_to_signals(
         moves,
-        [tau](const std::vector<double>& u, double h) {
-            const double decay = std::exp(-h / tau), ramp = tau * (1.0 - decay) / h;
+        [tau](const std::vector<double>& times, const std::vector<double>& u) {
             std::vector<double> x{u.front()};
-            for (std::size_t k = 1; k < u.size(); ++k)
+            for (std::size_t k = 1; k < u.size(); ++k) {
+                const double h = times[k] - times[k - 1];
+                const double decay = std::exp(-h / tau), ramp = h > 0.0 ? tau * (1.0 - decay) / h : 1.0;
                 x.push_back(decay * x.back() + (1.0 - ramp) * u[k] + (ramp - decay) * u[k - 1]);
+            }
             return x;
         },
         affected);

@@ -8,17 +8,19 @@ namespace {
 
 constexpr const char* tau_s = "time_constant_s";
 
-/// x' = u' - x / tau, x(0) = u(0), exact for u linear between samples. What was held before the start has not bled off:
-/// the trial begins as it is declared, and bleeding begins at t = 0, of a constant signal too.
+/// x' = u' - x / tau, x(0) = u(0), exact for u linear between samples; it jumps as u does. What was held before the
+/// start has not bled off: the trial begins as it is declared, and bleeding begins at t = 0, of a constant signal too.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     respond_to_signals(
         acts,
-        [tau](const std::vector<double>& u, double h) {
-            const double decay = std::exp(-h / tau);
+        [tau](const std::vector<double>& times, const std::vector<double>& u) {
             std::vector<double> x{u.front()};
-            for (std::size_t k = 1; k < u.size(); ++k)
-                x.push_back(decay * x.back() + (u[k] - u[k - 1]) * tau / h * (1.0 - decay));
+            for (std::size_t k = 1; k < u.size(); ++k) {
+                const double h = times[k] - times[k - 1];
+                const double decay = std::exp(-h / tau), kept = h > 0.0 ? tau / h * (1.0 - decay) : 1.0;
+                x.push_back(decay * x.back() + (u[k] - u[k - 1]) * kept);
+            }
             return x;
         },
         affected);

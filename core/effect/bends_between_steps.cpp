@@ -29,11 +29,53 @@ private:
     std::vector<double> at_knots_;
 };
 
+/// Means and their second difference reach so many steps to each side.
+constexpr double reach = 1.5;
+
+struct Jump {
+    double time_s = 0.0, change = 0.0;
+};
+
+/// Jumps before `until_s`, and the signal without them.
+std::vector<Jump> take_jumps(Signal& signal, double until_s) {
+    std::vector<Jump> jumps;
+    double taken = 0.0;
+    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
+        const bool jumps_here = k > 0 && signal.times_s[k] == signal.times_s[k - 1] && signal.times_s[k] < until_s;
+        const double change = jumps_here ? signal.values[k] - taken - signal.values[k - 1] : 0.0;
+        if (change != 0.0) jumps.push_back({signal.times_s[k], change});
+        taken += change;
+        signal.values[k] -= taken;
+    }
+    return jumps;
+}
+
+Signal with_jump(const Signal& signal, const Jump& jump) {
+    Signal result{{}, {}};
+    const auto add = [&](double t, double value) {
+        result.times_s.push_back(t);
+        result.values.push_back(value);
+    };
+    std::size_t k = 0;
+    for (; k < signal.times_s.size() && signal.times_s[k] < jump.time_s; ++k) add(signal.times_s[k], signal.values[k]);
+    add(jump.time_s, signal.value_before(jump.time_s));
+    for (add(jump.time_s, signal.value(jump.time_s) + jump.change); k < signal.times_s.size(); ++k)
+        if (signal.times_s[k] > jump.time_s) add(signal.times_s[k], signal.values[k] + jump.change);
+    return result;
+}
+
+bool is_constant(const Signal& signal) {
+    return std::all_of(signal.values.begin(), signal.values.end(),
+                       [&](double value) { return value == signal.values.front(); });
+}
+
 }  // namespace
 
 Signal with_bends_between_steps(const Signal& signal, double h_s, double end_s) {
-    if (!signal.jumps().empty()) return signal;
-    const Integral integral(signal);
+    Signal rest = signal;
+    const std::vector<Jump> kept = take_jumps(rest, reach * h_s);
+    if (is_constant(rest)) return signal;
+    const Integral integral(rest);
     const auto mean = [&](double t) { return (integral.to(t + 0.5 * h_s) - integral.to(t - 0.5 * h_s)) / h_s; };
     const auto count = static_cast<std::size_t>(std::ceil(4.0 * end_s / h_s)) + 2;
     Signal result{{}, {}};
@@ -42,7 +84,8 @@ Signal with_bends_between_steps(const Signal& signal, double h_s, double end_s) 
         result.times_s.push_back(t);
         result.values.push_back(around - sharpening * (mean(t + h_s) - 2.0 * around + mean(t - h_s)));
     }
-    result.values.front() = signal.value_before(0.0);   // the body starts under what stood before
+    result.values.front() = rest.value_before(0.0);   // the body starts under what stood before
+    for (const Jump& jump : kept) result = with_jump(result, jump);
     return result;
 }
 

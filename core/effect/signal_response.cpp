@@ -13,21 +13,42 @@ bool acts(const Signal& signal) {
     return std::any_of(signal.values.begin(), signal.values.end(), [](double value) { return value != 1.0; });
 }
 
+namespace {
+
+/// The signal at multiples of `spacing` and on both sides of its jumps.
+Signal sampled(const Signal& signal, double spacing, double end_s) {
+    const auto count = static_cast<std::size_t>(std::ceil(end_s / spacing)) + 2;
+    std::vector<double> jumps = signal.jumps();
+    std::erase_if(jumps, [&](double t) { return t < 0.0 || t >= static_cast<double>(count - 1) * spacing; });
+    jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
+    // What stood before the start has been so for ever.
+    Signal samples{{0.0}, {signal.value_before(0.0)}};
+    const auto add = [&](double t, double value) {
+        samples.times_s.push_back(t);
+        samples.values.push_back(value);
+    };
+    auto jump = jumps.begin();
+    for (std::size_t k = 0; k < count; ++k) {
+        const double t = static_cast<double>(k) * spacing;
+        for (; jump != jumps.end() && *jump <= t; ++jump) {
+            if (*jump > 0.0) add(*jump, signal.value_before(*jump));
+            add(*jump, signal.value(*jump));
+        }
+        if (t > samples.times_s.back()) add(t, signal.value(t));
+    }
+    return samples;
+}
+
+}  // namespace
+
 void respond_to_signals(SignalKind kind, const Response& respond, Affected& affected) {
-    const double h = 0.25 * affected.options.h_s;
-    const auto count = static_cast<std::size_t>(std::ceil(affected.options.end_s / h)) + 2;
     for (Signal& signal : affected.model.activation) {
         if (!kind(signal)) continue;
-        std::vector<double> times, u;
-        for (std::size_t k = 0; k < count; ++k) {
-            times.push_back(static_cast<double>(k) * h);
-            u.push_back(signal.value(times.back()) - 1.0);
-        }
-        // What stood before the start has been so for ever; a jump at t = 0 is the start's.
-        u.front() = signal.value_before(0.0) - 1.0;
-        std::vector<double> values = respond(u, h);
-        for (double& value : values) value += 1.0;
-        signal = {std::move(times), std::move(values)};
+        Signal samples = sampled(signal, 0.25 * affected.options.h_s, affected.options.end_s);
+        for (double& value : samples.values) value -= 1.0;
+        signal.values = respond(samples.times_s, samples.values);
+        for (double& value : signal.values) value += 1.0;
+        signal.times_s = std::move(samples.times_s);
     }
 }
 

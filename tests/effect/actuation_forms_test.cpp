@@ -28,8 +28,8 @@ TEST(EffectForms, ActuatorsAnswerAStepAsTheirEquationsSay) {
         EXPECT_NEAR(signal_at(test::with_effect(beam, "actuation_leak", {{"time_constant_s", 0.04}}), t),
                     -0.2 * std::exp(-t / 0.04), 0.02 * 0.2)
             << t;
-        EXPECT_EQ(signal_at(test::with_effect(beam, "actuation_delay", {{"delay_s", 0.03}}), t),
-                  t < 0.03 ? 0.0 : 0.8 - 1.0)
+        EXPECT_NEAR(signal_at(test::with_effect(beam, "actuation_delay", {{"delay_s", 0.03}}), t),
+                    t < 0.03 ? 0.0 : 0.8 - 1.0, 1e-12)
             << t;
         EXPECT_NEAR(signal_at(test::with_effect(beam, "actuation_gain", {{"relative_change", 0.5}}), t), -0.3, 1e-12)
             << t;
@@ -38,6 +38,49 @@ TEST(EffectForms, ActuatorsAnswerAStepAsTheirEquationsSay) {
                     -0.5 * 0.2 - 0.5 * 0.1 * (1.0 - std::exp(-2.0)), 1e-9)
             << t;
     }
+}
+
+/// A switch between two samples of the response, at 0.0123 s: the equations hold from there on, to rounding.
+TEST(EffectForms, ActuatorsAnswerASwitchInTheMiddleOfAStep) {
+    const double at = 0.0123;
+    const test::HeldBeam beam = actuated({{0.0, at, at, 0.1}, {1.0, 1.0, 0.8, 0.8}});
+    const Affected lag = test::with_effect(beam, "actuation_lag", {{"time_constant_s", 0.04}});
+    const Affected leak = test::with_effect(beam, "actuation_leak", {{"time_constant_s", 0.04}});
+    const Affected play = test::with_effect(beam, "actuation_hysteresis", {{"fraction", 0.5}, {"width", 0.1}});
+    const double played = -0.5 * 0.2 - 0.5 * 0.1 * (1.0 - std::exp(-2.0));
+    for (const double t :
+         {0.0, 0.01, at, 0.0125, 0.02, 0.1}) {   // the response is linear between its samples: at these
+        EXPECT_NEAR(signal_at(lag, t), t < at ? 0.0 : -0.2 * (1.0 - std::exp(-(t - at) / 0.04)), 1e-12) << t;
+        EXPECT_NEAR(signal_at(leak, t), t < at ? 0.0 : -0.2 * std::exp(-(t - at) / 0.04), 1e-12) << t;
+        EXPECT_NEAR(signal_at(play, t), t < at ? 0.0 : played, 1e-12) << t;
+    }
+    for (const Affected& affected : {lag, leak, play}) {
+        EXPECT_EQ(affected.model.activation.front().jumps(), std::vector<double>{at});
+        EXPECT_EQ(affected.model.activation.front().value_before(at), 1.0);
+    }
+}
+
+/// A delayed switch moves the body as an exact delay does, with an error that falls with the square of the step.
+TEST(EffectForms, ADelayedSwitchErrsByTheSquareOfTheStep) {
+    test::HeldBeam beam = actuated(Signal::step(0.02, 1.0, 0.8));
+    beam.affected.options.start = StartKind::equilibrium;
+    const double delay = 0.0132;
+    const auto tip = [&](const Affected& affected, double h_s) {
+        const Trace trace = test::fine_run(affected, h_s, 0.08);
+        return test::tip_displacement(affected.model, beam.spec, trace.positions.back());
+    };
+    Affected late = beam.affected;
+    late.model.activation.front() = Signal::step(0.02 + delay, 1.0, 0.8);
+    const Vector3d exact = tip(late, 2.5e-4);
+    std::vector<double> errors;
+    for (const double h_s : {0.005, 0.0025}) {
+        beam.affected.options.h_s = h_s;
+        errors.push_back((tip(test::with_effect(beam, "actuation_delay", {{"delay_s", delay}}), h_s) - exact).norm());
+        errors.push_back((tip(late, h_s) - exact).norm());
+    }
+    test::record("errors_of_effect_and_jump_m", errors);
+    EXPECT_GT(errors[0] / errors[2], 3.0);
+    EXPECT_LT(errors[2], 2.0 * errors[3]);
 }
 
 /// What is held all along bleeds off from t = 0 on and is reached by less; only what follows late says the same late as

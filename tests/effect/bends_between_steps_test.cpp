@@ -33,11 +33,26 @@ TEST(BendsBetweenSteps, HaveTheirImpulseWhereverTheyFall) {
     EXPECT_LT(worst, 0.06 * worst_of_samples);
 }
 
-TEST(BendsBetweenSteps, LeaveLinesConstantsAndJumpsAsTheyAre) {
+/// A bend of no length.
+TEST(BendsBetweenSteps, GiveAJumpItsImpulseWhereverItFalls) {
+    for (const double theta : {0.0, 0.1, 0.25, 0.5, 0.61803, 0.9}) {
+        const Signal jump = Signal::step(0.1 + theta * h, 1.0, 1.4);
+        EXPECT_NEAR(impulse_of_steps(with_bends_between_steps(jump, h, 0.5)), 0.25 + 0.4 * (0.15 - theta * h), 1e-4)
+            << theta;
+        EXPECT_TRUE(with_bends_between_steps(jump, h, 0.5).jumps().empty());
+    }
+}
+
+TEST(BendsBetweenSteps, LeaveLinesConstantsAndJumpsAtTheStartAsTheyAre) {
     const Signal smooth = with_bends_between_steps(ramp(0.3), h, 0.5);
     for (const double t : {0.0, 0.05, 0.08, 0.12, 0.2, 0.28, 0.33, 0.5}) EXPECT_NEAR(smooth.value(t), ramp(0.3).value(t), 1e-12) << t;
-    const Signal jumping = Signal::step(0.1234, 1.0, 0.8);
+    const Signal jumping = Signal::step(0.0123, 1.0, 0.8);
     EXPECT_EQ(with_bends_between_steps(jumping, h, 0.5), jumping);
+    const Signal both{{0.0, 0.0123, 0.0123, 0.1, 0.3}, {1.0, 1.0, 0.8, 0.8, 1.2}};
+    const Signal kept = with_bends_between_steps(both, h, 0.5);
+    EXPECT_EQ(kept.jumps(), std::vector<double>{0.0123});
+    for (const double t : {0.0, 0.0122, 0.0123, 0.05, 0.08, 0.12, 0.2})
+        EXPECT_NEAR(kept.value(t), both.value(t), 1e-12) << t;
 }
 
 using Tips = std::vector<Eigen::Vector3d>;
