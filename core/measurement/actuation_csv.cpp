@@ -58,7 +58,12 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
             else table.values(static_cast<Eigen::Index>(column) - 1, row) = value;
         }
         table.lines.push_back(line.number);
-        if (row > 0 && !(table.time_s(row) > table.time_s(row - 1))) {
+        const bool jump = row > 0 && table.time_s(row) == table.time_s(row - 1);
+        if (jump && row > 1 && table.time_s(row) == table.time_s(row - 2))
+            return Error{"is the third row of time " + format_number(table.time_s(row), 9) +
+                             " s; two rows of one time are a jump, a third has no meaning",
+                         at_line(path, line.number)};
+        if (row > 0 && !jump && !(table.time_s(row) > table.time_s(row - 1))) {
             const bool closes = row == rows - 1 && table.time_s(row) < table.time_s(row - 1);
             if (closes && table.values.col(row) == table.values.col(row - 1)) {
                 table.warnings.push_back(at_line(path, line.number) + ": the last row goes back to " + format_number(table.time_s(row), 9) +

@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
 #include "effect/changed_body.hpp"
+#include "fibre/switches.hpp"
 #include "material/catalogue.hpp"
 #include "measurement/noise.hpp"
 #include "mesh/region.hpp"
@@ -96,6 +97,7 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
     const Eigen::VectorXd& times = trial.measured.time_s;
     const double interval = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
     trial.options.h_s = study.settings.h_s.value_or(0.5 * interval);
+    for (Signal& signal : trial.model.activation) signal = with_switches_as_jumps(signal, trial.options.h_s);
     // One step beyond the last sample, so that a start found a little later still has data under every sample.
     trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
     return trial;

@@ -36,7 +36,16 @@ TEST(ActuationCsv, AClosingRowThatGoesBackAndSaysNothingNewIsLeftOut) {
     ASSERT_EQ(read->warnings.size(), 1U);
     EXPECT_THAT(read->warnings[0], HasSubstr("act.csv:5"));
     EXPECT_THAT(actuation_error(text + "2,0.9\n"), HasSubstr("act.csv:5: time 2 s does not ascend"));
-    EXPECT_THAT(actuation_error(text + "2.3,1\n"), HasSubstr("does not ascend"));
+}
+
+TEST(ActuationCsv, TwoRowsOfOneTimeAreAJump) {
+    const Result<ActuationTable> read =
+        read_actuation_csv(TemporaryFile("time_s,m\n0,1\n0.3,1\n0.3,0.8\n1,0.8\n", "act.csv").path());
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->time_s, Eigen::Vector4d(0.0, 0.3, 0.3, 1.0));
+    EXPECT_TRUE(read->warnings.empty());
+    EXPECT_THAT(actuation_error("time_s,m\n0,1\n0.3,1\n0.3,0.8\n0.3,0.7\n"),
+                HasSubstr("act.csv:5: is the third row of time 0.3 s"));
 }
 
 TEST(ActuationCsv, EveryErrorHasFileAndLine) {
@@ -49,7 +58,7 @@ TEST(ActuationCsv, EveryErrorHasFileAndLine) {
     EXPECT_THAT(actuation_error("time_s,m\n0,nan\n"), HasSubstr("act.csv:2: column 2 (m) is 'nan'"));
     EXPECT_THAT(actuation_error("time_s,m\n0,\n"), HasSubstr("act.csv:2: column 2 (m) is ''"));
     EXPECT_THAT(actuation_error("time_s,m\n0,1,2\n"), HasSubstr("act.csv:2: has 3 fields, expected 2"));
-    EXPECT_THAT(actuation_error("time_s,m\n0,1\n0,1\n"), HasSubstr("act.csv:3: time 0 s does not ascend"));
+    EXPECT_THAT(actuation_error("time_s,m\n0,1\n-1,1\n0,1\n"), HasSubstr("act.csv:3: time -1 s does not ascend"));
 }
 
 }  // namespace

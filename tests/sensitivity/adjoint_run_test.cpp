@@ -4,10 +4,12 @@
 
 #include <string>
 
+#include "fibre/switches.hpp"
 #include "sensitivity/driven_beam.hpp"
 #include "sensitivity/gradient_check.hpp"
 #include "sensitivity/run_parts.hpp"
 #include "sensitivity/tangent_run.hpp"
+#include "support/differences.hpp"
 #include "support/figures.hpp"
 
 namespace myo {
@@ -72,6 +74,30 @@ TEST_P(AdjointRun, EqualsTheTangents) {
         EXPECT_NE(along, 0.0);
         EXPECT_NEAR(expected[p] / along, 1.0, 1e-8) << "parameter " << p;
     }
+}
+
+/// A rise within a step is a jump; its levels and those beside it are differentiated like any other knot's.
+TEST(GradientRun, IsExactForASignalThatSwitches) {
+    Model model = driven_beam(ElementKind::hex8);
+    model.activation.front() =
+        with_switches_as_jumps({{0.0, 0.011, 0.012, 0.02, 0.021, 0.03}, {0.95, 0.97, 0.85, 0.9, 1.05, 1.0}}, 0.005);
+    ASSERT_EQ(model.activation.front().jumps().size(), 2u);
+    const SimulationOptions options = short_run(Integrator::tr_bdf2, StartKind::equilibrium);
+    const LossOfMotion loss = rough_loss(model);
+    const GradientRun run = simulate_with_gradient(model, options, loss);
+    ASSERT_TRUE(run.complete()) << run.message;
+    const std::vector<double>& values = model.activation.front().values;
+    const auto loss_of = [&](const Eigen::VectorXd& knots) {
+        Model changed = model;
+        changed.activation.front().values.assign(knots.begin(), knots.end());
+        return Eigen::VectorXd::Constant(1, simulate_with_gradient(changed, options, loss).loss);
+    };
+    const Eigen::VectorXd here =
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    const Eigen::MatrixXd differences = test::central_differences(loss_of, here, 1e-4);
+    const std::vector<double>& exact = run.gradient.activation.front();
+    test::expect_derivative(Eigen::Map<const Eigen::RowVectorXd>(exact.data(), here.size()), differences, 1e-5,
+                            "knots");
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {
