@@ -15,12 +15,9 @@ namespace fs = std::filesystem;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// A held signal is at its new value so long after its knot.
-constexpr double rise_s = 1e-6;
-
 const char* interpolation(bool hold) { return hold ? "hold" : "linear"; }
 
-/// Without NaN: a signal's own knots, jumps as steep rises.
+/// The signals' own knots; a jump is two rows of one time.
 ActuationTable actuation_table(const SoughtSignals& sought, const MatrixXd& values) {
     std::vector<double> times;
     std::vector<std::vector<double>> rows;
@@ -31,8 +28,7 @@ ActuationTable actuation_table(const SoughtSignals& sought, const MatrixXd& valu
     for (std::size_t k = 0; k < signals.front().times_s.size(); ++k) {
         const double t = signals.front().times_s[k];
         if (t < 0.0) continue;   // before the start it is what it is there
-        const bool again = !times.empty() && t == times.back();
-        times.push_back(again ? t + rise_s : t);
+        times.push_back(t);
         rows.emplace_back();
         for (const Signal& signal : signals) rows.back().push_back(signal.values[k]);
     }

@@ -74,7 +74,7 @@ Result<EarlierOptimization> read_optimization(const std::filesystem::path& folde
 Json optimize_json(const Study& study, const Optimization& optimization, const RunFacts& facts);
 
 /// Writes `<trial>_actuation.csv` in the schema's form, one column for every muscle that follows none, and `<trial>.csv`, the
-/// simulated markers. A held signal rises within a microsecond after its knot, for the schema's signals do not jump.
+/// simulated markers. A held signal has two rows at each knot: simulate makes the same run of it.
 Result<void> write_actuation(const std::filesystem::path& folder, const Study& study, const Optimization& optimization);
 
 /// Error: `<trial>_actuation.csv` would replace a file that the experiment reads.
