@@ -193,7 +193,10 @@ ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& star
     fit.start = fit.values = bounds.inside(start);
     Search search(problem, options, progress, fit);
     search.at(fit.start, nullptr);
-    if (fit.usable()) {
+    if (fit.usable() && fit.first.loss_m2 <= options.met_rms_m * options.met_rms_m) {
+        fit.status = FitStatus::converged;
+        fit.message = "the target is met from the start";
+    } else if (fit.usable()) {
         const Optimiser optimiser = bounded_optimiser(bounds, options);
         Objective data{search, bounds};
         search.stop_with(optimiser.get());

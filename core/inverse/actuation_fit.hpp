@@ -54,6 +54,8 @@ struct ActuationFitOptions {
     /// Of the loss in an iteration, below which it has converged. A thirtieth of it lowered the rms error of a noisy trace by 0.15 %,
     /// for a third as many evaluations again.
     double relative_decrease = 3e-4;
+    /// A start whose loss is at most the square of this is what is sought: the search ends there. 0: it goes on.
+    double met_rms_m = 0.0;
     /// Gets what is known after every evaluation, on the search's thread. May be empty.
     std::function<void(const ActuationFit&)> evaluated = {};
 };

@@ -10,8 +10,14 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Linear signals that leave from `before` have a knot at t = 0 that is not free.
-bool has_fixed_knot(const SoughtSignals& sought) { return sought.from_before && !sought.hold; }
+/// Whether the first knot has the value `before` and is not free: that before t = 0 of a held signal, that at t = 0 of
+/// a linear one which leaves from there.
+bool has_fixed_knot(const SoughtSignals& sought) {
+    return sought.hold ? !sought.seek_before : sought.from_before && !sought.seek_before;
+}
+
+/// Of all knots, free or not, in periods.
+int first_knot(const SoughtSignals& sought) { return sought.hold ? -1 : 0; }
 
 }  // namespace
 
@@ -20,7 +26,8 @@ std::vector<double> knot_times(const SoughtSignals& sought) {
     const double spans = std::max(1.0, std::ceil(sought.end_s * sought.frequency_Hz - 1e-9));
     const int count = static_cast<int>(spans) + (sought.hold ? 0 : 1);
     std::vector<double> times;
-    for (int k = has_fixed_knot(sought) ? 1 : 0; k < count; ++k) times.push_back(k / sought.frequency_Hz);
+    for (int k = first_knot(sought) + (has_fixed_knot(sought) ? 1 : 0); k < count; ++k)
+        times.push_back(k / sought.frequency_Hz);
     return times;
 }
 
@@ -37,13 +44,12 @@ std::vector<Signal> activations_of(const SoughtSignals& sought, const MatrixXd& 
     std::vector<double> times = knot_times(sought);
     assert(values.rows() == static_cast<Index>(sought.signals.size()) && values.cols() == static_cast<Index>(times.size()));
     const bool fixed = has_fixed_knot(sought);
-    if (sought.hold) times.insert(times.begin(), -1.0 / sought.frequency_Hz);
-    else if (fixed) times.insert(times.begin(), 0.0);
+    if (fixed) times.insert(times.begin(), first_knot(sought) / sought.frequency_Hz);
     std::vector<Signal> activations;
     for (const SignalShare& group : sought.groups) {
         const auto of_group = [&](double s) { return 1.0 + group.factor * (s - 1.0); };
         std::vector<double> knots;
-        if (sought.hold || fixed) knots.push_back(of_group(sought.signals[group.signal].before));
+        if (fixed) knots.push_back(of_group(sought.signals[group.signal].before));
         for (const double value : values.row(static_cast<Index>(group.signal))) knots.push_back(of_group(value));
         activations.push_back(sought.hold ? Signal::held(times, knots) : Signal{times, knots});
     }
@@ -63,7 +69,7 @@ MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vect
 }
 
 double mean_square_rate(const SoughtSignals& sought, const MatrixXd& values, double weight, MatrixXd& gradient) {
-    const Index first = sought.from_before ? 0 : 1, rates = values.cols() - first;
+    const Index first = sought.from_before && !sought.seek_before ? 0 : 1, rates = values.cols() - first;
     if (rates < 1 || values.rows() == 0) return 0.0;
     const double count = static_cast<double>(rates * values.rows());
     double sum = 0.0;

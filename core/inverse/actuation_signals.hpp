@@ -33,9 +33,12 @@ struct SoughtSignals {
     /// Up to t = 0 the signals have been at `before` and the body rests there: the first change, too, is one. Linear signals then
     /// leave from there, and their first free knot is one period later.
     bool from_before = false;
+    /// With from_before: what `before` is, is not known, and each signal's first value is it. Of linear signals that is
+    /// the value at t = 0; a held signal has one value more, whose knot is a period before the start.
+    bool seek_before = false;
 };
 
-/// Times of the free knots [s].
+/// Times of the free knots [s]. A negative one is that of the level before t = 0.
 std::vector<double> knot_times(const SoughtSignals& sought);
 
 /// All values at `before`, within bounds.

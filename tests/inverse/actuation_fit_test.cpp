@@ -20,11 +20,16 @@ using test::wave;
 
 struct Case {
     bool hold, from_before, from_start;
+    bool seek_before = false;
 };
 
 class ActuationFits : public testing::TestWithParam<Case> {
 protected:
-    ActuationProblem problem() const { return actuated_beam(GetParam().hold, GetParam().from_before, GetParam().from_start); }
+    ActuationProblem problem() const {
+        ActuationProblem problem = actuated_beam(GetParam().hold, GetParam().from_before, GetParam().from_start);
+        problem.sought.seek_before = GetParam().seek_before;
+        return problem;
+    }
 };
 
 TEST_P(ActuationFits, GradientOfTheLossEqualsDifferences) {
@@ -63,10 +68,13 @@ TEST_P(ActuationFits, RecoversTheSignalsThatMadeTheTarget) {
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {
     return std::string(info.param.hold ? "held" : "linear") + (info.param.from_before ? "_equilibrium" : "_straight") +
-           (info.param.from_start ? "_displacement" : "_position");
+           (info.param.seek_before ? "_unknown_level" : "") + (info.param.from_start ? "_displacement" : "_position");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ActuationFits, testing::Values(Case{false, false, false}, Case{true, false, true}, Case{false, true, true}, Case{true, true, false}),
+INSTANTIATE_TEST_SUITE_P(All, ActuationFits,
+                         testing::Values(Case{false, false, false}, Case{true, false, true}, Case{false, true, true},
+                                         Case{true, true, false}, Case{false, true, false, true},
+                                         Case{true, true, false, true}),
                          case_name);
 
 TEST(ActuationFit, StaysWithinBoundsAndEndsOnThem) {
@@ -153,6 +161,44 @@ TEST(ActuationSignals, HeldAndLinearSignalsPassTheirValuesOn) {
     sought.from_before = false;
     EXPECT_EQ(knot_times(sought).size(), 5u);
     EXPECT_EQ(knot_times(sought).front(), 0.0);
+}
+
+TEST(ActuationSignals, AnUnknownLevelBeforeTheStartIsTheFirstValue) {
+    SoughtSignals sought;
+    sought.signals = {{"a", 0.5, 2.0, 1.0}};
+    sought.groups = {{0, 1.0}};
+    sought.end_s = 0.2;
+    sought.from_before = sought.seek_before = true;
+    ASSERT_EQ(knot_times(sought).size(), 5u);
+    EXPECT_EQ(knot_times(sought).front(), 0.0);
+    MatrixXd values(1, 5);
+    values << 0.9, 1.1, 1.2, 1.3, 1.4;
+    const Signal linear = activations_of(sought, values).front();
+    EXPECT_EQ(linear.value_before(0.0), 0.9);
+    EXPECT_NEAR(linear.value(0.025), 1.0, 1e-15);
+    sought.hold = true;   // what is held from t = 0 on is one more
+    ASSERT_EQ(knot_times(sought).size(), 5u);
+    EXPECT_LT(knot_times(sought).front(), 0.0);
+    const Signal held = activations_of(sought, values).front();
+    EXPECT_EQ(held.value_before(0.0), 0.9);
+    EXPECT_EQ(held.value(0.0), 1.1);
+    // Its jump at t = 0 is a change like the others.
+    MatrixXd gradient = MatrixXd::Zero(1, 5);
+    EXPECT_NEAR(mean_square_rate(sought, values, 1.0, gradient), 400.0 * (0.04 + 3 * 0.01) / 4.0, 1e-9);
+    EXPECT_NEAR(gradient(0, 0), -400.0 * 2.0 * 0.2 / 4.0, 1e-9);
+}
+
+TEST(ActuationFit, EndsAtOnceWhereItsStartIsTheTarget) {
+    ActuationProblem p = actuated_beam(false, true, false);
+    aim_at(p, unmoved_values(p.sought));
+    ActuationFitOptions options;
+    options.met_rms_m = 1e-6;
+    const ActuationFit fit = fit_actuation(p, unmoved_values(p.sought), options);
+    EXPECT_TRUE(fit.converged());
+    EXPECT_EQ(fit.log.size(), 1u);
+    EXPECT_NE(fit.message.find("met from the start"), std::string::npos);
+    p.target.positions_m.front().array() += 1e-5;
+    EXPECT_GT(fit_actuation(p, unmoved_values(p.sought), options).log.size(), 1u);
 }
 
 }  // namespace
