@@ -60,10 +60,16 @@ std::string result_lines(const Study& study, const Optimization& result) {
     text += line;
     for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
         const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
+        if (result.problem.sought.seek_before)
+            text += "\nsignal " + result.problem.sought.signals[s].name + ": held " + format_number(row(0), 4) +
+                    " before t = 0 (sought)";
         text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " + format_number(row.minCoeff(), 4) + " ... " +
                 format_number(row.maxCoeff(), 4) + deviation_words(result.deviations, static_cast<Eigen::Index>(s));
     }
     if (!result.deviations.found) text += "\nstandard deviations: " + result.deviations.reason;
+    if (!result.miss.reached)
+        text += "\ntarget not reached: " + format_number(result.miss.noise_levels, 3) + " times the noise is left";
+    if (result.fit.converged() && !result.fit.message.empty()) text += "\n" + result.fit.message;
     return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " + format_number(result.seconds, 3) + " s, " +
            std::to_string(study.body->dofs()) + " DOF";
 }

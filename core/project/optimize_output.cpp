@@ -51,7 +51,8 @@ Json signals_json(const SoughtSignals& sought, const MatrixXd& values, const Act
         signals.push_back({{"name", sought.signals[s].name},
                            {"lower", sought.signals[s].lower},
                            {"upper", sought.signals[s].upper},
-                           {"before", sought.signals[s].before},
+                           {"before", sought.seek_before ? values(static_cast<Index>(s), 0) : sought.signals[s].before},
+                           {"before_sought", sought.seek_before},
                            {"values", row(values, s)}});
         if (!deviations.found) continue;
         signals.back()["std"] = row(deviations.deviations, s);
@@ -93,6 +94,20 @@ Json starts_json(const std::vector<StartEnding>& starts) {
         list.push_back(std::move(entry));
     }
     return list;
+}
+
+/// How far the target is missed, and where.
+Json miss_json(const TargetMiss& miss) {
+    Json markers = Json::array();
+    for (const TargetMiss::Marker& marker : miss.markers)
+        markers.push_back({{"name", marker.name}, {"rms_m", marker.rms_m}});
+    return {{"rms_m", json_number(miss.rms_m)},
+            {"noise_levels", json_number(miss.noise_levels)},
+            {"markers", markers},
+            {"from_s", miss.from_s},
+            {"until_s", miss.until_s},
+            {"worst_s", miss.worst_s},
+            {"worst_rms_m", json_number(miss.worst_rms_m)}};
 }
 
 /// Root mean square of each coordinate over all markers; null where none was seen.
@@ -162,6 +177,8 @@ Json optimize_json(const Study& study, const Optimization& optimization, const R
               {"evaluations_in_all", evaluations + optimization.earlier_evaluations},
               {"seconds", optimization.seconds},
               {"converged", fit.converged()},
+              {"reached", optimization.miss.reached},
+              {"noise_levels", json_number(optimization.miss.noise_levels)},
               {"stopped", optimization.stopped},
               {"message", fit.message},
               {"actuation", actuation_file(study).string()},
@@ -170,6 +187,7 @@ Json optimize_json(const Study& study, const Optimization& optimization, const R
               {"muscles", muscles_json(study, sought)},
               {"starts", starts_json(optimization.starts)},
               {"history", history_json(fit.log)}};
+    if (!optimization.miss.reached) json["missed"] = miss_json(optimization.miss);
     if (optimization.deviations.found) json["std_noise_m"] = optimization.deviations.noise_m;
     else json["std"] = optimization.deviations.reason;
     if (optimization.settings.starts > 1) json["seed"] = optimization.settings.seed;

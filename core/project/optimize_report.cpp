@@ -14,6 +14,8 @@ namespace {
 
 std::string ending(const Optimization& optimization) {
     if (optimization.stopped) return "The user stopped the search: these are the best signals up to then.";
+    if (optimization.fit.log.size() == 1 && optimization.fit.converged())
+        return "The target is met from the start: there was nothing to seek.";
     if (!optimization.fit.converged()) return "The search did not converge: " + optimization.fit.message + ".";
     return "";
 }
@@ -27,7 +29,10 @@ int evaluations_of(const Optimization& optimization) {
 std::vector<KeyFigure> key_figures(const Study& study, const Optimization& optimization) {
     const SoughtSignals& sought = optimization.problem.sought;
     std::vector<KeyFigure> figures;
-    figures.push_back({"Error (rms)", in_mm(optimization.after.fit_rms_m), "mm", "was " + in_mm(optimization.before.fit_rms_m) + " mm at the start"});
+    figures.push_back({optimization.miss.reached ? "Error (rms)" : "Error (rms): target not reached",
+                       in_mm(optimization.after.fit_rms_m), "mm",
+                       readable_number(optimization.miss.noise_levels, 3) + " times the noise; was " +
+                           in_mm(optimization.before.fit_rms_m) + " mm at the start"});
     for (std::size_t s = 0; s < sought.signals.size(); ++s) {
         const auto row = optimization.fit.values.row(static_cast<Eigen::Index>(s));
         figures.push_back({"Signal " + sought.signals[s].name, readable_number(row.minCoeff(), 3) + " … " + readable_number(row.maxCoeff(), 3), "",

@@ -18,6 +18,22 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+std::size_t leader_count(const std::vector<MuscleLeader>& leaders) {
+    std::size_t count = 0;
+    for (std::size_t m = 0; m < leaders.size(); ++m) count += leaders[m].leader == m ? 1 : 0;
+    return count;
+}
+
+/// Muscles that follow none and of which nothing says which level they held before t = 0.
+std::vector<std::string> unrecorded_levels(const Study& study) {
+    const std::vector<MuscleLeader> leaders = muscle_leaders(study.experiment);
+    std::vector<std::string> names;
+    for (std::size_t m = 0; m < leaders.size(); ++m)
+        if (leaders[m].leader == m && !level_is_on_record(study.experiment, study.experiment.trials.front(), m))
+            names.push_back(study.experiment.muscles[m].name);
+    return names;
+}
+
 /// One signal for each muscle that follows none. Its bounds keep its followers, too, between the lowest and the highest.
 SoughtSignals sought_signals(const Study& study, const OptimizeSettings& settings, double end_s) {
     const std::vector<MuscleLeader> leaders = muscle_leaders(study.experiment);
@@ -27,6 +43,7 @@ SoughtSignals sought_signals(const Study& study, const OptimizeSettings& setting
     sought.end_s = end_s;
     sought.hold = settings.hold;
     sought.from_before = trial.options.start == StartKind::equilibrium;
+    sought.seek_before = sought.from_before && unrecorded_levels(study).size() == leader_count(leaders);
     std::vector<std::size_t> signal_of(leaders.size());
     for (std::size_t m = 0; m < leaders.size(); ++m) {
         if (leaders[m].leader != m) continue;
@@ -82,6 +99,21 @@ StudyRun run_of(const Study& study, const ActuationEvaluation& evaluation) {
     return scored_run(study, values, {prediction_of(study, 0, evaluation.motion)}, {0});
 }
 
+/// What a person should know about the result, the gravest first.
+std::vector<std::string> warnings_of(const Study& study, const Optimization& result) {
+    std::vector<std::string> warnings;
+    if (!result.miss.reached) warnings.push_back(sentence(result.miss, result.before.fit_rms_m));
+    if (const auto start = start_miss(study, result.problem, result.after)) warnings.push_back(*start);
+    const SoughtSignals& sought = result.problem.sought;
+    if (sought.from_before && !sought.seek_before)
+        for (const std::string& name : unrecorded_levels(study))
+            warnings.push_back("signal " + name +
+                               ": its level before t = 0 is on no record, unlike that of others; 1 (passive) is taken");
+    const std::vector<std::string> bounds = bound_warnings(sought, result.fit.values);
+    warnings.insert(warnings.end(), bounds.begin(), bounds.end());
+    return warnings;
+}
+
 /// The same progress under another name: that of the run is a part of a search.
 Progress in_task(const Progress& progress, const std::string& task) {
     return progress.with_sink([&progress, task](ProgressEvent event) {
@@ -133,18 +165,22 @@ Optimization optimize_study(const Study& study, const ActuationProblem& problem,
         ActuationFitOptions options;
         options.max_evaluations = settings.max_evaluations;
         options.evaluated = settings.evaluated;
+        options.met_rms_m = TargetRule{}.met * mean_noise(study);
         ActuationFit fit = fit_actuation(problem, s == 0 ? start : random_values(problem.sought, random), options, inner);
         done += static_cast<double>(fit.log.size());
         result.starts.push_back({fit.status, fit.message, fit.first.loss_m2, fit.best.loss_m2, static_cast<int>(fit.log.size())});
         if (fit.usable() && !first.ok()) first = fit.first;
         const bool better = fit.usable() && (!result.usable() || fit.best.loss_m2 < result.fit.best.loss_m2);
+        const bool met = fit.usable() && fit.log.size() == 1 && fit.converged();
         if (better || s == 0) result.fit = std::move(fit);
+        if (met) break;
     }
     result.stopped = progress.cancelled();
     if (result.usable()) {
         result.before = run_of(study, first);
         result.after = run_of(study, result.fit.best);
-        result.warnings = bound_warnings(problem.sought, result.fit.values);
+        result.miss = target_miss(study, result.after);
+        result.warnings = warnings_of(study, result);
         if (result.stopped) result.deviations.reason = "not looked for: the search was stopped";
         else result.deviations = actuation_deviations(problem, result.fit.values, mean_noise(study), in_task(progress, "deviations"));
         result.warnings.insert(result.warnings.end(), result.deviations.warnings.begin(), result.deviations.warnings.end());

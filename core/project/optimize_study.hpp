@@ -11,6 +11,7 @@
 #include "inverse/actuation_fit.hpp"
 #include "project/output_json.hpp"
 #include "project/run_study.hpp"
+#include "project/target_miss.hpp"
 #include "report/html_report.hpp"
 
 namespace myo {
@@ -29,6 +30,7 @@ struct OptimizeSettings {
 };
 
 /// The problem of a study's only trial (with_one_trial()): one signal for every muscle that follows none, from t = 0 to the last sample.
+/// Of a trial that starts at rest under levels that are on no record these are sought, too.
 /// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds,
 /// a lowest one of 0 or below but as published.
 Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings);
@@ -49,6 +51,7 @@ struct Optimization {
     ActuationDeviations deviations;      // of its values
     std::vector<StartEnding> starts;
     StudyRun before, after;              // the trial with the first start's values, and with those found; markers only
+    TargetMiss miss;                     // what is left
     int earlier_evaluations = 0;         // of the calls that this one resumes
     double seconds = 0.0;
     bool stopped = false;                // by the user

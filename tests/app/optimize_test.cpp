@@ -96,6 +96,96 @@ TEST(Optimize, HeldSignalsCanBePlayed) {
     EXPECT_NEAR(again / j.at("rms_after_m").get<double>(), 1.0, 1e-6);
 }
 
+/// Makes the trace of the muscled block from these signals, and takes their record away; of markers with so much noise.
+void write_unrecorded_experiment(const Folder& folder, const std::string& signals, const std::string& noise_m) {
+    write_muscled_experiment(folder);
+    folder.write("made/signals.csv", signals);
+    const ProgramRun run =
+        run_program({"simulate", folder.str("made"), "--out", folder.str("exp"), "--resolution", "0.01", "--quiet"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    std::string toml = muscled_toml();
+    const std::string record = "actuation = \"signals.csv\"\n", noise = "noise_m = 1e-6";
+    toml.erase(toml.find(record), record.size());
+    toml.replace(toml.find(noise), noise.size(), "noise_m = " + noise_m);
+    folder.write("exp/experiment.toml", toml);
+}
+
+TEST(Optimize, SeeksTheLevelThatWasHeldBeforeTheStart) {
+    const Folder folder("optimize_level");
+    write_unrecorded_experiment(folder, "time_s,upper\n0,0.9\n0.1,0.9\n0.2,0.97\n0.4,0.97\n", "1e-6");
+    for (const bool hold : {false, true}) {
+        const ProgramRun run =
+            run_program(optimize_call(folder, hold ? std::vector<std::string>{"--hold"} : std::vector<std::string>{}));
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_THAT(run.out, HasSubstr("before t = 0 (sought)"));
+        const json j = json_at(folder, "out/optimize.json");
+        EXPECT_EQ(j["signals"][0].at("before_sought"), true);
+        EXPECT_NEAR(j["signals"][0].at("before").get<double>(), 0.9, 1e-3);
+        EXPECT_LT(j["signals"][0].at("std")[0].get<double>(), hold ? 5e-3 : 1e-3);   // steps do not make a ramp
+        EXPECT_LT(j.at("rms_after_m").get<double>(), (hold ? 0.2 : 0.001) * j.at("rms_before_m").get<double>());
+    }
+}
+
+/// A record says that the muscle was passive; the body stood elsewhere.
+TEST(Optimize, NamesWhatIsNotKnownOfTheStart) {
+    const Folder folder("optimize_start");
+    write_unrecorded_experiment(folder, "time_s,upper\n0,0.9\n0.4,0.9\n", "1e-5");
+    std::string toml = muscled_toml();
+    toml.replace(toml.find("noise_m = 1e-6"), 14, "noise_m = 1e-5");
+    folder.write("exp/experiment.toml", toml);
+    folder.write("exp/signals.csv", "time_s,upper\n0,1\n");
+    ProgramRun run = run_program(optimize_call(folder));
+    EXPECT_THAT(run.err, HasSubstr("the target does not begin where the body rests: at t = 0 s its markers are"));
+    EXPECT_THAT(run.err, HasSubstr("taken from the record"));
+    EXPECT_EQ(json_at(folder, "out/optimize.json")["signals"][0].at("before_sought"), false);
+    toml.replace(toml.find("start = \"equilibrium\""), 21, "start = \"straight\"");
+    folder.write("exp/experiment.toml", toml);
+    run = run_program(optimize_call(folder));
+    EXPECT_THAT(run.err, HasSubstr("start = \"equilibrium\" seeks it"));
+}
+
+TEST(Optimize, SaysThatATargetIsNotReachedByHowMuchAndWhere) {
+    const Folder folder("optimize_far");
+    write_unrecorded_experiment(folder, "time_s,upper\n0,1\n", "1e-4");
+    // The middle marker is asked to go up by 20 mm from 0.15 s to 0.25 s.
+    std::string moved;
+    for (std::string rest = content_of(folder.path() / "exp/wave.csv"); !rest.empty();) {
+        const std::size_t end = rest.find('\n');
+        std::string line = rest.substr(0, end);
+        rest.erase(0, end == std::string::npos ? rest.size() : end + 1);
+        const double t = line.front() == 't' ? 0.0 : std::stod(line);
+        if (t > 0.145 && t < 0.255) line.replace(line.rfind(',') + 1, std::string::npos, "0.04");
+        moved += line + "\n";
+    }
+    folder.write("exp/wave.csv", moved);
+    const ProgramRun run = run_program(optimize_call(folder));
+    EXPECT_EQ(run.status, 0) << run.err;   // the search has done what it can
+    const json j = json_at(folder, "out/optimize.json");
+    EXPECT_EQ(j.at("reached"), false);
+    EXPECT_NEAR(j.at("noise_levels").get<double>(), j.at("rms_after_m").get<double>() / 1e-4, 1e-6);
+    EXPECT_EQ(j.at("missed")["markers"][0].at("name"), "middle");
+    EXPECT_NEAR(j.at("missed").at("from_s").get<double>(), 0.15, 0.011);
+    EXPECT_NEAR(j.at("missed").at("until_s").get<double>(), 0.25, 0.011);
+    for (const std::string& said : {run.err, content_of(folder.path() / "out/report.html")}) {
+        EXPECT_THAT(said, HasSubstr("the target is not reached: "));
+        EXPECT_THAT(said, HasSubstr("farthest off"));
+        EXPECT_THAT(said, HasSubstr("middle"));
+    }
+    EXPECT_THAT(run.out, HasSubstr("target not reached: "));
+}
+
+TEST(Optimize, ATargetThatIsMetFromTheStartEndsAtOnce) {
+    const Folder folder("optimize_met");
+    write_unrecorded_experiment(folder, "time_s,upper\n0,1\n", "1e-4");
+    const ProgramRun run = run_program(optimize_call(folder, {"--starts", "3"}));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("the target is met from the start"));
+    const json j = json_at(folder, "out/optimize.json");
+    EXPECT_EQ(j.at("evaluations"), 1);
+    EXPECT_EQ(j.at("converged"), true);
+    EXPECT_EQ(j.at("reached"), true);
+}
+
 TEST(Optimize, CtrlCKeepsTheBestAndResumeGoesOnFromIt) {
     const Folder folder("optimize_interrupt");
     write_muscled_experiment(folder);
