@@ -21,6 +21,9 @@ using Eigen::VectorXd;
 /// Below this share of the largest eigenvalue a direction is not seen.
 constexpr double not_seen = 1e-12;
 
+/// A value of which the target makes less is not measured: its course may be any between those beside it.
+constexpr double measured_share = 0.5;
+
 /// The activations are linear in the values: d activation / d value, per value (signals running fastest).
 std::vector<ModelTangent> value_tangents(const SoughtSignals& sought, const MatrixXd& values) {
     std::vector<ModelTangent> tangents;
@@ -36,20 +39,6 @@ std::vector<ModelTangent> value_tangents(const SoughtSignals& sought, const Matr
         tangents.push_back(std::move(tangent));
     }
     return tangents;
-}
-
-/// The prior: half the Hessian of the mean square rate, which is quadratic; its gradient's columns, the constant part taken off.
-MatrixXd half_rate_hessian(const SoughtSignals& sought, const MatrixXd& values) {
-    const MatrixXd none = MatrixXd::Zero(values.rows(), values.cols());
-    MatrixXd constant = none, S(values.size(), values.size());
-    mean_square_rate(sought, none, 1.0, constant);
-    for (Index i = 0; i < values.size(); ++i) {
-        MatrixXd unit = none, gradient = none;
-        unit(i) = 1.0;
-        mean_square_rate(sought, unit, 1.0, gradient);
-        S.col(i) = 0.5 * (gradient - constant).reshaped();
-    }
-    return S;
 }
 
 /// J'J of the compared coordinates, and the sum of their squared residuals.
@@ -77,20 +66,51 @@ NormalEquations normal_equations(const ActuationProblem& problem, const Sensitiv
     return equations;
 }
 
-/// Values that the smoothness says more about than the target, values that nothing says anything about, and pairs of signals that
-/// take each other's place.
-std::vector<std::string> identifiability(const SoughtSignals& sought, const ActuationDeviations& found) {
+/// What the normal equations leave of each value.
+struct Weighing {
+    MatrixXd inverse;           // over the directions that are seen
+    Eigen::ArrayX<bool> open;   // values that a direction which nothing sees moves
+};
+
+Weighing weigh(const MatrixXd& precision) {
+    const Index n = precision.rows();
+    const SymmetricEigen eigen = symmetric_eigen(precision);
+    const double least = not_seen * eigen.values(n - 1);
+    Weighing weighed{MatrixXd::Zero(n, n), {}};
+    VectorXd share = VectorXd::Zero(n);
+    for (Index i = 0; i < n; ++i) {
+        const VectorXd v = eigen.vectors.col(i);
+        if (eigen.values(i) > least) weighed.inverse += v * v.transpose() / eigen.values(i);
+        else share += v.cwiseAbs2();
+    }
+    weighed.open = share.array() > 1e-6;
+    return weighed;
+}
+
+/// Values that the target says less about than the smoothness, values that nothing says anything about, and pairs of
+/// signals that take each other's place.
+std::vector<std::string> identifiability(const SoughtSignals& sought, const Weighing& weighed,
+                                         const ActuationDeviations& found) {
     std::vector<std::string> warnings;
     const Index signals = found.deviations.rows(), knots = found.deviations.cols();
-    const auto of_all = [&](Index count) { return std::to_string(count) + " of " + std::to_string(knots) + " values "; };
+    const auto of_all = [&](Index count) { return std::to_string(count) + " of " + std::to_string(knots) + " values"; };
     for (Index s = 0; s < signals; ++s) {
         const SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
-        const Index unknown = knots - found.deviations.row(s).array().isFinite().count();
-        const Index smooth = (found.deviations.row(s).array().isFinite() && found.from_target.row(s).array() < 0.5).count();
+        Index unknown = 0, smooth = 0;
+        for (Index k = 0; k < knots; ++k) {
+            if (weighed.open(k * signals + s)) ++unknown;
+            else if (found.from_target(s, k) < measured_share) ++smooth;
+        }
         const Index wide = (found.deviations.row(s).array() > 0.5 * (signal.upper - signal.lower)).count();
-        if (unknown > 0) warnings.push_back("signal " + signal.name + ": the markers do not determine " + std::to_string(unknown) + " of " + std::to_string(knots) + " values");
-        if (smooth > 0) warnings.push_back("signal " + signal.name + ": " + of_all(smooth) + "come from the smoothness more than from the markers");
-        if (wide > 0) warnings.push_back("signal " + signal.name + ": the markers tell less of " + of_all(wide) + "than the bounds do");
+        if (unknown > 0)
+            warnings.push_back("signal " + signal.name + ": the markers do not determine " + of_all(unknown));
+        if (smooth > 0)
+            warnings.push_back(
+                "signal " + signal.name + ": " + of_all(smooth) +
+                " come from the smoothness more than from the markers, so they have no standard deviation");
+        if (wide > 0)
+            warnings.push_back("signal " + signal.name + ": the markers tell less of " + of_all(wide) +
+                               " than the bounds do");
         for (Index other = 0; other < s; ++other) {
             Index alike = 0;
             for (Index k = 0; k < knots; ++k) {
@@ -107,35 +127,63 @@ std::vector<std::string> identifiability(const SoughtSignals& sought, const Actu
     return warnings;
 }
 
-void set_deviations(const ActuationProblem& problem, const NormalEquations& equations, double noise_m, ActuationDeviations& found) {
-    const Index n = equations.information.rows(), rows = found.deviations.rows(), columns = found.deviations.cols();
-    const double weight = equations.count * problem.smoothness_m_s * problem.smoothness_m_s;
-    const MatrixXd precision = equations.information + weight * half_rate_hessian(problem.sought, found.deviations);
-    const SymmetricEigen eigen = symmetric_eigen(precision);
-    const double least = not_seen * eigen.values(n - 1);
-    // What a direction that nothing sees leaves open, it leaves open in all values that it moves.
-    MatrixXd inverse = MatrixXd::Zero(n, n);
-    VectorXd open = VectorXd::Zero(n);
-    for (Index i = 0; i < n; ++i) {
-        const VectorXd v = eigen.vectors.col(i);
-        if (eigen.values(i) > least) inverse += v * v.transpose() / eigen.values(i);
-        else open += v.cwiseAbs2();
+/// The largest rate that each signal has where its target is seen [1/s]; a rate counts by how much of its two ends the
+/// target makes.
+VectorXd own_rates(const SoughtSignals& sought, const MatrixXd& values, const VectorXd& from_target,
+                   const MatrixXd& D) {
+    const Index signals = values.rows();
+    // What is left when all values are at `before` is the constant: rates are 0 there.
+    VectorXd before(values.size());
+    for (Index i = 0; i < before.size(); ++i) before(i) = sought.signals[static_cast<std::size_t>(i % signals)].before;
+    const VectorXd rates = D * (values.reshaped() - before);
+    VectorXd largest = VectorXd::Zero(signals);
+    for (Index r = 0; r < rates.size(); ++r) {
+        double seen = 1.0;
+        for (Index i = 0; i < D.cols(); ++i)
+            if (D(r, i) != 0.0) seen = std::min(seen, from_target(i));
+        if (seen >= measured_share) largest(r % signals) = std::max(largest(r % signals), std::abs(rates(r)));
     }
+    return largest;
+}
+
+/// Standard deviations of an estimate with the smoothness in its loss: what the noise does, and what the smoothness may
+/// hide.
+///
+/// With A the target's and P = w D'D the smoothness's part of the normal equations the estimate is (A + P)^-1 A times
+/// the truth plus noise. The noise makes the covariance sigma^2 (A + P)^-1 A (A + P)^-1, and the truth's own rates D a
+/// shift of (A + P)^-1 w D' (D a), which is at most the sum of the absolute entries of a row times the largest rate. To
+/// take the smoothness for knowledge of the rates instead says that these are sigma / sqrt(w), tighter with every
+/// marker (that was the case: values in a gap lay up to 13 of their deviations off).
+void set_deviations(const ActuationProblem& problem, const NormalEquations& equations, const MatrixXd& values,
+                    double noise_m, ActuationDeviations& found) {
+    const Index n = equations.information.rows(), rows = values.rows(), columns = values.cols();
+    const MatrixXd D = rate_matrix(problem.sought, columns);
+    const double count = static_cast<double>(std::max<Index>(1, D.rows()));
+    const double w = equations.count * problem.smoothness_m_s * problem.smoothness_m_s / count;
+    const Weighing weighed = weigh(equations.information + w * D.transpose() * D);
+    const MatrixXd& inverse = weighed.inverse;
     const MatrixXd resolution = inverse * equations.information;
     const double freedom = std::max(1.0, equations.count - resolution.trace());
     found.noise_m = std::max(noise_m, std::sqrt(equations.squares / freedom));
-    VectorXd deviation = found.noise_m * inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const VectorXd posterior = inverse.diagonal().cwiseMax(0.0).cwiseSqrt();
     found.correlation = MatrixXd::Identity(n, n);
     for (Index i = 0; i < n; ++i)
         for (Index j = 0; j < i; ++j) {
-            const double product = deviation(i) * deviation(j);
-            if (product > 0.0) found.correlation(i, j) = found.correlation(j, i) = found.noise_m * found.noise_m * inverse(i, j) / product;
+            const double product = posterior(i) * posterior(j);
+            if (product > 0.0) found.correlation(i, j) = found.correlation(j, i) = inverse(i, j) / product;
         }
+    const VectorXd from_target = resolution.diagonal().cwiseMax(0.0).cwiseMin(1.0);
+    const VectorXd by_noise = found.noise_m * (resolution * inverse).diagonal().cwiseMax(0.0).cwiseSqrt();
+    const VectorXd rates = own_rates(problem.sought, values, from_target, D);
+    const VectorXd hidden = (w * inverse * D.transpose()).cwiseAbs() * rates.replicate(D.rows() / rows, 1);
+    VectorXd deviation = (by_noise.cwiseAbs2() + hidden.cwiseAbs2()).cwiseSqrt();
     for (Index i = 0; i < n; ++i)
-        if (open(i) > 1e-6 || !(deviation(i) > 0.0)) deviation(i) = std::numeric_limits<double>::quiet_NaN();
+        if (weighed.open(i) || !(deviation(i) > 0.0) || from_target(i) < measured_share)
+            deviation(i) = std::numeric_limits<double>::quiet_NaN();
     found.deviations = deviation.reshaped(rows, columns);
-    found.from_target = resolution.diagonal().cwiseMax(0.0).cwiseMin(1.0).reshaped(rows, columns);
+    found.from_target = from_target.reshaped(rows, columns);
     found.found = true;
+    found.warnings = identifiability(problem.sought, weighed, found);
 }
 
 }  // namespace
@@ -155,9 +203,7 @@ ActuationDeviations actuation_deviations(const ActuationProblem& problem, const 
         result.reason = run.trace.status == RunStatus::cancelled ? "not found: stopped by the user" : "not found: " + run.trace.message;
         return result;
     }
-    result.deviations = MatrixXd::Zero(values.rows(), values.cols());
-    set_deviations(problem, normal_equations(problem, run), noise_m, result);
-    result.warnings = identifiability(problem.sought, result);
+    set_deviations(problem, normal_equations(problem, run), values, noise_m, result);
     result.seconds = watch.seconds();
     return result;
 }

@@ -13,7 +13,9 @@ namespace myo {
 struct ActuationDeviations {
     bool found = false;
     std::string reason;             // why not, a sentence's end
-    Eigen::MatrixXd deviations;     // standard deviations; NaN: neither the target nor the smoothness determines it
+    /// Standard deviations; NaN where less than half of what is known of a value comes from the target. They hold the
+    /// noise and what the smoothness may hide of a signal whose rate is nowhere larger than it is where it was seen.
+    Eigen::MatrixXd deviations;
     /// The share of what is known of a value that comes from the target, 0 ... 1; the rest is the smoothness (diagonal of the
     /// resolution matrix, Menke 2018, ch. 4).
     Eigen::MatrixXd from_target;
@@ -26,8 +28,9 @@ struct ActuationDeviations {
 /// More values than these are not worth their tangents: each costs about as much as an eighth of a run.
 inline constexpr Eigen::Index most_deviations = 200;
 
-/// Standard deviations at the end of a fit, from the Gauss-Newton Hessian of the loss: the residuals' exact derivatives with respect
-/// to every value (one run with tangents), and the smoothness as a prior. Values at a bound count as if it were not there.
+/// Standard deviations at the end of a fit, from the Gauss-Newton Hessian of the loss: the residuals' exact derivatives
+/// with respect to every value (one run with tangents), and the smoothness, which is no knowledge but shifts the
+/// values. Values at a bound count as if it were not there.
 ///
 /// @param noise_m  of a coordinate of the target, one standard deviation
 /// Not found: too many values, or the run was stopped or failed; the reason says which.

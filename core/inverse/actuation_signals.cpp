@@ -16,6 +16,9 @@ bool has_fixed_knot(const SoughtSignals& sought) {
     return sought.hold ? !sought.seek_before : sought.from_before && !sought.seek_before;
 }
 
+/// The first value that is the end of a change.
+Index first_rate(const SoughtSignals& sought) { return sought.from_before && !sought.seek_before ? 0 : 1; }
+
 /// Of all knots, free or not, in periods.
 int first_knot(const SoughtSignals& sought) { return sought.hold ? -1 : 0; }
 
@@ -68,8 +71,21 @@ MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vect
     return gradient;
 }
 
+MatrixXd rate_matrix(const SoughtSignals& sought, Index knots) {
+    const auto signals = static_cast<Index>(sought.signals.size());
+    const Index first = first_rate(sought), rates = std::max<Index>(0, knots - first);
+    MatrixXd D = MatrixXd::Zero(rates * signals, knots * signals);
+    for (Index r = 0; r < rates; ++r)
+        for (Index s = 0; s < signals; ++s) {
+            const Index k = first + r;
+            D(r * signals + s, k * signals + s) = sought.frequency_Hz;
+            if (k > 0) D(r * signals + s, (k - 1) * signals + s) = -sought.frequency_Hz;
+        }
+    return D;
+}
+
 double mean_square_rate(const SoughtSignals& sought, const MatrixXd& values, double weight, MatrixXd& gradient) {
-    const Index first = sought.from_before && !sought.seek_before ? 0 : 1, rates = values.cols() - first;
+    const Index first = first_rate(sought), rates = values.cols() - first;
     if (rates < 1 || values.rows() == 0) return 0.0;
     const double count = static_cast<double>(rates * values.rows());
     double sum = 0.0;

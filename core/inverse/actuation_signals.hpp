@@ -50,6 +50,10 @@ std::vector<Signal> activations_of(const SoughtSignals& sought, const Eigen::Mat
 /// The derivative with respect to the values from the one with respect to the knots of activations_of(), per group.
 Eigen::MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vector<double>>& activation);
 
+/// d rate / d value of the changes that mean_square_rate() counts [1/s]; of rows and of columns the signals run
+/// fastest.
+Eigen::MatrixXd rate_matrix(const SoughtSignals& sought, Eigen::Index knots);
+
 /// Mean square rate of change from knot to knot [1/s2] and, added to `gradient` with this weight, its derivative.
 double mean_square_rate(const SoughtSignals& sought, const Eigen::MatrixXd& values, double weight, Eigen::MatrixXd& gradient);
 

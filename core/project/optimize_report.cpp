@@ -57,7 +57,9 @@ std::vector<Signal> band_of(const Optimization& optimization) {
 std::string band_words(const Optimization& optimization) {
     const ActuationDeviations& deviations = optimization.deviations;
     if (!deviations.found) return " Standard deviations were " + deviations.reason + ".";
-    return " Bands are one standard deviation: a noise of " + in_mm(deviations.noise_m) + " mm per coordinate, and the smoothness as what is known beforehand.";
+    return " Bands are one standard deviation: a noise of " + in_mm(deviations.noise_m) +
+           " mm per coordinate, and what the smoothness may hide of a signal that changes no faster than where it was "
+           "seen; values without a band were not measured.";
 }
 
 LineChart signal_chart(const Study& study, const Optimization& optimization) {

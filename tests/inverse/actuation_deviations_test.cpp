@@ -37,7 +37,18 @@ MatrixXd two_waves(const SoughtSignals& sought) {
     return values;
 }
 
-/// The information is half the Hessian of the loss where the residuals vanish, the smoothness included: against differences of its gradient.
+/// Half the Hessian of the mean square residual where the residuals vanish, and of the loss, by differences of its
+/// gradient.
+MatrixXd half_hessian(ActuationProblem p, const MatrixXd& at, double smoothness_m_s) {
+    p.smoothness_m_s = smoothness_m_s;
+    const auto gradient = [&](const VectorXd& x) {
+        return VectorXd(evaluate_actuation(p, x.reshaped(at.rows(), at.cols())).gradient.reshaped());
+    };
+    return 0.5 * test::central_differences(gradient, at.reshaped(), 1e-3);
+}
+
+/// What noise does to the values that minimise the loss, and how far the signal's largest rate may shift them by the
+/// smoothness.
 TEST(ActuationDeviations, AreThoseOfTheLossItself) {
     for (const bool hold : {false, true}) {
         ActuationProblem p = actuated_beam(hold, hold, !hold);
@@ -49,14 +60,77 @@ TEST(ActuationDeviations, AreThoseOfTheLossItself) {
         const ActuationDeviations found = actuation_deviations(p, truth, noise);
         ASSERT_TRUE(found.found) << found.reason;
         EXPECT_EQ(found.noise_m, noise);
-        const auto gradient = [&](const VectorXd& x) { return VectorXd(evaluate_actuation(p, x.reshaped(truth.rows(), truth.cols())).gradient.reshaped()); };
-        const MatrixXd hessian = test::central_differences(gradient, truth.reshaped(), 1e-3);
+        const MatrixXd loss = half_hessian(p, truth, p.smoothness_m_s), target = half_hessian(p, truth, 0.0);
         const double count = static_cast<double>(p.target.coordinates());
-        const MatrixXd covariance = noise * noise * test::inverse(0.5 * count * hessian);
-        test::expect_derivative(found.deviations.reshaped().transpose(), covariance.diagonal().cwiseSqrt().transpose(), 2e-3, "deviations");
+        const MatrixXd inverse = test::inverse(loss);
+        const MatrixXd by_noise = noise * noise / count * inverse * target * inverse;
+        const Eigen::Index n = truth.cols(), first = hold ? 0 : 1;   // from rest the first value is a change, too
+        MatrixXd D = MatrixXd::Zero(n - first, n);
+        for (Eigen::Index k = first; k < n; ++k) {
+            D(k - first, k) = p.sought.frequency_Hz;
+            if (k > 0) D(k - first, k - 1) = -p.sought.frequency_Hz;
+        }
+        const VectorXd constant = VectorXd::Constant(n, p.sought.signals.front().before);
+        const double largest = (D * (truth.transpose() - constant)).cwiseAbs().maxCoeff();
+        const MatrixXd shifts = std::pow(p.smoothness_m_s, 2) / static_cast<double>(D.rows()) * inverse * D.transpose();
+        const VectorXd hidden = largest * shifts.cwiseAbs().rowwise().sum();
+        const VectorXd expected = (by_noise.diagonal() + hidden.cwiseAbs2()).cwiseSqrt();
+        test::expect_derivative(found.deviations.reshaped().transpose(), expected.transpose(), 2e-3, "deviations");
+        const MatrixXd covariance = inverse;   // but for a factor
         const VectorXd sigma = covariance.diagonal().cwiseSqrt();
-        EXPECT_LT((found.correlation - MatrixXd(sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal())).norm(), 5e-3);
+        const MatrixXd correlation = sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal();
+        EXPECT_LT((found.correlation - correlation).norm(), 5e-3);
     }
+}
+
+/// No marker is seen for half of the time: what the signal does there nobody knows, and the values beside it lie
+/// within their deviations.
+TEST(ActuationDeviations, AreNoneWhereNothingWasMeasured) {
+    ActuationProblem p = actuated_beam(false, true, false);
+    p.sought.frequency_Hz = 40.0;
+    const MatrixXd truth = wave(p.sought);
+    aim_at(p, truth);
+    for (Eigen::Matrix3Xd& track : p.target.positions_m)
+        for (Eigen::Index t = 0; t < track.cols(); ++t) {
+            if (p.target.times_s(t) > 0.06 && p.target.times_s(t) < 0.21) track.col(t).setConstant(std::nan(""));
+            track.col(t).array() += 1e-4 * std::sin(7.0 * static_cast<double>(t));
+        }
+    p.smoothness_m_s = 1e-4;
+    const ActuationFit fit = fit_actuation(p, unmoved_values(p.sought), {200, 1e-6});
+    ASSERT_TRUE(fit.converged()) << fit.message;
+    const ActuationDeviations found = actuation_deviations(p, fit.values, 1e-4);
+    ASSERT_TRUE(found.found) << found.reason;
+    const std::vector<double> times = knot_times(p.sought);
+    double worst = 0.0;
+    int seen = 0;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const auto column = static_cast<Eigen::Index>(k);
+        if (times[k] > 0.09 && times[k] < 0.14) {
+            EXPECT_TRUE(std::isnan(found.deviations(0, column))) << times[k];
+        }
+        if (!std::isfinite(found.deviations(0, column))) continue;
+        ++seen;
+        worst = std::max(worst, std::abs(fit.values(0, column) - truth(0, column)) / found.deviations(0, column));
+    }
+    test::record("worst_error_in_deviations", worst);
+    EXPECT_LT(worst, 3.0);
+    EXPECT_GE(seen, 5);
+    EXPECT_THAT(::testing::PrintToString(found.warnings), HasSubstr("so they have no standard deviation"));
+}
+
+/// A smoothness that flattens the signal is no knowledge of it: the deviations hold what it hides.
+TEST(ActuationDeviations, HoldWhatTheSmoothnessHides) {
+    ActuationProblem p = actuated_beam(false, true, false);
+    const MatrixXd truth = wave(p.sought);
+    aim_at(p, truth);
+    p.smoothness_m_s = 3e-4;
+    const ActuationFit fit = fit_actuation(p, unmoved_values(p.sought), {200, 1e-7});
+    const ActuationDeviations found = actuation_deviations(p, fit.values, 1e-6);
+    ASSERT_TRUE(found.found) << found.reason;
+    for (Eigen::Index k = 0; k < truth.size(); ++k)
+        if (std::isfinite(found.deviations(k))) {
+            EXPECT_LT(std::abs(fit.values(k) - truth(k)), 3.0 * found.deviations(k)) << k;
+        }
 }
 
 /// Values found from noisy traces lie within one deviation of the truth as often as promised.
