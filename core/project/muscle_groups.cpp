@@ -1,6 +1,7 @@
 #include "project/muscle_groups.hpp"
 
 #include "fibre/fibres_along_line.hpp"
+#include "fibre/mask_check.hpp"
 #include "fibre/painted_mask.hpp"
 #include "project/read_experiment.hpp"
 
@@ -16,6 +17,7 @@ Eigen::Matrix3Xd points_on_mesh(const StudyMesh& mesh, Eigen::Matrix3Xd points) 
 struct GroupOf {
     const MuscleDeclaration& muscle;
     const StudyMesh& mesh;
+    std::vector<std::string>& doubts;   // of the mask
 
     Result<FibreGroup> operator()(const MuscleBox& part) const {
         return fibres_in_box(mesh.mesh, box_on_mesh(mesh, part.box_m), part.fibre, muscle.stiffness_Pa, muscle.name);
@@ -24,7 +26,13 @@ struct GroupOf {
         const auto* const file = std::get_if<std::filesystem::path>(&part.painted);
         Result<PaintedMask> mask = file ? read_painted_mask(*file) : Result<PaintedMask>(*std::get<1>(part.painted));
         if (!mask) return mask.error();
+        doubts = contradictions(*mask);
         mask->centroids_m = points_on_mesh(mesh, std::move(mask->centroids_m));
+        const Eigen::Index off = elements_off_mesh(mesh.mesh, *mask), painted = (mask->weights.array() > 0.0).count();
+        if (off > 0)
+            doubts.push_back(std::to_string(off) + " of " + std::to_string(painted) +
+                             " painted elements lie where the body has none; is the mask of this body, in its rest "
+                             "frame, in metres, with its axes in order?");
         if (part.fibre) mask->directions.colwise() = *part.fibre;
         return fibres_of_mask(mesh.mesh, *mask, muscle.stiffness_Pa, muscle.name);
     }
@@ -36,11 +44,13 @@ struct GroupOf {
 
 }  // namespace
 
-Result<std::vector<FibreGroup>> muscle_groups(const Experiment& experiment, const StudyMesh& mesh) {
+Result<std::vector<FibreGroup>> muscle_groups(const Experiment& experiment, const StudyMesh& mesh,
+                                              std::vector<std::string>* warnings) {
     std::vector<FibreGroup> groups;
     for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
         const MuscleDeclaration& muscle = experiment.muscles[i];
-        Result<FibreGroup> group = std::visit(GroupOf{muscle, mesh}, muscle.part);
+        std::vector<std::string> doubts;
+        Result<FibreGroup> group = std::visit(GroupOf{muscle, mesh, doubts}, muscle.part);
         if (!group) return group.error();
         const std::string table = "muscle[" + std::to_string(i) + "].";
         const auto* const mask = std::get_if<MuscleMask>(&muscle.part);
@@ -50,6 +60,8 @@ Result<std::vector<FibreGroup>> muscle_groups(const Experiment& experiment, cons
             return declaration_error(experiment, table + "mask", "no element of the mesh lies where the mask is painted; is it of this body, in its rest frame, in metres?");
         if (group->points.empty() && std::holds_alternative<MuscleLine>(muscle.part))
             return declaration_error(experiment, table + "line_m", "no material of the body lies within radius_m of the line");
+        for (const std::string& doubt : doubts)
+            if (warnings) warnings->push_back(table + "mask: " + doubt);
         groups.push_back(std::move(*group));
     }
     return groups;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/result.hpp"
@@ -10,7 +11,10 @@
 namespace myo {
 
 /// The declared muscles on a mesh, in their order.
+/// @param warnings  gets a sentence for each thing a mask says that cannot be so, and for paint that lies off the body;
+/// may be null
 /// Errors: a mask that cannot be read (place: its line), a mask or a line that meets no material (place: the key's line).
-Result<std::vector<FibreGroup>> muscle_groups(const Experiment& experiment, const StudyMesh& mesh);
+Result<std::vector<FibreGroup>> muscle_groups(const Experiment& experiment, const StudyMesh& mesh,
+                                              std::vector<std::string>* warnings = nullptr);
 
 }  // namespace myo

@@ -269,7 +269,7 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     warn_of_mass(model, study.warnings);
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
-    Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, study.mesh);
+    Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, study.mesh, &study.warnings);
     if (!muscles) return muscles.error();
     model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
 

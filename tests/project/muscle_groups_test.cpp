@@ -130,6 +130,26 @@ TEST_F(MuscleGroups, MoveWithAMeshThatShrank) {
     EXPECT_NEAR((*groups)[0].volume(), part.size().prod() / 8.0, 1e-15);
 }
 
+TEST_F(MuscleGroups, ADoubtfulMaskIsToldOfUnderItsKey) {
+    const VolumeMesh mesh = box_hex_mesh(bar, {10, 4, 3});
+    const Box part{{0.01, 0, 0}, {0.09, 0.015, 0.03}};
+    PaintedMask mask =
+        mask_of_cells(mesh, {volume_fractions(mesh, part), Vector3d::UnitX().replicate(1, mesh.cell_count())});
+    const auto warnings_of = [&] {
+        EXPECT_TRUE(write_painted_mask(folder.path() / "left.csv", mask));
+        std::vector<std::string> warnings;
+        EXPECT_TRUE(muscle_groups(experiment("mask = \"left.csv\""), on(mesh), &warnings));
+        return warnings;
+    };
+    EXPECT_TRUE(warnings_of().empty());
+    mask.centroids_m.row(0).array() += 0.05;
+    mask.cell_size_m *= 0.1;
+    const std::vector<std::string> warnings = warnings_of();
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_THAT(warnings[0], HasSubstr("muscle[0].mask: cell_size_m says"));
+    EXPECT_THAT(warnings[1], HasSubstr("painted elements lie where the body has none"));
+}
+
 TEST_F(MuscleGroups, WhatMeetsNoMaterialIsNamedWithItsLine) {
     const VolumeMesh mesh = box_hex_mesh(bar, {10, 3, 3});
     const auto error_of = [&](const std::string& part) {
