@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "base/text.hpp"
@@ -65,6 +66,14 @@ std::string result_lines(const Study& study, const Optimization& result) {
                     " before t = 0 (sought)";
         text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " + format_number(row.minCoeff(), 4) + " ... " +
                 format_number(row.maxCoeff(), 4) + deviation_words(result.deviations, static_cast<Eigen::Index>(s));
+    }
+    if (result.problem.placement_bounds) {
+        const Eigen::Vector3d moved = 1e3 * result.fit.best.placement.translation_m,
+                              turned = 180.0 / std::numbers::pi * result.fit.best.placement.rotation_rad;
+        std::snprintf(line, sizeof line,
+                      "\nregistration (sought): moved by (%.3f, %.3f, %.3f) mm, turned by (%.3f, %.3f, %.3f) degrees",
+                      moved.x(), moved.y(), moved.z(), turned.x(), turned.y(), turned.z());
+        text += line;
     }
     if (!result.deviations.found) text += "\nstandard deviations: " + result.deviations.reason;
     if (!result.miss.reached)

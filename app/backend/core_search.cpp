@@ -105,7 +105,8 @@ public:
             view_.settings = with_signals(settings_, activation);
             if (line.ok && line.loss_m2 == fit.best.loss_m2 && pace_.due()) {
                 const Stopwatch watch;
-                if (auto run = run_with(fit.values)) view_.best = std::make_shared<const RunResult>(std::move(*run)), shown_ = fit.values;
+                if (auto run = run_with(fit.values, fit.best.placement))
+                    view_.best = std::make_shared<const RunResult>(std::move(*run)), shown_ = fit.values;
                 pace_.took(watch.seconds());
             }
         }
@@ -115,8 +116,9 @@ public:
     /// The trial with the signals that were found. Where the search was stopped, no more of the motion than is known by then.
     RunResult found(const ActuationFit& fit) const {
         if (view_.best && shown_.size() > 0 && shown_ == fit.values) return *view_.best;
-        if (auto run = run_with(fit.values)) return std::move(*run);
-        return with_prediction(with_signals_of(fit.values), prediction_of(study_, trial_, fit.best.motion));
+        if (auto run = run_with(fit.values, fit.best.placement)) return std::move(*run);
+        return with_prediction(with_signals_of(fit.values),
+                               prediction_of(study_, trial_, fit.best.motion, fit.best.placement), fit.best.placement);
     }
 
 private:
@@ -126,24 +128,27 @@ private:
         return study;
     }
 
-    RunResult with_prediction(const Study& study, TrialPrediction prediction) const {
+    RunResult with_prediction(const Study& study, TrialPrediction prediction, const MarkerPlacement& placement) const {
         std::vector<TrialPrediction> predictions(study.trials.size());
         predictions[trial_] = std::move(prediction);
-        return shown_run(study, scored_run(study, values_of(study), std::move(predictions), {trial_}));
+        return shown_run(study, scored_run(study, values_of(study, placement), std::move(predictions), {trial_}));
     }
 
-    static StudyValues values_of(const Study& study) {
+    static StudyValues values_of(const Study& study, const MarkerPlacement& placement) {
         StudyValues values = declared_values(study);
+        values.translation_m = placement.translation_m;
+        values.rotation_rad = placement.rotation_rad;
         for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
         return values;
     }
 
     /// The trial run with these signals; empty when it was cancelled.
-    std::optional<RunResult> run_with(const Eigen::MatrixXd& signals) const {
+    std::optional<RunResult> run_with(const Eigen::MatrixXd& signals, const MarkerPlacement& placement) const {
         const Study study = with_signals_of(signals);
-        TrialPrediction prediction = predict_trial(study, trial_, values_of(study), {}, progress_.with_sink({}));
+        TrialPrediction prediction =
+            predict_trial(study, trial_, values_of(study, placement), {}, progress_.with_sink({}));
         if (prediction.status == RunStatus::cancelled) return std::nullopt;
-        return with_prediction(study, std::move(prediction));
+        return with_prediction(study, std::move(prediction), placement);
     }
 
     const Study& study_;

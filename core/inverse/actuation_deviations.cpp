@@ -8,6 +8,7 @@
 #include "base/decompositions.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "measurement/rigid_motion.hpp"
 #include "sensitivity/tangent_run.hpp"
 
 namespace myo {
@@ -41,6 +42,20 @@ std::vector<ModelTangent> value_tangents(const SoughtSignals& sought, const Matr
     return tangents;
 }
 
+/// The information on the values alone, whatever the last six parameters are: the placement, as likely anywhere within
+/// its bounds.
+MatrixXd without_placement(const MatrixXd& information, const PlacementBounds& bounds, double noise_m) {
+    const Index n = information.rows() - 6;
+    MatrixXd placement = information.bottomRightCorner(6, 6);
+    // The variance of an even distribution.
+    const double translation = bounds.translation_m * bounds.translation_m / 3.0,
+                 rotation = bounds.rotation_rad * bounds.rotation_rad / 3.0;
+    for (Index i = 0; i < 6; ++i)
+        placement(i, i) += noise_m * noise_m / std::max(i < 3 ? translation : rotation, 1e-300);
+    return information.topLeftCorner(n, n) -
+           information.topRightCorner(n, 6) * placement.ldlt().solve(information.bottomLeftCorner(6, n));
+}
+
 /// J'J of the compared coordinates, and the sum of their squared residuals.
 struct NormalEquations {
     MatrixXd information;
@@ -51,14 +66,22 @@ struct NormalEquations {
 NormalEquations normal_equations(const ActuationProblem& problem, const SensitiveTrace& run) {
     const SensitiveResiduals seen = target_residuals(problem.target, run);
     const std::size_t count = seen.tangents.size();
-    NormalEquations equations{MatrixXd::Zero(static_cast<Index>(count), static_cast<Index>(count))};
+    const Index columns = static_cast<Index>(count) + (problem.placement_bounds ? 6 : 0);
+    const MarkerPlacement& placement = problem.target.placement;
+    const Eigen::Matrix3d back = small_rotation(-placement.rotation_rad);
+    NormalEquations equations{MatrixXd::Zero(columns, columns)};
     for (std::size_t m = 0; m < seen.residuals_m.size(); ++m) {
         const Matrix3Xd& residual = seen.residuals_m[m];
         std::vector<Index> compared;
         for (Index k = 0; k < residual.size(); ++k)
             if (std::isfinite(residual(k))) compared.push_back(k);
-        MatrixXd J(static_cast<Index>(compared.size()), static_cast<Index>(count));
+        MatrixXd J(static_cast<Index>(compared.size()), columns);
         for (std::size_t p = 0; p < count; ++p) J.col(static_cast<Index>(p)) = seen.tangents[p][m].reshaped()(compared);
+        for (Index row = 0; problem.placement_bounds && row < J.rows(); ++row) {
+            const Index k = compared[static_cast<std::size_t>(row)];
+            const Eigen::Vector3d placed = residual.col(k / 3) + problem.target.positions_m[m].col(k / 3);
+            J.row(row).tail<6>() = placement_tangent(placement, back * (placed - placement.translation_m)).row(k % 3);
+        }
         equations.information += J.transpose() * J;
         equations.squares += residual.reshaped()(compared).squaredNorm();
         equations.count += static_cast<double>(compared.size());
@@ -203,7 +226,10 @@ ActuationDeviations actuation_deviations(const ActuationProblem& problem, const 
         result.reason = run.trace.status == RunStatus::cancelled ? "not found: stopped by the user" : "not found: " + run.trace.message;
         return result;
     }
-    set_deviations(problem, normal_equations(problem, run), values, noise_m, result);
+    NormalEquations equations = normal_equations(problem, run);
+    if (problem.placement_bounds)
+        equations.information = without_placement(equations.information, *problem.placement_bounds, noise_m);
+    set_deviations(problem, equations, values, noise_m, result);
     result.seconds = watch.seconds();
     return result;
 }

@@ -167,8 +167,14 @@ void set_ending(const ActuationFitOptions& options, const Progress& progress, nl
 ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const MatrixXd& values, const Progress& progress) {
     Model model = problem.model;
     model.activation = activations_of(problem.sought, values);
-    GradientRun run = simulate_with_gradient(model, problem.options, mean_square_of(problem.target), {}, progress);
     ActuationEvaluation result;
+    MarkerTarget target = problem.target;
+    const auto loss = [&](const NodeMotion& motion) {
+        if (problem.placement_bounds) target.placement = best_placement(target, motion, *problem.placement_bounds);
+        return mean_square(target, motion);
+    };
+    GradientRun run = simulate_with_gradient(model, problem.options, {target.markers.nodes, loss}, {}, progress);
+    result.placement = target.placement;
     result.status = run.status;
     result.message = run.message;
     if (!run.complete()) return result;

@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "inverse/actuation_signals.hpp"
+#include "inverse/best_placement.hpp"
 #include "inverse/least_squares.hpp"
 #include "inverse/marker_target.hpp"
 
@@ -22,6 +24,9 @@ struct ActuationProblem {
     /// So many metres of rms error a signal that changes by 1 per second is worth: loss = mean square residual + (smoothness)^2
     /// times the mean square rate of the signals.
     double smoothness_m_s = 1e-4;
+    /// How the cameras stand is sought within these, too: the target is then placed best for every motion. Empty: it
+    /// stands as it does.
+    std::optional<PlacementBounds> placement_bounds;
 };
 
 /// The loss at some values.
@@ -30,6 +35,7 @@ struct ActuationEvaluation {
     std::string message;
     double loss_m2 = 0.0;
     double rms_m = 0.0;              // of the residuals alone
+    MarkerPlacement placement;       // of the target
     Eigen::MatrixXd gradient;        // signals x knots [m2]
     NodeMotion motion;               // of the markers' nodes
     int steps = 0;

@@ -187,6 +187,12 @@ Json optimize_json(const Study& study, const Optimization& optimization, const R
               {"muscles", muscles_json(study, sought)},
               {"starts", starts_json(optimization.starts)},
               {"history", history_json(fit.log)}};
+    if (optimization.problem.placement_bounds) {
+        const MarkerPlacement& placement = fit.best.placement;
+        json["registration"] = {{"translation_m", json_array(Eigen::VectorXd(placement.translation_m))},
+                                {"rotation_rad", json_array(Eigen::VectorXd(placement.rotation_rad))},
+                                {"at_bound", at_bound(placement, *optimization.problem.placement_bounds)}};
+    }
     if (!optimization.miss.reached) json["missed"] = miss_json(optimization.miss);
     if (optimization.deviations.found) json["std_noise_m"] = optimization.deviations.noise_m;
     else json["std"] = optimization.deviations.reason;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "base/stopwatch.hpp"
@@ -96,7 +97,9 @@ std::vector<std::string> bound_warnings(const SoughtSignals& sought, const Matri
 StudyRun run_of(const Study& study, const ActuationEvaluation& evaluation) {
     StudyValues values = declared_values(study);
     for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
-    return scored_run(study, values, {prediction_of(study, 0, evaluation.motion)}, {0});
+    values.translation_m = evaluation.placement.translation_m;
+    values.rotation_rad = evaluation.placement.rotation_rad;
+    return scored_run(study, values, {prediction_of(study, 0, evaluation.motion, evaluation.placement)}, {0});
 }
 
 /// What a person should know about the result, the gravest first.
@@ -109,9 +112,19 @@ std::vector<std::string> warnings_of(const Study& study, const Optimization& res
         for (const std::string& name : unrecorded_levels(study))
             warnings.push_back("signal " + name +
                                ": its level before t = 0 is on no record, unlike that of others; 1 (passive) is taken");
+    const auto& placed = result.problem.placement_bounds;
+    if (placed && at_bound(result.fit.best.placement, *placed))
+        warnings.push_back("registration: the camera frame ended at its bound (" +
+                           format_number(1e3 * placed->translation_m, 3) + " mm, " +
+                           format_number(placed->rotation_rad * 180.0 / std::numbers::pi, 3) + " degrees)");
     const std::vector<std::string> bounds = bound_warnings(sought, result.fit.values);
     warnings.insert(warnings.end(), bounds.begin(), bounds.end());
     return warnings;
+}
+
+ActuationProblem with_placement(ActuationProblem problem, const MarkerPlacement& placement) {
+    problem.target.placement = placement;
+    return problem;
 }
 
 /// The same progress under another name: that of the run is a part of a search.
@@ -144,6 +157,10 @@ Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSet
     problem.sought = sought_signals(study, settings, problem.options.end_s);
     for (const SoughtSignal& signal : problem.sought.signals)
         if (!(signal.lower < signal.upper)) return Error{"muscle " + signal.name + " and those that follow it have no value in common within the bounds", "--lowest"};
+    const RegistrationDeclaration& registration = study.experiment.registration;
+    if (!registration.known && registration.method == RegistrationMethod::limited && !problem.target.from_start)
+        problem.placement_bounds = {registration.max_translation_m,
+                                    registration.max_rotation_deg * std::numbers::pi / 180.0};
     problem.smoothness_m_s = settings.smoothness_m_s.value_or(mean_noise(study));
     return problem;
 }
@@ -182,7 +199,10 @@ Optimization optimize_study(const Study& study, const ActuationProblem& problem,
         result.miss = target_miss(study, result.after);
         result.warnings = warnings_of(study, result);
         if (result.stopped) result.deviations.reason = "not looked for: the search was stopped";
-        else result.deviations = actuation_deviations(problem, result.fit.values, mean_noise(study), in_task(progress, "deviations"));
+        else
+            result.deviations =
+                actuation_deviations(with_placement(problem, result.fit.best.placement), result.fit.values,
+                                     mean_noise(study), in_task(progress, "deviations"));
         result.warnings.insert(result.warnings.end(), result.deviations.warnings.begin(), result.deviations.warnings.end());
     }
     result.seconds = watch.seconds();

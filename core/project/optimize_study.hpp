@@ -29,8 +29,9 @@ struct OptimizeSettings {
     std::function<void(const ActuationFit&)> evaluated = {};
 };
 
-/// The problem of a study's only trial (with_one_trial()): one signal for every muscle that follows none, from t = 0 to the last sample.
-/// Of a trial that starts at rest under levels that are on no record these are sought, too.
+/// The problem of a study's only trial (with_one_trial()): one signal for every muscle that follows none, from t = 0 to
+/// the last sample. Of a trial that starts at rest under levels that are on no record these are sought, too, and a
+/// registration that is not known within its bounds.
 /// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds,
 /// a lowest one of 0 or below but as published.
 Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSettings& settings);

@@ -31,9 +31,11 @@ MarkerTarget trial_target(const Study& study, std::size_t index, double until_s)
     return target;
 }
 
-TrialPrediction prediction_of(const Study& study, std::size_t index, const NodeMotion& motion) {
+TrialPrediction prediction_of(const Study& study, std::size_t index, const NodeMotion& motion,
+                              const MarkerPlacement& placement) {
     const StudyTrial& trial = study.trials[index];
     MarkerTarget all = trial_target(study, index, std::numeric_limits<double>::infinity());
+    all.placement = placement;
     const std::vector<Matrix3Xd> compared = target_residuals(all, motion);
     TrialPrediction result;
     result.status = RunStatus::complete;

@@ -16,7 +16,8 @@ namespace myo {
 MarkerTarget trial_target(const Study& study, std::size_t trial, double until_s);
 
 /// A prediction from the motion of the markers' nodes alone: its trace holds no states.
-TrialPrediction prediction_of(const Study& study, std::size_t trial, const NodeMotion& motion);
+TrialPrediction prediction_of(const Study& study, std::size_t trial, const NodeMotion& motion,
+                              const MarkerPlacement& placement = {});
 
 /// The index of the named trial, or of the first fit trial when the name is empty.
 /// Error: no such trial; names the nearest.

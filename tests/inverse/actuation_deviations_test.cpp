@@ -158,6 +158,20 @@ TEST(ActuationDeviations, CoverTheTruth) {
     EXPECT_NEAR(static_cast<double>(within) / all, 0.683, 0.15);
 }
 
+/// A camera frame that is sought leaves less to the signal; one that may hardly move is as good as known.
+TEST(ActuationDeviations, AreLargerWhereTheCameraFrameIsSought) {
+    ActuationProblem p = actuated_beam(false, true, false);
+    const MatrixXd truth = wave(p.sought);
+    aim_at(p, truth);
+    const MatrixXd known = actuation_deviations(p, truth, 1e-4).deviations;
+    p.placement_bounds = PlacementBounds{1e-3, 1e-2};
+    const MatrixXd sought = actuation_deviations(p, truth, 1e-4).deviations;
+    p.placement_bounds = PlacementBounds{1e-9, 1e-9};
+    const MatrixXd hardly = actuation_deviations(p, truth, 1e-4).deviations;
+    EXPECT_GT((sought - known).minCoeff(), 0.0);
+    EXPECT_LT((hardly - known).cwiseAbs().maxCoeff(), 1e-6 * known.maxCoeff());
+}
+
 /// Two signals for muscles side by side, seen by markers that only bend up and down, are one signal for all the markers can tell.
 TEST(ActuationDeviations, NameSignalsThatCannotBeToldApart) {
     ActuationProblem p = two_signals();

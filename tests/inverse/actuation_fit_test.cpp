@@ -108,6 +108,35 @@ TEST(ActuationFit, MoreSmoothnessMovesLessAndFollowsLess) {
     }
 }
 
+/// The cameras' frame is a little off; it is found with the signal, and the gradient is that of the loss with the frame
+/// found anew each time.
+TEST(ActuationFit, SeeksHowTheCamerasStandToo) {
+    ActuationProblem p = actuated_beam(false, false, false);
+    const MatrixXd truth = wave(p.sought);
+    p.target.markers = marker_set(p.model.body->mesh, {{0.1, 0.015, 0.03}, {0.06, -0.006, 0.012}, {0.08, 0.03, 0.01}});
+    p.target.placement = {{4e-4, -3e-4, 2e-4}, {2e-3, -1e-3, 3e-3}, 0.0};
+    const MarkerPlacement placed = p.target.placement;
+    aim_at(p, truth);
+    p.target.placement = {};
+    p.placement_bounds = PlacementBounds{1e-3, 1e-2};
+    p.options.solver.tolerance = 1e-11;
+    const MatrixXd at = unmoved_values(p.sought) + 0.3 * (truth - unmoved_values(p.sought));
+    const auto loss = [&](const Eigen::VectorXd& x) {
+        return Eigen::VectorXd::Constant(1, evaluate_actuation(p, x.reshaped(at.rows(), at.cols())).loss_m2);
+    };
+    test::expect_derivative(evaluate_actuation(p, at).gradient.reshaped().transpose(),
+                            test::central_differences(loss, at.reshaped(), 1e-3), 1e-4, "loss");
+
+    const ActuationFit fit = fit_actuation(p, unmoved_values(p.sought), {300, 1e-9});
+    ASSERT_TRUE(fit.converged()) << fit.message;
+    EXPECT_LT((fit.values - truth).cwiseAbs().maxCoeff(), 1e-3 * 0.08);
+    EXPECT_LT((fit.best.placement.translation_m - placed.translation_m).norm(), 2e-6);
+    EXPECT_LT((fit.best.placement.rotation_rad - placed.rotation_rad).norm(), 2e-5);
+    EXPECT_FALSE(at_bound(fit.best.placement, *p.placement_bounds));
+    p.placement_bounds = PlacementBounds{3e-4, 1e-2};
+    EXPECT_TRUE(at_bound(evaluate_actuation(p, truth).placement, *p.placement_bounds));
+}
+
 TEST(ActuationFit, CancelledKeepsTheBestSoFar) {
     ActuationProblem p = actuated_beam(false, false, false);
     aim_at(p, wave(p.sought));
