@@ -16,6 +16,7 @@
 #include "project/output_files.hpp"
 #include "project/read_experiment.hpp"
 #include "project/study_target.hpp"
+#include "project/time_step.hpp"
 
 namespace myo {
 namespace {
@@ -66,6 +67,7 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, co
     Result<Study> study = prepare_study(experiment, study_settings(call.study, call.work), progress);
     if (!study) return study.error();
     if (const Result<void> few = check_steps(*study); !few) return few.error();
+    if (!call.study.settings.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     check_integration(*study);
     return study;
 }

@@ -71,7 +71,7 @@ std::vector<StudyParameter> study_parameters(const Study& study, const std::vect
         const StudyTrial& trial = study.trials[t];
         if (trial.role != TrialRole::fit) continue;
         // A start that was found is known to a few frames; the motion tells the rest.
-        const double interval = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
+        const double interval = sampling_interval_s(trial);
         if (trial.start_found)
             add(Kind::start_shift, t, 0, "start_shift_s." + trial.name, -3.0 * interval, 3.0 * interval, interval, "s");
         for (const std::size_t muscle : trial.free_levels)

@@ -95,9 +95,9 @@ Result<StudyTrial> prepare_trial(const Study& study, const Model& model, const T
     trial.options.integrator = study.settings.scheme();
     trial.options.solver.strategy = study.settings.strategy;
     const Eigen::VectorXd& times = trial.measured.time_s;
-    const double interval = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
-    trial.options.h_s = study.settings.h_s.value_or(0.5 * interval);
-    for (Signal& signal : trial.model.activation) signal = with_switches_as_jumps(signal, trial.options.h_s);
+    const double interval = sampling_interval_s(trial);
+    trial.recorded_activation = trial.model.activation;
+    set_step(trial, study.settings.h_s.value_or(0.5 * interval));
     // One step beyond the last sample, so that a start found a little later still has data under every sample.
     trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
     return trial;
@@ -200,6 +200,17 @@ std::vector<Signal> level_tangent(const Experiment& experiment, std::size_t lead
     for (const MuscleLeader& muscle : muscle_leaders(experiment))
         tangent.push_back(Signal::step(0.0, 0.0, muscle.leader == leader ? muscle.factor : 0.0));
     return tangent;
+}
+
+double sampling_interval_s(const StudyTrial& trial) {
+    return trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
+}
+
+void set_step(StudyTrial& trial, double h_s) {
+    trial.options.h_s = h_s;
+    trial.model.activation.clear();
+    for (const Signal& signal : trial.recorded_activation)
+        trial.model.activation.push_back(with_switches_as_jumps(signal, h_s));
 }
 
 double mean_noise(const Study& study) { return std::sqrt(study.noise_m.squaredNorm() / static_cast<double>(study.noise_m.size())); }

@@ -16,6 +16,7 @@
 #include "project/experiment.hpp"
 #include "project/integration_check.hpp"
 #include "project/study_mesh.hpp"
+#include "project/trial_step.hpp"
 
 namespace myo {
 
@@ -46,6 +47,7 @@ struct StudyTrial {
     std::string name;
     TrialRole role = TrialRole::fit;
     Model model;                              // with the declared constants; free levels at 1
+    std::vector<Signal> recorded_activation;  // before set_step() made jumps of what rises within a step
     SimulationOptions options;
     Recording measured;                       // markers on the body, declaration order; mesh frame; t = 0 at the start [s]
     Eigen::Index first_sample = 0;            // the first one compared (t >= 0)
@@ -72,8 +74,15 @@ struct Study {
     std::vector<StudyTrial> trials;
     double modulus_factor = 1.0;              // the cells' modulus over the body's: coarse ones bend as if of another one
     std::vector<std::string> warnings;
+    std::vector<TrialStep> steps;                  // per trial, of choose_steps(); empty: as asked for, or not chosen yet
     std::optional<IntegrationCheck> integration;   // of check_integration(), when asked for
 };
+
+/// Of a trial's recording; a hundredth of a second where it has a single sample.
+double sampling_interval_s(const StudyTrial& trial);
+
+/// Lets a trial run with steps of h_s; see with_switches_as_jumps().
+void set_step(StudyTrial& trial, double h_s);
 
 /// Root mean square of the markers' noise [m].
 double mean_noise(const Study& study);

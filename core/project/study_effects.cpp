@@ -21,7 +21,7 @@ EffectSite effect_site(const Study& study, std::size_t index) {
     site.trial = trial.name;
     site.session_time_s = experiment.trials[index].session_time_s;
     site.start = trial.options.start;
-    site.interval_s = trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
+    site.interval_s = sampling_interval_s(trial);
     site.end_s = trial.options.end_s;
     return site;
 }

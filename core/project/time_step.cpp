@@ -1,0 +1,118 @@
+#include "project/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "dynamics/numerical_damping.hpp"
+#include "project/vibration_in_motion.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+constexpr StepPolicy step_policy;
+
+double frequency_error(const TimeScheme& scheme, double omega, double h_s) {
+    return std::abs(discrete_vibration(scheme, {omega}, h_s).frequency_error);
+}
+
+/// The longest step up to `longest` whose frequency error is the policy's. Errors grow with the step.
+double step_for(const TimeScheme& scheme, double omega, double longest) {
+    if (frequency_error(scheme, omega, longest) <= step_policy.most_frequency_error) return longest;
+    double low = 0.0, high = longest;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (frequency_error(scheme, omega, middle) <= step_policy.most_frequency_error ? low : high) = middle;
+    }
+    return low;
+}
+
+/// rms of the difference of two predictions over compared coordinates [m].
+double difference(const TrialPrediction& a, const TrialPrediction& b) {
+    std::vector<Matrix3Xd> all;
+    for (std::size_t m = 0; m < a.residual_m.size(); ++m) all.push_back(a.residual_m[m] - b.residual_m[m]);
+    return rms(all);
+}
+
+/// The longest whole part of an interval that is no longer than h.
+double whole_part(double interval, double h) { return interval / std::ceil(interval / h * (1.0 - 1e-9)); }
+
+TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values, const Progress& progress) {
+    StudyTrial& trial = study.trials[index];
+    const double interval = sampling_interval_s(trial), noise = mean_noise(study);
+    const TimeScheme scheme = trial.options.integrator;
+    TrialStep step;
+    step.h_s = 0.5 * interval;
+    const auto run = [&](double h) {
+        set_step(trial, h);
+        return predict_trial(study, index, values, {}, progress);
+    };
+    TrialPrediction before = run(interval);
+    double h_before = interval;
+    for (int runs = 1; runs < step_policy.most_runs; ++runs) {
+        const TrialPrediction now = run(step.h_s);
+        if (!now.ok()) {
+            step.failure = now.message;
+            return step;
+        }
+        const Model model = affected_trial(study, index, values).model;
+        const Vibration vibration = largest_vibration(model, study.markers, now.trace);
+        double needed = step.h_s;
+        if (vibration.amplitude_m > step_policy.most_noise_share * noise) {
+            step.vibration_Hz = vibration.omega_rad_s / (2.0 * std::numbers::pi);
+            step.vibration_m = vibration.amplitude_m;
+            step.frequency_error = frequency_error(scheme, vibration.omega_rad_s, step.h_s);
+            step.trace_error_m = 0.0;
+            needed = step_for(scheme, vibration.omega_rad_s, step.h_s);
+        } else {
+            step.vibration_Hz = step.vibration_m = step.frequency_error = 0.0;
+            const double ratio = h_before / step.h_s;
+            // A coarse run that failed tells nothing, and one more is needed.
+            step.trace_error_m = before.ok() ? difference(before, now) / (ratio * ratio - 1.0) : 10.0 * noise;
+            const double allowed = step_policy.most_noise_share * noise;
+            if (step.trace_error_m > allowed)
+                needed = step_policy.safety * step.h_s * std::sqrt(allowed / step.trace_error_m);
+        }
+        if (needed >= step.h_s) return step;
+        h_before = step.h_s;
+        step.h_s = whole_part(interval, std::max(needed, step_policy.least_ratio * step.h_s));
+        // A vibration that this step resolves well enough to be sure which it is.
+        if (step.h_s <= needed && vibration.omega_rad_s * h_before < 1.0 && step.vibration_Hz > 0.0) {
+            step.frequency_error = frequency_error(scheme, vibration.omega_rad_s, step.h_s);
+            return step;
+        }
+        before = now;
+    }
+    step.settled = false;
+    return step;
+}
+
+}  // namespace
+
+std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress) {
+    std::vector<TrialStep> steps(study.trials.size());
+    const auto count = static_cast<int>(steps.size());
+    double done = 0.0;
+    std::mutex mutex;
+    parallel_tasks(count, study.settings.threads, [&](int index) {
+        const auto i = static_cast<std::size_t>(index);
+        steps[i].h_s = 0.5 * sampling_interval_s(study.trials[i]);
+        if (progress.cancelled()) return;
+        Study own = study;   // whose step is tried out
+        steps[i] = choose_step(own, i, values, progress.with_sink({}));
+        const std::lock_guard<std::mutex> lock(mutex);
+        progress.report({"choosing the time step", ++done, static_cast<double>(count), "trials", {}});
+    });
+    return steps;
+}
+
+void set_steps(Study& study, std::vector<TrialStep> steps) {
+    for (std::size_t t = 0; t < steps.size(); ++t) set_step(study.trials[t], steps[t].h_s);
+    study.steps = std::move(steps);
+}
+
+}  // namespace myo

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "project/prediction.hpp"
+
+namespace myo {
+
+/// How the step of a trial is chosen where a person asks for none.
+struct StepPolicy {
+    double most_frequency_error = 1e-3;    // of the vibration that moves the markers most: E errs by twice as much
+    double most_noise_share = 1.0 / 3.0;   // of the step's error in traces without such a vibration: a tenth of the
+                                           // noise's square
+    int most_runs = 8;                     // each with at most ...
+    double least_ratio = 0.2;              // ... so short a step as the one before
+    double safety = 0.9;                   // of steps by their error's order
+};
+
+/// Steps for all trials with these values, none longer than half a sampling interval and all whole parts of one.
+///
+/// A trial is run with a whole sampling interval as step, then with half of it, and so on: the change between two runs
+/// tells the error of second order, and accelerations tell how much of each natural vibration is in the motion.
+///
+/// Progress counts trials. Cancelled, what is not chosen yet is half a sampling interval.
+std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress = {});
+
+void set_steps(Study& study, std::vector<TrialStep> steps);
+
+}  // namespace myo
