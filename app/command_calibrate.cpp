@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "project/finding_output.hpp"
 #include "project/output_files.hpp"
 #include "project/study_report.hpp"
 #include "study_command.hpp"
@@ -70,8 +72,8 @@ std::string trial_lines(const Study& study, const Calibration& calibration) {
     return text;
 }
 
-Result<void> write_results(const CalibrateCall& call, const Study& study, const Calibration& calibration, double setup_s) {
-    const RunFacts facts = run_facts(call, setup_s);
+Result<void> write_results(const CalibrateCall& call, const Study& study, const Calibration& calibration,
+                           const RunFacts& facts) {
     if (const Result<void> traces = write_traces(call.out, study, calibration.after); !traces) return traces.error();
     if (const Result<void> page = write_html(call.out / "report.html", study_report(study, calibration, facts)); !page) return page.error();
     return write_json(call.out / "calibrate.json", calibrate_json(study, calibration, facts));
@@ -97,9 +99,9 @@ int end_status(const CalibrateCall& call, const Calibration& calibration, Consol
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const StudyOpening opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
+    StudyOpening opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
     if (!opening.study) return opening.status;
-    const std::optional<Study>& study = opening.study;
+    std::optional<Study>& study = opening.study;
     if (study_parameters(*study, call.parameters).empty())
         return console.refuse(
             {"nothing is left to fit: material.calibrate names nothing that is not exact, and nothing else is unknown; "
@@ -114,11 +116,13 @@ int calibrate_command(const CalibrateCall& call) {
         settings.from = earlier.values;
     }
     for (const std::string& warning : study->warnings) console.warn(warning);
+    const std::vector<Finding> before = check_before(*study);
+    tell_findings(before, {}, console);
     const double setup_s = opening.setup.seconds();
     console.print(study->experiment.name);
 
-    Calibration calibration = calibrate_study(*study, settings, progress);
-    calibration.earlier_evaluations = earlier.evaluations;
+    Calibration calibration = calibrate_with_chosen_steps(*study, settings, progress);
+    calibration.earlier_evaluations += earlier.evaluations;
     if (!calibration.usable()) {
         if (calibration.stopped) return stopped_before(first_evaluation, console);
         console.complain("the fit failed: " + with_options(calibration.fit.message) +
@@ -126,7 +130,12 @@ int calibrate_command(const CalibrateCall& call) {
         return status_failed;
     }
     for (const std::string& warning : calibration.warnings) console.warn(warning);
-    if (const Result<void> written = write_results(call, *study, calibration, setup_s); !written) return console.refuse(written.error());
+    RunFacts facts = run_facts(call, setup_s);
+    facts.findings = check_after({*study, &calibration.after, &calibration});
+    tell_findings(facts.findings, before, console);
+    if (const Result<void> written = write_results(call, *study, calibration, facts); !written)
+        return console.refuse(written.error());
+    console.print("\n" + findings_line(facts.findings));
     console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(*study, calibration) + "\n" + start_lines(calibration) + "\n" + std::to_string(calibration.evaluations()) +
                   (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return end_status(call, calibration, console);

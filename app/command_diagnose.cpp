@@ -4,6 +4,7 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "effect/catalogue.hpp"
 #include "exit_status.hpp"
@@ -13,6 +14,7 @@
 #include "loop/diagnosis_report.hpp"
 #include "loop/effect_words.hpp"
 #include "loop/whole_diagnosis.hpp"
+#include "project/finding_output.hpp"
 #include "project/output_files.hpp"
 #include "study_command.hpp"
 
@@ -94,7 +96,8 @@ Result<void> write_results(const DiagnoseCall& call, const Experiment& experimen
     if (!augmented) return augmented.error();
     if (const Result<void> file = write_file(call.out / "experiment_augmented.toml", *augmented); !file) return file.error();
     if (const Result<void> page = write_html(call.out / "report.html", diagnosis_report(study, d, facts)); !page) return page.error();
-    const Json report = diagnosis_json(study, d, name);
+    Json report = diagnosis_json(study, d, name);
+    report["checks"] = findings_json(facts.findings);
     if (const Result<void> file = write_json(call.out / (name + ".json"), report); !file) return file.error();
     return write_json(call.out / "report.json", report);
 }
@@ -106,6 +109,8 @@ int diagnose_command(const DiagnoseCall& call) {
     if (!opening.study) return opening.status;
     const Study& study = *opening.study;
     for (const std::string& warning : study.warnings) console.warn(warning);
+    const std::vector<Finding> before = check_before(study);
+    tell_findings(before, {}, console);
     console.print(study.experiment.name);
     DiagnoseSettings settings;
     settings.without = call.without;
@@ -121,7 +126,12 @@ int diagnose_command(const DiagnoseCall& call) {
         console.complain(d.failure);
         return status_failed;
     }
-    if (const Result<void> written = write_results(call, opening.experiment, study, d, run_facts(call, setup_s)); !written) return console.refuse(written.error());
+    RunFacts facts = run_facts(call, setup_s);
+    facts.findings = check_after({as_diagnosed(d, study), &d.after});
+    tell_findings(facts.findings, before, console);
+    if (const Result<void> written = write_results(call, opening.experiment, study, d, facts); !written)
+        return console.refuse(written.error());
+    console.print("\n" + findings_line(facts.findings));
     console.print("\n" + candidate_lines(d) + "\n\n" + trial_lines(study, d) + "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d) + "; report: " +
                   (call.out / "report.html").string());
     return status_done;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "project/optimize_study.hpp"
@@ -83,8 +84,8 @@ std::string result_lines(const Study& study, const Optimization& result) {
            std::to_string(study.body->dofs()) + " DOF";
 }
 
-Result<void> write_results(const OptimizeCall& call, const Study& study, const Optimization& result, double setup_s) {
-    const RunFacts facts = run_facts(call, setup_s);
+Result<void> write_results(const OptimizeCall& call, const Study& study, const Optimization& result,
+                           const RunFacts& facts) {
     if (const Result<void> files = write_actuation(call.out, study, result); !files) return files.error();
     if (const Result<void> page = write_html(call.out / "report.html", optimize_report(study, result, facts)); !page) return page.error();
     return write_json(call.out / "optimize.json", optimize_json(study, result, facts));
@@ -118,6 +119,8 @@ int optimize_command(const OptimizeCall& call) {
         from = *earlier;
     }
     for (const std::string& warning : study.warnings) console.warn(warning);
+    const std::vector<Finding> before = check_before(study);
+    tell_findings(before, {}, console);
     std::vector<std::string> names;
     for (const SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
     console.print(study.experiment.name + ", trial " + study.trials.front().name + ": " + std::to_string(from.values.size()) + " values of " +
@@ -132,7 +135,10 @@ int optimize_command(const OptimizeCall& call) {
         return status_failed;
     }
     for (const std::string& warning : result.warnings) console.warn(warning);
-    if (const Result<void> written = write_results(call, study, result, setup_s); !written) return console.refuse(written.error());
+    RunFacts facts = run_facts(call, setup_s);
+    facts.findings = before;   // the trial ran with signals of its own, markers only
+    if (const Result<void> written = write_results(call, study, result, facts); !written)
+        return console.refuse(written.error());
     console.print("\n" + result_lines(study, result) + "; report: " + (call.out / "report.html").string());
     return end_status(call, result, console);
 }

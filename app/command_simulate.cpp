@@ -3,8 +3,10 @@
 #include <memory>
 
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "project/finding_output.hpp"
 #include "project/output_files.hpp"
 #include "project/output_json.hpp"
 #include "study_command.hpp"
@@ -56,13 +58,14 @@ std::string score_table(const Study& study, const StudyRun& run) {
     return text;
 }
 
-Result<void> write_results(const SimulateCall& call, const Study& study, const StudyRun& run, double setup_s, const Progress& progress) {
+Result<void> write_results(const SimulateCall& call, const Study& study, const StudyRun& run, const RunFacts& facts,
+                           const Progress& progress) {
     if (run.scores.empty()) return {};
     if (const Result<void> traces = write_traces(call.out, study, run); !traces) return traces.error();
     if (call.vtu)
         if (const Result<void> series = write_series(call.out, study, run, series_frames, progress); !series && !progress.cancelled())
             return series.error();
-    return write_json(call.out / "simulate.json", simulate_json(study, run, run_facts(call, setup_s)));
+    return write_json(call.out / "simulate.json", simulate_json(study, run, facts));
 }
 
 int simulate_command(const SimulateCall& call) {
@@ -72,13 +75,19 @@ int simulate_command(const SimulateCall& call) {
     if (!opening.study) return opening.status;
     const std::optional<Study>& study = opening.study;
     for (const std::string& warning : study->warnings) console.warn(warning);
+    const std::vector<Finding> before = check_before(*study);
+    tell_findings(before, {}, console);
     const double setup_s = opening.setup.seconds();
 
     const StudyValues values = with_predicted_levels(*study, declared_values(*study));
     console.print(study->experiment.name + "\n" + mesh_line(*study) + "\n" + values_line(*study, values));
     const StudyRun run = run_study(*study, values, progress, call.trial);
-    if (const Result<void> written = write_results(call, *study, run, setup_s, progress); !written) return console.refuse(written.error());
-    if (!run.scores.empty()) console.print("\n" + score_table(*study, run));
+    RunFacts facts = run_facts(call, setup_s);
+    facts.findings = check_after({*study, &run});
+    tell_findings(facts.findings, before, console);
+    if (const Result<void> written = write_results(call, *study, run, facts, progress); !written)
+        return console.refuse(written.error());
+    if (!run.scores.empty()) console.print("\n" + findings_line(facts.findings) + "\n\n" + score_table(*study, run));
     const std::string kept = std::to_string(run.scores.size()) + " of " + std::to_string(call.trial.empty() ? study->trials.size() : 1) + " trials complete" +
                              (run.scores.empty() ? "; nothing was written" : "; written to " + call.out.string());
     if (progress.cancelled()) {

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -13,6 +14,7 @@
 #include "mesh/box_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "project/check_body.hpp"
+#include "project/finding_output.hpp"
 #include "project/output_files.hpp"
 #include "project/read_experiment.hpp"
 #include "project/study_target.hpp"
@@ -105,6 +107,12 @@ StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::
 int stopped_before(const std::string& first_result, Console& console) {
     console.complain("stopped before " + first_result + "; nothing was written");
     return status_stopped;
+}
+
+void tell_findings(const std::vector<Finding>& findings, const std::vector<Finding>& before, Console& console) {
+    const std::vector<std::string> said = untold(before);
+    for (const std::string& sentence : untold(findings))
+        if (std::find(said.begin(), said.end(), sentence) == said.end()) console.warn(sentence);
 }
 
 RunFacts run_facts(const StudyCall& call, double setup_s) {

@@ -48,6 +48,9 @@ inline constexpr const char* first_evaluation = "the first evaluation was comple
 /// Says so on the console; the exit status of a command stopped before anything was written.
 int stopped_before(const std::string& first_result, Console& console);
 
+/// Says what checks have found that no warning has said, and that is not among those said before.
+void tell_findings(const std::vector<Finding>& findings, const std::vector<Finding>& before, Console& console);
+
 RunFacts run_facts(const StudyCall& call, double setup_s);
 
 /// "damping 3 ms is assumed, for none is declared", or empty.

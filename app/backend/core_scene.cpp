@@ -10,14 +10,17 @@
 #include "base/letter_case.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "mesh/boundary_surface.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/surface_topology.hpp"
 #include "mesh/volume_reader.hpp"
+#include "project/finding_output.hpp"
 #include "project/read_experiment.hpp"
 #include "project/readable_parameter.hpp"
+#include "project/time_step.hpp"
 
 namespace myo {
 
@@ -91,7 +94,10 @@ void fill_from_study(const Study& study, Scene& scene) {
     scene.settings.density_kg_m3 = experiment.material.density_kg_m3;
     scene.settings.damping_s = study.trials.front().model.damping_s;
     scene.settings.integrator = to_string(study.settings.integrator);
+    // One step for all trials, as a person sees it.
     scene.settings.time_step_s = study.trials.front().options.h_s;
+    for (const StudyTrial& trial : study.trials)
+        scene.settings.time_step_s = std::min(scene.settings.time_step_s, trial.options.h_s);
     scene.settings.muscles = shown_muscles(experiment);
     const MeasuredVibration vibration = dominant_vibration(study);
     scene.frequency_Hz = vibration.frequency_Hz;
@@ -151,8 +157,9 @@ Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
     if (!experiment) return experiment.error();
     StudySettings settings;
     settings.threads = hardware_threads();
-    const Result<Study> study = prepare_study(*experiment, settings, progress);
+    Result<Study> study = prepare_study(*experiment, settings, progress);
     if (!study) return study.error();
+    set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     Scene scene;
     scene.path = path;
     scene.name = experiment->name;
@@ -161,6 +168,8 @@ Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
     scene.clamp_m = experiment->clamp_box_m;
     scene.gravity_m_s2 = experiment->gravity_m_s2;
     scene.warnings = study->warnings;
+    const std::vector<std::string> found = untold(check_before(*study));
+    scene.warnings.insert(scene.warnings.end(), found.begin(), found.end());
     fill_from_study(*study, scene);
     scene.source = std::make_shared<const SceneSource>(SceneSource{*experiment, study->surface, std::make_shared<const StudyMesh>(study->mesh)});
     return scene;

@@ -9,7 +9,9 @@
 #include "backend/shown_run.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "project/calibrate_study.hpp"
+#include "project/finding_output.hpp"
 #include "project/optimize_study.hpp"
 #include "project/readable_parameter.hpp"
 #include "project/study_report.hpp"
@@ -198,6 +200,10 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.evaluations = calibration.fit.evaluations;
     result.stopped = calibration.stopped;
     result.warnings = calibration.warnings;
+    RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
+    facts.findings = check_after({*study, &calibration.after, &calibration});
+    const std::vector<std::string> checked = untold(facts.findings);
+    result.warnings.insert(result.warnings.end(), checked.begin(), checked.end());
     if (!calibration.fit.converged() && !calibration.stopped) result.problem = "The fit did not converge: " + calibration.fit.message;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
@@ -209,7 +215,7 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.settings.damping_s = calibration.after.values.damping_s;
     result.run = shown_run(*study, calibration.after);
     result.run.seconds = calibration.seconds;
-    result.page = std::make_shared<const HtmlReport>(study_report(*study, calibration, {MYOLOOP_VERSION, {"workbench"}}));
+    result.page = std::make_shared<const HtmlReport>(study_report(*study, calibration, facts));
     return result;
 }
 

@@ -17,6 +17,7 @@
 #include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
 #include "library_versions.hpp"
@@ -27,6 +28,8 @@
 #include "measurement/trace_csv.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
+#include "project/finding_output.hpp"
+#include "project/time_step.hpp"
 #include "project/muscle_groups.hpp"
 #include "project/output_files.hpp"
 
@@ -174,7 +177,11 @@ public:
         const StudyValues values = with_predicted_levels(*study, declared_values(*study));
         if (only) return shown_run(*study, short_run(*study, values, only->trial, only->end_s, progress));
         check_integration(*study);
-        return shown_run(*study, run_study(*study, values, progress));
+        const StudyRun run = run_study(*study, values, progress);
+        RunResult shown = shown_run(*study, run);
+        const std::vector<std::string> found = untold(check_after({*study, &run}));
+        shown.warnings.insert(shown.warnings.end(), found.begin(), found.end());
+        return shown;
     }
 
     Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) override {
@@ -231,8 +238,9 @@ public:
         StudySettings chosen = study_settings(settings);
         // Steps that nobody changed are the diagnosis' to choose.
         if (settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
-        const Result<Study> study = scene_study(scene, body, settings, chosen, progress);
+        Result<Study> study = scene_study(scene, body, settings, chosen, progress);
         if (!study) return study.error();
+        if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
         const DiagnosisSource source{*study, source_of(scene).experiment.effects.size(), settings};
         const auto show = [&](const Diagnosis& known) {
             if (live) live(std::make_shared<const DiagnosisView>(diagnosis_view(source, known)));

@@ -9,6 +9,7 @@
 #include "loop/confusion.hpp"
 #include "loop/diagnosis_json.hpp"
 #include "loop/diagnosis_report_parts.hpp"
+#include "project/finding_output.hpp"
 #include "project/readable_parameter.hpp"
 #include "report/length.hpp"
 #include "report/markup.hpp"
@@ -106,6 +107,7 @@ HtmlReport diagnosis_report(const Study& study, const Diagnosis& d, const RunFac
     report.sections.push_back(parameter_section(study, d));
     report.sections.push_back(error_section(study, d));
     report.sections.push_back(motion_section(study, d));
+    if (!facts.findings.empty()) report.sections.push_back(findings_section(facts.findings));
     report.sections.push_back(residual_section(study, d));
     report.sections.push_back(significance_section(study, d));
     report.sections.push_back(numerics_section(study, d));

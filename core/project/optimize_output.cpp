@@ -5,6 +5,7 @@
 #include "measurement/actuation_csv.hpp"
 #include "measurement/trace_csv.hpp"
 #include "project/optimize_study.hpp"
+#include "project/finding_output.hpp"
 #include "project/output_files.hpp"
 #include "project/output_motion.hpp"
 
@@ -206,6 +207,7 @@ Json optimize_json(const Study& study, const Optimization& optimization, const R
     json["peak_memory_bytes"] = facts.peak_memory_bytes;
     json["version"] = facts.version;
     json["command"] = facts.command;
+    json["checks"] = findings_json(facts.findings);
     const TrialScore& before = optimization.before.scores.front();
     const TrialScore& after = optimization.after.scores.front();
     json["trials"] = Json::array({{{"name", after.name}, {"rms_before_m", json_number(before.rms_m)}, {"rms_m", json_number(after.rms_m)}, {"markers", marker_scores_json(after)}}});

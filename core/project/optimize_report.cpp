@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "project/calibrate_study.hpp"
+#include "project/finding_output.hpp"
 #include "project/optimize_study.hpp"
 #include "project/study_report_parts.hpp"
 #include "report/chart.hpp"
@@ -129,6 +130,7 @@ HtmlReport optimize_report(const Study& study, const Optimization& optimization,
                                                                                     readable_number(1e3 * optimization.problem.smoothness_m_s, 3) +
                                                                                     " mm·s times the mean square rate of the signals; its root is shown."}}});
     report.sections.push_back(model_section(study, shown));
+    if (!facts.findings.empty()) report.sections.insert(report.sections.end() - 1, findings_section(facts.findings));
     report.sections.back().blocks.push_back(EmbeddedJson{"optimize", optimize_json(study, optimization, facts)});
     report.footer = "Myoloop " + facts.version;
     for (const std::string& word : facts.command) report.footer += (&word == &facts.command.front() ? " — " : " ") + word;

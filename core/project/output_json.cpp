@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "project/finding_output.hpp"
 #include "project/predict_trials.hpp"
 #include "project/values_at_bounds.hpp"
 
@@ -43,6 +44,7 @@ void add_facts(const RunFacts& facts, Json& json) {
     json["version"] = facts.version;
     json["command"] = facts.command;
     if (facts.seed) json["seed"] = *facts.seed;
+    json["checks"] = findings_json(facts.findings);
 }
 
 Json values_json(const Study& study, const StudyValues& values) {

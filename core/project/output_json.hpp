@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "project/finding.hpp"
 #include "project/calibrate_study.hpp"
 #include "report/json.hpp"
 
@@ -17,6 +18,7 @@ struct RunFacts {
     double setup_s = 0.0;                       // reading, meshing, preparing
     std::uint64_t peak_memory_bytes = 0;
     std::optional<std::uint64_t> seed = {};     // as asked for; only starts of a search are random
+    std::vector<Finding> findings = {};         // of the checks before and after the job
 };
 
 /// What lies in simulate.json: size, cost and comparison. Trials that did not complete are left out; `failure` says why.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dynamics/material_damping.hpp"
+#include "project/finding_output.hpp"
 #include "project/output_motion.hpp"
 #include "project/readable_parameter.hpp"
 #include "project/study_report_parts.hpp"
@@ -142,8 +143,11 @@ HtmlReport study_report(const Study& study, const Calibration& calibration, cons
     report.key_figures = key_figures(study, calibration);
     report.warnings.lines = calibration.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), study.warnings.begin(), study.warnings.end());
+    const std::vector<std::string> found = untold(facts.findings);
+    report.warnings.lines.insert(report.warnings.lines.begin(), found.begin(), found.end());
     if (const std::string end = ending(calibration); !end.empty()) report.warnings.lines.insert(report.warnings.lines.begin(), end);
     report.sections.push_back({"Trials", {trial_table(study, calibration)}});
+    if (!facts.findings.empty()) report.sections.push_back(findings_section(facts.findings));
     report.sections.push_back(parameter_section(study, calibration));
     for (std::size_t t = 0; t < study.trials.size(); ++t) report.sections.push_back(trial_section(study, calibration, t));
     report.sections.push_back(model_section(study, calibration));

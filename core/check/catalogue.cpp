@@ -1,0 +1,70 @@
+#include "check/catalogue.hpp"
+
+#include <algorithm>
+
+#include "check/checks.hpp"
+
+namespace myo {
+
+const std::vector<Check>& check_catalogue() {
+    static const std::vector<Check> checks{
+        {"units", "Are the numbers in SI units?", CheckTime::before,
+         "soft robots are built of 1 kPa to 1 GPa and 0.1 to 20 g/cm3", check_units, true},
+        {"mesh", "Is the mesh fine enough to bend and to twist?", CheckTime::before,
+         "errors of coarse meshes beside fine ones, see SuitabilityPolicy", check_mesh, true},
+        {"markers", "Is the mesh fine enough for the markers?", CheckTime::before,
+         "strains are linear within a cell", check_markers},
+        {"support", "Does the support hold the body?", CheckTime::before,
+         "a body held on a line turns about it", check_support, true},
+        {"pose", "Is the pose under gravity stable?", CheckTime::before,
+         "linear buckling: the squared frequency falls to 0 in proportion to the load", check_pose, true},
+        {"signals", "Do the signals meet their trials?", CheckTime::before,
+         "a signal in another clock or unit of time passes beside the trial", check_signals, true},
+        {"recordings", "Are the trials to predict others than those to fit?", CheckTime::before,
+         "what was fitted is no test", check_recordings},
+        {"step", "Is the time step short enough?", CheckTime::both,
+         "a modulus fitted on a vibration errs by twice the error of its frequency", check_step, true},
+        {"start", "Does the model begin where the recording begins?", CheckTime::both,
+         "5 noise levels and a twentieth of the motion", check_start, true},
+        {"inside_out", "Do the cells keep their outside out?", CheckTime::after,
+         "a Jacobian below 0 is no deformation", check_inside_out, true},
+        {"bounds", "Did the fit end within its bounds?", CheckTime::after, "the declared ranges", check_bounds, true},
+        {"influence", "Do the data determine what is fitted?", CheckTime::after,
+         "singular values of the Jacobian, see IdentifiabilityPolicy", check_influence},
+        {"residual", "Does the model explain the recordings?", CheckTime::after,
+         "the noise of the markers", check_residual},
+    };
+    return checks;
+}
+
+const Check* find_check(const std::string& id) {
+    const std::vector<Check>& all = check_catalogue();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Check& check) { return check.id == id; });
+    return found != all.end() ? &*found : nullptr;
+}
+
+namespace {
+
+std::vector<Finding> run_checks(CheckedJob job) {
+    std::vector<Finding> findings;
+    job.earlier = &findings;
+    for (const Check& check : check_catalogue()) {
+        // What was asked before a job is answered by its end, too, and may be where a residual comes from.
+        if (check.time == CheckTime::after && job.run == nullptr) continue;
+        std::vector<Finding> own = check.find(job);
+        for (Finding& finding : own) {
+            finding.check = check.id;
+            finding.source = check.source;
+        }
+        findings.insert(findings.end(), own.begin(), own.end());
+    }
+    return findings;
+}
+
+}  // namespace
+
+std::vector<Finding> check_before(const Study& study) { return run_checks({study}); }
+
+std::vector<Finding> check_after(const CheckedJob& job) { return run_checks(job); }
+
+}  // namespace myo

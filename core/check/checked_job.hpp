@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "project/calibrate_study.hpp"
+#include "project/finding.hpp"
+
+namespace myo {
+
+/// What checks look at: an experiment before a job, and what the job brought after it.
+struct CheckedJob {
+    const Study& study;
+    const StudyRun* run = nullptr;                   // with the values that the job ended with; null before it
+    const Calibration* calibration = nullptr;        // where the job was one
+    const std::vector<Finding>* earlier = nullptr;   // of the checks before this one in the catalogue
+};
+
+}  // namespace myo

@@ -1,0 +1,23 @@
+#include "check/checks.hpp"
+
+namespace myo {
+
+std::vector<Finding> check_influence(const CheckedJob& job) {
+    std::vector<Finding> findings;
+    if (job.calibration == nullptr) return findings;
+    const Calibration& calibration = *job.calibration;
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        const std::string reason = calibration.undetermined_reason(i);
+        if (reason.empty()) continue;
+        const std::string& name = calibration.parameters[i].parameter.name;
+        Finding finding = fine_finding(name, name + ": " + reason);
+        finding.level = CheckLevel::doubtful;
+        finding.way_out = "leave it out of the fit, or record a trial that it moves";
+        finding.told = true;
+        findings.push_back(std::move(finding));
+    }
+    if (findings.empty()) findings.push_back(fine_finding("", "the data determine every parameter"));
+    return findings;
+}
+
+}  // namespace myo

@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "base/text.hpp"
+#include "check/checks.hpp"
+#include "fem/shape_functions.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+/// States of a run that are looked at: a cell that turns inside out stays so for longer than a hundredth of a run.
+constexpr std::size_t most_states = 100;
+
+template <class Shape>
+bool turned(const VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x, const Matrix3Xd& corners) {
+    Eigen::Matrix<double, 3, Shape::nodes> X;
+    for (int a = 0; a < Shape::nodes; ++a) X.col(a) = x.col(mesh.cells(a, cell));
+    for (const Eigen::Vector3d xi : corners.colwise())
+        if ((X * Shape::derivatives(xi)).determinant() <= 0.0) return true;
+    return false;
+}
+
+/// Cells with a Jacobian of 0 or less at a corner.
+int turned_cells(const VolumeMesh& mesh, const Matrix3Xd& x) {
+    Matrix3Xd tetrahedron(3, 4);
+    tetrahedron << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
+    const Matrix3Xd hexahedron = Hex8::corners().transpose();
+    int count = 0;
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
+        switch (mesh.type) {
+            case CellType::hex8: count += turned<Hex8>(mesh, c, x, hexahedron); break;
+            case CellType::tet4: count += turned<Tet4>(mesh, c, x, tetrahedron.leftCols(1)); break;
+            case CellType::tet10: count += turned<Tet10>(mesh, c, x, tetrahedron); break;
+        }
+    return count;
+}
+
+}  // namespace
+
+std::vector<Finding> check_inside_out(const CheckedJob& job) {
+    const VolumeMesh& mesh = job.study.mesh.mesh;
+    std::vector<Finding> findings;
+    for (std::size_t t = 0; t < job.study.trials.size(); ++t) {
+        const Trace& trace = job.run->predictions[t].trace;
+        if (trace.positions.empty()) continue;
+        const std::size_t last = trace.positions.size() - 1, stride = last / most_states + 1;
+        int most = 0;
+        double since_s = 0.0;
+        for (std::size_t i = 0; i <= last; i += stride) {
+            const int count = turned_cells(mesh, trace.positions[i]);
+            if (count > 0 && most == 0) since_s = trace.times_s[i];
+            most = std::max(most, count);
+        }
+        const std::string& name = job.study.trials[t].name;
+        Finding finding = fine_finding(name, "trial " + name + ": no cell is inside out");
+        finding.figure = most;
+        finding.threshold = 0.0;
+        if (most > 0) {
+            finding.level = CheckLevel::wrong;
+            finding.sentence = "trial " + name + ": up to " + std::to_string(most) + " of " +
+                               std::to_string(mesh.cell_count()) + " cells are inside out, the first at " +
+                               format_number(since_s, 3) + " s, so that the motion from then on means nothing";
+            finding.way_out = "are loads, signals and the modulus in SI units? a finer mesh or smaller loads may help";
+        }
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
+}  // namespace myo

@@ -1,0 +1,41 @@
+#include <algorithm>
+
+#include "check/checks.hpp"
+#include "mesh/quality.hpp"
+#include "report/length.hpp"
+
+namespace myo {
+namespace {
+
+/// Two markers nearer than this part of an edge lie in one cell and show nothing but its linear strain.
+constexpr double least_edge_share = 0.25;
+
+}  // namespace
+
+std::vector<Finding> check_markers(const CheckedJob& job) {
+    const std::vector<MarkerDeclaration>& markers = job.study.experiment.markers.on_body;
+    const double edge = mean_edge_length(job.study.mesh.mesh);
+    std::size_t first = 0, second = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < markers.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            if (const double distance = (markers[a].rest_m - markers[b].rest_m).norm(); distance < nearest) {
+                nearest = distance;
+                first = b;
+                second = a;
+            }
+    if (markers.size() < 2) return {fine_finding("", "one marker, which any mesh holds")};
+    const std::string pair = "markers " + markers[first].name + " and " + markers[second].name + " are " +
+                             length_words(nearest) + " apart";
+    Finding finding = fine_finding("", pair + ", the nearest ones, beside edges of " + length_words(edge));
+    finding.figure = nearest;
+    finding.threshold = least_edge_share * edge;
+    finding.unit = "m";
+    if (nearest >= finding.threshold) return {finding};
+    finding.level = CheckLevel::doubtful;
+    finding.sentence = pair + " and the mesh's edges " + length_words(edge) + " long: what strains between them is lost";
+    finding.way_out = "choose shorter edges (--resolution), or compare one of them";
+    return {finding};
+}
+
+}  // namespace myo

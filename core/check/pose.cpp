@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/text.hpp"
+#include "check/checks.hpp"
+#include "dynamics/natural_modes.hpp"
+#include "dynamics/statics.hpp"
+
+namespace myo {
+namespace {
+
+struct PosePolicy {
+    /// Part of the loads under which the change of frequency is taken: far from a critical load the squared frequency
+    /// falls in proportion, and 1e-7 is the accuracy of frequencies.
+    double load_share = 0.02;
+    double doubtful_share = 1.2;   // of the critical load over the load: a margin of a fifth
+    int modes = 2;                 // a square column has two equal ones
+};
+constexpr PosePolicy pose_policy;
+
+Model under_part_of_loads(Model model, double share) {
+    model.gravity_m_s2 *= share;
+    for (DeadForce& force : model.forces) force.force_N *= share;
+    return model;
+}
+
+/// Squared angular frequency of the slowest mode under a part of the loads.
+std::optional<double> slowest(const Model& model, double share, double time_s) {
+    const Model loaded = under_part_of_loads(model, share);
+    StageSolver solver(loaded);
+    Eigen::Matrix3Xd x = loaded.body->mesh.nodes;
+    if (share > 0.0 && solve_equilibrium(solver, time_s, x).status != SolveStatus::converged) return std::nullopt;
+    const NaturalModes modes = natural_modes(solver, x, pose_policy.modes, time_s);
+    if (!modes.ok()) return std::nullopt;
+    return modes.modes.front().omega_rad_s * modes.modes.front().omega_rad_s;
+}
+
+}  // namespace
+
+/// A column that stands loses stiffness in proportion to its load and buckles where none is left; a beam that lies does
+/// not. Muscles are passive here.
+std::vector<Finding> check_pose(const CheckedJob& job) {
+    const StudyTrial& trial = job.study.trials.front();
+    Model model = trial_model(job.study, 0, declared_values(job.study));
+    model.activation.assign(model.activation.size(), Signal::constant(1.0));
+    const std::optional<double> free = slowest(model, 0.0, 0.0), loaded = slowest(model, pose_policy.load_share, 0.0);
+    if (!free || !loaded || !(*free > 0.0)) return {};
+    const double lost = (1.0 - *loaded / *free) / pose_policy.load_share;   // of the stiffness, by the whole load
+    Finding finding = fine_finding(trial.name, "the pose at rest is stable under its loads");
+    finding.figure = lost;
+    finding.threshold = 1.0 / pose_policy.doubtful_share;
+    if (lost <= finding.threshold) return {finding};
+    const bool buckled = lost > 1.0;
+    finding.level = buckled ? CheckLevel::wrong : CheckLevel::doubtful;
+    finding.sentence = buckled ? "the undeformed pose is unstable: it buckles at " + format_number(1.0 / lost, 2) +
+                                     " of its loads, to a side that a model without flaws chooses by rounding"
+                               : "the pose is near buckling: its loads take " + format_number(100.0 * lost, 2) +
+                                     " % of the stiffness of the undeformed body";
+    finding.way_out = "a modulus, density or gravity of another size may be meant; else declare what decides the side "
+                      "(a small force, an initial bend)";
+    return {finding};
+}
+
+}  // namespace myo

@@ -1,0 +1,82 @@
+#include <cmath>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "check/checks.hpp"
+#include "dynamics/numerical_damping.hpp"
+#include "project/vibration_in_motion.hpp"
+
+namespace myo {
+namespace {
+
+/// Frequency errors: what choose_steps() aims at, with a little room for values that a fit has moved, and one that is
+/// seen in a fitted modulus as 2 %.
+constexpr double doubtful_error = 1.5e-3, wrong_error = 1e-2;
+/// Amplitude of a vibration that a recording shows, in units of the noise.
+constexpr double least_noise_share = 1.0 / 3.0;
+
+std::string step_words(const StudyTrial& trial) {
+    return "trial " + trial.name + ": steps of " + format_number(1e3 * trial.options.h_s, 3) + " ms";
+}
+
+Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error) {
+    Finding finding = fine_finding(trial.name, step_words(trial) + " make the vibration of " +
+                                                   format_number(frequency_Hz, 3) + " Hz " +
+                                                   format_number(100.0 * error, 2) + " % too slow");
+    finding.figure = error;
+    finding.threshold = doubtful_error;
+    if (error <= doubtful_error) return finding;
+    finding.level = error > wrong_error ? CheckLevel::wrong : CheckLevel::doubtful;
+    finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
+    // The error grows with the square of the step.
+    const double better = trial.options.h_s * std::sqrt(1e-3 / error);
+    finding.way_out = "leave --dt out, or choose " + format_number(better, 2) + " s";
+    return finding;
+}
+
+Finding of_choice(const StudyTrial& trial, const TrialStep& step) {
+    if (!step.failure.empty()) {
+        Finding finding = fine_finding(
+            trial.name, step_words(trial) + " are half a sampling interval, for with the declared values " +
+                            step.failure);
+        finding.level = CheckLevel::doubtful;
+        finding.way_out = "choose a step with --dt, or declare values nearer the truth";
+        return finding;
+    }
+    if (step.vibration_Hz > 0.0) return of_vibration(trial, step.vibration_Hz, step.frequency_error);
+    Finding finding = fine_finding(trial.name, step_words(trial) + " err by " +
+                                                   format_number(1e3 * step.trace_error_m, 2) + " mm in the traces");
+    finding.figure = step.trace_error_m;
+    finding.unit = "m";
+    if (!step.settled) {
+        finding.level = CheckLevel::doubtful;
+        finding.sentence += ", and no shorter ones were tried";
+        finding.way_out = "choose a step with --dt";
+    }
+    return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> check_step(const CheckedJob& job) {
+    const Study& study = job.study;
+    std::vector<Finding> findings;
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const StudyTrial& trial = study.trials[t];
+        if (job.run != nullptr && job.run->predictions[t].ok() && job.run->predictions[t].trace.times_s.size() > 3) {
+            const Model model = affected_trial(study, t, job.run->values).model;
+            const Vibration seen = largest_vibration(model, study.markers, job.run->predictions[t].trace);
+            if (seen.amplitude_m > least_noise_share * mean_noise(study)) {
+                const DiscreteVibration discrete =
+                    discrete_vibration(trial.options.integrator, {seen.omega_rad_s}, trial.options.h_s);
+                const double error = std::abs(discrete.frequency_error);
+                findings.push_back(of_vibration(trial, seen.omega_rad_s / (2.0 * std::numbers::pi), error));
+                continue;
+            }
+        }
+        if (t < study.steps.size()) findings.push_back(of_choice(trial, study.steps[t]));
+    }
+    return findings;
+}
+
+}  // namespace myo

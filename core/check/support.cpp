@@ -1,0 +1,42 @@
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "check/checks.hpp"
+#include "report/length.hpp"
+
+namespace myo {
+namespace {
+
+/// Width of the held part, over the body's size, below which it is a line or a point: rounding of mesh files.
+constexpr double least_width = 1e-5;
+
+}  // namespace
+
+std::vector<Finding> check_support(const CheckedJob& job) {
+    const Body& body = *job.study.body;
+    std::vector<int> held;
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) held.push_back(i);
+    const Eigen::Matrix3Xd points = body.mesh.nodes(Eigen::all, held);
+    const Eigen::Matrix3Xd apart = points.colwise() - points.rowwise().mean();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(apart * apart.transpose());
+    // Extents along the main axes, the widest last.
+    const Eigen::Vector3d extents = (axes.eigenvectors().transpose() * apart).cwiseAbs().rowwise().maxCoeff();
+    const double size = bounding_box(body.mesh.nodes).size().maxCoeff();
+    Finding finding = fine_finding("", std::to_string(held.size()) + " of " + std::to_string(body.node_count()) +
+                                           " nodes are held, across " + length_words(2.0 * extents(1)));
+    finding.figure = extents(1) / size;
+    finding.threshold = least_width;
+    if (finding.figure > least_width) return {finding};
+    const bool point = extents(2) <= least_width * size;
+    finding.level = CheckLevel::wrong;
+    finding.sentence = "clamp.box_m: what it holds is a " + std::string(point ? "point" : "line") +
+                       ", so that the body turns freely about it";
+    finding.way_out = "hold a face or a part of the body: make the box deeper or wider";
+    return {finding};
+}
+
+}  // namespace myo

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "project/finding.hpp"
+#include "report/html_report.hpp"
+#include "report/json.hpp"
+
+namespace myo {
+
+/// [{"id", "level": "green" | "amber" | "red", "subject", "figure", "threshold", "unit", "source", "sentence",
+/// "way_out"}]; numbers that a check has none of are null.
+Json findings_json(const std::vector<Finding>& findings);
+
+/// What is not fine, the worst first, and then the rest.
+Section findings_section(const std::vector<Finding>& findings);
+
+/// The sentence with the way out: for a person, of what is not fine.
+std::string finding_words(const Finding& finding);
+
+/// Those that a person has not been told of by a warning, the worst first, as sentences.
+std::vector<std::string> untold(const std::vector<Finding>& findings);
+
+/// "checks: 11 green, 1 amber (step), 1 red (start)"
+std::string findings_line(const std::vector<Finding>& findings);
+
+}  // namespace myo

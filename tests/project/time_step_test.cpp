@@ -1,0 +1,48 @@
+#include "project/time_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dynamics/numerical_damping.hpp"
+#include "loop/swung_beam.hpp"
+
+namespace myo {
+namespace {
+
+/// The beam of 7.3 Hz let go under gravity, with another modulus and damping, filmed at 100 Hz.
+TrialStep chosen(double modulus_factor, double damping_s) {
+    const test::Folder folder("time_step");
+    const Study study = test::swung_beam(folder, 0.3);
+    StudyValues values = declared_values(study);
+    values.youngs_modulus_Pa *= modulus_factor;
+    values.damping_s = damping_s;
+    const std::vector<TrialStep> steps = choose_steps(study, values);
+    EXPECT_EQ(steps.size(), study.trials.size());
+    return steps.front();
+}
+
+double whole_share(double h_s) { return std::abs(0.01 / h_s - std::round(0.01 / h_s)); }
+
+TEST(TimeStep, ResolvesTheVibrationThatATrialShows) {
+    for (const double factor : {1.0, 4.0, 30.0}) {
+        const TrialStep step = chosen(factor, 1e-4);
+        const double first_Hz = 7.33 * std::sqrt(factor);
+        EXPECT_NEAR(step.vibration_Hz, first_Hz, 0.06 * first_Hz) << factor;   // about the sagging pose, on coarse cells
+        EXPECT_LE(step.frequency_error, 1.001e-3) << factor;
+        EXPECT_GT(step.frequency_error, 0.3e-3) << factor;   // and no shorter than that
+        EXPECT_LT(whole_share(step.h_s), 1e-9) << step.h_s;
+        EXPECT_LE(step.h_s, 0.005);
+    }
+}
+
+/// What creeps to its rest needs no short steps, however stiff the body.
+TEST(TimeStep, IsHalfAnIntervalWhereNothingSwings) {
+    const TrialStep step = chosen(30.0, 0.2);
+    EXPECT_EQ(step.vibration_Hz, 0.0);
+    EXPECT_NEAR(step.h_s, 0.005, 0.003);
+    EXPECT_LT(step.trace_error_m, 1e-4 / 3.0);
+}
+
+}  // namespace
+}  // namespace myo
