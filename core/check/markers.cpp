@@ -33,7 +33,8 @@ std::vector<Finding> check_markers(const CheckedJob& job) {
     finding.unit = "m";
     if (nearest >= finding.threshold) return {finding};
     finding.level = CheckLevel::doubtful;
-    finding.sentence = pair + " and the mesh's edges " + length_words(edge) + " long: what strains between them is lost";
+    finding.sentence =
+        pair + " and the mesh's edges " + length_words(edge) + " long: what strains between them is lost";
     finding.way_out = "choose shorter edges (--resolution), or compare one of them";
     return {finding};
 }

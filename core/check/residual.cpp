@@ -41,8 +41,9 @@ std::vector<Finding> check_residual(const CheckedJob& job) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     const std::string diagnose = "myoloop diagnose names the effect that is missing";
-    finding.way_out = names.empty() ? "nothing that is checked explains it: " + diagnose
-                                    : "suspected, in this order: " + join(names, ", ") + "; once these are settled, " + diagnose;
+    finding.way_out = names.empty()
+                          ? "nothing that is checked explains it: " + diagnose
+                          : "suspected, in this order: " + join(names, ", ") + "; once these are settled, " + diagnose;
     return {finding};
 }
 

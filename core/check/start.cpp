@@ -80,10 +80,10 @@ std::vector<Finding> check_start(const CheckedJob& job) {
         if (off > finding.threshold) {
             finding.level = off > start_policy.wrong_share * moved ? CheckLevel::wrong : CheckLevel::doubtful;
             finding.sentence += ", while they move by " + length_words(moved) + " in the trial";
-            finding.way_out = straight
-                                  ? "if the body rested under gravity and loads, state start = \"equilibrium\"; if it was "
-                                    "held or moving, declare what held it (a load until t = 0)"
-                                  : "was the body at rest at t = 0, under the loads and levels that are declared?";
+            finding.way_out =
+                straight ? "if the body rested under gravity and loads, state start = \"equilibrium\"; if it was "
+                           "held or moving, declare what held it (a load until t = 0)"
+                         : "was the body at rest at t = 0, under the loads and levels that are declared?";
         }
         findings.push_back(std::move(finding));
     }

@@ -26,7 +26,7 @@ struct StudySettings {
     Integrator integrator = Integrator::tr_bdf2;
     double spectral_radius = 0.5;          // of generalized_alpha at infinite frequency, 0 ... 1
     Strategy strategy = Strategy::automatic;
-    std::optional<double> h_s;             // default: half the sampling interval
+    std::optional<double> h_s;             // default: half the sampling interval, until choose_steps()
     std::optional<std::string> material;   // id; default: the declared one
     double velocity_force_1_s = 0.0;       // Lambda
     MassModel mass_model = MassModel::consistent;

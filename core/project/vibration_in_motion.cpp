@@ -21,7 +21,8 @@ double at_markers(const MarkerSet& markers, const Matrix3Xd& shape) {
     return std::sqrt(sum / static_cast<double>(markers.bindings.size()));
 }
 
-/// Amplitude (rms) with which a coordinate swings at omega: of its third derivative, so that slower motion counts little.
+/// Amplitude (rms) with which a coordinate swings at omega: of its third derivative, so that slower motion counts
+/// little.
 double swing(const std::vector<double>& times, const std::vector<double>& velocity, double omega) {
     double sum = 0.0;
     long count = 0;

@@ -74,8 +74,9 @@ std::vector<Fault> core_include_faults(const SourceFile& file, const Include& in
 
 }  // namespace
 
-const std::vector<std::string> module_order = {"base", "solver", "diagnosis", "mesh", "fem", "material", "fibre", "model", "dynamics",
-                                               "sensitivity", "measurement", "effect", "inverse", "report", "project", "check", "loop", "bench", "trust", "reproduce"};
+const std::vector<std::string> module_order = {
+    "base",        "solver", "diagnosis", "mesh",   "fem",     "material", "fibre", "model", "dynamics", "sensitivity",
+    "measurement", "effect", "inverse",   "report", "project", "check",    "loop",  "bench", "trust",    "reproduce"};
 
 std::vector<Include> includes_of(const std::string& text) {
     static const std::regex pattern(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");

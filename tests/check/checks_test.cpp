@@ -81,8 +81,10 @@ TEST(CheckSupport, KnowsAHinge) {
 
 TEST(CheckUnits, KnowsLikelySlips) {
     EXPECT_EQ(worst(check_units({study_of(test::swung_beam_toml())})), CheckLevel::fine);
-    const std::vector<std::pair<std::string, std::string>> slips{
-        {"2.6e5", "0.26"}, {"1070", "1.07"}, {"damping_s = 0.004", "damping_s = 4"}, {"noise_m = 1e-4", "noise_m = 0.1"}};
+    const std::vector<std::pair<std::string, std::string>> slips{{"2.6e5", "0.26"},
+                                                                 {"1070", "1.07"},
+                                                                 {"damping_s = 0.004", "damping_s = 4"},
+                                                                 {"noise_m = 1e-4", "noise_m = 0.1"}};
     for (const auto& [right, slip] : slips) {
         const std::vector<Finding> found = check_units({study_of(with(test::swung_beam_toml(), right, slip))});
         EXPECT_EQ(std::count_if(found.begin(), found.end(),
@@ -102,12 +104,14 @@ TEST(CheckStart, ComparesTheFirstSampleWithTheDeclaredStart) {
     }
     const std::vector<Finding> found = check_start({study});
     EXPECT_EQ(worst(found), CheckLevel::wrong);
-    EXPECT_THAT(found[0].sentence, HasSubstr("trial swing: at the first sample the markers are 20.0 mm rms from where"));
+    EXPECT_THAT(found[0].sentence,
+                HasSubstr("trial swing: at the first sample the markers are 20.0 mm rms from where"));
     EXPECT_THAT(found[0].way_out, HasSubstr("start = \"equilibrium\""));
     // After a run its own start is compared, wherever that is.
     StudyRun run;
     run.values = declared_values(study);
-    for (std::size_t t = 0; t < study.trials.size(); ++t) run.predictions.push_back(predict_trial(study, t, run.values));
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        run.predictions.push_back(predict_trial(study, t, run.values));
     EXPECT_EQ(worst(check_start({study, &run})), CheckLevel::wrong);
     test::record(study, 0, run.values, run.predictions[0].trace);
     run.predictions[0] = predict_trial(study, 0, run.values);
@@ -134,7 +138,8 @@ TEST(CheckInsideOut, CountsCellsAndSaysFromWhen) {
 
 /// 26 times the stiffness: 37 Hz, of which ten steps of 2.5 ms make 1.9 % less. By the vibration's own measured error.
 TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
-    Study study = study_of(with(with(test::swung_beam_toml(), "2.6e5", "6.8e6"), "damping_s = 0.004", "damping_s = 1e-4"));
+    Study study =
+        study_of(with(with(test::swung_beam_toml(), "2.6e5", "6.8e6"), "damping_s = 0.004", "damping_s = 1e-4"));
     StudyRun run;
     run.values = declared_values(study);
     const auto level_at = [&](double h_s) {

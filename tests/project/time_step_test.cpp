@@ -28,7 +28,8 @@ TEST(TimeStep, ResolvesTheVibrationThatATrialShows) {
     for (const double factor : {1.0, 4.0, 30.0}) {
         const TrialStep step = chosen(factor, 1e-4);
         const double first_Hz = 7.33 * std::sqrt(factor);
-        EXPECT_NEAR(step.vibration_Hz, first_Hz, 0.06 * first_Hz) << factor;   // about the sagging pose, on coarse cells
+        EXPECT_NEAR(step.vibration_Hz, first_Hz, 0.06 * first_Hz)
+            << factor;   // about the sagging pose, on coarse cells
         EXPECT_LE(step.frequency_error, 1.001e-3) << factor;
         EXPECT_GT(step.frequency_error, 0.3e-3) << factor;   // and no shorter than that
         EXPECT_LT(whole_share(step.h_s), 1e-9) << step.h_s;
