@@ -147,6 +147,7 @@ int optimize_command(const OptimizeCall& call) {
 
 std::function<int()> declare_optimize(CLI::App& app) {
     const auto call = std::make_shared<OptimizeCall>();
+    call->chooses_steps = false;
     declare_study_call(app, *call);
     app.add_option("--trial", call->trial, "trial whose trace is the target (default: the first with role fit)")->type_name("NAME");
     add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")->type_name("HZ");

@@ -9,6 +9,7 @@
 #include "project/finding_output.hpp"
 #include "project/output_files.hpp"
 #include "project/output_json.hpp"
+#include "project/time_step.hpp"
 #include "study_command.hpp"
 
 namespace myo {
@@ -71,9 +72,9 @@ Result<void> write_results(const SimulateCall& call, const Study& study, const S
 int simulate_command(const SimulateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const StudyOpening opening = open_command(call, TrialChoice::all, "the first trial", console, progress);
+    StudyOpening opening = open_command(call, TrialChoice::all, "the first trial", console, progress);
     if (!opening.study) return opening.status;
-    const std::optional<Study>& study = opening.study;
+    std::optional<Study>& study = opening.study;
     for (const std::string& warning : study->warnings) console.warn(warning);
     const std::vector<Finding> before = check_before(*study);
     tell_findings(before, {}, console);
@@ -81,7 +82,7 @@ int simulate_command(const SimulateCall& call) {
 
     const StudyValues values = with_predicted_levels(*study, declared_values(*study));
     console.print(study->experiment.name + "\n" + mesh_line(*study) + "\n" + values_line(*study, values));
-    const StudyRun run = run_study(*study, values, progress, call.trial);
+    const StudyRun run = run_with_chosen_steps(*study, values, progress, call.trial);
     RunFacts facts = run_facts(call, setup_s);
     facts.findings = check_after({*study, &run});
     tell_findings(facts.findings, before, console);
@@ -106,6 +107,7 @@ int simulate_command(const SimulateCall& call) {
 
 std::function<int()> declare_simulate(CLI::App& app) {
     const auto call = std::make_shared<SimulateCall>();
+    call->chooses_steps = false;
     declare_study_call(app, *call);
     app.add_option("--trial", call->trial, "run this trial only")->type_name("NAME");
     app.add_flag("--vtu", call->vtu, "write each trial as a series of VTU files as well, with a PVD file that joins them");

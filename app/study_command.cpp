@@ -68,8 +68,9 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, co
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
     Result<Study> study = prepare_study(experiment, study_settings(call.study, call.work), progress);
     if (!study) return study.error();
+    if (call.chooses_steps && choosable(study->settings))
+        set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     if (const Result<void> few = check_steps(*study); !few) return few.error();
-    if (!call.study.settings.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     check_integration(*study);
     return study;
 }

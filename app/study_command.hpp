@@ -18,6 +18,7 @@ struct StudyCall {
     std::filesystem::path experiment;
     std::filesystem::path out;
     bool writes_folder = true;   // false: the command has no --out
+    bool chooses_steps = true;   // false: it runs each trial once, which is cheaper than to look for its step
     std::string trial;           // of commands with --trial
     WorkOptions work;
     StudyOptions study;

@@ -20,7 +20,6 @@
 #include "project/finding_output.hpp"
 #include "project/read_experiment.hpp"
 #include "project/readable_parameter.hpp"
-#include "project/time_step.hpp"
 
 namespace myo {
 
@@ -157,9 +156,8 @@ Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
     if (!experiment) return experiment.error();
     StudySettings settings;
     settings.threads = hardware_threads();
-    Result<Study> study = prepare_study(*experiment, settings, progress);
+    const Result<Study> study = prepare_study(*experiment, settings, progress);
     if (!study) return study.error();
-    set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     Scene scene;
     scene.path = path;
     scene.name = experiment->name;

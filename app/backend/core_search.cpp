@@ -12,6 +12,7 @@
 #include "check/catalogue.hpp"
 #include "project/calibrate_study.hpp"
 #include "project/finding_output.hpp"
+#include "project/time_step.hpp"
 #include "project/optimize_study.hpp"
 #include "project/readable_parameter.hpp"
 #include "project/study_report.hpp"
@@ -168,8 +169,12 @@ private:
 }  // namespace
 
 Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const Backend::LiveSearch& live) {
-    Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
+    StudySettings chosen = study_settings(settings);
+    // A step that nobody changed gives way to one that suits the fit.
+    if (settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
+    Result<Study> study = scene_study(scene, body, settings, chosen, progress);
     if (!study) return study.error();
+    if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     check_integration(*study);
     const std::vector<StudyParameter> parameters = study_parameters(*study);
     const StudyValues declared = declared_values(*study);
@@ -192,7 +197,7 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
         }
         if (live) live(std::make_shared<const SearchView>(view));
     };
-    const Calibration calibration = calibrate_study(*study, how, progress);
+    const Calibration calibration = calibrate_with_chosen_steps(*study, how, progress);
     if (!calibration.usable()) return Error{calibration.fit.message, ""};
     SearchResult result;
     result.title = "Calibrated";
@@ -213,6 +218,8 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.rms_after_m = calibration.after.fit_rms_m;
     result.settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
     result.settings.damping_s = calibration.after.values.damping_s;
+    for (const StudyTrial& trial : study->trials)
+        result.settings.time_step_s = std::min(result.settings.time_step_s, trial.options.h_s);
     result.run = shown_run(*study, calibration.after);
     result.run.seconds = calibration.seconds;
     result.page = std::make_shared<const HtmlReport>(study_report(*study, calibration, facts));

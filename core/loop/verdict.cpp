@@ -167,6 +167,14 @@ JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit, double weight) {
 
 }  // namespace
 
+std::string above_noise_note(const NumericalError& numerics, double noise_m) {
+    const bool by_mesh = numerics.mesh_rms_m >= numerics.step_rms_m;
+    return "what extrapolation may leave of the errors of mesh and step, " + times_noise(numerics.left_rms_m / noise_m) +
+           ", is above the noise (mesh " + times_noise(numerics.mesh_rms_m / noise_m) + ", step " +
+           times_noise(numerics.step_rms_m / noise_m) + "): choose a " +
+           (by_mesh ? "finer --resolution" : "smaller --dt") + " before trusting small effects";
+}
+
 JudgedFit decide(Diagnosis& d) {
     JudgedFit fit;
     const Candidate* const first = !d.candidates.empty() && d.candidates.front().judged ? &d.candidates.front() : nullptr;
@@ -183,7 +191,7 @@ JudgedFit decide(Diagnosis& d) {
     if (d.verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d, d.pairs.front()) && explains(d.pairs.front(), d.declared, d.data, d.numerics))
         d.notes.push_back(effects_in_words(d.pairs.front().fit.effects) + " together would explain it, but one of their numbers rests on a single trial: a further trial to fit would tell");
     if (d.numerics.left_rms_m > d.noise_m)
-        d.notes.push_back("the mesh's error, " + times_noise(d.numerics.mesh_rms_m / d.noise_m) + ", is above the noise: choose a finer --resolution before trusting small effects");
+        d.notes.push_back(above_noise_note(d.numerics, d.noise_m));
     rank(d);
     return fit;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "loop/diagnosis.hpp"
 
 namespace myo {
@@ -7,6 +9,9 @@ namespace myo {
 /// Sets the verdict from the tests and fits, and gives the fit it stands on: the declared one, that of the asserted effects, or the best
 /// attempt where nothing explains the residual.
 JudgedFit decide(Diagnosis& diagnosis);
+
+/// What a person must know where extrapolation may leave more than the noise: how much, of what, and which is to be finer.
+std::string above_noise_note(const NumericalError& numerics, double noise_m);
 
 /// Once the numerical error of the fit that asserted effects stand on, `augmented`, has been found with it: the verdict, and the fit among the candidates or pairs, are that one's.
 void take_over_settled(Diagnosis& diagnosis);

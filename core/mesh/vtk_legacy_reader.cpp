@@ -34,8 +34,10 @@ public:
                 section = read_cells();
             } else if (word == "cell_types") {
                 section = read_types();
-            } else if (word == "metadata") {
-                while (at_ < content_.size() && !line().empty()) {}  // until an empty line
+            } else if (word == "metadata" || word == "information") {
+                // What VTK knows of an array: until an empty line, of which component names have some within.
+                line();
+                while (at_ < content_.size() && !line().empty()) {}
             } else if (word == "field") {
                 section = skip_field();
             } else if (word == "point_data" || word == "cell_data") {

@@ -22,7 +22,7 @@ bool much_shorter(const Study& study, const std::vector<TrialStep>& steps) {
 
 Calibration calibrate_with_chosen_steps(Study& study, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = calibrate_study(study, settings, progress);
-    if (study.settings.h_s) return calibration;
+    if (!choosable(study.settings)) return calibration;
     for (int fit = 1; fit < refit_policy.most_fits && calibration.fit.converged() && !progress.cancelled(); ++fit) {
         std::vector<TrialStep> steps = choose_steps(study, calibration.after.values, progress);
         if (!much_shorter(study, steps)) break;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/text.hpp"
 
@@ -26,16 +27,18 @@ std::string figure_words(double figure, const std::string& unit) {
 
 Json findings_json(const std::vector<Finding>& findings) {
     Json list = Json::array();
-    for (const Finding& finding : findings)
-        list.push_back({{"id", finding.check},
-                        {"level", to_string(finding.level)},
-                        {"subject", finding.subject},
-                        {"figure", json_number(finding.figure)},
-                        {"threshold", json_number(finding.threshold)},
-                        {"unit", finding.unit},
-                        {"source", finding.source},
-                        {"sentence", finding.sentence},
-                        {"way_out", finding.way_out}});
+    for (const Finding& finding : findings) {
+        Json entry{{"id", finding.check},
+                   {"level", to_string(finding.level)},
+                   {"subject", finding.subject},
+                   {"source", finding.source},
+                   {"sentence", finding.sentence},
+                   {"way_out", finding.way_out}};
+        if (std::isfinite(finding.figure)) entry["figure"] = finding.figure;
+        if (std::isfinite(finding.threshold)) entry["threshold"] = finding.threshold;
+        if (!finding.unit.empty()) entry["unit"] = finding.unit;
+        list.push_back(std::move(entry));
+    }
     return list;
 }
 

@@ -10,7 +10,7 @@
 namespace myo {
 
 /// [{"id", "level": "green" | "amber" | "red", "subject", "figure", "threshold", "unit", "source", "sentence",
-/// "way_out"}]; numbers that a check has none of are null.
+/// "way_out"}]; figure, threshold and unit where a check has one.
 Json findings_json(const std::vector<Finding>& findings);
 
 /// What is not fine, the worst first, and then the rest.

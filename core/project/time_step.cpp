@@ -41,6 +41,20 @@ double difference(const TrialPrediction& a, const TrialPrediction& b) {
 /// The longest whole part of an interval that is no longer than h.
 double whole_part(double interval, double h) { return interval / std::ceil(interval / h * (1.0 - 1e-9)); }
 
+/// What a run shows of its step: the natural vibration that moves the markers most, if they show one at all.
+TrialStep seen_in(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace) {
+    TrialStep step;
+    step.h_s = study.trials[trial].options.h_s;
+    const Vibration seen = largest_vibration(affected_trial(study, trial, values).model, study.markers, trace);
+    if (!(seen.amplitude_m > step_policy.most_noise_share * mean_noise(study))) return step;
+    step.vibration_Hz = seen.omega_rad_s / (2.0 * std::numbers::pi);
+    step.vibration_m = seen.amplitude_m;
+    step.frequency_error = frequency_error(study.trials[trial].options.integrator, seen.omega_rad_s, step.h_s);
+    return step;
+}
+
+double omega_of(const TrialStep& step) { return 2.0 * std::numbers::pi * step.vibration_Hz; }
+
 TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values, const Progress& progress) {
     StudyTrial& trial = study.trials[index];
     const double interval = sampling_interval_s(trial), noise = mean_noise(study);
@@ -59,30 +73,24 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
             step.failure = now.message;
             return step;
         }
-        const Model model = affected_trial(study, index, values).model;
-        const Vibration vibration = largest_vibration(model, study.markers, now.trace);
+        const double allowed_m = step_policy.most_noise_share * noise;
+        step = seen_in(study, index, values, now.trace);
         double needed = step.h_s;
-        if (vibration.amplitude_m > step_policy.most_noise_share * noise) {
-            step.vibration_Hz = vibration.omega_rad_s / (2.0 * std::numbers::pi);
-            step.vibration_m = vibration.amplitude_m;
-            step.frequency_error = frequency_error(scheme, vibration.omega_rad_s, step.h_s);
-            step.trace_error_m = 0.0;
-            needed = step_for(scheme, vibration.omega_rad_s, step.h_s);
+        if (step.vibration_Hz > 0.0) {
+            needed = step_for(scheme, omega_of(step), step.h_s);
         } else {
-            step.vibration_Hz = step.vibration_m = step.frequency_error = 0.0;
             const double ratio = h_before / step.h_s;
             // A coarse run that failed tells nothing, and one more is needed.
             step.trace_error_m = before.ok() ? difference(before, now) / (ratio * ratio - 1.0) : 10.0 * noise;
-            const double allowed = step_policy.most_noise_share * noise;
-            if (step.trace_error_m > allowed)
-                needed = step_policy.safety * step.h_s * std::sqrt(allowed / step.trace_error_m);
+            if (step.trace_error_m > allowed_m)
+                needed = step_policy.safety * step.h_s * std::sqrt(allowed_m / step.trace_error_m);
         }
         if (needed >= step.h_s) return step;
         h_before = step.h_s;
         step.h_s = whole_part(interval, std::max(needed, step_policy.least_ratio * step.h_s));
         // A vibration that this step resolves well enough to be sure which it is.
-        if (step.h_s <= needed && vibration.omega_rad_s * h_before < 1.0 && step.vibration_Hz > 0.0) {
-            step.frequency_error = frequency_error(scheme, vibration.omega_rad_s, step.h_s);
+        if (step.h_s <= needed && step.vibration_Hz > 0.0 && omega_of(step) * h_before < 1.0) {
+            step.frequency_error = frequency_error(scheme, omega_of(step), step.h_s);
             return step;
         }
         before = now;
@@ -92,6 +100,8 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
 }
 
 }  // namespace
+
+bool choosable(const StudySettings& settings) { return !settings.h_s && !settings.as_published; }
 
 std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress) {
     std::vector<TrialStep> steps(study.trials.size());
@@ -113,6 +123,33 @@ std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& value
 void set_steps(Study& study, std::vector<TrialStep> steps) {
     for (std::size_t t = 0; t < steps.size(); ++t) set_step(study.trials[t], steps[t].h_s);
     study.steps = std::move(steps);
+}
+
+StudyRun run_with_chosen_steps(Study& study, const StudyValues& values, const Progress& progress,
+                               const std::string& only_trial) {
+    StudyRun run = run_study(study, values, progress, only_trial);
+    if (!choosable(study.settings)) return run;
+    for (int repeat = 0; repeat < step_policy.most_repeats && !progress.cancelled(); ++repeat) {
+        bool shorter = false;
+        std::vector<TrialStep> steps(study.trials.size());
+        for (std::size_t t = 0; t < steps.size(); ++t) {
+            const StudyTrial& trial = study.trials[t];
+            steps[t].h_s = trial.options.h_s;
+            if (!run.predictions[t].ok()) continue;
+            steps[t] = seen_in(study, t, values, run.predictions[t].trace);
+            if (!(steps[t].vibration_Hz > 0.0)) continue;
+            const double needed = step_for(trial.options.integrator, omega_of(steps[t]), steps[t].h_s);
+            if (needed >= steps[t].h_s) continue;
+            steps[t].h_s = whole_part(sampling_interval_s(trial), needed);
+            shorter = true;
+        }
+        if (!shorter) break;
+        const double before_s = run.seconds;
+        set_steps(study, std::move(steps));
+        run = run_study(study, values, progress, only_trial);
+        run.seconds += before_s;
+    }
+    return run;
 }
 
 }  // namespace myo

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
-#include "project/prediction.hpp"
+#include "project/run_study.hpp"
 
 namespace myo {
 
@@ -14,8 +15,13 @@ struct StepPolicy {
                                            // noise's square
     int most_runs = 8;                     // each with at most ...
     double least_ratio = 0.2;              // ... so short a step as the one before
+    int most_repeats = 2;                  // of runs whose vibrations ask for shorter steps
     double safety = 0.9;                   // of steps by their error's order
 };
+
+/// Whether steps are the program's to choose: nobody asked for one, and it is no published formulation, whose damping is
+/// that of its step.
+bool choosable(const StudySettings& settings);
 
 /// Steps for all trials with these values, none longer than half a sampling interval and all whole parts of one.
 ///
@@ -26,5 +32,11 @@ struct StepPolicy {
 std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress = {});
 
 void set_steps(Study& study, std::vector<TrialStep> steps);
+
+/// run_study() with steps that suit the vibrations that it shows: trials whose steps are too long for theirs run again
+/// with shorter ones, which are set in the study. Cheaper than choose_steps(), which looks at the traces' error, too.
+/// Steps that are not choosable() stay.
+StudyRun run_with_chosen_steps(Study& study, const StudyValues& values, const Progress& progress = {},
+                               const std::string& only_trial = {});
 
 }  // namespace myo

@@ -34,13 +34,24 @@ std::vector<FibreGroup>& own_fibres(Model& model) {
     return *copy;
 }
 
+/// A cell that can deform, from the middle on: held at all nodes it has no influence.
+std::size_t movable_cell(const Body& body) {
+    const int count = body.cell_count();
+    for (int i = 0; i < count; ++i) {
+        const int cell = (count / 2 + i) % count;
+        for (const int node : body.mesh.cells.col(cell))
+            if (!body.clamped[static_cast<std::size_t>(node)]) return static_cast<std::size_t>(cell);
+    }
+    return 0;
+}
+
 void add_material(const Model& model, std::vector<CheckedParameter>& list) {
     const auto [E, nu] = young_from_moduli(model.moduli.front());
     list.push_back({"Young's modulus", 1e-3 * E, [](Model& m, SimulationOptions&, double by) { shift_elasticity(m, by, 0.0); },
                     [&model](const ModelGradient& g) { return young_gradient(model, g).youngs_modulus_Pa; }});
     list.push_back({"Poisson's ratio", 1e-2 * (0.5 - nu), [](Model& m, SimulationOptions&, double by) { shift_elasticity(m, 0.0, by); },
                     [&model](const ModelGradient& g) { return young_gradient(model, g).poissons_ratio; }});
-    const std::size_t cell = model.moduli.size() / 2;
+    const std::size_t cell = movable_cell(*model.body);
     list.push_back({"mu of cell " + std::to_string(cell), 1e-3 * model.moduli[cell].mu, [cell](Model& m, SimulationOptions&, double by) { m.moduli[cell].mu += by; },
                     [cell](const ModelGradient& g) { return g.moduli[cell].mu; }});
     if (model.damping_s > 0.0)

@@ -23,7 +23,7 @@ std::vector<CheckedParameter> checked_parameters(const Model& model, const Simul
 struct GradientCheckRow {
     std::string name;
     double adjoint = 0.0, difference = 0.0;
-    double relative_error = 0.0;   // relative_difference() of both
+    double relative_error = 0.0;   // relative_difference() of both; 0 where neither changes the loss by its tolerance
 };
 
 /// |a - b| over the larger of both; 0 where both are 0.

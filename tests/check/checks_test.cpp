@@ -193,7 +193,7 @@ TEST(Findings, AreToldWorstFirstAndOnce) {
     EXPECT_EQ(findings_line(findings), "checks: 1 green, 2 amber (step), 1 red (start)");
     const Json json = findings_json(findings);
     EXPECT_EQ(json[2]["level"], "red");
-    EXPECT_TRUE(json[2]["figure"].is_null());
+    EXPECT_FALSE(json[2].contains("figure"));
 }
 
 }  // namespace

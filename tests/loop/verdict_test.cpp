@@ -424,5 +424,20 @@ TEST(Verdict, BetterPairsDoNotDenyWhatExplainsTheResidualAlone) {
     EXPECT_LT(d.verdict.confidence, 0.7 * undisputed);
 }
 
+/// A mesh error of a tenth of the noise is not above it: what is left over by the step may be.
+TEST(Verdict, SaysWhichErrorIsAboveTheNoise) {
+    NumericalError numerics;
+    numerics.mesh_rms_m = 1.2e-5;
+    numerics.step_rms_m = 5e-4;
+    numerics.left_rms_m = 2e-4;
+    const std::string by_step = above_noise_note(numerics, 1e-4);
+    EXPECT_NE(by_step.find("2 times the noise, is above the noise (mesh 0.12 times the noise, step 5 times the noise): choose "
+                           "a smaller --dt"),
+              std::string::npos)
+        << by_step;
+    numerics.mesh_rms_m = 1e-3;
+    EXPECT_NE(above_noise_note(numerics, 1e-4).find("choose a finer --resolution"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace myo

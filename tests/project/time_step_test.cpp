@@ -37,6 +37,25 @@ TEST(TimeStep, ResolvesTheVibrationThatATrialShows) {
     }
 }
 
+/// A run that looks at its own vibrations ends with the steps that are chosen for them.
+TEST(TimeStep, OfARunSuitsTheVibrationsThatItShows) {
+    const test::Folder folder("run_step");
+    Study study = test::swung_beam(folder, 0.3);
+    StudyValues values = declared_values(study);
+    values.youngs_modulus_Pa *= 30.0;
+    values.damping_s = 1e-4;
+    const double chosen_s = choose_steps(study, values).front().h_s;
+    const StudyRun run = run_with_chosen_steps(study, values);
+    ASSERT_TRUE(run.ok());
+    EXPECT_LT(chosen_s, 0.001);
+    EXPECT_NEAR(study.trials.front().options.h_s, chosen_s, 0.15 * chosen_s);
+    EXPECT_GE(run.predictions.front().trace.times_s.size(), static_cast<std::size_t>(0.3 / chosen_s));
+    study.settings.h_s = 0.005;   // as a person asked for
+    set_step(study.trials.front(), 0.005);
+    run_with_chosen_steps(study, values);
+    EXPECT_EQ(study.trials.front().options.h_s, 0.005);
+}
+
 /// What creeps to its rest needs no short steps, however stiff the body.
 TEST(TimeStep, IsHalfAnIntervalWhereNothingSwings) {
     const TrialStep step = chosen(30.0, 0.2);

@@ -51,6 +51,28 @@ TEST_P(AdjointRun, EqualsCentralDifferencesForEveryParameter) {
     test::record("worst_error", check.worst_error());
 }
 
+/// Half of the beam is held: the middle cell says nothing, and what has no influence is no error.
+TEST(GradientCheckOfAHeldBody, AsksCellsThatCanDeform) {
+    Model model = driven_beam(ElementKind::hex8);
+    const VolumeMesh mesh = model.body->mesh;
+    std::vector<int> held;
+    for (int i = 0; i < model.body->node_count(); ++i)
+        if (mesh.nodes(0, i) < 0.7 * mesh.nodes.row(0).maxCoeff()) held.push_back(i);
+    model.body = make_body(mesh, ElementKind::hex8, held);
+    const SimulationOptions options = short_run(Integrator::tr_bdf2, StartKind::straight);
+    std::vector<CheckedParameter> parameters = checked_parameters(model, options);
+    parameters.push_back({"mu of a held cell", 1e-3 * model.moduli[0].mu,
+                          [](Model& m, SimulationOptions&, double by) { m.moduli[0].mu += by; },
+                          [](const ModelGradient& g) { return g.moduli[0].mu; }});
+    const GradientCheck check = check_gradient(model, options, rough_loss(model), parameters);
+    ASSERT_TRUE(check.complete()) << check.message;
+    for (const GradientCheckRow& row : check.rows)
+        if (row.name.find("mu of cell") == 0) {
+            EXPECT_NE(row.adjoint, 0.0) << row.name;
+        }
+    EXPECT_LT(check.worst_error(), 1e-5);
+}
+
 /// Along E, damping and the level of a signal, where tangents exist.
 TEST_P(AdjointRun, EqualsTheTangents) {
     const auto [kind, integrator, start, strategy, material] = GetParam();
