@@ -81,7 +81,9 @@ std::string result_lines(const Study& study, const Optimization& result) {
         text += "\ntarget not reached: " + format_number(result.miss.noise_levels, 3) + " times the noise is left";
     if (result.fit.converged() && !result.fit.message.empty()) text += "\n" + result.fit.message;
     return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " + format_number(result.seconds, 3) + " s, " +
-           std::to_string(study.body->dofs()) + " DOF";
+           std::to_string(study.body->dofs()) + " DOF, steps of " +
+           format_number(1e3 * study.trials.front().options.h_s, 4) + " ms (--dt " +
+           format_number(study.trials.front().options.h_s, 4) + ")";
 }
 
 Result<void> write_results(const OptimizeCall& call, const Study& study, const Optimization& result,
