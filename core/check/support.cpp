@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
+#include "model/held_nodes.hpp"
 #include "report/length.hpp"
 
 namespace myo {
@@ -17,9 +18,7 @@ constexpr double least_width = 1e-5;
 
 std::vector<Finding> check_support(const CheckedJob& job) {
     const Body& body = *job.study.body;
-    std::vector<int> held;
-    for (int i = 0; i < body.node_count(); ++i)
-        if (body.clamped[static_cast<std::size_t>(i)]) held.push_back(i);
+    const std::vector<int> held = held_nodes(body);
     const Eigen::Matrix3Xd points = body.mesh.nodes(Eigen::all, held);
     const Eigen::Matrix3Xd apart = points.colwise() - points.rowwise().mean();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(apart * apart.transpose());

@@ -2,18 +2,9 @@
 
 #include <utility>
 
+#include "model/held_nodes.hpp"
+
 namespace myo {
-namespace {
-
-std::vector<int> held_nodes(const Body& body) {
-    std::vector<int> held;
-    for (int i = 0; i < body.node_count(); ++i)
-        if (body.clamped[static_cast<std::size_t>(i)]) held.push_back(i);
-    return held;
-}
-
-}  // namespace
-
 BodyPointer released_body(const Body& body, const std::vector<int>& nodes) {
     auto released = std::make_shared<Body>(body);
     for (const int node : nodes) released->clamped[static_cast<std::size_t>(node)] = false;

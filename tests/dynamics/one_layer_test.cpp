@@ -6,6 +6,7 @@
 #include "dynamics/natural_modes.hpp"
 #include "dynamics/stage_solver.hpp"
 #include "material/strain_stiffening.hpp"
+#include "model/held_nodes.hpp"
 #include "model/rest_points.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
@@ -47,10 +48,7 @@ Model make_skewed(const test::BeamSpec& spec, const std::function<void(Matrix3Xd
     Model model = test::make_beam(spec);
     VolumeMesh mesh = model.body->mesh;
     skewed(mesh.nodes);
-    std::vector<int> held;
-    for (int i = 0; i < model.body->node_count(); ++i)
-        if (model.body->clamped[static_cast<std::size_t>(i)]) held.push_back(i);
-    model.body = make_body(mesh, spec.kind, held);
+    model.body = make_body(mesh, spec.kind, held_nodes(*model.body));
     return model;
 }
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "model/body.hpp"
+
+namespace myo {
+
+/// The clamped nodes of a body, ascending.
+std::vector<int> held_nodes(const Body& body);
+
+}  // namespace myo
