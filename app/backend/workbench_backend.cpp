@@ -172,15 +172,13 @@ public:
 
     Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) override {
         if (source_of(scene).experiment.trials.empty()) return run_mesh_scene(scene, body, settings, only, progress);
-        StudySettings chosen = study_settings(settings);
-        // A step that nobody changed gives way to one that the vibrations of the run ask for.
-        if (!only && settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
-        Result<Study> study = scene_study(scene, body, settings, chosen, progress);
+        Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
         if (!study) return study.error();
         const StudyValues values = with_predicted_levels(*study, declared_values(*study));
         if (only) return shown_run(*study, short_run(*study, values, only->trial, only->end_s, progress));
-        const StudyRun run = run_with_chosen_steps(*study, values, progress);
         check_integration(*study);
+        // With the step that is shown; the checks say where it is too long.
+        const StudyRun run = run_study(*study, values, progress);
         RunResult shown = shown_run(*study, run);
         const std::vector<std::string> found = untold(check_after({*study, &run}));
         shown.warnings.insert(shown.warnings.end(), found.begin(), found.end());

@@ -1,19 +1,15 @@
 #include <cmath>
-#include <numbers>
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
-#include "dynamics/numerical_damping.hpp"
-#include "project/vibration_in_motion.hpp"
+#include "project/time_step.hpp"
 
 namespace myo {
 namespace {
 
-/// Frequency errors: what choose_steps() aims at, with a little room for values that a fit has moved, and one that is
-/// seen in a fitted modulus as 2 %.
-constexpr double doubtful_error = 1.5e-3, wrong_error = 1e-2;
-/// Amplitude of a vibration that a recording shows, in units of the noise.
-constexpr double least_noise_share = 1.0 / 3.0;
+/// Frequency errors: what choose_steps() aims at, with room for values that a fit has moved (RefitPolicy), and one that
+/// is seen in a fitted modulus as 2 %.
+constexpr double doubtful_error = 1.5 * step_policy.most_frequency_error, wrong_error = 1e-2;
 
 std::string step_words(const StudyTrial& trial) {
     return "trial " + trial.name + ": steps of " + format_number(1e3 * trial.options.h_s, 3) + " ms";
@@ -29,8 +25,8 @@ Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error)
     finding.level = error > wrong_error ? CheckLevel::wrong : CheckLevel::doubtful;
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
     // The error grows with the square of the step.
-    const double better = trial.options.h_s * std::sqrt(1e-3 / error);
-    finding.way_out = "leave --dt out, or choose " + format_number(better, 2) + " s";
+    const double better = trial.options.h_s * std::sqrt(step_policy.most_frequency_error / error);
+    finding.way_out = "choose a step of " + format_number(better, 2) + " s (--dt), or leave it to the program";
     return finding;
 }
 
@@ -63,14 +59,10 @@ std::vector<Finding> check_step(const CheckedJob& job) {
     std::vector<Finding> findings;
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
         const StudyTrial& trial = study.trials[t];
-        if (job.run != nullptr && job.run->predictions[t].ok() && job.run->predictions[t].trace.times_s.size() > 3) {
-            const Model model = affected_trial(study, t, job.run->values).model;
-            const Vibration seen = largest_vibration(model, study.markers, job.run->predictions[t].trace);
-            if (seen.amplitude_m > least_noise_share * mean_noise(study)) {
-                const DiscreteVibration discrete =
-                    discrete_vibration(trial.options.integrator, {seen.omega_rad_s}, trial.options.h_s);
-                const double error = std::abs(discrete.frequency_error);
-                findings.push_back(of_vibration(trial, seen.omega_rad_s / (2.0 * std::numbers::pi), error));
+        if (job.run != nullptr && job.run->predictions[t].ok() && job.run->predictions[t].trace.complete()) {
+            const TrialStep seen = step_seen_in(study, t, job.run->values, job.run->predictions[t].trace);
+            if (seen.vibration_Hz > 0.0) {
+                findings.push_back(of_vibration(trial, seen.vibration_Hz, seen.frequency_error));
                 continue;
             }
         }

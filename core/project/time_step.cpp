@@ -6,15 +6,15 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "dynamics/numerical_damping.hpp"
+#include "project/predict_trials.hpp"
 #include "project/vibration_in_motion.hpp"
 
 namespace myo {
 namespace {
 
 using Eigen::Matrix3Xd;
-
-constexpr StepPolicy step_policy;
 
 double frequency_error(const TimeScheme& scheme, double omega, double h_s) {
     return std::abs(discrete_vibration(scheme, {omega}, h_s).frequency_error);
@@ -41,18 +41,6 @@ double difference(const TrialPrediction& a, const TrialPrediction& b) {
 /// The longest whole part of an interval that is no longer than h.
 double whole_part(double interval, double h) { return interval / std::ceil(interval / h * (1.0 - 1e-9)); }
 
-/// What a run shows of its step: the natural vibration that moves the markers most, if they show one at all.
-TrialStep seen_in(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace) {
-    TrialStep step;
-    step.h_s = study.trials[trial].options.h_s;
-    const Vibration seen = largest_vibration(affected_trial(study, trial, values).model, study.markers, trace);
-    if (!(seen.amplitude_m > step_policy.most_noise_share * mean_noise(study))) return step;
-    step.vibration_Hz = seen.omega_rad_s / (2.0 * std::numbers::pi);
-    step.vibration_m = seen.amplitude_m;
-    step.frequency_error = frequency_error(study.trials[trial].options.integrator, seen.omega_rad_s, step.h_s);
-    return step;
-}
-
 double omega_of(const TrialStep& step) { return 2.0 * std::numbers::pi * step.vibration_Hz; }
 
 TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values, const Progress& progress) {
@@ -70,11 +58,13 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
     for (int runs = 1; runs < step_policy.most_runs; ++runs) {
         const TrialPrediction now = run(step.h_s);
         if (!now.ok()) {
+            step = {};
+            step.h_s = 0.5 * interval;
             step.failure = now.message;
             return step;
         }
         const double allowed_m = step_policy.most_noise_share * noise;
-        step = seen_in(study, index, values, now.trace);
+        step = step_seen_in(study, index, values, now.trace);
         double needed = step.h_s;
         if (step.vibration_Hz > 0.0) {
             needed = step_for(scheme, omega_of(step), step.h_s);
@@ -100,6 +90,17 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
 }
 
 }  // namespace
+
+TrialStep step_seen_in(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace) {
+    TrialStep step;
+    step.h_s = study.trials[trial].options.h_s;
+    const Vibration seen = largest_vibration(affected_trial(study, trial, values).model, study.markers, trace);
+    if (!(seen.amplitude_m > step_policy.most_noise_share * mean_noise(study))) return step;
+    step.vibration_Hz = seen.omega_rad_s / (2.0 * std::numbers::pi);
+    step.vibration_m = seen.amplitude_m;
+    step.frequency_error = frequency_error(study.trials[trial].options.integrator, seen.omega_rad_s, step.h_s);
+    return step;
+}
 
 bool choosable(const StudySettings& settings) { return !settings.h_s && !settings.as_published; }
 
@@ -129,26 +130,29 @@ StudyRun run_with_chosen_steps(Study& study, const StudyValues& values, const Pr
                                const std::string& only_trial) {
     StudyRun run = run_study(study, values, progress, only_trial);
     if (!choosable(study.settings)) return run;
+    const Stopwatch watch;
+    std::vector<std::size_t> asked;
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        if (run.predictions[t].status != RunStatus::not_run) asked.push_back(t);
+    std::vector<std::size_t> open = asked;
     for (int repeat = 0; repeat < step_policy.most_repeats && !progress.cancelled(); ++repeat) {
-        bool shorter = false;
-        std::vector<TrialStep> steps(study.trials.size());
-        for (std::size_t t = 0; t < steps.size(); ++t) {
-            const StudyTrial& trial = study.trials[t];
-            steps[t].h_s = trial.options.h_s;
-            if (!run.predictions[t].ok()) continue;
-            steps[t] = seen_in(study, t, values, run.predictions[t].trace);
-            if (!(steps[t].vibration_Hz > 0.0)) continue;
-            const double needed = step_for(trial.options.integrator, omega_of(steps[t]), steps[t].h_s);
-            if (needed >= steps[t].h_s) continue;
-            steps[t].h_s = whole_part(sampling_interval_s(trial), needed);
-            shorter = true;
-        }
-        if (!shorter) break;
-        const double before_s = run.seconds;
-        set_steps(study, std::move(steps));
-        run = run_study(study, values, progress, only_trial);
-        run.seconds += before_s;
+        std::erase_if(open, [&](std::size_t t) {
+            if (!run.predictions[t].ok()) return true;
+            StudyTrial& trial = study.trials[t];
+            const TrialStep step = step_seen_in(study, t, values, run.predictions[t].trace);
+            if (!(step.vibration_Hz > 0.0)) return true;
+            const double needed = step_for(trial.options.integrator, omega_of(step), step.h_s);
+            if (needed >= step.h_s) return true;
+            set_step(trial, whole_part(sampling_interval_s(trial), needed));
+            return false;
+        });
+        if (open.empty()) break;
+        std::vector<TrialPrediction> again = predict_trials_with(study, values, open, progress);
+        for (std::size_t i = 0; i < open.size(); ++i) run.predictions[open[i]] = std::move(again[i]);
     }
+    const double seconds = run.seconds + watch.seconds();
+    run = scored_run(study, values, std::move(run.predictions), asked);
+    run.seconds = seconds;
     return run;
 }
 

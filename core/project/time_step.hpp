@@ -18,9 +18,14 @@ struct StepPolicy {
     int most_repeats = 2;                  // of runs whose vibrations ask for shorter steps
     double safety = 0.9;                   // of steps by their error's order
 };
+inline constexpr StepPolicy step_policy;
 
-/// Whether steps are the program's to choose: nobody asked for one, and it is no published formulation, whose damping is
-/// that of its step.
+/// What a run of the trial shows of its step: the natural vibration that moves the markers most and the step's
+/// frequency error in it; of the step alone where markers show no vibration of a third of the noise.
+TrialStep step_seen_in(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace);
+
+/// Whether steps are the program's to choose: nobody asked for one, and it is no published formulation, whose damping
+/// is that of its step.
 bool choosable(const StudySettings& settings);
 
 /// Steps for all trials with these values, none longer than half a sampling interval and all whole parts of one.
