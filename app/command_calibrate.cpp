@@ -131,7 +131,7 @@ int calibrate_command(const CalibrateCall& call) {
     }
     for (const std::string& warning : calibration.warnings) console.warn(warning);
     RunFacts facts = run_facts(call, setup_s);
-    facts.findings = check_after({*study, &calibration.after, &calibration});
+    facts.findings = check_after({*study, &calibration.after, &calibration}, before);
     tell_findings(facts.findings, before, console);
     if (const Result<void> written = write_results(call, *study, calibration, facts); !written)
         return console.refuse(written.error());

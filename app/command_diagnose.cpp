@@ -127,7 +127,7 @@ int diagnose_command(const DiagnoseCall& call) {
         return status_failed;
     }
     RunFacts facts = run_facts(call, setup_s);
-    facts.findings = check_after({as_diagnosed(d, study), &d.after});
+    facts.findings = check_after({as_diagnosed(d, study), &d.after}, before);
     tell_findings(facts.findings, before, console);
     if (const Result<void> written = write_results(call, opening.experiment, study, d, facts); !written)
         return console.refuse(written.error());

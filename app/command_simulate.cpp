@@ -84,7 +84,7 @@ int simulate_command(const SimulateCall& call) {
     console.print(study->experiment.name + "\n" + mesh_line(*study) + "\n" + values_line(*study, values));
     const StudyRun run = run_with_chosen_steps(*study, values, progress, call.trial);
     RunFacts facts = run_facts(call, setup_s);
-    facts.findings = check_after({*study, &run});
+    facts.findings = check_after({*study, &run}, before);
     tell_findings(facts.findings, before, console);
     if (const Result<void> written = write_results(call, *study, run, facts, progress); !written)
         return console.refuse(written.error());

@@ -1,6 +1,7 @@
 #include "check/catalogue.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "check/checks.hpp"
 
@@ -45,13 +46,18 @@ const Check* find_check(const std::string& id) {
 
 namespace {
 
-std::vector<Finding> run_checks(CheckedJob job) {
+std::vector<Finding> run_checks(CheckedJob job, const std::vector<Finding>& before) {
     std::vector<Finding> findings;
     job.earlier = &findings;
     for (const Check& check : check_catalogue()) {
-        // What was asked before a job is answered by its end, too, and may be where a residual comes from.
         if (check.time == CheckTime::after && job.run == nullptr) continue;
-        std::vector<Finding> own = check.find(job);
+        std::vector<Finding> own;
+        if (check.time == CheckTime::before && !before.empty()) {
+            std::copy_if(before.begin(), before.end(), std::back_inserter(own),
+                         [&](const Finding& finding) { return finding.check == check.id; });
+        } else {
+            own = check.find(job);
+        }
         for (Finding& finding : own) {
             finding.check = check.id;
             finding.source = check.source;
@@ -63,8 +69,10 @@ std::vector<Finding> run_checks(CheckedJob job) {
 
 }  // namespace
 
-std::vector<Finding> check_before(const Study& study) { return run_checks({study}); }
+std::vector<Finding> check_before(const Study& study) { return run_checks({study}, {}); }
 
-std::vector<Finding> check_after(const CheckedJob& job) { return run_checks(job); }
+std::vector<Finding> check_after(const CheckedJob& job, const std::vector<Finding>& before) {
+    return run_checks(job, before);
+}
 
 }  // namespace myo

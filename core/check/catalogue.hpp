@@ -24,9 +24,11 @@ struct Check {
 const std::vector<Check>& check_catalogue();
 const Check* find_check(const std::string& id);
 
-/// All findings before a job, and after it; fine ones are among them. A check that is made at both times is made anew
-/// after the job, with its values.
+/// All findings before a job, fine ones among them.
 std::vector<Finding> check_before(const Study& study);
-std::vector<Finding> check_after(const CheckedJob& job);
+
+/// All findings after a job. A check that is made at both times is made anew, with the job's values; what can be asked
+/// before it alone is taken from `before`, or asked now where that is empty.
+std::vector<Finding> check_after(const CheckedJob& job, const std::vector<Finding>& before = {});
 
 }  // namespace myo

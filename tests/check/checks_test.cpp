@@ -94,6 +94,36 @@ TEST(CheckUnits, KnowsLikelySlips) {
     }
 }
 
+TEST(CheckMarkers, KnowsThoseThatTheMeshTakesForOne) {
+    EXPECT_EQ(worst(check_markers({study_of(test::swung_beam_toml())})), CheckLevel::fine);
+    const std::string near =
+        with(test::swung_beam_toml(), "middle = [0.05, 0.015, 0.03]", "middle = [0.1, 0.001, 0.03]");
+    const std::vector<Finding> found = check_markers({study_of(near)});
+    EXPECT_EQ(worst(found), CheckLevel::doubtful);
+    EXPECT_THAT(found[0].sentence, HasSubstr("markers tip_left and middle are 1.00 mm apart"));
+}
+
+TEST(CheckAfter, TakesOverWhatWasAskedBefore) {
+    const test::Folder folder("taken_over");   // whose traces are compared
+    const Study study = test::swung_beam(folder, 0.3);
+    const std::vector<Finding> before = check_before(study);
+    StudyRun run;
+    run.values = declared_values(study);
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        run.predictions.push_back(predict_trial(study, t, run.values));
+    std::vector<Finding> marked = before;
+    marked.front().sentence = "asked before";
+    const std::vector<Finding> taken = check_after({study, &run}, marked), asked = check_after({study, &run});
+    EXPECT_EQ(taken.front().sentence, "asked before");
+    EXPECT_EQ(asked.front().sentence, before.front().sentence);
+    EXPECT_EQ(taken.size(), asked.size());
+    // The trial to predict has the recording of the one to fit.
+    const auto shared = std::find_if(asked.begin(), asked.end(),
+                                     [](const Finding& finding) { return finding.check == "recordings"; });
+    ASSERT_NE(shared, asked.end());
+    EXPECT_EQ(shared->level, CheckLevel::doubtful);
+}
+
 /// A recording that begins in the sag of a body that is declared straight.
 TEST(CheckStart, ComparesTheFirstSampleWithTheDeclaredStart) {
     Study study = study_of(test::swung_beam_toml());
