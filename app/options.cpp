@@ -154,7 +154,9 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
            },
            "how a step is solved: " + join(strategy_ids()))
         ->type_name("NAME");
-    add_positive_number(app, "--dt", settings.h_s, "time step [s] (default: what the vibrations and the sampling of each trial ask for)")->type_name("SECONDS");
+    add_positive_number(app, "--dt", settings.h_s,
+                        "time step [s] (default: what the vibrations and the sampling of each trial ask for)")
+        ->type_name("SECONDS");
     app.add_option_function<std::string>(
            "--material",
            [&settings](const std::string& id) {

@@ -112,7 +112,7 @@ Weighing weigh(const MatrixXd& precision) {
 
 /// Values that the target says less about than the smoothness, values that nothing says anything about, and pairs of
 /// signals that take each other's place.
-std::vector<std::string> identifiability(const SoughtSignals& sought, const Weighing& weighed,
+std::vector<std::string> undetermined_words(const SoughtSignals& sought, const Weighing& weighed,
                                          const ActuationDeviations& found) {
     std::vector<std::string> warnings;
     const Index signals = found.deviations.rows(), knots = found.deviations.cols();
@@ -206,7 +206,7 @@ void set_deviations(const ActuationProblem& problem, const NormalEquations& equa
     found.deviations = deviation.reshaped(rows, columns);
     found.from_target = from_target.reshaped(rows, columns);
     found.found = true;
-    found.warnings = identifiability(problem.sought, weighed, found);
+    found.warnings = undetermined_words(problem.sought, weighed, found);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ bool has_fixed_knot(const SoughtSignals& sought) {
 /// The first value that is the end of a change.
 Index first_rate(const SoughtSignals& sought) { return sought.from_before && !sought.seek_before ? 0 : 1; }
 
-/// Of all knots, free or not, in periods.
+/// The first knot of all, free or not [periods].
 int first_knot(const SoughtSignals& sought) { return sought.hold ? -1 : 0; }
 
 }  // namespace

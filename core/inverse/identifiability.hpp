@@ -24,16 +24,16 @@ struct IdentifiabilityPolicy {
 
 /// Parameters that the data do not determine, because they can change together without changing the residuals.
 struct Undetermined {
-    std::vector<Eigen::Index>
-        parameters;  // one: it has no influence on the data; several: the data see combinations of them only
-    Eigen::Index combinations = 0;          // how many independent ones the data determine
-    Eigen::VectorXd gradient;  // where it is one: its derivative by each of the parameters, of any length; else empty
+    /// One: it has no influence on the data; several: the data see combinations of them only.
+    std::vector<Eigen::Index> parameters;
+    Eigen::Index combinations = 0;   // how many independent ones the data determine
+    Eigen::VectorXd gradient;        // where it is one: its derivative by each parameter, of any length; else empty
 };
 
 /// Standard deviations of fitted parameters, as far as the data determine them.
 struct Identifiability {
-    Eigen::VectorXd deviations;  // n; NaN for those that are not determined, 0 for those whose bounds are one value
-    Eigen::MatrixXd correlation;            // n x n; unit rows for these
+    Eigen::VectorXd deviations;    // n; NaN for those that are not determined, 0 for those whose bounds are one value
+    Eigen::MatrixXd correlation;   // n x n; unit rows for these
     std::vector<Undetermined> undetermined;
 };
 

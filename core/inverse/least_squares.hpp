@@ -58,8 +58,8 @@ struct LeastSquaresReport {
     std::string message;
     Eigen::VectorXd start;
     Eigen::VectorXd values;           // of the evaluation with the least cost: the first of these, where several are equal
-    Eigen::VectorXd
-        deviations;  // standard deviations; NaN where the data do not determine the parameter, 0 where it is fixed
+    /// Standard deviations; NaN where the data do not determine the parameter, 0 where it is fixed.
+    Eigen::VectorXd deviations;
     Eigen::MatrixXd correlation;      // n x n
     std::vector<Undetermined> undetermined;   // the parameters without a deviation
     double cost_before = 0.0;

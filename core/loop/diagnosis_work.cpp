@@ -38,8 +38,10 @@ std::uint64_t fingerprint(const Study& study) {
 }
 
 std::string study_words(const Study& study) {
-    return study.experiment.name + ", " + to_string(study.body->kind) + " " + std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
-           std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator) + ", " + std::to_string(fingerprint(study));
+    return study.experiment.name + ", " + to_string(study.body->kind) + " " +
+           std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
+           std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator) + ", " +
+           std::to_string(fingerprint(study));
 }
 
 Study prepared(Study study) {

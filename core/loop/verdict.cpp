@@ -169,10 +169,10 @@ JudgedFit most_of_it(Diagnosis& d, const JudgedFit& fit, double weight) {
 
 std::string above_noise_note(const NumericalError& numerics, double noise_m) {
     const bool by_mesh = numerics.mesh_rms_m >= numerics.step_rms_m;
-    return "what extrapolation may leave of the errors of mesh and step, " + times_noise(numerics.left_rms_m / noise_m) +
-           ", is above the noise (mesh " + times_noise(numerics.mesh_rms_m / noise_m) + ", step " +
-           times_noise(numerics.step_rms_m / noise_m) + "): choose a " +
-           (by_mesh ? "finer --resolution" : "smaller --dt") + " before trusting small effects";
+    return "what extrapolation may leave of the errors of mesh and step, " +
+           times_noise(numerics.left_rms_m / noise_m) + ", is above the noise (mesh " +
+           times_noise(numerics.mesh_rms_m / noise_m) + ", step " + times_noise(numerics.step_rms_m / noise_m) +
+           "): choose a " + (by_mesh ? "finer --resolution" : "smaller --dt") + " before trusting small effects";
 }
 
 JudgedFit decide(Diagnosis& d) {

@@ -10,7 +10,8 @@ namespace myo {
 /// attempt where nothing explains the residual.
 JudgedFit decide(Diagnosis& diagnosis);
 
-/// What a person must know where extrapolation may leave more than the noise: how much, of what, and which is to be finer.
+/// What a person must know where extrapolation may leave more than the noise: how much, of what, and which is to be
+/// finer.
 std::string above_noise_note(const NumericalError& numerics, double noise_m);
 
 /// Once the numerical error of the fit that asserted effects stand on, `augmented`, has been found with it: the verdict, and the fit among the candidates or pairs, are that one's.

@@ -28,8 +28,8 @@ struct SurfaceIntegral {
 /// around its centre, a curved tet10 face as four around its mid-nodes.
 SurfaceIntegral surface_weights(const VolumeMesh& mesh, const BoundaryFaces& faces, const Box& box);
 
-/// The part of a cell inside a box, exact for flat faces; a warped hexahedron face counts as four triangles (which keeps
-/// the trilinear volume), a curved tet10 as eight straight tetrahedra.
+/// The part of a cell inside a box, exact for flat faces; a warped hexahedron face counts as four triangles (which
+/// keeps the trilinear volume), a curved tet10 as eight straight tetrahedra.
 ClippedVolume cell_in_box(const VolumeMesh& mesh, Eigen::Index cell, const Box& box, double tolerance);
 
 /// Fraction of each cell's volume inside the box, 0 to 1, as cell_in_box() has it.

@@ -69,8 +69,8 @@ struct Calibration {
 /// Cancelled, it runs nothing more and gives the best values so far; unusable when no evaluation was complete.
 Calibration calibrate_study(const Study& study, const CalibrationSettings& settings = {}, const Progress& progress = {});
 
-/// calibrate_study() with steps that suit the values it ends with: where those that were chosen for the declared ones are
-/// too long by then, shorter ones are set in the study and the fit goes on from where it was. Steps that are not
+/// calibrate_study() with steps that suit the values it ends with: where those that were chosen for the declared ones
+/// are too long by then, shorter ones are set in the study and the fit goes on from where it was. Steps that are not
 /// choosable() stay. The evaluations of fits before the last count as earlier ones.
 Calibration calibrate_with_chosen_steps(Study& study, CalibrationSettings settings = {}, const Progress& progress = {});
 

@@ -13,13 +13,13 @@ namespace myo {
 /// "way_out"}]; figure, threshold and unit where a check has one.
 Json findings_json(const std::vector<Finding>& findings);
 
-/// What is not fine, the worst first, and then the rest.
+/// A table of all findings, the worst first.
 Section findings_section(const std::vector<Finding>& findings);
 
 /// The sentence with the way out: for a person, of what is not fine.
 std::string finding_words(const Finding& finding);
 
-/// Those that a person has not been told of by a warning, the worst first, as sentences.
+/// Sentences of the findings that no warning has told a person of, the worst first.
 std::vector<std::string> untold(const std::vector<Finding>& findings);
 
 /// "checks: 11 green, 1 amber (step), 1 red (start)"

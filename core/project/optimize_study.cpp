@@ -143,7 +143,8 @@ Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSet
     if (study.experiment.muscles.empty()) return declaration_error(study.experiment, "muscle", "none is declared, so there is no actuation to be found");
     if (!(settings.lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
     if (!(settings.lowest > 0.0) && !study.settings.as_published)
-        return Error{"must be above 0: an activation of 1 is passive, and at 0 fibres would contract to nothing", "--lowest"};
+        return Error{"must be above 0: an activation of 1 is passive, and at 0 fibres would contract to nothing",
+                     "--lowest"};
     ActuationProblem problem;
     problem.model = trial.model;
     problem.options = trial.options;

@@ -31,7 +31,8 @@ ReadableParameter readable_number_of_effect(const StudyParameter& p) {
     if (id.starts_with("effect.")) id = id.substr(7, id.find('.', 7) - 7);
     ReadableParameter shown = readable_quantity(p.of_effect);
     shown.name = effect_name(id) + ", " + shown.name;
-    if (p.is_angle()) return {shown.name + " turned " + std::to_string(p.component + 1), "°", 180.0 / std::numbers::pi};
+    if (p.is_angle())
+        return {shown.name + " turned " + std::to_string(p.component + 1), "°", 180.0 / std::numbers::pi};
     if (p.component >= 0) shown.name += std::string(" ") + "xyz"[p.component % 3];
     return shown;
 }

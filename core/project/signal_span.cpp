@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "project/study_frames.hpp"
 
 namespace myo {
 namespace {
-
-/// Of Unix times, ten digits are seconds.
-constexpr int signal_time_digits = 12;
 
 double range_of(const std::vector<double>& values) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -40,7 +38,7 @@ SignalClock clock_of(const Signal& signal, const StudyTrial& trial, double end_s
 std::string advice(const StudyTrial& trial, const MissedSignal& missed) {
     switch (missed.clock) {
         case SignalClock::of_the_recording:
-            return "subtract start_s, " + format_number(trial.start_s, signal_time_digits) +
+            return "subtract start_s, " + format_number(trial.start_s, clock_digits) +
                    " s, from its times, which are those of the trace";
         case SignalClock::milliseconds: return "divide its times by 1000 if they are in ms";
         case SignalClock::unknown: break;
@@ -81,8 +79,8 @@ std::string missed_signal_sentence(const Study& study, const MissedSignal& misse
     const StudyTrial& trial = study.trials[missed.trial];
     const bool many = missed.muscles.size() > 1;
     return missed.key + ": the rows of " + join(missed.muscles) + " run from " +
-           format_number(missed.first_s, signal_time_digits) + " s to " +
-           format_number(missed.last_s, signal_time_digits) + " s and miss trial " + trial.name +
+           format_number(missed.first_s, clock_digits) + " s to " +
+           format_number(missed.last_s, clock_digits) + " s and miss trial " + trial.name +
            ", which runs from 0 s to " + format_number(missed.end_s) + " s: the " +
            (many ? "muscles do" : "muscle does") + " not move in it. Signals count from the trial's t = 0; " +
            advice(trial, missed);

@@ -74,7 +74,7 @@ struct Study {
     std::vector<StudyTrial> trials;
     double modulus_factor = 1.0;              // the cells' modulus over the body's: coarse ones bend as if of another one
     std::vector<std::string> warnings;
-    std::vector<TrialStep> steps;                  // per trial, of choose_steps(); empty: as asked for, or not chosen yet
+    std::vector<TrialStep> steps;   // per trial, of choose_steps(); empty: as asked for, or not chosen yet
     std::optional<IntegrationCheck> integration;   // of check_integration(), when asked for
 };
 

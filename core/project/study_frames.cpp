@@ -16,14 +16,11 @@ namespace {
 
 /// When the times of a trace are taken to be of another clock than the trial's.
 struct ClockPolicy {
-    /// Between samples, that a trace begins after t = 0, from which on it is doubted: a camera may have been switched on late.
+    /// A trace that begins so many sampling intervals after t = 0 is doubted: a camera may have been switched on late.
     double late_intervals = 20.0;
     double most_lead = 10.0;   // times its own length: nobody simulates so much to compare so little
 };
 constexpr ClockPolicy clock_policy;
-
-/// Of Unix times, ten digits are seconds.
-constexpr int clock_digits = 12;
 
 bool begins_late(const Recording& recording) {
     return recording.rate_Hz > 0.0 && recording.time_s(0) * recording.rate_Hz > clock_policy.late_intervals;

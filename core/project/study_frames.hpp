@@ -6,6 +6,9 @@
 
 namespace myo {
 
+/// Significant digits of times of other clocks in messages: of a Unix time ten are seconds.
+inline constexpr int clock_digits = 12;
+
 /// Whether a trial's file was recorded without regard to t = 0 or to the mesh frame (the schema's last section): it holds
 /// samples from before the start. Otherwise file time and trial time are the same.
 bool is_foreign_recording(const Experiment& experiment, const TrialDeclaration& declaration);

@@ -84,7 +84,8 @@ GradientCheck check_gradient(const Model& model, SimulationOptions options, cons
         }
         // Runs solved to a tolerance tell no difference of the loss below that part of it.
         const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
-        const bool without_influence = larger * parameters[p].step <= options.solver.tolerance * std::abs(losses[4 * p]);
+        const bool without_influence =
+            larger * parameters[p].step <= options.solver.tolerance * std::abs(losses[4 * p]);
         row.relative_error = without_influence ? 0.0 : relative_difference(row.adjoint, row.difference);
         check.rows.push_back(std::move(row));
     }

@@ -35,7 +35,8 @@ void write_muscled_experiment(const Folder& folder) {
     folder.write("made/experiment.toml", muscled_toml());
     folder.write("made/signals.csv", signals_csv());
     folder.write("made/wave.csv", trace);
-    const ProgramRun run = run_program({"simulate", folder.str("made"), "--out", folder.str("exp"), "--resolution", "0.01", "--dt", "0.005", "--quiet"});
+    const ProgramRun run = run_program({"simulate", folder.str("made"), "--out", folder.str("exp"), "--resolution",
+                                        "0.01", "--dt", "0.005", "--quiet"});
     ASSERT_EQ(run.status, 0) << run.err;
     folder.write("exp/experiment.toml", muscled_toml());
     folder.write("exp/signals.csv", "time_s,upper\n0,1\n");
@@ -81,7 +82,10 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
     ASSERT_TRUE(table) << table.error().text();
     EXPECT_EQ(table->muscles, std::vector<std::string>{"upper"});
     folder.write("exp/signals.csv", content_of(folder.path() / "out/wave_actuation.csv"));
-    ASSERT_EQ(run_program({"simulate", folder.str("exp"), "--out", folder.str("again"), "--resolution", "0.01", "--dt", "0.005", "--quiet"}).status, 0);
+    ASSERT_EQ(run_program({"simulate", folder.str("exp"), "--out", folder.str("again"), "--resolution", "0.01", "--dt",
+                           "0.005", "--quiet"})
+                  .status,
+              0);
     EXPECT_NEAR(json_at(folder, "again/simulate.json")["trials"][0]["rms_m"].get<double>(), j.at("rms_after_m").get<double>(), 1e-9);
 }
 
@@ -94,7 +98,10 @@ TEST(Optimize, HeldSignalsCanBePlayed) {
     EXPECT_EQ(j.at("knot_times_s").size(), 20u);
     EXPECT_LT(j.at("rms_after_m").get<double>(), 0.1 * j.at("rms_before_m").get<double>());
     folder.write("exp/signals.csv", content_of(folder.path() / "out/wave_actuation.csv"));
-    ASSERT_EQ(run_program({"simulate", folder.str("exp"), "--out", folder.str("again"), "--resolution", "0.01", "--dt", "0.005", "--quiet"}).status, 0);
+    ASSERT_EQ(run_program({"simulate", folder.str("exp"), "--out", folder.str("again"), "--resolution", "0.01", "--dt",
+                           "0.005", "--quiet"})
+                  .status,
+              0);
     const double again = json_at(folder, "again/simulate.json")["trials"][0]["rms_m"].get<double>();
     EXPECT_NEAR(again / j.at("rms_after_m").get<double>(), 1.0, 1e-6);
 }
@@ -103,8 +110,8 @@ TEST(Optimize, HeldSignalsCanBePlayed) {
 void write_unrecorded_experiment(const Folder& folder, const std::string& signals, const std::string& noise_m) {
     write_muscled_experiment(folder);
     folder.write("made/signals.csv", signals);
-    const ProgramRun run =
-        run_program({"simulate", folder.str("made"), "--out", folder.str("exp"), "--resolution", "0.01", "--dt", "0.005", "--quiet"});
+    const ProgramRun run = run_program({"simulate", folder.str("made"), "--out", folder.str("exp"), "--resolution",
+                                        "0.01", "--dt", "0.005", "--quiet"});
     ASSERT_EQ(run.status, 0) << run.err;
     std::string toml = muscled_toml();
     const std::string record = "actuation = \"signals.csv\"\n", noise = "noise_m = 1e-6";

@@ -197,7 +197,10 @@ TEST(Simulate, OneAndFourThreadsAgree) {
 TEST(Simulate, SeriesNamesEveryFrame) {
     const Folder folder("series");
     write_small_experiment(folder);
-    ASSERT_EQ(run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--vtu", "--trial", "drop", "--dt", "0.005", "--quiet"})).status, 0);
+    ASSERT_EQ(run_program(call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--vtu", "--trial", "drop",
+                                "--dt", "0.005", "--quiet"}))
+                  .status,
+              0);
     const std::string collection = content_of(folder.path() / "out/drop.pvd");
     int frames = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.path() / "out/drop_frames")) {

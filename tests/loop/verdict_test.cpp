@@ -431,8 +431,9 @@ TEST(Verdict, SaysWhichErrorIsAboveTheNoise) {
     numerics.step_rms_m = 5e-4;
     numerics.left_rms_m = 2e-4;
     const std::string by_step = above_noise_note(numerics, 1e-4);
-    EXPECT_NE(by_step.find("2 times the noise, is above the noise (mesh 0.12 times the noise, step 5 times the noise): choose "
-                           "a smaller --dt"),
+    EXPECT_NE(by_step.find(
+                  "2 times the noise, is above the noise (mesh 0.12 times the noise, step 5 times the noise): choose "
+                  "a smaller --dt"),
               std::string::npos)
         << by_step;
     numerics.mesh_rms_m = 1e-3;

@@ -112,7 +112,8 @@ std::string legacy(const VolumeMesh& mesh, bool binary) {
     };
     block(mesh.nodes, double{});
     // As VTK and ParaView write it behind an array.
-    text << "METADATA\nCOMPONENT_NAMES\nX\n\n\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1.7 \n\n";
+    text << "METADATA\nCOMPONENT_NAMES\nX\n\n\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1.7 "
+            "\n\n";
     Eigen::MatrixXi cells(mesh.cells.rows() + 1, mesh.cell_count());
     cells.row(0).setConstant(static_cast<int>(mesh.cells.rows()));
     cells.bottomRows(mesh.cells.rows()) = mesh.cells;

@@ -56,7 +56,8 @@ TEST(Suitability, TellsOfRodsThatTwistTooLittle) {
     EXPECT_FALSE(too_few_cells_to_twist(checked(thin_plate, {ElementKind::hex8, 0.0025}).facts()));
     const Checked tetrahedra = checked(square_bar, {ElementKind::tet10, 0.03});
     ASSERT_TRUE(too_few_cells_to_twist(tetrahedra.facts()));
-    EXPECT_THAT(*too_few_cells_to_twist(tetrahedra.facts()), HasSubstr("one layer of tetrahedra across a rod of 20 mm"));
+    EXPECT_THAT(*too_few_cells_to_twist(tetrahedra.facts()),
+                HasSubstr("one layer of tetrahedra across a rod of 20 mm"));
     EXPECT_FALSE(too_few_cells_to_twist(checked(thin_plate, {ElementKind::tet10, 0.01}).facts()));
 }
 
