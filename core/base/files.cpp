@@ -1,7 +1,10 @@
 #include "base/files.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -21,34 +24,77 @@ Result<std::string> read_file(const fs::path& path) {
     return std::move(content).str();
 }
 
-Result<void> write_file_with(const fs::path& path, const std::function<bool(const fs::path&)>& write) {
+fs::path behind_links(fs::path path) {
+    std::error_code code;
+    while (fs::is_symlink(path, code)) {
+        const fs::path target = fs::read_symlink(path, code);
+        path = target.is_absolute() ? target : path.parent_path() / target;
+    }
+    return path;
+}
+
+namespace {
+
+Error not_written(const fs::path& path, int reason) {
+    return {"cannot be written: " + std::generic_category().message(reason), path.string()};
+}
+
+/// Writes the whole content; 0, or the system's error number.
+int write_all(int descriptor, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(descriptor, content.data(), content.size());
+        if (written < 0 && errno != EINTR) return errno;
+        if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+/// Opens with these flags and writes; 0, or the system's error number.
+int write_opened(const fs::path& path, int flags, std::string_view content) {
+    const int descriptor = ::open(path.c_str(), flags | O_WRONLY | O_CLOEXEC | O_NOCTTY, 0666);
+    if (descriptor < 0) return errno;
+    const int failed = write_all(descriptor, content);
+    // Some file systems report a full disk only when the file is closed.
+    return ::close(descriptor) == 0 || failed != 0 ? failed : errno;
+}
+
+/// The standard stream that leads to this file, as after `myoloop ... > file`; -1: none.
+int standard_stream_of(const struct ::stat& file) {
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+        struct ::stat other{};
+        const bool same = ::fstat(stream, &other) == 0 && other.st_dev == file.st_dev && other.st_ino == file.st_ino;
+        if (same) return stream;
+    }
+    return -1;
+}
+
+/// Writes under a temporary name beside the file and renames, so that a reader never sees half a file.
+Result<void> replace_file(const fs::path& path, std::string_view content) {
     std::error_code code;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), code);
     if (code) return Error{"folder cannot be made: " + code.message(), path.parent_path().string()};
-    // The extension stays at the end: some writers choose the format by it.
-    const std::string name = std::string(".") + path.stem().string() + "." + std::to_string(::getpid()) + ".part";
-    fs::path temporary = path.parent_path() / name;
-    temporary += path.extension();
-    if (!write(temporary)) {
-        fs::remove(temporary, code);
-        return Error{"cannot be written", path.string()};
-    }
-    fs::rename(temporary, path, code);
-    if (code) {
-        const std::string reason = code.message();
-        fs::remove(temporary, code);
-        return Error{"cannot be written: " + reason, path.string()};
-    }
-    return {};
+    const std::string name = "." + path.filename().string() + "." + std::to_string(::getpid()) + ".part";
+    const fs::path temporary = path.parent_path() / name;
+    int failed = write_opened(temporary, O_CREAT | O_TRUNC, content);
+    if (failed == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) failed = errno;
+    if (failed == 0) return {};
+    fs::remove(temporary, code);
+    return not_written(path, failed);
 }
 
+}  // namespace
+
 Result<void> write_file(const fs::path& path, std::string_view content) {
-    return write_file_with(path, [&](const fs::path& temporary) {
-        std::ofstream stream(temporary, std::ios::binary);
-        stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-        stream.close();
-        return !stream.fail();
-    });
+    struct ::stat found{};
+    const int missing = ::stat(path.c_str(), &found) == 0 ? 0 : errno;
+    if (missing == ELOOP) return not_written(path, missing);
+    if (missing != 0) return replace_file(behind_links(path), content);
+    if (S_ISDIR(found.st_mode)) return Error{"is a folder, not a file", path.string()};
+    // A device is the same however often it is opened; a file or socket of the program's own output goes on where it is.
+    const int stream = S_ISCHR(found.st_mode) ? -1 : standard_stream_of(found);
+    if (stream < 0 && S_ISREG(found.st_mode)) return replace_file(behind_links(path), content);
+    const int failed = stream < 0 ? write_opened(path, 0, content) : write_all(stream, content);
+    return failed == 0 ? Result<void>() : not_written(path, failed);
 }
 
 }  // namespace myo

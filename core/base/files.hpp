@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,12 +11,13 @@ namespace myo {
 /// Whole content of a file. Error: missing, a folder, or unreadable.
 Result<std::string> read_file(const std::filesystem::path& path);
 
-/// Writes to a temporary name beside `path` and renames it, so that a reader never sees half a file.
-/// Missing parent folders are made.
-Result<void> write_file(const std::filesystem::path& path, std::string_view content);
+/// Where a link leads, also where nothing is there yet; `path` itself when it is no link. Links must not form a loop.
+std::filesystem::path behind_links(std::filesystem::path path);
 
-/// As write_file, for writers that want a path (VTK): `write` gets the temporary path and says whether it succeeded.
-Result<void> write_file_with(const std::filesystem::path& path,
-                             const std::function<bool(const std::filesystem::path&)>& write);
+/// Writes a file whole. A plain file is written under a temporary name beside it and renamed, so that a reader never
+/// sees half of it; missing parent folders are made. A link stays and what it leads to is written; a device, a pipe
+/// and the program's own standard output (/dev/stdout, or the file behind it) are written into.
+/// Errors: a folder; else the system's own words, as "cannot be written: No space left on device".
+Result<void> write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace myo

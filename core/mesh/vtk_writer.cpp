@@ -64,19 +64,21 @@ Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh
     add_fields(grid->GetPointData(), point_fields, mesh.node_count());
     add_fields(grid->GetCellData(), cell_fields, mesh.cell_count());
 
-    return write_file_with(path, [&](const std::filesystem::path& temporary) {
+    std::string content;
+    try {
         const VtkSession session;
-        try {
-            vtkNew<vtkXMLUnstructuredGridWriter> writer;
-            writer->SetFileName(temporary.c_str());
-            writer->SetInputData(grid);
-            writer->SetDataModeToAppended();
-            writer->EncodeAppendedDataOff();
-            return writer->Write() == 1 && writer->GetErrorCode() == 0 && !session.complained();
-        } catch (const std::exception&) {
-            return false;
-        }
-    });
+        vtkNew<vtkXMLUnstructuredGridWriter> writer;
+        writer->WriteToOutputStringOn();
+        writer->SetInputData(grid);
+        writer->SetDataModeToAppended();
+        writer->EncodeAppendedDataOff();
+        const bool made = writer->Write() == 1 && writer->GetErrorCode() == 0 && !session.complained();
+        if (!made) return Error{"VTK cannot write this mesh", path.string()};
+        content = writer->GetOutputString();
+    } catch (const std::exception&) {
+        return Error{"VTK cannot write this mesh", path.string()};
+    }
+    return write_file(path, content);
 }
 
 Result<void> write_stl(const std::filesystem::path& path, const SurfaceMesh& surface, double metres_per_unit) {

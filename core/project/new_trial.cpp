@@ -40,8 +40,9 @@ Result<void> put(const fs::path& folder, const std::string& text, const NewTrial
     };
     if (const Result<void> written = write_file(tried, text); !written) return take_back(written.error());
     if (const Result<Experiment> read = read_experiment(tried); !read) return take_back(read.error());
-    fs::rename(tried, folder / declaration_file, code);
-    if (code) return take_back({"cannot be written: " + code.message(), (folder / declaration_file).string()});
+    const Result<void> written = write_file(folder / declaration_file, text);
+    if (!written) return take_back(written.error());
+    fs::remove(tried, code);
     return {};
 }
 

@@ -1,9 +1,14 @@
 #include "base/files.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
+#include <csignal>
+#include <thread>
 
 namespace myo {
 namespace {
@@ -32,27 +37,77 @@ TEST_F(Files, RoundTripKeepsEveryByte) {
     EXPECT_EQ(read_file(folder_ / "new" / "deep" / "x.bin").value(), "");
 }
 
-TEST_F(Files, AFailingWriterLeavesTheOldFileAndNothingElse) {
+TEST_F(Files, AFileThatCannotBeWrittenWholeLeavesTheOldOneAndNothingElse) {
     const fs::path path = folder_ / "result.vtu";
     ASSERT_TRUE(write_file(path, "old"));
-    fs::path temporary;
-    const Result<void> result = write_file_with(path, [&](const fs::path& given) {
-        temporary = given;
-        std::ofstream(given) << "half a fi";
-        EXPECT_EQ(read_file(path).value(), "old");   // a reader meanwhile
-        return false;
-    });
+    // A disk that is full after eight bytes, as far as a process can make one.
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{8, before.rlim_max};
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const Result<void> result = write_file(path, "too much for it");
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
     ASSERT_FALSE(result);
-    EXPECT_NE(result.error().text().find("result.vtu"), std::string::npos);
-    EXPECT_EQ(temporary.extension(), ".vtu");        // VTK chooses the format by it
-    EXPECT_NE(temporary, path);
+    EXPECT_EQ(result.error().text(), path.string() + ": cannot be written: File too large");
     EXPECT_EQ(read_file(path).value(), "old");
     EXPECT_EQ(files_in_folder(), 1);
 }
 
-TEST_F(Files, AWriterThatWritesNothingIsAnError) {
-    EXPECT_FALSE(write_file_with(folder_ / "x.csv", [](const fs::path&) { return true; }));
-    EXPECT_FALSE(fs::exists(folder_ / "x.csv"));
+TEST_F(Files, LinksStayAndLeadToTheNewContent) {
+    ASSERT_TRUE(write_file(folder_ / "target", "old"));
+    fs::create_symlink("target", folder_ / "link");
+    fs::create_symlink("link", folder_ / "link_of_link");
+    ASSERT_TRUE(write_file(folder_ / "link_of_link", "new"));
+    EXPECT_EQ(read_file(folder_ / "target").value(), "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link_of_link"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    fs::create_symlink("not there yet", folder_ / "early");
+    ASSERT_TRUE(write_file(folder_ / "early", "made"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "early"));
+    EXPECT_EQ(read_file(folder_ / "not there yet").value(), "made");
+    EXPECT_EQ(files_in_folder(), 5);
+    fs::create_symlink("loop", folder_ / "loop");
+    EXPECT_FALSE(write_file(folder_ / "loop", "x"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "loop"));
+}
+
+TEST_F(Files, APipeIsWrittenInto) {
+    fs::create_directories(folder_);
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::string read;
+    std::thread reader([&] { read = read_file(pipe).value(); });
+    EXPECT_TRUE(write_file(pipe, "through it"));
+    reader.join();
+    EXPECT_EQ(read, "through it");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(Files, ADeviceIsWrittenIntoAndSaysThatItIsFull) {
+    fs::create_directories(folder_);
+    // A link, lest a failing test replace the system's own.
+    fs::create_symlink("/dev/full", folder_ / "full");
+    const Result<void> full = write_file(folder_ / "full", "x");
+    ASSERT_FALSE(full);
+    EXPECT_EQ(full.error().what, "cannot be written: No space left on device");
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+    EXPECT_EQ(files_in_folder(), 1);
+}
+
+TEST_F(Files, StandardOutputIsWrittenIntoWhereItStands) {
+    ASSERT_TRUE(write_file(folder_ / "out", "before\n"));
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const int out = ::open((folder_ / "out").c_str(), O_WRONLY | O_APPEND);
+        ::dup2(out, STDOUT_FILENO);
+        ::_exit(write_file("/dev/stdout", "one\n") && write_file(folder_ / "out", "two\n") ? 0 : 1);
+    }
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(read_file(folder_ / "out").value(), "before\none\ntwo\n");
 }
 
 TEST_F(Files, ReadingTellsWhatIsWrong) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <system_error>
 
+#include "base/files.hpp"
+
 namespace myo {
 
 namespace fs = std::filesystem;
@@ -108,8 +110,10 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::begin(const fs::path& path, int 
     std::error_code code;
     if (path.extension() == ".mp4") {
         if (!can_write_films()) return Error{"films need the program ffmpeg, which is not on the path; write numbered pictures instead", path.string()};
+        if (fs::exists(path, code) && !fs::is_regular_file(path, code))
+            return Error{"is not a plain file; choose another name", path.string()};
         if (!fs::is_directory(path.parent_path().empty() ? fs::path(".") : path.parent_path(), code)) return Error{"there is no such folder", path.parent_path().string()};
-        return std::unique_ptr<FilmWriter>(std::make_unique<Mp4>(path, width, height, rate_Hz));
+        return std::unique_ptr<FilmWriter>(std::make_unique<Mp4>(behind_links(path), width, height, rate_Hz));
     }
     if (fs::exists(path, code)) return Error{"is there already; choose a new folder", path.string()};
     return std::unique_ptr<FilmWriter>(std::make_unique<NumberedFiles>(path));
