@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/files.hpp"
+#include "base/overwrites.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "bench/bench_case.hpp"
@@ -12,6 +13,7 @@
 #include "exit_status.hpp"
 #include "options.hpp"
 #include "own_process.hpp"
+#include "reference_files.hpp"
 #include "report/chart.hpp"
 #include "report/json.hpp"
 #include "solver/sparse_cholesky.hpp"
@@ -162,6 +164,8 @@ Json print_scaling(const Json& rows, const std::string& figure, Console& console
 
 int run_bench(const BenchCall& call) {
     Console console(false, false);
+    for (const auto& [option, file] : {std::pair{"--json", call.json}, std::pair{"--figure", call.figure}})
+        if (const Result<void> kept = check_overwrites(option, {file}, reference_files()); !kept) return console.refuse(kept.error());
     Json cases = Json::array();
     bool found = call.id.empty();
     int status = status_done;

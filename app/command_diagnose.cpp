@@ -27,6 +27,12 @@ struct DiagnoseCall : StudyCall {
 };
 
 const char* const fits_file = "diagnose_fits.json";
+const char* const augmented_file = "experiment_augmented.toml";
+
+/// The report is also kept under the name of the experiment's folder.
+std::string report_name(const Experiment& experiment) {
+    return std::filesystem::weakly_canonical(experiment.folder).filename().string();
+}
 
 std::string candidate_lines(const Diagnosis& d) {
     char line[256];
@@ -90,11 +96,11 @@ std::string cost_lines(const Diagnosis& d) {
 
 Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d, const RunFacts& facts) {
     const std::filesystem::path written = std::filesystem::is_directory(call.experiment) ? call.experiment / "experiment.toml" : call.experiment;
-    const std::string name = std::filesystem::weakly_canonical(experiment.folder).filename().string();
+    const std::string name = report_name(experiment);
     if (const Result<void> traces = write_traces(call.out, study, d.after); !traces) return traces.error();
     const Result<std::string> augmented = augmented_experiment(written, d.verdict.effects, call.out);
     if (!augmented) return augmented.error();
-    if (const Result<void> file = write_file(call.out / "experiment_augmented.toml", *augmented); !file) return file.error();
+    if (const Result<void> file = write_file(call.out / augmented_file, *augmented); !file) return file.error();
     if (const Result<void> page = write_html(call.out / "report.html", diagnosis_report(study, d, facts)); !page) return page.error();
     Json report = diagnosis_json(study, d, name);
     report["checks"] = findings_json(facts.findings);
@@ -142,6 +148,10 @@ int diagnose_command(const DiagnoseCall& call) {
 std::function<int()> declare_diagnose(CLI::App& app) {
     const auto call = std::make_shared<DiagnoseCall>();
     declare_study_call(app, *call);
+    call->outputs = [own = call.get()](const Experiment& experiment) {
+        return trace_files_and(*own, experiment, {report_name(experiment) + ".json", "report.json", "report.html",
+                                                  augmented_file, fits_file});
+    };
     app.add_option_function<std::string>(
            "--without",
            [call](const std::string& text) {

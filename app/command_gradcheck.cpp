@@ -95,6 +95,7 @@ std::function<int()> declare_gradcheck(CLI::App& app) {
     const auto call = std::make_shared<GradcheckCall>();
     call->writes_folder = false;
     call->chooses_steps = false;
+    call->outputs = [own = call.get()](const Experiment&) { return std::vector<std::filesystem::path>{own->json}; };
     declare_study_call(app, *call);
     app.add_option("--trial", call->trial, "trial to check (default: the first with role fit)")->type_name("NAME");
     add_count(app, "--steps", call->steps, "steps of its run (default: 8)");

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -175,6 +176,7 @@ int mesh_command(const MeshCall& call) {
     const bool is_surface = contains(surface_extensions, extension);
     if (!is_surface && !contains(volume_extensions, extension))
         return console.refuse({"no mesh format is known by this extension; surfaces: " + join(surface_extensions, " ") + ", volumes: " + join(volume_extensions, " "), call.file.string()});
+    if (const Result<void> kept = check_overwrites("--out", {call.out}, {call.file}); !kept) return console.refuse(kept.error());
     const Progress progress = console.progress();
     Result<MeshOutcome> outcome = is_surface ? mesh_surface(call, progress) : check_volume(call);
     if (progress.cancelled()) {

@@ -110,7 +110,6 @@ int optimize_command(const OptimizeCall& call) {
     const StudyOpening opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
     if (!opening.study) return opening.status;
     const Study& study = *opening.study;
-    if (const Result<void> free = check_actuation_file(call.out, study, opening.experiment); !free) return console.refuse(free.error());
     const OptimizeSettings settings = settings_of(call);
     const Result<ActuationProblem> problem = actuation_problem(study, settings);
     if (!problem) return console.refuse(problem.error());
@@ -151,6 +150,12 @@ std::function<int()> declare_optimize(CLI::App& app) {
     const auto call = std::make_shared<OptimizeCall>();
     call->chooses_steps = false;
     declare_study_call(app, *call);
+    call->outputs = [own = call.get()](const Experiment& experiment) {
+        std::vector<std::filesystem::path> files = trace_files_and(*own, experiment, {"optimize.json", "report.html"});
+        const std::vector<std::filesystem::path> signals = actuation_files(own->out, experiment);
+        files.insert(files.end(), signals.begin(), signals.end());
+        return files;
+    };
     app.add_option("--trial", call->trial, "trial whose trace is the target (default: the first with role fit)")->type_name("NAME");
     add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")->type_name("HZ");
     app.add_flag("--hold", call->hold, "hold each value until the next instead of going there in a straight line");

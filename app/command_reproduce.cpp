@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/overwrites.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
@@ -11,6 +12,7 @@
 #include "console.hpp"
 #include "exit_status.hpp"
 #include "options.hpp"
+#include "reference_files.hpp"
 #include "reproduce/reproduction.hpp"
 
 namespace myo {
@@ -70,6 +72,8 @@ int reproduce_command(const ReproduceCall& call) {
     const ReproductionCase* const one = find_reproduction(call.id);
     if (one == nullptr) return console.refuse({unknown_word(call.id, reproduction_ids()), "reproduce"});
     if (call.out.empty()) return console.refuse({"--out DIR is needed: the folder for tables, figures and report", "reproduce"});
+    const std::vector<std::filesystem::path> outputs = reproduction_files(call.out, *one);
+    if (const Result<void> kept = check_overwrites("--out", outputs, reference_files()); !kept) return console.refuse(kept.error());
     std::error_code code;
     std::filesystem::create_directories(call.out, code);
     if (code) return console.refuse({"folder cannot be made: " + code.message(), call.out.string()});

@@ -2,12 +2,16 @@
 #include <memory>
 #include <string_view>
 
+#include "backend/project_file.hpp"
+#include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "exit_status.hpp"
 #include "options.hpp"
 #include "panels/screenshot.hpp"
+#include "project/output_files.hpp"
+#include "project/read_experiment.hpp"
 #include "backend/workbench_backend.hpp"
 
 namespace myo {
@@ -34,10 +38,24 @@ void parse_size(const std::string& text, ScreenshotOptions& picture) {
         throw CLI::ValidationError("--size", "'" + text + "' is not of the form 1600x900, with sides from 320 to 8192");
 }
 
+/// What is opened to be drawn, and what that is read from in turn.
+std::vector<std::filesystem::path> files_drawn(const ScreenshotOptions& picture) {
+    std::vector<std::filesystem::path> files{picture.open, picture.import};
+    std::filesystem::path source = picture.open;
+    if (is_project(picture.open))
+        if (const Result<Project> project = read_project_file(picture.open)) source = project->source;
+    files.push_back(source);
+    if (const Result<Experiment> experiment = read_experiment(source))
+        for (const std::filesystem::path& file : files_read(source, *experiment)) files.push_back(file);
+    return files;
+}
+
 int screenshot_command(const ScreenshotCall& call) {
     Console console(call.quiet, call.json_progress);
     if (call.out.empty()) return console.refuse({"name the picture to write", "--out"});
     if (call.out.extension() != ".png") return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
+    const Result<void> kept = check_overwrites("--out", {call.out}, files_drawn(call.picture));
+    if (!kept) return console.refuse(kept.error());
     const Progress progress = console.progress();
     ScreenshotOptions picture = call.picture;
     picture.run = !call.as_opened && !call.picture.calibrate && !call.picture.optimize;

@@ -109,6 +109,13 @@ std::function<int()> declare_simulate(CLI::App& app) {
     const auto call = std::make_shared<SimulateCall>();
     call->chooses_steps = false;
     declare_study_call(app, *call);
+    call->outputs = [own = call.get()](const Experiment& experiment) {
+        std::vector<std::filesystem::path> files = trace_files_and(*own, experiment, {"simulate.json"});
+        if (!own->vtu) return files;
+        const std::vector<std::filesystem::path> series = series_files(own->out, experiment, series_frames);
+        files.insert(files.end(), series.begin(), series.end());
+        return files;
+    };
     app.add_option("--trial", call->trial, "run this trial only")->type_name("NAME");
     app.add_flag("--vtu", call->vtu, "write each trial as a series of VTU files as well, with a PVD file that joins them");
     return [call] { return simulate_command(*call); };

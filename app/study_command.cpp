@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "dynamics/run_advice.hpp"
@@ -57,9 +58,12 @@ Result<Experiment> open_experiment(const StudyCall& call) {
     if (call.study.spectral_radius && call.study.settings.integrator != Integrator::generalized_alpha)
         return Error{"only --integrator " + to_string(Integrator::generalized_alpha) + " has one to choose", "--spectral-radius"};
     Result<Experiment> experiment = read_experiment(call.experiment, call.study.overrides);
-    if (!experiment || !call.writes_folder) return experiment;
-    if (const Result<void> folder = prepare_output_folder(call.out, *experiment); !folder)
-        return Error{folder.error().text(), "--out"};
+    if (!experiment) return experiment;
+    const Result<void> kept = check_overwrites(call.writes_folder ? "--out" : "--json", call.outputs(*experiment),
+                                               files_read(call.experiment, *experiment));
+    if (!kept) return kept.error();
+    if (!call.writes_folder) return experiment;
+    if (const Result<void> folder = prepare_output_folder(call.out); !folder) return Error{folder.error().text(), "--out"};
     return experiment;
 }
 
@@ -82,6 +86,13 @@ void declare_study_call(CLI::App& app, StudyCall& call) {
     if (call.writes_folder) app.add_option("--out", call.out, "folder for the results, made when missing")->type_name("DIR");
     add_study_options(app, call.study);
     add_work_options(app, call.work);
+}
+
+std::vector<std::filesystem::path> trace_files_and(const StudyCall& call, const Experiment& experiment,
+                                                   const std::vector<std::string>& names) {
+    std::vector<std::filesystem::path> files = trace_files(call.out, experiment);
+    for (const std::string& name : names) files.push_back(call.out / name);
+    return files;
 }
 
 StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::string& first_result, Console& console, const Progress& progress) {

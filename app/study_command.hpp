@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,11 +20,17 @@ struct StudyCall {
     std::filesystem::path out;
     bool writes_folder = true;   // false: the command has no --out
     bool chooses_steps = true;   // false: it runs each trial once, which is cheaper than to look for its step
+    /// Files that the command may write for an experiment; none of them may be one that it reads.
+    std::function<std::vector<std::filesystem::path>(const Experiment&)> outputs;
     std::string trial;           // of commands with --trial
     WorkOptions work;
     StudyOptions study;
 };
 void declare_study_call(CLI::App& app, StudyCall& call);
+
+/// The traces of all trials and files of these names, in the folder of results: what a command has as outputs.
+std::vector<std::filesystem::path> trace_files_and(const StudyCall& call, const Experiment& experiment,
+                                                   const std::vector<std::string>& names);
 
 enum class TrialChoice { all, one };
 
@@ -38,7 +45,7 @@ struct StudyOpening {
 /// Reads and prepares the study, of one trial alone (with_one_trial) when the command is on one. A call.trial that is not known is
 /// refused either way.
 ///
-/// Errors: the call's, the input's, those of the output folder; --resolution or --dt that would make more than the memory holds. The
+/// Errors: the call's, the input's, those of the output folder, outputs that would replace an input; --resolution or --dt that would make more than the memory holds. The
 /// integration is checked, too.
 /// @param first_result  what a user who stops it now does not get: "stopped before <first_result>; nothing was written"
 StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::string& first_result, Console& console, const Progress& progress);

@@ -16,6 +16,7 @@
 #include "backend/recording_import.hpp"
 #include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
+#include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
 #include "dynamics/material_damping.hpp"
@@ -196,7 +197,12 @@ public:
 
     Result<std::vector<std::string>> write_report(const fs::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
                                                   const DiagnosisView* diagnosis) const override {
-        if (const Result<void> ready = prepare_output_folder(folder, source_of(scene).experiment); !ready) return ready.error();
+        const Experiment& experiment = source_of(scene).experiment;
+        std::vector<fs::path> outputs = trace_files(folder, experiment);
+        for (const char* const name : {"fit.html", "diagnosis.html"}) outputs.push_back(folder / name);
+        const Result<void> kept = check_overwrites(folder.string(), outputs, files_read(experiment.folder, experiment));
+        if (!kept) return kept.error();
+        if (const Result<void> ready = prepare_output_folder(folder); !ready) return ready.error();
         std::vector<std::string> files, names, trials;
         for (const SceneMarker& marker : scene.markers) names.push_back(marker.name);
         for (const SceneTrial& trial : scene.trials) trials.push_back(trial.name);

@@ -43,7 +43,9 @@ ActuationTable actuation_table(const SoughtSignals& sought, const MatrixXd& valu
     return table;
 }
 
-fs::path actuation_file(const Study& study) { return trial_file_names(study.experiment).front() + "_actuation.csv"; }
+constexpr const char* actuation_ending = "_actuation.csv";
+
+fs::path actuation_file(const Study& study) { return trial_file_names(study.experiment).front() + actuation_ending; }
 
 Json signals_json(const SoughtSignals& sought, const MatrixXd& values, const ActuationDeviations& deviations) {
     Json signals = Json::array();
@@ -220,13 +222,10 @@ Result<void> write_actuation(const fs::path& folder, const Study& study, const O
     return write_traces(folder, study, optimization.after);
 }
 
-Result<void> check_actuation_file(const fs::path& folder, const Study& study, const Experiment& whole) {
-    std::error_code code;
-    const fs::path target = folder / actuation_file(study);
-    for (const fs::path& read : tables_read(whole))
-        if (fs::equivalent(target, read, code))
-            return Error{"results would replace " + target.filename().string() + ", which the experiment reads; choose another folder", "--out"};
-    return {};
+std::vector<fs::path> actuation_files(const fs::path& folder, const Experiment& experiment) {
+    std::vector<fs::path> files;
+    for (const std::string& name : trial_file_names(experiment)) files.push_back(folder / (name + actuation_ending));
+    return files;
 }
 
 }  // namespace myo

@@ -81,8 +81,8 @@ Json optimize_json(const Study& study, const Optimization& optimization, const R
 /// simulated markers. A held signal has two rows at each knot: simulate makes the same run of it.
 Result<void> write_actuation(const std::filesystem::path& folder, const Study& study, const Optimization& optimization);
 
-/// Error: `<trial>_actuation.csv` would replace a file that the experiment reads.
-Result<void> check_actuation_file(const std::filesystem::path& folder, const Study& study, const Experiment& whole);
+/// The files `<trial>_actuation.csv` that write_actuation() may write, for every trial of the experiment.
+std::vector<std::filesystem::path> actuation_files(const std::filesystem::path& folder, const Experiment& experiment);
 
 /// Signals, markers over their targets, how the loss fell.
 HtmlReport optimize_report(const Study& study, const Optimization& optimization, const RunFacts& facts);

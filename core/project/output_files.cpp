@@ -122,8 +122,10 @@ Result<void> write_series(const fs::path& folder, const Study& study, const Stud
     return {};
 }
 
-std::vector<fs::path> tables_read(const Experiment& experiment) {
-    std::vector<fs::path> files;
+std::vector<fs::path> files_read(const fs::path& declared, const Experiment& experiment) {
+    std::error_code code;
+    std::vector<fs::path> files{fs::is_directory(declared, code) ? declared / "experiment.toml" : declared};
+    if (const auto* surface = std::get_if<StlGeometry>(&experiment.geometry)) files.push_back(surface->file);
     for (const TrialDeclaration& trial : experiment.trials) {
         files.push_back(trial.trace);
         if (trial.actuation) files.push_back(*trial.actuation);
@@ -136,14 +138,27 @@ std::vector<fs::path> tables_read(const Experiment& experiment) {
     return files;
 }
 
-Result<void> prepare_output_folder(const fs::path& folder, const Experiment& experiment) {
+std::vector<fs::path> trace_files(const fs::path& folder, const Experiment& experiment) {
+    std::vector<fs::path> files;
+    for (const std::string& name : trial_file_names(experiment)) files.push_back(folder / (name + ".csv"));
+    return files;
+}
+
+std::vector<fs::path> series_files(const fs::path& folder, const Experiment& experiment, int frames) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (const std::string& name : trial_file_names(experiment)) {
+        files.push_back(folder / (name + ".pvd"));
+        // An earlier series, which is removed, may be longer.
+        for (int i = 0; i < frames || fs::exists(folder / frame_file(name, i), code); ++i)
+            files.push_back(folder / frame_file(name, i));
+    }
+    return files;
+}
+
+Result<void> prepare_output_folder(const fs::path& folder) {
     std::error_code code;
     if (fs::exists(folder, code) && !fs::is_directory(folder, code)) return Error{"is a file, not a folder", folder.string()};
-    const std::vector<std::string> names = trial_file_names(experiment);
-    for (const fs::path& read : tables_read(experiment))
-        for (const std::string& name : names)
-            if (const fs::path target = folder / (name + ".csv"); fs::equivalent(target, read, code))
-                return Error{"results would replace " + target.filename().string() + ", which the experiment reads; choose another folder", folder.string()};
     fs::create_directories(folder, code);
     if (code) return Error{"folder cannot be made: " + code.message(), folder.string()};
     const fs::path probe = folder / (".write_test." + std::to_string(::getpid()));

@@ -26,11 +26,20 @@ Result<void> write_traces(const std::filesystem::path& folder, const Study& stud
 Result<void> write_series(const std::filesystem::path& folder, const Study& study, const StudyRun& run, int frames,
                           const Progress& progress = {});
 
-/// The tables that an experiment reads beside its experiment.toml: traces, actuations, masks.
-std::vector<std::filesystem::path> tables_read(const Experiment& experiment);
+/// All files that an experiment is read from: its declaration, its surface, traces, actuations, signals and masks.
+///
+/// @param declared  the experiment folder, or its .toml file, as read_experiment() takes it
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& declared, const Experiment& experiment);
 
-/// Makes the folder where results will go and sees whether files can be written there.
-/// Errors: it is a file, cannot be made, is not writable, or results would replace a file that the experiment reads.
-Result<void> prepare_output_folder(const std::filesystem::path& folder, const Experiment& experiment);
+/// The files that write_traces() may write for this experiment.
+std::vector<std::filesystem::path> trace_files(const std::filesystem::path& folder, const Experiment& experiment);
+
+/// The files that write_series() may write or remove for this experiment.
+std::vector<std::filesystem::path> series_files(const std::filesystem::path& folder, const Experiment& experiment,
+                                                int frames);
+
+/// Makes the folder where results will go and tests whether files can be written there.
+/// Errors: it is a file, cannot be made or is not writable.
+Result<void> prepare_output_folder(const std::filesystem::path& folder);
 
 }  // namespace myo

@@ -43,6 +43,16 @@ HtmlReport reproduction_report(const ReproductionCase& one, const Reproduction& 
     return report;
 }
 
+std::vector<std::filesystem::path> reproduction_files(const std::filesystem::path& folder, const ReproductionCase& one) {
+    std::vector<std::filesystem::path> files{folder / (one.id + ".json"), folder / "report.html"};
+    std::error_code missing;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(one.id) && name.ends_with(".svg")) files.push_back(entry.path());
+    }
+    return files;
+}
+
 Result<void> write_reproduction(const std::filesystem::path& folder, const ReproductionCase& one, const Reproduction& result) {
     Json json = {{"schema", "reproduce/1"}, {"case", one.id}, {"summary", one.summary}};
     json["findings"] = result.findings;

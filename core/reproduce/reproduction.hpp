@@ -51,6 +51,9 @@ const ReproductionCase* find_reproduction(const std::string& id);
 /// The page about a reproduction.
 HtmlReport reproduction_report(const ReproductionCase& one, const Reproduction& result);
 
+/// The files in this folder that write_reproduction() may replace.
+std::vector<std::filesystem::path> reproduction_files(const std::filesystem::path& folder, const ReproductionCase& one);
+
 /// Writes <case>.json, the figures and report.html. Error: a file cannot be written.
 Result<void> write_reproduction(const std::filesystem::path& folder, const ReproductionCase& one, const Reproduction& result);
 

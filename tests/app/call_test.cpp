@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"simulate", "EXP", "--out", "OUT", "--set", "material.youngs_modulus=1"}, {"--set", "youngs_modulus_Pa"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--velocity-force", "much"}, {"--velocity-force"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--trial", "dorp"}, {"--trial", "did you mean 'drop'"}},
-        BadCall{{"simulate", "EXP", "--out", "EXP/drop.csv"}, {"--out"}}, BadCall{{"simulate", "EXP", "--out", "EXP"}, {"drop.csv", "choose another folder"}},
+        BadCall{{"simulate", "EXP", "--out", "EXP/drop.csv"}, {"--out"}}, BadCall{{"simulate", "EXP", "--out", "EXP"}, {"--out", "drop.csv is read as input"}},
         BadCall{{"simulate", "EXP", "--out", "/proc/results"}, {"--out"}},
         BadCall{{"calibrate", "EXP", "--out", "OUT", "--parameters", "youngs"}, {"--parameters", "youngs_modulus"}},
         BadCall{{"calibrate", "EXP", "--out", "OUT", "--set", "material.calibrate=[]", "--set", "material.damping_s=0.001"}, {"--parameters"}},
