@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/folder_lock.hpp"
 #include "base/overwrites.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -77,6 +78,8 @@ int reproduce_command(const ReproduceCall& call) {
     std::error_code code;
     std::filesystem::create_directories(call.out, code);
     if (code) return console.refuse({"folder cannot be made: " + code.message(), call.out.string()});
+    const Result<FolderLock> lock = FolderLock::take(call.out);
+    if (!lock) return console.refuse({lock.error().text(), "--out"});
 
     ReproduceSettings settings;
     settings.data = data_folder();

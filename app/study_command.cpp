@@ -51,8 +51,8 @@ Result<void> check_steps(const Study& study) {
                  "--dt"};
 }
 
-/// Reads the experiment and makes sure that results can be written; nothing long yet.
-Result<Experiment> open_experiment(const StudyCall& call) {
+/// Reads the experiment and makes sure that results can be written, by this run alone; nothing long yet.
+Result<Experiment> open_experiment(const StudyCall& call, std::optional<FolderLock>& lock) {
     if (call.experiment.empty()) return Error{"name an experiment folder", ""};
     if (call.writes_folder && call.out.empty()) return Error{"name a folder for the results", "--out"};
     if (call.study.spectral_radius && call.study.settings.integrator != Integrator::generalized_alpha)
@@ -64,6 +64,9 @@ Result<Experiment> open_experiment(const StudyCall& call) {
     if (!kept) return kept.error();
     if (!call.writes_folder) return experiment;
     if (const Result<void> folder = prepare_output_folder(call.out); !folder) return Error{folder.error().text(), "--out"};
+    Result<FolderLock> taken = FolderLock::take(call.out);
+    if (!taken) return Error{taken.error().text(), "--out"};
+    lock = std::move(*taken);
     return experiment;
 }
 
@@ -97,7 +100,7 @@ std::vector<std::filesystem::path> trace_files_and(const StudyCall& call, const 
 
 StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::string& first_result, Console& console, const Progress& progress) {
     StudyOpening opening;
-    Result<Experiment> experiment = open_experiment(call);
+    Result<Experiment> experiment = open_experiment(call, opening.lock);
     const Result<std::size_t> trial = experiment ? find_trial(*experiment, call.trial) : Result<std::size_t>(experiment.error());
     if (!trial) {
         opening.status = console.refuse(trial.error());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/folder_lock.hpp"
 #include "base/stopwatch.hpp"
 #include "console.hpp"
 #include "options.hpp"
@@ -40,6 +41,7 @@ struct StudyOpening {
     int status = 0;
     Experiment experiment;        // all of it
     Stopwatch setup;              // since the beginning
+    std::optional<FolderLock> lock = {};   // of the folder of results
 };
 
 /// Reads and prepares the study, of one trial alone (with_one_trial) when the command is on one. A call.trial that is not known is

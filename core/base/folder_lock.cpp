@@ -1,0 +1,82 @@
+#include "base/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "base/files.hpp"
+
+namespace myo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether the open file still has this name: its owner may have removed it between our opening and locking it.
+bool is_still(const fs::path& file, int descriptor) {
+    struct ::stat named{}, opened{};
+    return ::stat(file.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
+           named.st_ino == opened.st_ino;
+}
+
+std::string owner_words(const fs::path& file) {
+    const Result<std::string> id = read_file(file);
+    const bool known = id && !id->empty() && id->find_first_not_of("0123456789\n") == std::string::npos;
+    return known ? ", process " + id->substr(0, id->find('\n')) : "";
+}
+
+void write_owner(int descriptor) {
+    const std::string id = std::to_string(::getpid()) + "\n";
+    // The id is for people; on a full disk the lock holds without it.
+    const bool written = ::ftruncate(descriptor, 0) == 0 && ::write(descriptor, id.data(), id.size()) >= 0;
+    static_cast<void>(written);
+}
+
+}  // namespace
+
+Result<FolderLock> FolderLock::take(const fs::path& folder) {
+    const fs::path file = folder / ".myoloop.lock";
+    while (true) {
+        const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+        if (descriptor < 0) return Error{"cannot be made: " + std::generic_category().message(errno), file.string()};
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            const std::string owner = owner_words(file);
+            ::close(descriptor);
+            return Error{folder.string() + " is used by another run of myoloop" + owner +
+                             "; wait for it or choose another folder", ""};
+        }
+        if (is_still(file, descriptor)) {
+            write_owner(descriptor);
+            return FolderLock(file, descriptor);
+        }
+        ::close(descriptor);
+    }
+}
+
+FolderLock::FolderLock(fs::path file, int descriptor) : file_(std::move(file)), descriptor_(descriptor) {}
+
+FolderLock::FolderLock(FolderLock&& other) noexcept
+    : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
+    release();
+    file_ = std::move(other.file_);
+    descriptor_ = std::exchange(other.descriptor_, -1);
+    return *this;
+}
+
+FolderLock::~FolderLock() { release(); }
+
+void FolderLock::release() {
+    if (descriptor_ < 0) return;
+    // Removed before it is let go: afterwards the file may be another run's.
+    ::unlink(file_.c_str());
+    ::close(std::exchange(descriptor_, -1));
+}
+
+}  // namespace myo
