@@ -74,9 +74,10 @@ std::string trial_lines(const Study& study, const Calibration& calibration) {
 
 Result<void> write_results(const CalibrateCall& call, const Study& study, const Calibration& calibration,
                            const RunFacts& facts) {
+    const Json json = calibrate_json(study, calibration, facts);
+    if (const Result<void> written = write_json(call.out / "calibrate.json", json); !written) return written.error();
     if (const Result<void> traces = write_traces(call.out, study, calibration.after); !traces) return traces.error();
-    if (const Result<void> page = write_html(call.out / "report.html", study_report(study, calibration, facts)); !page) return page.error();
-    return write_json(call.out / "calibrate.json", calibrate_json(study, calibration, facts));
+    return write_html(call.out / "report.html", study_report(study, calibration, facts));
 }
 
 /// What is written is said to be only a part, when it is.
@@ -133,11 +134,12 @@ int calibrate_command(const CalibrateCall& call) {
     RunFacts facts = run_facts(call, setup_s);
     facts.findings = check_after({*study, &calibration.after, &calibration}, before);
     tell_findings(facts.findings, before, console);
+    console.print("\n" + findings_line(facts.findings) + "\n\n" + parameter_lines(calibration) + "\n\n" +
+                  trial_lines(*study, calibration) + "\n" + start_lines(calibration));
     if (const Result<void> written = write_results(call, *study, calibration, facts); !written)
-        return console.refuse(written.error());
-    console.print("\n" + findings_line(facts.findings));
-    console.print("\n" + parameter_lines(calibration) + "\n\n" + trial_lines(*study, calibration) + "\n" + start_lines(calibration) + "\n" + std::to_string(calibration.evaluations()) +
-                  (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") + format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
+        return console.fail(written.error());
+    console.print(std::to_string(calibration.evaluations()) + (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") +
+                  format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return end_status(call, calibration, console);
 }
 

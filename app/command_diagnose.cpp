@@ -97,15 +97,15 @@ std::string cost_lines(const Diagnosis& d) {
 Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d, const RunFacts& facts) {
     const std::filesystem::path written = std::filesystem::is_directory(call.experiment) ? call.experiment / "experiment.toml" : call.experiment;
     const std::string name = report_name(experiment);
-    if (const Result<void> traces = write_traces(call.out, study, d.after); !traces) return traces.error();
+    Json report = diagnosis_json(study, d, name);
+    report["checks"] = findings_json(facts.findings);
+    for (const std::string& file : {std::string("report.json"), name + ".json"})
+        if (const Result<void> json = write_json(call.out / file, report); !json) return json.error();
     const Result<std::string> augmented = augmented_experiment(written, d.verdict.effects, call.out);
     if (!augmented) return augmented.error();
     if (const Result<void> file = write_file(call.out / augmented_file, *augmented); !file) return file.error();
-    if (const Result<void> page = write_html(call.out / "report.html", diagnosis_report(study, d, facts)); !page) return page.error();
-    Json report = diagnosis_json(study, d, name);
-    report["checks"] = findings_json(facts.findings);
-    if (const Result<void> file = write_json(call.out / (name + ".json"), report); !file) return file.error();
-    return write_json(call.out / "report.json", report);
+    if (const Result<void> traces = write_traces(call.out, study, d.after); !traces) return traces.error();
+    return write_html(call.out / "report.html", diagnosis_report(study, d, facts));
 }
 
 int diagnose_command(const DiagnoseCall& call) {
@@ -135,11 +135,11 @@ int diagnose_command(const DiagnoseCall& call) {
     RunFacts facts = run_facts(call, setup_s);
     facts.findings = check_after({as_diagnosed(d, study), &d.after}, before);
     tell_findings(facts.findings, before, console);
+    console.print("\n" + findings_line(facts.findings) + "\n\n" + candidate_lines(d) + "\n\n" + trial_lines(study, d) +
+                  "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d));
     if (const Result<void> written = write_results(call, opening.experiment, study, d, facts); !written)
-        return console.refuse(written.error());
-    console.print("\n" + findings_line(facts.findings));
-    console.print("\n" + candidate_lines(d) + "\n\n" + trial_lines(study, d) + "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d) + "; report: " +
-                  (call.out / "report.html").string());
+        return console.fail(written.error());
+    console.print("report: " + (call.out / "report.html").string());
     return status_done;
 }
 

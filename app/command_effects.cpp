@@ -4,6 +4,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "effect/catalogue.hpp"
+#include "standard_output.hpp"
 
 namespace myo {
 
@@ -15,7 +16,7 @@ std::function<int()> declare_effects(CLI::App&) {
             std::string parameters;
             for (const EffectParameterEntry& p : effect.parameters)
                 parameters += (parameters.empty() ? "" : ", ") + p.name + (p.optional ? " (optional)" : "");
-            std::printf("%-*s  %-11s  %s\n%*s  %s\n", static_cast<int>(width), effect.id.c_str(), to_string(effect.stage).c_str(), effect.summary.c_str(),
+            print_format("%-*s  %-11s  %s\n%*s  %s\n", static_cast<int>(width), effect.id.c_str(), to_string(effect.stage).c_str(), effect.summary.c_str(),
                         static_cast<int>(width) + 13, "", parameters.c_str());
         }
         return static_cast<int>(status_done);

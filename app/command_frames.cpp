@@ -10,6 +10,7 @@
 #include "exit_status.hpp"
 #include "frame_times.hpp"
 #include "report/json.hpp"
+#include "standard_output.hpp"
 
 namespace myo {
 namespace {
@@ -17,8 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void print_times(const FrameTimes& times) {
-    std::printf("%8zu %8.1f %8.1f %8.1f %8.0f  %s\n", times.ms.size(), times.percentile(0.5), times.percentile(0.95), times.percentile(1.0), times.goal_ms, times.name.c_str());
-    std::fflush(stdout);
+    print_format("%8zu %8.1f %8.1f %8.1f %8.0f  %s\n", times.ms.size(), times.percentile(0.5), times.percentile(0.95), times.percentile(1.0), times.goal_ms, times.name.c_str());
 }
 
 Json frames_json(const FrameBench& bench) {
@@ -34,7 +34,7 @@ int frames_command(const fs::path& json) {
     const Progress progress = console.progress();
     std::error_code code;
     const fs::path folder = fs::temp_directory_path(code) / ("myoloop-frames-" + std::to_string(::getpid()));
-    std::printf("%8s %8s %8s %8s %8s  %s\n", "frames", "median", "95 %", "longest", "goal", "[ms], drawn off screen at 1600 x 900");
+    print_format("%8s %8s %8s %8s %8s  %s\n", "frames", "median", "95 %", "longest", "goal", "[ms], drawn off screen at 1600 x 900");
     const Result<FrameBench> bench = bench_frames(folder, progress, print_times);
     fs::remove_all(folder, code);
     if (progress.cancelled()) return status_stopped;
@@ -42,9 +42,9 @@ int frames_command(const fs::path& json) {
         console.complain(bench.error().text());
         return status_failed;
     }
-    std::printf("A body of %d triangles; painted: one of %d elements.\n", bench->triangles, bench->painted_cells);
+    print_format("A body of %d triangles; painted: one of %d elements.\n", bench->triangles, bench->painted_cells);
     if (json.empty()) return status_done;
-    if (const auto written = write_file(json, frames_json(*bench).dump(2) + "\n"); !written) return console.refuse(written.error());
+    if (const auto written = write_file(json, frames_json(*bench).dump(2) + "\n"); !written) return console.fail(written.error());
     return status_done;
 }
 

@@ -9,12 +9,13 @@
 #include "fem/element_block.hpp"
 #include "library_versions.hpp"
 #include "material/catalogue.hpp"
+#include "standard_output.hpp"
 
 namespace myo {
 
 std::function<int()> declare_info(CLI::App&) {
     return [] {
-        const auto line = [](const char* name, const std::string& value) { std::printf("%-12s %s\n", name, value.c_str()); };
+        const auto line = [](const char* name, const std::string& value) { print_format("%-12s %s\n", name, value.c_str()); };
         line("myoloop", MYOLOOP_VERSION);
         line("compiler", "GCC " __VERSION__);
         line("threads", std::to_string(hardware_threads()));
@@ -22,8 +23,8 @@ std::function<int()> declare_info(CLI::App&) {
         line("integrators", join(integrator_ids()));
         line("strategies", join(strategy_ids()));
         line("materials", join(material_ids()));
-        std::puts("libraries");
-        for (const LibraryVersion& library : library_versions) std::printf("  %-12s %s\n", library.name, library.version);
+        print_text("libraries\n");
+        for (const LibraryVersion& library : library_versions) print_format("  %-12s %s\n", library.name, library.version);
         return static_cast<int>(status_done);
     };
 }

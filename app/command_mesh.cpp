@@ -19,6 +19,7 @@
 #include "options.hpp"
 #include "project/study_mesh.hpp"
 #include "report/json.hpp"
+#include "standard_output.hpp"
 
 namespace myo {
 namespace {
@@ -186,12 +187,13 @@ int mesh_command(const MeshCall& call) {
     if (!outcome) return console.refuse(outcome.error());
     outcome->warnings.insert(outcome->warnings.end(), outcome->quality.messages.begin(), outcome->quality.messages.end());
     for (const std::string& warning : outcome->warnings) console.warn(warning);
+    if (call.json) print_text(json_text(outcome_json(call, *outcome)));
+    else console.print(outcome_text(*outcome));
     if (!call.out.empty()) {
         const Eigen::MatrixXd shapes = cell_shapes(outcome->mesh).transpose();
-        if (const Result<void> written = write_vtu(call.out, outcome->mesh, {}, {{"quality", shapes}}); !written) return console.refuse(written.error());
+        if (const Result<void> written = write_vtu(call.out, outcome->mesh, {}, {{"quality", shapes}}); !written) return console.fail(written.error());
+        if (!call.json) console.print("\nwritten to " + call.out.string());
     }
-    if (call.json) std::fputs(json_text(outcome_json(call, *outcome)).c_str(), stdout);
-    else console.print(outcome_text(*outcome) + (call.out.empty() ? "" : "\n\nwritten to " + call.out.string()));
     return status_done;
 }
 

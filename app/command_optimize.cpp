@@ -88,9 +88,10 @@ std::string result_lines(const Study& study, const Optimization& result) {
 
 Result<void> write_results(const OptimizeCall& call, const Study& study, const Optimization& result,
                            const RunFacts& facts) {
+    const Json json = optimize_json(study, result, facts);
+    if (const Result<void> written = write_json(call.out / "optimize.json", json); !written) return written.error();
     if (const Result<void> files = write_actuation(call.out, study, result); !files) return files.error();
-    if (const Result<void> page = write_html(call.out / "report.html", optimize_report(study, result, facts)); !page) return page.error();
-    return write_json(call.out / "optimize.json", optimize_json(study, result, facts));
+    return write_html(call.out / "report.html", optimize_report(study, result, facts));
 }
 
 int end_status(const OptimizeCall& call, const Optimization& result, Console& console) {
@@ -138,9 +139,10 @@ int optimize_command(const OptimizeCall& call) {
     for (const std::string& warning : result.warnings) console.warn(warning);
     RunFacts facts = run_facts(call, setup_s);
     facts.findings = before;   // the trial ran with signals of its own, markers only
+    console.print("\n" + result_lines(study, result));
     if (const Result<void> written = write_results(call, study, result, facts); !written)
-        return console.refuse(written.error());
-    console.print("\n" + result_lines(study, result) + "; report: " + (call.out / "report.html").string());
+        return console.fail(written.error());
+    console.print("report: " + (call.out / "report.html").string());
     return end_status(call, result, console);
 }
 

@@ -15,6 +15,7 @@
 #include "options.hpp"
 #include "reference_files.hpp"
 #include "reproduce/reproduction.hpp"
+#include "standard_output.hpp"
 
 namespace myo {
 namespace {
@@ -63,7 +64,7 @@ std::string table_text(const Table& table) {
 }
 
 int list_cases() {
-    for (const ReproductionCase& one : reproduction_catalogue()) std::printf("%-18s %s\n", one.id.c_str(), one.summary.c_str());
+    for (const ReproductionCase& one : reproduction_catalogue()) print_format("%-18s %s\n", one.id.c_str(), one.summary.c_str());
     return status_done;
 }
 
@@ -102,9 +103,9 @@ int reproduce_command(const ReproduceCall& call) {
     result->values["coarse"] = call.coarse;
     if (call.coarse) result->warnings.push_back("--coarse: these are not the paper's meshes; what is said about them holds for the full run only");
     for (const std::string& warning : result->warnings) console.warn(warning);
-    if (const Result<void> written = write_reproduction(call.out, *one, *result); !written) return console.refuse(written.error());
     for (const Table& table : result->tables) console.print(table_text(table) + "\n");
     for (const std::string& finding : result->findings) console.print("- " + finding);
+    if (const Result<void> written = write_reproduction(call.out, *one, *result); !written) return console.fail(written.error());
     console.print("\n" + format_number(seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return status_done;
 }

@@ -67,7 +67,7 @@ int screenshot_command(const ScreenshotCall& call) {
         return status_stopped;
     }
     if (!image) return console.refuse(image.error());
-    if (const Result<void> written = write_png(*image, call.out); !written) return console.refuse(written.error());
+    if (const Result<void> written = write_png(*image, call.out); !written) return console.fail(written.error());
     console.print(call.out.string());
     return status_done;
 }

@@ -62,11 +62,14 @@ std::string score_table(const Study& study, const StudyRun& run) {
 Result<void> write_results(const SimulateCall& call, const Study& study, const StudyRun& run, const RunFacts& facts,
                            const Progress& progress) {
     if (run.scores.empty()) return {};
+    // The smallest and most valuable first, as everywhere: the disk may fill.
+    const Json json = simulate_json(study, run, facts);
+    if (const Result<void> written = write_json(call.out / "simulate.json", json); !written) return written.error();
     if (const Result<void> traces = write_traces(call.out, study, run); !traces) return traces.error();
     if (call.vtu)
         if (const Result<void> series = write_series(call.out, study, run, series_frames, progress); !series && !progress.cancelled())
             return series.error();
-    return write_json(call.out / "simulate.json", simulate_json(study, run, facts));
+    return {};
 }
 
 int simulate_command(const SimulateCall& call) {
@@ -86,9 +89,9 @@ int simulate_command(const SimulateCall& call) {
     RunFacts facts = run_facts(call, setup_s);
     facts.findings = check_after({*study, &run}, before);
     tell_findings(facts.findings, before, console);
-    if (const Result<void> written = write_results(call, *study, run, facts, progress); !written)
-        return console.refuse(written.error());
     if (!run.scores.empty()) console.print("\n" + findings_line(facts.findings) + "\n\n" + score_table(*study, run));
+    if (const Result<void> written = write_results(call, *study, run, facts, progress); !written)
+        return console.fail(written.error());
     const std::string kept = std::to_string(run.scores.size()) + " of " + std::to_string(call.trial.empty() ? study->trials.size() : 1) + " trials complete" +
                              (run.scores.empty() ? "; nothing was written" : "; written to " + call.out.string());
     if (progress.cancelled()) {

@@ -42,16 +42,22 @@ int study_command(const TrustCall& call) {
     options.choice.seed = call.work.seed.value_or(1);
     options.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
     const Progress progress = console.progress();
-    const Result<void> run = run_trust_study(options, call.out, progress, [&](const CaseRecord& record) { console.print(record_line(record)); });
-    if (!run) return console.refuse(run.error());
+    int finished = 0;
+    const Result<void> run = run_trust_study(options, call.out, progress, [&](const CaseRecord& record) {
+        console.print(record_line(record));
+        ++finished;
+    });
+    // Once cases are finished, only their records can be at fault.
+    if (!run) return finished > 0 ? console.fail(run.error()) : console.refuse(run.error());
     const Result<std::vector<CaseRecord>> records = trust_records(call.out);
     if (!records) return console.refuse(records.error());
     if (!records->empty()) {
         const TrustSummary summary = trust_summary(*records);
-        if (const Result<void> file = write_json(call.out / "study.json", summary_json(summary)); !file) return console.refuse(file.error());
-        if (const Result<void> page = write_html(call.out / "study.html", trust_report(*records, join(command_line(), " "))); !page) return console.refuse(page.error());
-        if (const Result<void> file = write_file(call.out / "reliability.svg", reliability_figure(summary)); !file) return console.refuse(file.error());
-        console.print("\n" + summary_text(summary) + "\n\nreport: " + (call.out / "study.html").string());
+        console.print("\n" + summary_text(summary));
+        if (const Result<void> file = write_json(call.out / "study.json", summary_json(summary)); !file) return console.fail(file.error());
+        if (const Result<void> page = write_html(call.out / "study.html", trust_report(*records, join(command_line(), " "))); !page) return console.fail(page.error());
+        if (const Result<void> file = write_file(call.out / "reliability.svg", reliability_figure(summary)); !file) return console.fail(file.error());
+        console.print("\nreport: " + (call.out / "study.html").string());
     }
     if (!progress.cancelled()) return status_done;
     console.complain("stopped; finished cases are kept in " + call.out.string() + ", the same call goes on from them");

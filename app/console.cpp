@@ -10,6 +10,7 @@
 #include "exit_status.hpp"
 #include "interrupt.hpp"
 #include "report/json.hpp"
+#include "standard_output.hpp"
 
 namespace myo {
 namespace {
@@ -84,8 +85,7 @@ void Console::print(const std::string& text) {
     const std::lock_guard<std::mutex> lock(mutex_);
     clear_bar();
     if (quiet_) return;
-    std::fputs((text + "\n").c_str(), stdout);
-    std::fflush(stdout);
+    print_text(text + "\n");
 }
 
 void Console::warn(const std::string& text) {
@@ -103,6 +103,11 @@ void Console::complain(const std::string& text) {
 int Console::refuse(const Error& error) {
     complain(error.text());
     return status_wrong;
+}
+
+int Console::fail(const Error& error) {
+    complain(error.text());
+    return status_failed;
 }
 
 std::string progress_line(const ProgressEvent& event) {

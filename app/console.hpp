@@ -35,6 +35,9 @@ public:
     /// Says what is wrong with the input; the exit status.
     int refuse(const Error& error);
 
+    /// Says why results cannot be written; the exit status.
+    int fail(const Error& error);
+
 private:
     void show(const ProgressEvent& event);
     void clear_bar();

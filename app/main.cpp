@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <new>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -18,6 +19,7 @@
 #include "interrupt.hpp"
 #include "options.hpp"
 #include "solver/sparse_cholesky.hpp"
+#include "standard_output.hpp"
 #include "window_glfw.hpp"
 #include "backend/workbench_backend.hpp"
 
@@ -78,7 +80,10 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        std::ostringstream text;
+        const int status = app.exit(help, text, text);
+        print_text(text.str());
+        return status;
     } catch (const CLI::ParseError& error) {
         return complain(error.what());
     }
@@ -91,13 +96,22 @@ int run(int argc, char** argv) {
     return actions.at(chosen.front())();
 }
 
+/// What was printed is a result: where it is lost, the call has failed.
+int with_output(int status) {
+    const std::string reason = output_failure();
+    if (reason.empty()) return status;
+    complain("standard output cannot be written: " + reason);
+    return status == status_done ? static_cast<int>(status_failed) : status;
+}
+
 }  // namespace
 }  // namespace myo
 
 int main(int argc, char** argv) {
+    myo::keep_closed_streams_closed();
     myo::use_one_blas_thread();
     try {
-        return myo::run(argc, argv);
+        return myo::with_output(myo::run(argc, argv));
     } catch (const std::bad_alloc&) {
         std::fputs("myoloop: out of memory; try a coarser mesh (--resolution) or a larger step (--dt)\n", stderr);
         return myo::status_failed;

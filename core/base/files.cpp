@@ -33,11 +33,11 @@ fs::path behind_links(fs::path path) {
     return path;
 }
 
-namespace {
-
 Error not_written(const fs::path& path, int reason) {
     return {"cannot be written: " + std::generic_category().message(reason), path.string()};
 }
+
+namespace {
 
 /// Writes the whole content; 0, or the system's error number.
 int write_all(int descriptor, std::string_view content) {

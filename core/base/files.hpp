@@ -11,6 +11,9 @@ namespace myo {
 /// Whole content of a file. Error: missing, a folder, or unreadable.
 Result<std::string> read_file(const std::filesystem::path& path);
 
+/// "PATH: cannot be written: No space left on device", from the system's error number.
+Error not_written(const std::filesystem::path& path, int reason);
+
 /// Where a link leads, also where nothing is there yet; `path` itself when it is no link. Links must not form a loop.
 std::filesystem::path behind_links(std::filesystem::path path);
 

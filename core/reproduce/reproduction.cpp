@@ -59,9 +59,9 @@ Result<void> write_reproduction(const std::filesystem::path& folder, const Repro
     json["warnings"] = result.warnings;
     for (const auto& [key, value] : result.values.items()) json[key] = value;
     for (const Table& table : result.tables) json["tables"].push_back({{"caption", table.caption}, {"rows", table_json(table)}});
+    if (const Result<void> written = write_json(folder / (one.id + ".json"), json); !written) return written;
     for (const ReproductionFigure& figure : result.figures)
         if (const Result<void> written = write_file(folder / figure_name(one, figure), figure.figure.svg); !written) return written;
-    if (const Result<void> written = write_json(folder / (one.id + ".json"), json); !written) return written;
     return write_html(folder / "report.html", reproduction_report(one, result));
 }
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <map>
 #include <sstream>
 
@@ -35,11 +36,11 @@ Result<void> RecordFile::add(const CaseRecord& record) {
     const std::lock_guard<std::mutex> lock(mutex_);
     // One write of the whole line in append mode: lines of other processes stay whole, too.
     const int file = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
-    if (file < 0) return Error{"cannot be written", file_.string()};
+    if (file < 0) return not_written(file_, errno);
     const ssize_t written = ::write(file, line.data(), line.size());
+    const int reason = written < 0 ? errno : written < static_cast<ssize_t>(line.size()) ? ENOSPC : 0;
     ::close(file);
-    if (written != static_cast<ssize_t>(line.size())) return Error{"cannot be written", file_.string()};
-    return {};
+    return reason == 0 ? Result<void>() : not_written(file_, reason);
 }
 
 }  // namespace myo
