@@ -80,6 +80,19 @@ std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
     return names;
 }
 
+/// Whether another project file in the same folder, a copy or a backup, names this mask. Their text is searched, so that those
+/// of editors and older ones, which may not be readable as projects, count as well.
+bool is_named_beside(const fs::path& file, const std::string& mask) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(fs::absolute(file, ignored).parent_path(), ignored)) {
+        const bool may_be_project = entry.is_regular_file(ignored) && entry.path().filename().string().find(project_ending) != std::string::npos;
+        if (!may_be_project || fs::equivalent(entry.path(), file, ignored)) continue;
+        const Result<std::string> text = read_file(entry.path());
+        if (!text || text->find(mask) != std::string::npos) return true;   // one that cannot be read may name it
+    }
+    return false;
+}
+
 /// A path as seen from a folder, where it lies near; else whole.
 std::string seen_from(const fs::path& path, const fs::path& folder) {
     std::error_code ignored;
@@ -143,7 +156,9 @@ Signal read_signal(const TomlReader& muscle, const TomlValue& value) {
     return signal;
 }
 
-std::vector<Muscle> read_project_muscles(const TomlReader& document, const TomlValue& root, const fs::path& folder) {
+/// @param warnings  gets the masks that are not there: they are lost, the rest of the project is not
+std::vector<Muscle> read_project_muscles(const TomlReader& document, const TomlValue& root, const fs::path& folder,
+                                         std::vector<std::string>& warnings) {
     std::vector<Muscle> muscles;
     const TomlValue* const entries = root.find("muscle");
     for (const TomlReader& table : document.tables("muscle", {"name", "declared", "color", "stiffness_Pa", "extends", "follows", "mask", "signal"})) {
@@ -159,7 +174,10 @@ std::vector<Muscle> read_project_muscles(const TomlReader& document, const TomlV
             muscle.follows = follows.text("muscle");
             muscle.ratio = follows.number("ratio", between(muscle_ratio_limits.lowest, muscle_ratio_limits.highest));
         }
-        if (table.has("mask")) {
+        std::error_code ignored;
+        if (table.has("mask") && !fs::exists(folder / table.text("mask"), ignored)) {
+            warnings.push_back("The paint of muscle \"" + muscle.name + "\" is lost: its mask " + table.text("mask") + " is not there.");
+        } else if (table.has("mask")) {
             const Result<PaintedMask> mask = read_painted_mask(table.file("mask", folder));
             if (!mask) table.fail("mask", mask.error().text());
             muscle.paint = std::make_shared<const PaintedMask>(*mask);
@@ -196,7 +214,7 @@ std::vector<AddedEffect> read_project_effects(const TomlReader& document, const 
     return effects;
 }
 
-Settings read_settings(const TomlReader& document, const TomlValue& root, const fs::path& folder) {
+Settings read_settings(const TomlReader& document, const TomlValue& root, const fs::path& folder, std::vector<std::string>& warnings) {
     const auto within = [](const Limits& limits) { return between(limits.lowest, limits.highest); };
     Settings s;
     const TomlReader mesh = document.table("mesh", {"element", "resolution_m"});
@@ -213,7 +231,7 @@ Settings read_settings(const TomlReader& document, const TomlValue& root, const 
     s.time_step_s = time.number("step_s", within(time_step_limits));
     s.spectral_radius = time.number_or("spectral_radius", s.spectral_radius, within(spectral_radius_limits));
     s.velocity_force_1_s = time.number_or("velocity_force_1_s", 0.0, within(velocity_force_limits));
-    s.muscles = read_project_muscles(document, root, folder);
+    s.muscles = read_project_muscles(document, root, folder, warnings);
     s.effects = read_project_effects(document, root);
     return s;
 }
@@ -254,7 +272,7 @@ Project read_document(const TomlValue& root, const fs::path& file) {
     if (project.source.filename().empty()) project.source = project.source.parent_path();
     project.metres_per_unit = document.optional_number("metres_per_unit", positive());
     project.trial = document.text_or("trial", "");
-    project.settings = read_settings(document, root, file.parent_path());
+    project.settings = read_settings(document, root, file.parent_path(), project.warnings);
     if (document.has("view")) project.view = read_view(document);
     return project;
 }
@@ -284,9 +302,8 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
     text += view_text(project.view);
     const std::set<std::string> before = named_masks(file, files);
     if (const Result<void> written = write_file(file, text); !written) return written;
-    // Masks of the save before are no longer named by anything.
     for (const std::string& mask : before)
-        if (!used.contains(mask)) fs::remove(files / mask, ignored);
+        if (!used.contains(mask) && !is_named_beside(file, files.filename().string() + "/" + mask)) fs::remove(files / mask, ignored);
     return {};
 }
 

@@ -52,6 +52,23 @@ TEST(Project, IsSavedUnderANameAndOpenedAgain) {
     ASSERT_TRUE(again.state().body);
 }
 
+TEST(Project, WarnsOfWhatIsMissingWhenItIsOpened) {
+    Driver driver;
+    driver.open_beam();
+    edit(driver);
+    driver.workbench->execute(command::SaveAs{"/arm.myoloop"});
+    Driver again;
+    again.backend->projects = driver.backend->projects;
+    again.backend->projects.begin()->second.warnings = {"The paint of muscle \"upper\" is lost."};
+    again.window->open(again.backend->projects.begin()->first);
+    ASSERT_TRUE(again.wait_for_job());
+    const auto& log = again.state().log;
+    EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const auto& entry) {
+        return entry.level == LogLevel::warning && entry.text == "The paint of muscle \"upper\" is lost.";
+    }));
+    EXPECT_TRUE(again.state().scene);
+}
+
 TEST(Project, AsksBeforeUnsavedChangesAreLost) {
     Driver driver;
     driver.open_beam();

@@ -87,6 +87,52 @@ TEST(ProjectFile, KeepsNoMaskThatNothingNames) {
     EXPECT_DOUBLE_EQ(read_project_file(file)->settings.muscles[0].paint->weights(0), 0.5);
 }
 
+/// A project in which the painted muscle was painted on, and which was copied before.
+class CopiedProject : public ::testing::TestWithParam<const char*> {
+protected:
+    CopiedProject() {
+        folder.write("body.stl", "solid");
+        const fs::path file = folder.path() / "arm.myoloop";
+        Project project = some_project(folder.path() / "body.stl");
+        EXPECT_TRUE(write_project_file(file, project));
+        fs::copy_file(file, folder.path() / GetParam());
+        PaintedMask other = *project.settings.muscles[0].paint;
+        other.weights(0) = 0.5;
+        project.settings.muscles[0].paint = std::make_shared<const PaintedMask>(other);
+        EXPECT_TRUE(write_project_file(file, project));
+    }
+    test::Folder folder{"project_copy"};
+};
+
+TEST_P(CopiedProject, KeepsItsPaint) {
+    const fs::path again = folder.path() / "again.myoloop";
+    fs::rename(folder.path() / GetParam(), again);
+    const Result<Project> copy = read_project_file(again);
+    ASSERT_TRUE(copy) << copy.error().text();
+    EXPECT_TRUE(copy->warnings.empty());
+    EXPECT_DOUBLE_EQ(copy->settings.muscles[0].paint->weights(0), 1.0);
+    EXPECT_DOUBLE_EQ(read_project_file(folder.path() / "arm.myoloop")->settings.muscles[0].paint->weights(0), 0.5);
+}
+INSTANTIATE_TEST_SUITE_P(Names, CopiedProject, ::testing::Values("arm_backup.myoloop", "arm.myoloop~", "arm.myoloop.2026-01-01"));
+
+TEST(ProjectFile, OpensWithoutAMaskThatIsMissing) {
+    const test::Folder folder("project_mask_missing");
+    folder.write("body.stl", "solid");
+    const fs::path file = folder.path() / "arm.myoloop";
+    const Project project = some_project(folder.path() / "body.stl");
+    ASSERT_TRUE(write_project_file(file, project));
+    const std::string mask = fs::directory_iterator(folder.path() / "arm.files")->path().filename().string();
+    fs::remove_all(folder.path() / "arm.files");
+    const Result<Project> read = read_project_file(file);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->warnings, std::vector<std::string>{"The paint of muscle \"upper / left\" is lost: its mask arm.files/" + mask + " is not there."});
+    EXPECT_EQ(read->settings.muscles[0].paint, nullptr);
+    EXPECT_EQ(read->settings.muscles[0].signal, project.settings.muscles[0].signal);
+    fs::create_directories(folder.path() / "arm.files");
+    folder.write("arm.files/" + mask, "x,y\n");
+    EXPECT_FALSE(read_project_file(file));   // one that is there and broken
+}
+
 TEST(ProjectFile, LeavesTablesAloneThatItDidNotWrite) {
     const test::Folder folder("project_tables");
     folder.write("body.stl", "solid");
@@ -131,7 +177,7 @@ TEST(ProjectFile, SaysWhereItIsBroken) {
     };
     for (const Fault& fault : {Fault{"step_s", "stepp_s", "stepp_s"}, {"myoloop-project/1", "experiment/1", "schema"}, {"\"tet10\"", "\"hex20\"", "element"}, {"body.stl", "gone.stl", "source"},
                                {"lower", "upper / left", "name"}, {"poissons_ratio = 0.43", "poissons_ratio = 0.7", "poissons_ratio"}, {"time_s = [0.0, 0.5, 0.5]", "time_s = [0.5, 0.0, 0.5]", "ascend"},
-                               {"follows = { muscle = \"upper / left\"", "follows = { muscle = \"nobody\"", "nobody"}, {".csv\"", ".gone\"", "mask"},
+                               {"follows = { muscle = \"upper / left\"", "follows = { muscle = \"nobody\"", "nobody"},
                                {"[0.6, 0.0, -0.8]", "[0.6, 0.1, -0.8]", "normal"}, {"[-0.25, 0.125]", "[0.25, 0.125]", "a field"}, {"color_map", "colour_map", "colour_map"}, {"[material]", "[material", "arm.myoloop"}}) {
         std::string text = good;
         const std::size_t at = text.find(fault.part);

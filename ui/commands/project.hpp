@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/settings.hpp"
 #include "commands/view_options.hpp"
@@ -16,6 +17,7 @@ struct Project {
     Settings settings;
     ViewOptions view;
     std::string trial;                           // that was shown; empty: the first
+    std::vector<std::string> warnings = {};      // of reading it: what it names and is not there
 
     bool operator==(const Project&) const = default;
 };

@@ -94,6 +94,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
 }
 
 void Workbench::show_project(const std::filesystem::path& file, Project project, Scene scene) {
+    for (const std::string& warning : project.warnings) log(LogLevel::warning, warning);
     // The experiment may have changed since the project was saved.
     for (Muscle& muscle : project.settings.muscles) {
         const auto& declared = scene.settings.muscles;
