@@ -64,7 +64,8 @@ Json figures_json(const BenchFigures& f) {
 
 void print_heading(const BenchCase& one) {
     print_format("\n%s: %s\n", one.id.c_str(), one.summary.c_str());
-    print_format("  %9s %7s %9s %7s %7s %9s %8s %7s  %s\n", "ms/step", "goal", "us/DOF", "iter.", "factor", "real time", "memory", "limit", "case");
+    print_format("  %9s %7s %9s %7s %7s %9s %8s %7s  %s\n", "ms/step", "goal", "us/DOF", "iter.", "factor", "real time",
+                 "memory", "limit", "case");
     print_format("  %9s %7s %9s %7s %7s %9s %8s %7s\n", "", "ms", "and step", "a step", "a step", "factor", "MB", "ms");
 }
 
@@ -91,19 +92,22 @@ void print_quantity(const Json& quantity) {
 void print_figures(const Json& row) {
     const auto optional = [&](const char* key) { return row[key].is_null() ? std::string("-") : format_number(row[key].get<double>(), 3); };
     if (row["steps"].get<int>() == 0) {
-        print_format("  %9s %7s %9s %7s %7s %9s %8.1f %7s  %s, %.2f s\n", "-", "-", "-", "-", "-", "-", row["peak_memory_bytes"].get<double>() / 1e6, "-",
-                    row["name"].get<std::string>().c_str(), row["run_s"].get<double>());
+        print_format("  %9s %7s %9s %7s %7s %9s %8.1f %7s  %s, %.2f s\n", "-", "-", "-", "-", "-", "-",
+                     row["peak_memory_bytes"].get<double>() / 1e6, "-", row["name"].get<std::string>().c_str(),
+                     row["run_s"].get<double>());
     } else {
-        print_format("  %9.3f %7s %9.3f %7.2f %7.3f %9.2f %8.1f %7s  %s\n", row["ms_per_step"].get<double>(), optional("goal_ms_per_step").c_str(),
-                    row["us_per_dof_and_step"].get<double>(), row["iterations_per_step"].get<double>(), row["factorisations_per_step"].get<double>(),
-                    row["real_time_factor"].get<double>(), row["peak_memory_bytes"].get<double>() / 1e6, optional("limit_ms_per_step").c_str(),
-                    row["name"].get<std::string>().c_str());
+        print_format("  %9.3f %7s %9.3f %7.2f %7.3f %9.2f %8.1f %7s  %s\n", row["ms_per_step"].get<double>(),
+                     optional("goal_ms_per_step").c_str(), row["us_per_dof_and_step"].get<double>(),
+                     row["iterations_per_step"].get<double>(), row["factorisations_per_step"].get<double>(),
+                     row["real_time_factor"].get<double>(), row["peak_memory_bytes"].get<double>() / 1e6,
+                     optional("limit_ms_per_step").c_str(), row["name"].get<std::string>().c_str());
     }
     for (const Json& quantity : row["quantities"]) print_quantity(quantity);
     for (const Json& reference : row["references"])
-        print_format("  %9.0f %s%*s  %s: %.0f times as long\n", reference["ms_per_step"].get<double>(), "", 61, "", reference["label"].get<std::string>().c_str(),
-                    reference["ratio"].get<double>());
-    if (const std::string note = row["note"].get<std::string>(); !note.empty()) print_format("  %*s  %s\n", 71, "", note.c_str());
+        print_format("  %9.0f %s%*s  %s: %.0f times as long\n", reference["ms_per_step"].get<double>(), "", 61, "",
+                     reference["label"].get<std::string>().c_str(), reference["ratio"].get<double>());
+    if (const std::string note = row["note"].get<std::string>(); !note.empty())
+        print_format("  %*s  %s\n", 71, "", note.c_str());
 }
 
 /// Where a run's time went, in its hundredths.
@@ -116,7 +120,8 @@ void print_split(const Json& row) {
         rest -= share;
         text += part + " " + format_number(share, 2) + " %, ";
     }
-    if (rest < 99.9) print_format("  %*s  %srest %s %%\n", 71, "", text.c_str(), format_number(std::max(rest, 0.0), 2).c_str());
+    if (rest < 99.9)
+        print_format("  %*s  %srest %s %%\n", 71, "", text.c_str(), format_number(std::max(rest, 0.0), 2).c_str());
 }
 
 /// The exponent of y over x by least squares on logarithms.
@@ -158,14 +163,16 @@ Json print_scaling(const Json& rows, const std::string& figure, Console& console
     print_format("  time per step ~ DOF^%.2f, peak memory ~ DOF^%.2f, at the largest %.1f kB per DOF\n", time, memory,
                 rows.back()["peak_memory_bytes"].get<double>() / 1e3 / rows.back()["dofs"].get<double>());
     if (!figure.empty())
-        if (const Result<void> written = write_file(figure, scaling_figure(rows, time, memory)); !written) status = console.fail(written.error());
+        if (const Result<void> written = write_file(figure, scaling_figure(rows, time, memory)); !written)
+            status = console.fail(written.error());
     return {{"time_over_dofs", time}, {"memory_over_dofs", memory}};
 }
 
 int run_bench(const BenchCall& call) {
     Console console(false, false);
     for (const auto& [option, file] : {std::pair{"--json", call.json}, std::pair{"--figure", call.figure}})
-        if (const Result<void> kept = check_overwrites(option, {file}, reference_files()); !kept) return console.refuse(kept.error());
+        if (const Result<void> kept = check_overwrites(option, {file}, reference_files()); !kept)
+            return console.refuse(kept.error());
     Json cases = Json::array();
     bool found = call.id.empty();
     int status = status_done;
@@ -199,7 +206,8 @@ int run_bench(const BenchCall& call) {
     }
     if (!found) return console.refuse({unknown_word(call.id, bench_ids()), "bench"});
     if (!call.json.empty())
-        if (const Result<void> written = write_json(call.json, {{"schema", "bench/1"}, {"cases", cases}}); !written) return console.fail(written.error());
+        if (const Result<void> written = write_json(call.json, {{"schema", "bench/1"}, {"cases", cases}}); !written)
+            return console.fail(written.error());
     return status;
 }
 

@@ -138,7 +138,8 @@ int calibrate_command(const CalibrateCall& call) {
                   trial_lines(*study, calibration) + "\n" + start_lines(calibration));
     if (const Result<void> written = write_results(call, *study, calibration, facts); !written)
         return console.fail(written.error());
-    console.print(std::to_string(calibration.evaluations()) + (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") +
+    console.print(std::to_string(calibration.evaluations()) +
+                  (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") +
                   format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return end_status(call, calibration, console);
 }

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void print_times(const FrameTimes& times) {
-    print_format("%8zu %8.1f %8.1f %8.1f %8.0f  %s\n", times.ms.size(), times.percentile(0.5), times.percentile(0.95), times.percentile(1.0), times.goal_ms, times.name.c_str());
+    print_format("%8zu %8.1f %8.1f %8.1f %8.0f  %s\n", times.ms.size(), times.percentile(0.5), times.percentile(0.95),
+                 times.percentile(1.0), times.goal_ms, times.name.c_str());
 }
 
 Json frames_json(const FrameBench& bench) {
@@ -34,7 +35,8 @@ int frames_command(const fs::path& json) {
     const Progress progress = console.progress();
     std::error_code code;
     const fs::path folder = fs::temp_directory_path(code) / ("myoloop-frames-" + std::to_string(::getpid()));
-    print_format("%8s %8s %8s %8s %8s  %s\n", "frames", "median", "95 %", "longest", "goal", "[ms], drawn off screen at 1600 x 900");
+    print_format("%8s %8s %8s %8s %8s  %s\n", "frames", "median", "95 %", "longest", "goal",
+                 "[ms], drawn off screen at 1600 x 900");
     const Result<FrameBench> bench = bench_frames(folder, progress, print_times);
     fs::remove_all(folder, code);
     if (progress.cancelled()) return status_stopped;
@@ -44,7 +46,8 @@ int frames_command(const fs::path& json) {
     }
     print_format("A body of %d triangles; painted: one of %d elements.\n", bench->triangles, bench->painted_cells);
     if (json.empty()) return status_done;
-    if (const auto written = write_file(json, frames_json(*bench).dump(2) + "\n"); !written) return console.fail(written.error());
+    if (const auto written = write_file(json, frames_json(*bench).dump(2) + "\n"); !written)
+        return console.fail(written.error());
     return status_done;
 }
 

@@ -80,7 +80,9 @@ int gradcheck_command(const GradcheckCall& call) {
     console.print(std::string("loss: mean square distance of the markers to ") + (run.against_trace ? "the measured trace" : "their rest positions") + ", " +
                   format_number(1e6 * run.loss_m2, 4) + " mm2\n\n" + table_of(run.check) + ", " + format_number(run.seconds, 3) + " s");
     if (!call.json.empty())
-        if (const Result<void> written = write_json(call.json, gradcheck_json(study, run, run_facts(call, setup_s))); !written) return console.fail(written.error());
+        if (const Result<void> written = write_json(call.json, gradcheck_json(study, run, run_facts(call, setup_s)));
+            !written)
+            return console.fail(written.error());
     if (run.check.worst_error() <= most_relative_error) return status_done;
     const auto worst = std::max_element(run.check.rows.begin(), run.check.rows.end(),
                                         [](const GradientCheckRow& a, const GradientCheckRow& b) { return a.relative_error < b.relative_error; });

@@ -15,7 +15,9 @@ namespace myo {
 
 std::function<int()> declare_info(CLI::App&) {
     return [] {
-        const auto line = [](const char* name, const std::string& value) { print_format("%-12s %s\n", name, value.c_str()); };
+        const auto line = [](const char* name, const std::string& value) {
+            print_format("%-12s %s\n", name, value.c_str());
+        };
         line("myoloop", MYOLOOP_VERSION);
         line("compiler", "GCC " __VERSION__);
         line("threads", std::to_string(hardware_threads()));
@@ -24,7 +26,8 @@ std::function<int()> declare_info(CLI::App&) {
         line("strategies", join(strategy_ids()));
         line("materials", join(material_ids()));
         print_text("libraries\n");
-        for (const LibraryVersion& library : library_versions) print_format("  %-12s %s\n", library.name, library.version);
+        for (const LibraryVersion& library : library_versions)
+            print_format("  %-12s %s\n", library.name, library.version);
         return static_cast<int>(status_done);
     };
 }

@@ -177,7 +177,8 @@ int mesh_command(const MeshCall& call) {
     const bool is_surface = contains(surface_extensions, extension);
     if (!is_surface && !contains(volume_extensions, extension))
         return console.refuse({"no mesh format is known by this extension; surfaces: " + join(surface_extensions, " ") + ", volumes: " + join(volume_extensions, " "), call.file.string()});
-    if (const Result<void> kept = check_overwrites("--out", {call.out}, {call.file}); !kept) return console.refuse(kept.error());
+    if (const Result<void> kept = check_overwrites("--out", {call.out}, {call.file}); !kept)
+        return console.refuse(kept.error());
     const Progress progress = console.progress();
     Result<MeshOutcome> outcome = is_surface ? mesh_surface(call, progress) : check_volume(call);
     if (progress.cancelled()) {
@@ -191,7 +192,8 @@ int mesh_command(const MeshCall& call) {
     else console.print(outcome_text(*outcome));
     if (!call.out.empty()) {
         const Eigen::MatrixXd shapes = cell_shapes(outcome->mesh).transpose();
-        if (const Result<void> written = write_vtu(call.out, outcome->mesh, {}, {{"quality", shapes}}); !written) return console.fail(written.error());
+        if (const Result<void> written = write_vtu(call.out, outcome->mesh, {}, {{"quality", shapes}}); !written)
+            return console.fail(written.error());
         if (!call.json) console.print("\nwritten to " + call.out.string());
     }
     return status_done;

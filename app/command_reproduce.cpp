@@ -64,7 +64,8 @@ std::string table_text(const Table& table) {
 }
 
 int list_cases() {
-    for (const ReproductionCase& one : reproduction_catalogue()) print_format("%-18s %s\n", one.id.c_str(), one.summary.c_str());
+    for (const ReproductionCase& one : reproduction_catalogue())
+        print_format("%-18s %s\n", one.id.c_str(), one.summary.c_str());
     return status_done;
 }
 
@@ -75,7 +76,8 @@ int reproduce_command(const ReproduceCall& call) {
     if (one == nullptr) return console.refuse({unknown_word(call.id, reproduction_ids()), "reproduce"});
     if (call.out.empty()) return console.refuse({"--out DIR is needed: the folder for tables, figures and report", "reproduce"});
     const std::vector<std::filesystem::path> outputs = reproduction_files(call.out, *one);
-    if (const Result<void> kept = check_overwrites("--out", outputs, reference_files()); !kept) return console.refuse(kept.error());
+    if (const Result<void> kept = check_overwrites("--out", outputs, reference_files()); !kept)
+        return console.refuse(kept.error());
     std::error_code code;
     std::filesystem::create_directories(call.out, code);
     if (code) return console.refuse({"folder cannot be made: " + code.message(), call.out.string()});
@@ -105,7 +107,8 @@ int reproduce_command(const ReproduceCall& call) {
     for (const std::string& warning : result->warnings) console.warn(warning);
     for (const Table& table : result->tables) console.print(table_text(table) + "\n");
     for (const std::string& finding : result->findings) console.print("- " + finding);
-    if (const Result<void> written = write_reproduction(call.out, *one, *result); !written) return console.fail(written.error());
+    if (const Result<void> written = write_reproduction(call.out, *one, *result); !written)
+        return console.fail(written.error());
     console.print("\n" + format_number(seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return status_done;
 }

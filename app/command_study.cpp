@@ -54,9 +54,14 @@ int study_command(const TrustCall& call) {
     if (!records->empty()) {
         const TrustSummary summary = trust_summary(*records);
         console.print("\n" + summary_text(summary));
-        if (const Result<void> file = write_json(call.out / "study.json", summary_json(summary)); !file) return console.fail(file.error());
-        if (const Result<void> page = write_html(call.out / "study.html", trust_report(*records, join(command_line(), " "))); !page) return console.fail(page.error());
-        if (const Result<void> file = write_file(call.out / "reliability.svg", reliability_figure(summary)); !file) return console.fail(file.error());
+        if (const Result<void> file = write_json(call.out / "study.json", summary_json(summary)); !file)
+            return console.fail(file.error());
+        if (const Result<void> page =
+                write_html(call.out / "study.html", trust_report(*records, join(command_line(), " ")));
+            !page)
+            return console.fail(page.error());
+        if (const Result<void> file = write_file(call.out / "reliability.svg", reliability_figure(summary)); !file)
+            return console.fail(file.error());
         console.print("\nreport: " + (call.out / "study.html").string());
     }
     if (!progress.cancelled()) return status_done;

@@ -63,7 +63,8 @@ Result<Experiment> open_experiment(const StudyCall& call, std::optional<FolderLo
                                                files_read(call.experiment, *experiment));
     if (!kept) return kept.error();
     if (!call.writes_folder) return experiment;
-    if (const Result<void> folder = prepare_output_folder(call.out); !folder) return Error{folder.error().text(), "--out"};
+    if (const Result<void> folder = prepare_output_folder(call.out); !folder)
+        return Error{folder.error().text(), "--out"};
     Result<FolderLock> taken = FolderLock::take(call.out);
     if (!taken) return Error{taken.error().text(), "--out"};
     lock = std::move(*taken);

@@ -44,11 +44,11 @@ struct StudyOpening {
     std::optional<FolderLock> lock = {};   // of the folder of results
 };
 
-/// Reads and prepares the study, of one trial alone (with_one_trial) when the command is on one. A call.trial that is not known is
-/// refused either way.
+/// Reads and prepares the study, of one trial alone (with_one_trial) when the command is on one. A call.trial that is
+/// not known is refused either way.
 ///
-/// Errors: the call's, the input's, those of the output folder, outputs that would replace an input; --resolution or --dt that would make more than the memory holds. The
-/// integration is checked, too.
+/// Errors: the call's, the input's, those of the output folder, outputs that would replace an input; --resolution or
+/// --dt that would make more than the memory holds. The integration is checked, too.
 /// @param first_result  what a user who stops it now does not get: "stopped before <first_result>; nothing was written"
 StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::string& first_result, Console& console, const Progress& progress);
 

@@ -80,12 +80,13 @@ std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
     return names;
 }
 
-/// Whether another project file in the same folder, a copy or a backup, names this mask. Their text is searched, so that those
-/// of editors and older ones, which may not be readable as projects, count as well.
+/// Whether another project file in the same folder, a copy or a backup, names this mask. Their text is searched, so
+/// that those of editors and older ones, which may not be readable as projects, count as well.
 bool is_named_beside(const fs::path& file, const std::string& mask) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(fs::absolute(file, ignored).parent_path(), ignored)) {
-        const bool may_be_project = entry.is_regular_file(ignored) && entry.path().filename().string().find(project_ending) != std::string::npos;
+        const bool may_be_project = entry.is_regular_file(ignored) &&
+                                    entry.path().filename().string().find(project_ending) != std::string::npos;
         if (!may_be_project || fs::equivalent(entry.path(), file, ignored)) continue;
         const Result<std::string> text = read_file(entry.path());
         if (!text || text->find(mask) != std::string::npos) return true;   // one that cannot be read may name it
@@ -176,7 +177,8 @@ std::vector<Muscle> read_project_muscles(const TomlReader& document, const TomlV
         }
         std::error_code ignored;
         if (table.has("mask") && !fs::exists(folder / table.text("mask"), ignored)) {
-            warnings.push_back("The paint of muscle \"" + muscle.name + "\" is lost: its mask " + table.text("mask") + " is not there.");
+            warnings.push_back("The paint of muscle \"" + muscle.name + "\" is lost: its mask " + table.text("mask") +
+                               " is not there.");
         } else if (table.has("mask")) {
             const Result<PaintedMask> mask = read_painted_mask(table.file("mask", folder));
             if (!mask) table.fail("mask", mask.error().text());
@@ -214,7 +216,8 @@ std::vector<AddedEffect> read_project_effects(const TomlReader& document, const 
     return effects;
 }
 
-Settings read_settings(const TomlReader& document, const TomlValue& root, const fs::path& folder, std::vector<std::string>& warnings) {
+Settings read_settings(const TomlReader& document, const TomlValue& root, const fs::path& folder,
+                       std::vector<std::string>& warnings) {
     const auto within = [](const Limits& limits) { return between(limits.lowest, limits.highest); };
     Settings s;
     const TomlReader mesh = document.table("mesh", {"element", "resolution_m"});
@@ -303,7 +306,8 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
     const std::set<std::string> before = named_masks(file, files);
     if (const Result<void> written = write_file(file, text); !written) return written;
     for (const std::string& mask : before)
-        if (!used.contains(mask) && !is_named_beside(file, files.filename().string() + "/" + mask)) fs::remove(files / mask, ignored);
+        if (!used.contains(mask) && !is_named_beside(file, files.filename().string() + "/" + mask))
+            fs::remove(files / mask, ignored);
     return {};
 }
 

@@ -90,7 +90,8 @@ Result<void> write_file(const fs::path& path, std::string_view content) {
     if (missing == ELOOP) return not_written(path, missing);
     if (missing != 0) return replace_file(behind_links(path), content);
     if (S_ISDIR(found.st_mode)) return Error{"is a folder, not a file", path.string()};
-    // A device is the same however often it is opened; a file or socket of the program's own output goes on where it is.
+    // A device is the same however often it is opened; a file or socket of the program's own output goes on where it
+    // is.
     const int stream = S_ISCHR(found.st_mode) ? -1 : standard_stream_of(found);
     if (stream < 0 && S_ISREG(found.st_mode)) return replace_file(behind_links(path), content);
     const int failed = stream < 0 ? write_opened(path, 0, content) : write_all(stream, content);

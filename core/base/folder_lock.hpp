@@ -8,12 +8,12 @@ namespace myo {
 
 /// Keeps other runs out of a folder of results until it is destroyed: two runs at once would mix their files.
 ///
-/// The file `.myoloop.lock` in the folder holds the process id. It is also locked for the system, which ends that with the
-/// process: what a killed process left behind is taken over, even where its id was given to another process.
+/// The file `.myoloop.lock` in the folder holds the process id. It is also locked for the system, which ends that with
+/// the process: what a killed process left behind is taken over, even where its id was given to another process.
 class FolderLock {
 public:
-    /// Error: "DIR is used by another run of myoloop, process 1234; wait for it or choose another folder"; the file cannot
-    /// be made.
+    /// Error: "DIR is used by another run of myoloop, process 1234; wait for it or choose another folder"; the file
+    /// cannot be made.
     static Result<FolderLock> take(const std::filesystem::path& folder);
 
     FolderLock(FolderLock&& other) noexcept;

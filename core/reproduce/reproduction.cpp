@@ -43,7 +43,8 @@ HtmlReport reproduction_report(const ReproductionCase& one, const Reproduction& 
     return report;
 }
 
-std::vector<std::filesystem::path> reproduction_files(const std::filesystem::path& folder, const ReproductionCase& one) {
+std::vector<std::filesystem::path> reproduction_files(const std::filesystem::path& folder,
+                                                      const ReproductionCase& one) {
     std::vector<std::filesystem::path> files{folder / (one.id + ".json"), folder / "report.html"};
     std::error_code missing;
     for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {

@@ -32,18 +32,22 @@ TEST(FullDisk, StandardOutputThatCannotBeWrittenFailsEveryCommand) {
     const Folder folder("full_output");
     write_small_experiment(folder);
     folder.write("box.stl", box_stl(40.0, 20.0, 10.0));
-    const std::string coarse = " --resolution 0.01 --dt 0.005", exp = "'" + folder.str("exp") + "'", out = "'" + folder.str("out") + "'";
+    const std::string coarse = " --resolution 0.01 --dt 0.005", exp = "'" + folder.str("exp") + "'",
+                      out = "'" + folder.str("out") + "'";
     for (const std::string& arguments :
-         {std::string("info"), std::string("effects"), std::string("--help"), std::string("--version"), std::string("reproduce"),
-          "gradcheck " + exp + " --steps 2" + coarse, "simulate " + exp + " --out " + out + coarse,
+         {std::string("info"), std::string("effects"), std::string("--help"), std::string("--version"),
+          std::string("reproduce"), "gradcheck " + exp + " --steps 2" + coarse,
+          "simulate " + exp + " --out " + out + coarse,
           "mesh '" + folder.str("box.stl") + "' --unit mm --type hex8 --resolution 0.01",
           "mesh '" + folder.str("box.stl") + "' --unit mm --type hex8 --resolution 0.01 --json"}) {
         const ProgramRun run = run_redirected(folder, arguments, ">/dev/full");
         EXPECT_EQ(run.status, 1) << arguments << "\n" << run.err;
-        EXPECT_THAT(run.err, HasSubstr("myoloop: standard output cannot be written: No space left on device\n")) << arguments;
+        EXPECT_THAT(run.err, HasSubstr("myoloop: standard output cannot be written: No space left on device\n"))
+            << arguments;
         const ProgramRun closed = run_redirected(folder, arguments, ">&-");
         EXPECT_EQ(closed.status, 1) << arguments << "\n" << closed.err;
-        EXPECT_THAT(closed.err, HasSubstr("myoloop: standard output cannot be written: Bad file descriptor\n")) << arguments;
+        EXPECT_THAT(closed.err, HasSubstr("myoloop: standard output cannot be written: Bad file descriptor\n"))
+            << arguments;
     }
     // The files of a run are whole all the same, with nothing of what was printed in them.
     EXPECT_TRUE(nlohmann::json::accept(content_of(folder.path() / "out/simulate.json")));
@@ -70,7 +74,8 @@ TEST_P(FilledFolder, KeepsWhatWasFound) {
     }
     fs::create_directories(folder.path() / "out");
     fs::create_symlink("/dev/full", folder.path() / "out" / GetParam().second);
-    std::vector<std::string> arguments{GetParam().command, folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.01", "--dt", "0.005"};
+    std::vector<std::string> arguments{
+        GetParam().command, folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.01", "--dt", "0.005"};
     if (muscled) arguments.insert(arguments.end(), {"--max-evaluations", "3"});
     const ProgramRun run = run_program(arguments);
     EXPECT_EQ(run.status, 1) << run.err;
@@ -89,14 +94,15 @@ INSTANTIATE_TEST_SUITE_P(All, FilledFolder,
 TEST(FullDisk, OptionsThatNameAFileFailAsWell) {
     const Folder folder("full_file");
     write_small_experiment(folder);
-    const ProgramRun check = run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01", "--steps", "2", "--json", "/dev/full"});
+    const ProgramRun check =
+        run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01", "--steps", "2", "--json", "/dev/full"});
     EXPECT_EQ(check.status, 1);
     EXPECT_THAT(check.err, HasSubstr(std::string("/dev/full: cannot be written: ") + full));
     EXPECT_THAT(check.out, HasSubstr("Young's modulus"));
     folder.write("box.stl", box_stl(40.0, 20.0, 10.0));
     fs::create_symlink("/dev/full", folder.path() / "box.vtu");
-    const ProgramRun mesh = run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "hex8", "--resolution", "0.01",
-                                         "--out", folder.str("box.vtu")});
+    const ProgramRun mesh = run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "hex8",
+                                         "--resolution", "0.01", "--out", folder.str("box.vtu")});
     EXPECT_EQ(mesh.status, 1);
     EXPECT_THAT(mesh.err, HasSubstr(std::string("box.vtu: cannot be written: ") + full));
     EXPECT_THAT(mesh.out, HasSubstr("8 hex8 elements"));

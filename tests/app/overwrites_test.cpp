@@ -53,11 +53,15 @@ TEST_P(ResultsInAFolder, ReplaceNoInput) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ResultsInAFolder,
-    ::testing::Values(Writes{"simulate", {"--vtu"}, {"drop.csv", "drop_again.csv", "simulate.json", "drop.pvd", "drop_frames/0003.vtu"}},
+    ::testing::Values(Writes{"simulate",
+                             {"--vtu"},
+                             {"drop.csv", "drop_again.csv", "simulate.json", "drop.pvd", "drop_frames/0003.vtu"}},
                       Writes{"calibrate", {}, {"drop.csv", "calibrate.json", "report.html"}},
                       Writes{"optimize", {}, {"drop.csv", "optimize.json", "report.html", "drop_actuation.csv"}},
-                      Writes{"diagnose", {}, {"drop.csv", "report.json", "exp.json", "report.html", "experiment_augmented.toml",
-                                              "diagnose_fits.json"}}),
+                      Writes{"diagnose",
+                             {},
+                             {"drop.csv", "report.json", "exp.json", "report.html", "experiment_augmented.toml",
+                              "diagnose_fits.json"}}),
     [](const auto& one) { return std::string(one.param.command); });
 
 TEST(Overwrites, TheDeclarationThatIsReadStays) {
@@ -68,30 +72,36 @@ TEST(Overwrites, TheDeclarationThatIsReadStays) {
     fs::create_symlink(folder.path() / "exp/experiment.toml", folder.path() / "out/simulate.json");
     const std::string augmented = folder.str("exp/experiment_augmented.toml");
     expect_refused({"diagnose", augmented, "--out", folder.str("exp")}, "--out", augmented);
-    expect_refused({"simulate", folder.str("exp"), "--out", folder.str("out")}, "--out", folder.path() / "out/simulate.json");
+    expect_refused({"simulate", folder.str("exp"), "--out", folder.str("out")}, "--out",
+                   folder.path() / "out/simulate.json");
 }
 
 TEST(Overwrites, GradcheckKeepsEveryFileOfTheExperiment) {
     const Folder folder("overwrites_gradcheck");
     std::string text = muscled_toml();
-    text = std::regex_replace(text, std::regex("kind = \"box\"\nsize_m = .*"), "kind = \"stl\"\nfile = \"body.stl\"\nunit = \"mm\"");
+    text = std::regex_replace(text, std::regex("kind = \"box\"\nsize_m = .*"),
+                              "kind = \"stl\"\nfile = \"body.stl\"\nunit = \"mm\"");
     folder.write("exp/experiment.toml", text);
     folder.write("exp/body.stl", box_stl(40.0, 20.0, 20.0));
     folder.write("exp/wave.csv", small_trace());
     folder.write("exp/signals.csv", "time_s,upper\n0,1\n0.1,1.1\n");
     for (const char* const file : {"experiment.toml", "body.stl", "wave.csv", "signals.csv"})
-        expect_refused({"gradcheck", folder.str("exp"), "--json", folder.str(std::string("exp/../exp/") + file)}, "--json",
-                       folder.path() / "exp" / file);
+        expect_refused({"gradcheck", folder.str("exp"), "--json", folder.str(std::string("exp/../exp/") + file)},
+                       "--json", folder.path() / "exp" / file);
 }
 
 TEST(Overwrites, MeshKeepsItsMesh) {
     const Folder folder("overwrites_mesh");
     folder.write("box.stl", box_stl(40.0, 20.0, 10.0));
-    ASSERT_EQ(run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "tet4", "--resolution", "0.01", "--out",
-                           folder.str("box.vtu"), "--quiet"}).status, 0);
+    ASSERT_EQ(run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "tet4", "--resolution", "0.01",
+                           "--out", folder.str("box.vtu"), "--quiet"})
+                  .status,
+              0);
     fs::create_symlink("box.vtu", folder.path() / "link.vtu");
-    expect_refused({"mesh", folder.str("box.vtu"), "--unit", "m", "--out", folder.str("box.vtu")}, "--out", folder.path() / "box.vtu");
-    expect_refused({"mesh", folder.str("box.vtu"), "--unit", "m", "--out", folder.str("link.vtu")}, "--out", folder.path() / "link.vtu");
+    expect_refused({"mesh", folder.str("box.vtu"), "--unit", "m", "--out", folder.str("box.vtu")}, "--out",
+                   folder.path() / "box.vtu");
+    expect_refused({"mesh", folder.str("box.vtu"), "--unit", "m", "--out", folder.str("link.vtu")}, "--out",
+                   folder.path() / "link.vtu");
 }
 
 TEST(Overwrites, ScreenshotKeepsWhatItDraws) {
@@ -101,8 +111,9 @@ TEST(Overwrites, ScreenshotKeepsWhatItDraws) {
     for (const char* const file : {"exp/experiment.toml", "exp/drop.csv", "recording.csv"}) {
         fs::remove(folder.path() / "x.png");
         fs::create_symlink(file, folder.path() / "x.png");
-        expect_refused({"screenshot", folder.str("exp"), "--import", folder.str("recording.csv"), "--out", folder.str("x.png")},
-                       "--out", folder.path() / "x.png");
+        expect_refused(
+            {"screenshot", folder.str("exp"), "--import", folder.str("recording.csv"), "--out", folder.str("x.png")},
+            "--out", folder.path() / "x.png");
     }
 }
 
@@ -114,9 +125,11 @@ TEST(Overwrites, BenchAndReproduceKeepTheMeasurements) {
     const std::string before = named != nullptr ? named : "";
     ::setenv("MYOLOOP_DATA", folder.path().c_str(), 1);
     const fs::path read = folder.path() / "design/reference/beam.csv";
-    for (const char* const option : {"--json", "--figure"}) expect_refused({"bench", "release", option, read.string()}, option, read);
+    for (const char* const option : {"--json", "--figure"})
+        expect_refused({"bench", "release", option, read.string()}, option, read);
     const fs::path measured = folder.path() / "data/mocap/beam";
-    expect_refused({"reproduce", "beam-static", "--coarse", "--out", measured.string()}, "--out", measured / "report.html");
+    expect_refused({"reproduce", "beam-static", "--coarse", "--out", measured.string()}, "--out",
+                   measured / "report.html");
     if (named != nullptr) ::setenv("MYOLOOP_DATA", before.c_str(), 1);
     else ::unsetenv("MYOLOOP_DATA");
 }

@@ -26,7 +26,8 @@ TEST(TwoRuns, TheSecondIsRefusedByEveryCommand) {
             const ProgramRun run = run_program({command, subject, "--out", folder.str("out")});
             EXPECT_EQ(run.status, 2) << run.err;
             EXPECT_EQ(count_lines(run.err), 1) << run.err;
-            EXPECT_THAT(run.err, HasSubstr("--out: " + folder.str("out") + " is used by another run of myoloop, process "));
+            EXPECT_THAT(run.err,
+                        HasSubstr("--out: " + folder.str("out") + " is used by another run of myoloop, process "));
         }
         EXPECT_TRUE(is_locked(folder));
     }
@@ -37,11 +38,13 @@ TEST(TwoRuns, TheSecondIsRefusedByEveryCommand) {
 TEST(TwoRuns, AFailedOrStoppedRunLeavesNoLock) {
     const Folder folder("two_runs_failed");
     write_small_experiment(folder);
-    EXPECT_EQ(run_program({"optimize", folder.str("exp"), "--out", folder.str("out")}).status, 2);   // it has no muscles
+    EXPECT_EQ(run_program({"optimize", folder.str("exp"), "--out", folder.str("out")}).status,
+              2);   // it has no muscles
     EXPECT_FALSE(is_locked(folder));
     write_small_experiment(folder, 4.0);
-    const ProgramRun stopped = run_program({"simulate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.004",
-                                            "--json-progress"}, "\"event\"");
+    const ProgramRun stopped = run_program(
+        {"simulate", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.004", "--json-progress"},
+        "\"event\"");
     EXPECT_EQ(stopped.status, 130) << stopped.err;
     EXPECT_FALSE(is_locked(folder));
 }

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "ui/driver.hpp"
+#include <algorithm>
+
+#include "backend/project_file.hpp"
 #include "backend/workbench_backend.hpp"
+#include "support/folder.hpp"
+#include "ui/driver.hpp"
 
 namespace myo {
 namespace {
@@ -51,6 +55,39 @@ TEST(PaintedMuscle, BendsTheBeamToItsSide) {
     EXPECT_DOUBLE_EQ(driver.state().chosen_muscle()->signal->values.back(), 1.2);
     ASSERT_NO_FATAL_FAILURE(run(driver));
     EXPECT_LT(last_height_m(driver), passive - 0.002);
+}
+
+/// A project whose mask is gone opens with everything else, and the log names what is missing.
+TEST(PaintedMuscle, WhoseMaskIsMissingIsOpenedWithoutPaintAndToldInTheLog) {
+    const test::Folder folder("project_without_mask");
+    Driver driver(make_core_backend(), 1280, 900);
+    driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    PaintedMask mask;
+    mask.cell_size_m = 0.004;
+    mask.centroids_m = Eigen::Vector3d(0.06, 0.015, 0.018);
+    mask.weights = Eigen::VectorXd::Ones(1);
+    mask.directions = Eigen::Vector3d::UnitX();
+    Project project;
+    project.source = driver.state().scene->path;
+    project.settings = driver.state().settings;
+    Muscle painted;
+    painted.name = "painted";
+    painted.stiffness_Pa = 1e5;
+    painted.paint = std::make_shared<const PaintedMask>(mask);
+    project.settings.muscles.push_back(painted);
+    const std::filesystem::path file = folder.path() / "beam.myoloop";
+    ASSERT_TRUE(write_project_file(file, project));
+    std::filesystem::remove_all(folder.path() / "beam.files");
+    driver.window->open(file);
+    ASSERT_TRUE(driver.wait_for_job(60));
+    ASSERT_EQ(driver.state().project, file) << driver.state().log.back().text;
+    ASSERT_EQ(driver.state().settings.muscles.size(), 1u);
+    EXPECT_FALSE(driver.state().settings.muscles[0].paint);
+    const auto told = [](const auto& entry) {
+        return entry.level == LogLevel::warning && entry.text.find("paint of muscle \"painted\" is lost") != std::string::npos;
+    };
+    EXPECT_TRUE(std::any_of(driver.state().log.begin(), driver.state().log.end(), told));
 }
 
 }  // namespace

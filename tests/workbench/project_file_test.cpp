@@ -113,7 +113,8 @@ TEST_P(CopiedProject, KeepsItsPaint) {
     EXPECT_DOUBLE_EQ(copy->settings.muscles[0].paint->weights(0), 1.0);
     EXPECT_DOUBLE_EQ(read_project_file(folder.path() / "arm.myoloop")->settings.muscles[0].paint->weights(0), 0.5);
 }
-INSTANTIATE_TEST_SUITE_P(Names, CopiedProject, ::testing::Values("arm_backup.myoloop", "arm.myoloop~", "arm.myoloop.2026-01-01"));
+INSTANTIATE_TEST_SUITE_P(Names, CopiedProject,
+                         ::testing::Values("arm_backup.myoloop", "arm.myoloop~", "arm.myoloop.2026-01-01"));
 
 TEST(ProjectFile, OpensWithoutAMaskThatIsMissing) {
     const test::Folder folder("project_mask_missing");
@@ -125,7 +126,9 @@ TEST(ProjectFile, OpensWithoutAMaskThatIsMissing) {
     fs::remove_all(folder.path() / "arm.files");
     const Result<Project> read = read_project_file(file);
     ASSERT_TRUE(read) << read.error().text();
-    EXPECT_EQ(read->warnings, std::vector<std::string>{"The paint of muscle \"upper / left\" is lost: its mask arm.files/" + mask + " is not there."});
+    EXPECT_EQ(read->warnings,
+              std::vector<std::string>{"The paint of muscle \"upper / left\" is lost: its mask arm.files/" + mask +
+                                       " is not there."});
     EXPECT_EQ(read->settings.muscles[0].paint, nullptr);
     EXPECT_EQ(read->settings.muscles[0].signal, project.settings.muscles[0].signal);
     fs::create_directories(folder.path() / "arm.files");
