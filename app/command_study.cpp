@@ -13,6 +13,8 @@
 #include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "options.hpp"
+#include "trust/defaults_study.hpp"
+#include "trust/defaults_summary.hpp"
 #include "trust/trust_report.hpp"
 #include "trust/trust_study.hpp"
 
@@ -21,6 +23,7 @@ namespace {
 
 struct TrustCall {
     TrustStudyOptions study;
+    bool defaults = false;
     std::filesystem::path out;
     WorkOptions work;
 };
@@ -35,15 +38,22 @@ std::string record_line(const CaseRecord& r) {
     return line;
 }
 
-int study_command(const TrustCall& call) {
-    Console console(call.work.quiet, call.work.json_progress);
-    if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
-    TrustStudyOptions options = call.study;
-    options.choice.seed = call.work.seed.value_or(1);
-    options.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
-    const Progress progress = console.progress();
+/// study.json and study.html of all cases that the folder holds.
+template <class Record, class Summary>
+int write_summary(const TrustCall& call, const Summary& summary, const HtmlReport& report, Console& console,
+                  const std::vector<Record>& records) {
+    if (records.empty()) return status_done;
+    console.print("\n" + summary_text(summary));
+    if (const Result<void> file = write_json(call.out / "study.json", summary_json(summary)); !file)
+        return console.fail(file.error());
+    if (const Result<void> page = write_html(call.out / "study.html", report); !page) return console.fail(page.error());
+    console.print("\nreport: " + (call.out / "study.html").string());
+    return status_done;
+}
+
+int diagnosis_study(const TrustCall& call, const Progress& progress, Console& console) {
     int finished = 0;
-    const Result<void> run = run_trust_study(options, call.out, progress, [&](const CaseRecord& record) {
+    const Result<void> run = run_trust_study(call.study, call.out, progress, [&](const CaseRecord& record) {
         console.print(record_line(record));
         ++finished;
     });
@@ -51,33 +61,53 @@ int study_command(const TrustCall& call) {
     if (!run) return finished > 0 ? console.fail(run.error()) : console.refuse(run.error());
     const Result<std::vector<CaseRecord>> records = trust_records(call.out);
     if (!records) return console.refuse(records.error());
-    if (!records->empty()) {
-        const TrustSummary summary = trust_summary(*records);
-        console.print("\n" + summary_text(summary));
-        if (const Result<void> file = write_json(call.out / "study.json", summary_json(summary)); !file)
-            return console.fail(file.error());
-        if (const Result<void> page =
-                write_html(call.out / "study.html", trust_report(*records, join(command_line(), " ")));
-            !page)
-            return console.fail(page.error());
+    const TrustSummary summary = trust_summary(*records);
+    if (!records->empty())
         if (const Result<void> file = write_file(call.out / "reliability.svg", reliability_figure(summary)); !file)
             return console.fail(file.error());
-        console.print("\nreport: " + (call.out / "study.html").string());
-    }
-    if (!progress.cancelled()) return status_done;
+    return write_summary(call, summary, trust_report(*records, join(command_line(), " ")), console, *records);
+}
+
+int defaults_study(const TrustCall& call, const Progress& progress, Console& console) {
+    int finished = 0;
+    const Result<void> run = run_defaults_study({call.study.choice.seed, call.study.range}, call.out, progress,
+                                                [&](const DefaultsRecord& record) {
+                                                    console.print(record_line(record));
+                                                    ++finished;
+                                                });
+    if (!run) return finished > 0 ? console.fail(run.error()) : console.refuse(run.error());
+    const Result<std::vector<DefaultsRecord>> records = defaults_records(call.out);
+    if (!records) return console.refuse(records.error());
+    return write_summary(call, defaults_summary(*records), defaults_report(*records, join(command_line(), " ")),
+                         console, *records);
+}
+
+int study_command(TrustCall call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
+    const CaseChoice& choice = call.study.choice;
+    if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
+        return console.refuse(
+            {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
+    call.study.choice.seed = call.work.seed.value_or(1);
+    call.study.range.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
+    const Progress progress = console.progress();
+    const int status =
+        call.defaults ? defaults_study(call, progress, console) : diagnosis_study(call, progress, console);
+    if (status != status_done || !progress.cancelled()) return status;
     console.complain("stopped; finished cases are kept in " + call.out.string() + ", the same call goes on from them");
     return status_stopped;
 }
 
 /// "1/4": the first of four shares, as numbers 0 and 4.
-void read_share(const std::string& text, TrustStudyOptions& options) {
+void read_share(const std::string& text, CaseRange& range) {
     const std::size_t slash = text.find('/');
     double part = 0.0, parts = 0.0;
     const bool numbers = slash != std::string::npos && parse_number(text.substr(0, slash), part) && parse_number(text.substr(slash + 1), parts);
     if (!numbers || part != std::floor(part) || parts != std::floor(parts) || part < 1.0 || parts < part || parts > 1e6)
         throw CLI::ValidationError("--share", "'" + text + "' is not a share like 1/4, the first of four");
-    options.share = static_cast<int>(part) - 1;
-    options.shares = static_cast<int>(parts);
+    range.share = static_cast<int>(part) - 1;
+    range.shares = static_cast<int>(parts);
 }
 
 }  // namespace
@@ -85,18 +115,23 @@ void read_share(const std::string& text, TrustStudyOptions& options) {
 std::function<int()> declare_study(CLI::App& app) {
     const auto call = std::make_shared<TrustCall>();
     app.add_option("--out", call->out, "folder for cases and results, made when missing; finished cases in it are not repeated")->type_name("DIR");
-    add_count(app, "--cases", call->study.cases, "number of cases (default: 24)");
+    app.add_flag(
+        "--defaults", call->defaults,
+        "calibrate random experiments with nothing but defaults instead: how often are numbers wrong without a word?");
+    add_count(app, "--cases", call->study.range.cases, "number of cases (default: 24)");
     app.add_option_function<std::string>(
            "--first",
            [call](const std::string& text) {
                int value = 0;
                const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
                if (code != std::errc{} || end != text.data() + text.size() || value < 0) throw CLI::ValidationError("--first", "'" + text + "' is not a whole number from 0 on");
-               call->study.first = value;
+               call->study.range.first = value;
            },
            "number of the first case (default: 0); case k is the same for any count")
         ->type_name("K");
-    app.add_option_function<std::string>("--share", [call](const std::string& text) { read_share(text, call->study); }, "1/4: every fourth case, for four processes on one folder")
+    app.add_option_function<std::string>(
+           "--share", [call](const std::string& text) { read_share(text, call->study.range); },
+           "1/4: every fourth case, for four processes on one folder")
         ->type_name("I/N");
     app.add_option_function<std::string>(
            "--geometry",

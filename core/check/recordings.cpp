@@ -10,7 +10,6 @@ std::vector<Finding> check_recordings(const CheckedJob& job) {
         Finding finding =
             fine_finding(experiment.trials[shared.validate].name, shared_recording_sentence(experiment, shared));
         finding.level = CheckLevel::doubtful;
-        finding.told = true;
         findings.push_back(std::move(finding));
     }
     if (findings.empty()) findings.push_back(fine_finding("", "no trial to predict is one that is fitted"));

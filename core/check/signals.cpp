@@ -11,7 +11,6 @@ std::vector<Finding> check_signals(const CheckedJob& job) {
     for (const MissedSignal& missed : missed_signals(study)) {
         Finding finding = fine_finding(study.trials[missed.trial].name, missed_signal_sentence(study, missed));
         finding.level = CheckLevel::wrong;
-        finding.told = true;
         findings.push_back(std::move(finding));
     }
     if (findings.empty() && !study.experiment.muscles.empty())

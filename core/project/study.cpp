@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "dynamics/natural_modes.hpp"
 #include "effect/catalogue.hpp"
 #include "effect/changed_body.hpp"
 #include "fibre/switches.hpp"
@@ -16,8 +17,6 @@
 #include "project/muscle_groups.hpp"
 #include "project/read_experiment.hpp"
 #include "project/read_trial.hpp"
-#include "project/shared_recordings.hpp"
-#include "project/signal_span.hpp"
 #include "project/study_frames.hpp"
 
 namespace myo {
@@ -151,17 +150,22 @@ void warn_of_mass(const Model& model, std::vector<std::string>& warnings) {
     warnings.push_back("equal vertex masses: the body weighs " + format_number(100.0 * part, 3) + " % of its mesh's true mass");
 }
 
-/// What the trials' clocks, signals and roles leave to doubt.
+double assumed_damping_s(const Model& model, const StudySettings& settings) {
+    if (settings.assumed_damping_s == 0.0) return 0.0;
+    StageSolver solver(model);
+    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);
+    if (!modes.ok()) return settings.assumed_damping_s;   // of a body that turns freely
+    return std::min(settings.assumed_damping_s,
+                    2.0 * settings.most_assumed_damping_ratio / modes.modes.front().omega_rad_s);
+}
+
+/// What the trials' clocks and the range of activations leave to doubt.
 void add_warnings(Study& study) {
     const auto add = [&](const std::vector<std::string>& sentences) {
         study.warnings.insert(study.warnings.end(), sentences.begin(), sentences.end());
     };
     add(doubtful_frames(study));
     add(activation_notes(study));
-    for (const MissedSignal& missed : missed_signals(study))
-        study.warnings.push_back(missed_signal_sentence(study, missed));
-    for (const SharedRecording& shared : shared_recordings(study.experiment))
-        study.warnings.push_back(shared_recording_sentence(study.experiment, shared));
 }
 
 }  // namespace
@@ -274,7 +278,6 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     model.body = study.body;
     model.material = material;
     model.moduli = uniform_moduli(study.body->cell_count(), experiment.material.youngs_modulus_Pa, experiment.material.poissons_ratio);
-    model.damping_s = experiment.material.damping_s.value_or(settings.assumed_damping_s);
     model.density_kg_m3 = experiment.material.density_kg_m3;
     model.mass_model = settings.mass_model;
     warn_of_mass(model, study.warnings);
@@ -283,6 +286,8 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, study.mesh, &study.warnings);
     if (!muscles) return muscles.error();
     model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
+    model.damping_s =
+        experiment.material.damping_s ? *experiment.material.damping_s : assumed_damping_s(model, settings);
 
     std::vector<Recording> recordings;
     for (const TrialDeclaration& declaration : experiment.trials) {

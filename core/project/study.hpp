@@ -30,7 +30,9 @@ struct StudySettings {
     std::optional<std::string> material;   // id; default: the declared one
     double velocity_force_1_s = 0.0;       // Lambda
     MassModel mass_model = MassModel::consistent;
-    double assumed_damping_s = 0.003;      // where none is declared: 9 % of critical damping at 10 Hz, as silicones have
+    /// Where none is declared: 9 % of critical damping at 10 Hz, as silicones have, and at most that part of it in the
+    /// first vibration of faster bodies, which would creep instead of swinging.
+    double assumed_damping_s = 0.003, most_assumed_damping_ratio = 0.09;
     bool as_published = false;             // it started from published_settings()
     bool fine_element = false;             // also where no declared effect needs it: to try others
     int threads = 1;

@@ -47,6 +47,11 @@ struct SyntheticTrial {
     double end_s = 1.0;
     std::vector<LoadDeclaration> loads;
     std::vector<Signal> activation;   // one per muscle; empty: passive
+    std::string recorded_as;          // the trial whose trace and actuation it has; empty: its own
+    double clock_s = 0.0;             // time of its trace's file at t = 0
+    double signal_unit_s = 1.0;       // of the times in its actuation file
+
+    const std::string& recording() const { return recorded_as.empty() ? name : recorded_as; }
 };
 
 /// What is true of a material, and what the experiment says of it.
@@ -76,6 +81,7 @@ struct SyntheticCase {
     bool noise_is_declared = true;
     double occluded = 0.0;                         // share of a marker's samples that are hidden
     double rate_Hz = 100.0;
+    Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};
     bool registration_is_known = true;
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero(), rotation_rad = Eigen::Vector3d::Zero();
     std::vector<SyntheticTrial> trials;            // those to fit first

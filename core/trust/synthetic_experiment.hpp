@@ -18,9 +18,6 @@ struct MadeExperiment {
     double seconds = 0.0;
 };
 
-/// The experiment.toml of a case.
-std::string experiment_text(const SyntheticCase& c);
-
 /// Draws a case, makes its effect so large that it does between least_level and most_level to the markers and a fit leaves
 /// least_fitted of it, simulates it by its own scheme on a mesh of other and finer cells than the diagnosis would take, and
 /// writes the folder: experiment.toml, traces, actuations, STL.

@@ -1,37 +1,18 @@
 #include "trust/trust_study.hpp"
 
-#include <atomic>
-#include <mutex>
-#include <set>
-
-#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "loop/diagnosis_json.hpp"
 #include "project/read_experiment.hpp"
-#include "trust/record_file.hpp"
 
 namespace myo {
 namespace {
 
-const char* const records_name = "cases.jsonl";
-const char* const choice_name = "choice.json";
 const char* const cancelled_words = "cancelled";
 
 Json choice_json(const CaseChoice& choice) {
     Json json{{"seed", choice.seed}, {"families", Json::array()}, {"effects", choice.effects}};
     for (const BodyFamily family : choice.families) json["families"].push_back(to_string(family));
     return json;
-}
-
-/// Sees that the folder is this study's.
-Result<void> claim_folder(const CaseChoice& choice, const std::filesystem::path& out) {
-    const std::filesystem::path file = out / choice_name;
-    const Json mine = choice_json(choice);
-    if (!std::filesystem::exists(file)) return write_json(file, mine);
-    const Result<Json> there = read_json(file);
-    if (!there) return there.error();
-    if (*there == mine) return {};
-    return Error{"holds cases of another choice (seed " + json_line((*there)["seed"]) + "); choose another folder or the same seed, geometry and effects", out.string()};
 }
 
 Json truth_json(const MadeExperiment& made) {
@@ -76,34 +57,28 @@ CaseRecord run_case(const TrustStudyOptions& options, int number, const std::fil
 Result<void> run_trust_study(const TrustStudyOptions& options, const std::filesystem::path& out, const Progress& progress,
                              const std::function<void(const CaseRecord&)>& done) {
     if (const Result<void> fine = check_choice(options.choice); !fine) return fine;
-    if (const Result<void> mine = claim_folder(options.choice, out); !mine) return mine;
-    RecordFile file(out / records_name);
-    const Result<std::vector<CaseRecord>> there = file.read();
-    if (!there) return there.error();
-    std::set<int> finished;
-    for (const CaseRecord& record : *there) finished.insert(record.number);
-    std::vector<int> numbers;
-    for (int number = options.first; number < options.first + options.cases; ++number)
-        if (number % options.shares == options.share && finished.count(number) == 0) numbers.push_back(number);
-
-    std::mutex mutex;
-    int count = 0;
-    Result<void> trouble;
-    const auto total = static_cast<double>(numbers.size());
-    progress.report({"study", 0.0, total, "cases", {}});
-    parallel_tasks(static_cast<int>(numbers.size()), options.threads, [&](int task) {
-        if (progress.cancelled()) return;
-        const int number = numbers[static_cast<std::size_t>(task)];
-        const CaseRecord record = run_case(options, number, out / "cases" / drawn_case(options.choice, number).name(), progress);
-        if (record.failure == cancelled_words) return;
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (const Result<void> kept = file.add(record); !kept) trouble = kept;
-        progress.report({"study", static_cast<double>(++count), total, "cases", record.truth});
-        if (done) done(record);
-    });
-    return trouble;
+    StudyFolder folder(out);
+    if (const Result<void> mine = folder.claim(choice_json(options.choice)); !mine) return mine;
+    const auto run = [&](int number) {
+        const CaseRecord record = run_case(options, number, folder.case_folder(number), progress);
+        return record.failure == cancelled_words ? Json() : record_json(record);
+    };
+    const auto tell = [&](const Json& json) {
+        if (done) done(*record_from_json(json));
+    };
+    return folder.run(options.range, run, progress, tell);
 }
 
-Result<std::vector<CaseRecord>> trust_records(const std::filesystem::path& out) { return RecordFile(out / records_name).read(); }
+Result<std::vector<CaseRecord>> trust_records(const std::filesystem::path& out) {
+    const Result<std::vector<Json>> lines = StudyFolder(out).records();
+    if (!lines) return lines.error();
+    std::vector<CaseRecord> records;
+    for (const Json& line : *lines) {
+        Result<CaseRecord> record = record_from_json(line);
+        if (!record) return Error{"case " + json_line(line.at("case")) + ": " + record.error().what, out.string()};
+        records.push_back(std::move(*record));
+    }
+    return records;
+}
 
 }  // namespace myo

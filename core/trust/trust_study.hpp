@@ -5,15 +5,14 @@
 #include <vector>
 
 #include "trust/case_record.hpp"
+#include "trust/study_folder.hpp"
 
 namespace myo {
 
 /// Which cases of a choice are taken, and how.
 struct TrustStudyOptions {
     CaseChoice choice;
-    int first = 0, cases = 24;          // numbers first ... first + cases - 1
-    int share = 0, shares = 1;          // of these the ones with number % shares == share
-    int threads = 1;                    // cases side by side, one thread each
+    CaseRange range;
     DiagnoseSettings diagnose;          // `without` and `fits` are the case's own
 };
 

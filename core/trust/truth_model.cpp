@@ -30,7 +30,16 @@ StudyMesh tapered_hexes(const SyntheticBody& body, double edge) {
     return mesh;
 }
 
-/// A prepared study with another mesh of the same body.
+bool is_slipped_clamp(const SyntheticCase& c) { return c.effect && c.effect->id == "clamp_slip"; }
+
+/// What holds the body in truth: a clamp that has slipped is one that ends earlier, whose end its cells meet.
+Experiment as_held(const SyntheticCase& c, Experiment experiment) {
+    if (is_slipped_clamp(c)) experiment.clamp_box_m.highest(0) -= number(c.effect->parameters, "free_length_m");
+    return experiment;
+}
+
+}  // namespace
+
 Result<Study> on_mesh(Study study, StudyMesh mesh) {
     const Experiment& experiment = study.experiment;
     study.mesh = std::move(mesh);
@@ -58,16 +67,6 @@ Result<Study> on_mesh(Study study, StudyMesh mesh) {
     }
     return study;
 }
-
-bool is_slipped_clamp(const SyntheticCase& c) { return c.effect && c.effect->id == "clamp_slip"; }
-
-/// What holds the body in truth: a clamp that has slipped is one that ends earlier, whose end its cells meet.
-Experiment as_held(const SyntheticCase& c, Experiment experiment) {
-    if (is_slipped_clamp(c)) experiment.clamp_box_m.highest(0) -= number(c.effect->parameters, "free_length_m");
-    return experiment;
-}
-
-}  // namespace
 
 Result<Study> truth_study(const SyntheticCase& c, const Experiment& declared, const Progress& progress) {
     const Experiment experiment = as_held(c, declared);

@@ -14,6 +14,9 @@ namespace myo {
 /// Errors: those of prepare_study.
 Result<Study> truth_study(const SyntheticCase& c, const Experiment& declared, const Progress& progress = {});
 
+/// A prepared study with another mesh of the same body. Errors: muscles without cells.
+Result<Study> on_mesh(Study study, StudyMesh mesh);
+
 /// What is true, as values of a truth_study().
 StudyValues true_values(const SyntheticCase& c, const Study& study);
 

@@ -47,7 +47,7 @@ TEST(SignalSpan, FindsSignalsBeforeAfterAndInMilliseconds) {
     EXPECT_EQ(missed_with("1000.2,1\n1000.4,0.8\n", 1000.0, "start_s = 1000")[0].clock, SignalClock::of_the_recording);
 }
 
-TEST(SignalSpan, AWarningNamesBothSpansAndTheStart) {
+TEST(SignalSpan, ASentenceNamesBothSpansAndTheStart) {
     const test::Folder folder("signal_span");
     std::string toml = test::muscle_beam_toml();
     toml = testing_support::replaced(toml, "actuation = \"s.csv\"", "actuation = \"s.csv\"\nstart_s = 1000");
@@ -55,9 +55,11 @@ TEST(SignalSpan, AWarningNamesBothSpansAndTheStart) {
     const Result<Study> study =
         test::muscle_beam_study(folder, toml, "time_s,up\n1000.2,1\n1000.4,0.8\n", 1000.0, 1001.0);
     ASSERT_TRUE(study) << study.error().text();
-    EXPECT_THAT(study->warnings, testing::Contains(testing::AllOf(
-                                     HasSubstr("trial[0].actuation: the rows of up run from 1000.2 s to 1000.4 s"),
-                                     HasSubstr("runs from 0 s to 1 s"), HasSubstr("subtract start_s, 1000 s"))));
+    const std::vector<MissedSignal> missed = missed_signals(*study);
+    ASSERT_EQ(missed.size(), 1u);
+    EXPECT_THAT(missed_signal_sentence(*study, missed[0]),
+                testing::AllOf(HasSubstr("trial[0].actuation: the rows of up run from 1000.2 s to 1000.4 s"),
+                               HasSubstr("runs from 0 s to 1 s"), HasSubstr("subtract start_s, 1000 s")));
 }
 
 }  // namespace

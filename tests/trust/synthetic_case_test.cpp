@@ -7,6 +7,7 @@
 #include "mesh/surface_check.hpp"
 #include "trust/synthetic_effects.hpp"
 #include "trust/synthetic_experiment.hpp"
+#include "trust/synthetic_folder.hpp"
 
 namespace myo::test {
 namespace {

@@ -14,8 +14,8 @@ namespace {
 TrustStudyOptions small_study() {
     TrustStudyOptions options;
     options.choice = {.seed = 1, .families = {BodyFamily::beam}, .effects = {"quadratic_drag"}};
-    options.cases = 2;
-    options.threads = 2;
+    options.range.cases = 2;
+    options.range.threads = 2;
     options.diagnose.refits = 3;
     options.diagnose.pairs = 0;
     return options;
@@ -65,7 +65,7 @@ TEST(TrustStudy, ASmallOneIsAnsweredRightAndNotRepeated) {
     other.choice.seed = 2;
     const Result<void> refused = run_trust_study(other, folder.path());
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().what.find("seed 1"), std::string::npos) << refused.error().what;
+    EXPECT_NE(refused.error().what.find("\"seed\":1"), std::string::npos) << refused.error().what;
 }
 
 TEST(TrustStudy, OneThatIsCancelledKeepsNothingUnfinished) {

@@ -7,6 +7,7 @@
 #include "project/read_experiment.hpp"
 #include "support/folder.hpp"
 #include "trust/synthetic_experiment.hpp"
+#include "trust/synthetic_folder.hpp"
 
 namespace myo::test {
 namespace {

@@ -85,7 +85,8 @@ TEST(PaintedMuscle, WhoseMaskIsMissingIsOpenedWithoutPaintAndToldInTheLog) {
     ASSERT_EQ(driver.state().settings.muscles.size(), 1u);
     EXPECT_FALSE(driver.state().settings.muscles[0].paint);
     const auto told = [](const auto& entry) {
-        return entry.level == LogLevel::warning && entry.text.find("paint of muscle \"painted\" is lost") != std::string::npos;
+        return entry.level == LogLevel::warning &&
+               entry.text.find("paint of muscle \"painted\" is lost") != std::string::npos;
     };
     EXPECT_TRUE(std::any_of(driver.state().log.begin(), driver.state().log.end(), told));
 }

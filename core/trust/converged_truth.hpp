@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "project/prediction.hpp"
+#include "trust/synthetic_case.hpp"
+
+namespace myo {
+
+/// When a truth is called converged.
+struct ConvergencePolicy {
+    double most_change = 3e-3;       // of the first frequency by the last refinement of the mesh, and of the path by
+                                     // extrapolation over the step, as a share of the motion's rms
+    double coarse_enough = 1e-3;     // change of the frequency, below which the coarser of the last two meshes will do:
+                                     // its error is about twice the change
+    int first_layers = 2;            // across the thickness
+    int most_layers = 6;
+    double length_aspect = 2.5;      // of cells, along the body over across it
+    double width_aspect = 2.0;
+    double steps_per_period = 40.0;  // of the first vibration, of the longest step
+    int most_halvings = 3;           // of the step
+};
+inline constexpr ConvergencePolicy convergence_policy;
+
+/// Motions that no longer change with mesh and step.
+struct ConvergedTruth {
+    std::vector<std::vector<Eigen::Matrix3Xd>> positions_m;   // per trial and marker 3 x samples, mesh frame
+    int dofs = 0;
+    double frequency_Hz = 0.0;         // of the first vibration about the straight body
+    double frequency_change = 0.0;     // by the last refinement of the mesh
+    double path_change = 0.0;          // by which extrapolation over the step moves the finer path
+};
+
+/// The motions of a case as it truly is, by another element than its experiment's default: tet10 in boxes, hex8 that
+/// follow the taper in fingers. Positions are extrapolated from the last two steps by Richardson's rule.
+///
+/// @param experiment  of the folder of the true experiment, traces of the right times in it
+/// Errors: those of prepare_study; a trial that does not run; numbers that do not settle; cancelled.
+Result<ConvergedTruth> converged_truth(const SyntheticCase& c, const Experiment& experiment,
+                                       const Progress& progress = {});
+
+}  // namespace myo
