@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "backend/check_rows.hpp"
 #include "backend/diagnosis_view.hpp"
 #include "backend/dominant_vibration.hpp"
 #include "backend/mesh_scene.hpp"
@@ -17,7 +18,6 @@
 #include "mesh/surface_reader.hpp"
 #include "mesh/surface_topology.hpp"
 #include "mesh/volume_reader.hpp"
-#include "project/finding_output.hpp"
 #include "project/read_experiment.hpp"
 #include "project/readable_parameter.hpp"
 
@@ -94,9 +94,7 @@ void fill_from_study(const Study& study, Scene& scene) {
     scene.settings.damping_s = study.trials.front().model.damping_s;
     scene.settings.integrator = to_string(study.settings.integrator);
     // One step for all trials, as a person sees it.
-    scene.settings.time_step_s = study.trials.front().options.h_s;
-    for (const StudyTrial& trial : study.trials)
-        scene.settings.time_step_s = std::min(scene.settings.time_step_s, trial.options.h_s);
+    scene.settings.time_step_s = shortest_step_s(study);
     scene.settings.muscles = shown_muscles(experiment);
     const MeasuredVibration vibration = dominant_vibration(study);
     scene.frequency_Hz = vibration.frequency_Hz;
@@ -105,6 +103,12 @@ void fill_from_study(const Study& study, Scene& scene) {
 }
 
 }  // namespace
+
+double shortest_step_s(const Study& study) {
+    double shortest = study.trials.front().options.h_s;
+    for (const StudyTrial& trial : study.trials) shortest = std::min(shortest, trial.options.h_s);
+    return shortest;
+}
 
 bool is_volume_file(const fs::path& path) { return has_ending(path, volume_endings); }
 bool is_mesh_file(const fs::path& path) { return has_ending(path, surface_endings) || is_volume_file(path); }
@@ -166,8 +170,7 @@ Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
     scene.clamp_m = experiment->clamp_box_m;
     scene.gravity_m_s2 = experiment->gravity_m_s2;
     scene.warnings = study->warnings;
-    const std::vector<std::string> found = untold(check_before(*study));
-    scene.warnings.insert(scene.warnings.end(), found.begin(), found.end());
+    scene.checks = check_rows(check_before(*study));
     fill_from_study(*study, scene);
     scene.source = std::make_shared<const SceneSource>(SceneSource{*experiment, study->surface, std::make_shared<const StudyMesh>(study->mesh)});
     return scene;

@@ -5,13 +5,13 @@
 #include <optional>
 #include <utility>
 
+#include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
 #include "backend/shown_run.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
 #include "project/calibrate_study.hpp"
-#include "project/finding_output.hpp"
 #include "project/time_step.hpp"
 #include "project/optimize_study.hpp"
 #include "project/readable_parameter.hpp"
@@ -170,8 +170,8 @@ private:
 
 Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const Backend::LiveSearch& live) {
     StudySettings chosen = study_settings(settings);
-    // A step that nobody changed gives way to one that suits the fit.
-    if (settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
+    // A step that nobody set gives way to one that suits the fit.
+    if (!settings.own_step) chosen.h_s.reset();
     Result<Study> study = scene_study(scene, body, settings, chosen, progress);
     if (!study) return study.error();
     if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
@@ -207,8 +207,6 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.warnings = calibration.warnings;
     RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
     facts.findings = check_after({*study, &calibration.after, &calibration});
-    const std::vector<std::string> checked = untold(facts.findings);
-    result.warnings.insert(result.warnings.end(), checked.begin(), checked.end());
     if (!calibration.fit.converged() && !calibration.stopped) result.problem = "The fit did not converge: " + calibration.fit.message;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
@@ -218,9 +216,10 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.rms_after_m = calibration.after.fit_rms_m;
     result.settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
     result.settings.damping_s = calibration.after.values.damping_s;
-    for (const StudyTrial& trial : study->trials)
-        result.settings.time_step_s = std::min(result.settings.time_step_s, trial.options.h_s);
+    if (!settings.own_step) result.settings.time_step_s = shortest_step_s(*study);
     result.run = shown_run(*study, calibration.after);
+    add_vibrations(*study, calibration.after, result.run);
+    result.run.checks = check_rows(facts.findings);
     result.run.seconds = calibration.seconds;
     result.page = std::make_shared<const HtmlReport>(study_report(*study, calibration, facts));
     return result;

@@ -106,7 +106,9 @@ std::string settings_text(const Settings& s) {
     std::string text = "\n[mesh]\nelement = " + toml_text(to_string(s.element)) + "\nresolution_m = " + toml_number(s.resolution_m) + "\n";
     text += "\n[material]\nmodel = " + toml_text(s.material) + "\nyoungs_modulus_Pa = " + toml_number(s.youngs_modulus_Pa) + "\npoissons_ratio = " + toml_number(s.poissons_ratio) +
             "\ndensity_kg_m3 = " + toml_number(s.density_kg_m3) + "\ndamping_s = " + toml_number(s.damping_s) + "\n";
-    text += "\n[time]\nintegrator = " + toml_text(s.integrator) + "\nstep_s = " + toml_number(s.time_step_s) + "\nspectral_radius = " + toml_number(s.spectral_radius) +
+    text += "\n[time]\nintegrator = " + toml_text(s.integrator) + "\nstep_s = " + toml_number(s.time_step_s) +
+            "\nown_step = " + (s.own_step ? "true" : "false") +
+            "\nspectral_radius = " + toml_number(s.spectral_radius) +
             "\nvelocity_force_1_s = " + toml_number(s.velocity_force_1_s) + "\n";
     for (const AddedEffect& effect : s.effects) {
         text += "\n[[effect]]\nid = " + toml_text(effect.id) + "\nname = " + toml_text(effect.name) + "\nvalue = " + toml_text(effect.value) + "\n[effect.parameters]\n";
@@ -229,9 +231,11 @@ Settings read_settings(const TomlReader& document, const TomlValue& root, const 
     s.poissons_ratio = material.number("poissons_ratio", within(poissons_ratio_limits));
     s.density_kg_m3 = material.number("density_kg_m3", within(density_limits));
     s.damping_s = material.number("damping_s", within(damping_limits));
-    const TomlReader time = document.table("time", {"integrator", "step_s", "spectral_radius", "velocity_force_1_s"});
+    const TomlReader time =
+        document.table("time", {"integrator", "step_s", "own_step", "spectral_radius", "velocity_force_1_s"});
     s.integrator = time.text("integrator");
     s.time_step_s = time.number("step_s", within(time_step_limits));
+    s.own_step = time.boolean_or("own_step", true);   // as in files from before there was a choice
     s.spectral_radius = time.number_or("spectral_radius", s.spectral_radius, within(spectral_radius_limits));
     s.velocity_force_1_s = time.number_or("velocity_force_1_s", 0.0, within(velocity_force_limits));
     s.muscles = read_project_muscles(document, root, folder, warnings);

@@ -6,6 +6,7 @@
 #include "backend/fields.hpp"
 #include "measurement/rigid_motion.hpp"
 #include "project/prediction.hpp"
+#include "project/time_step.hpp"
 
 namespace myo {
 
@@ -61,6 +62,12 @@ RunResult shown_run(const Study& study, const StudyRun& run) {
     for (std::size_t t = 0; t < study.trials.size(); ++t) models->trials.push_back(trial_model(study, t, run.values));
     result.source = std::move(models);
     return result;
+}
+
+void add_vibrations(const Study& study, const StudyRun& run, RunResult& shown) {
+    for (std::size_t t = 0; t < shown.trials.size(); ++t)
+        if (run.predictions[t].ok() && run.predictions[t].trace.complete())
+            shown.trials[t].vibration_Hz = step_seen_in(study, t, run.values, run.predictions[t].trace).vibration_Hz;
 }
 
 }  // namespace myo

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
 #include "backend/core_search.hpp"
 #include "backend/diagnosis_view.hpp"
@@ -19,6 +20,7 @@
 #include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "check/step_level.hpp"
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
 #include "library_versions.hpp"
@@ -29,7 +31,6 @@
 #include "measurement/trace_csv.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
-#include "project/finding_output.hpp"
 #include "project/time_step.hpp"
 #include "project/muscle_groups.hpp"
 #include "project/output_files.hpp"
@@ -76,7 +77,13 @@ public:
                     {integrator, s.spectral_radius}, omega, s.time_step_s,
                     damping_ratio(slender_damping_factor(s.poissons_ratio), s.damping_s, omega));
             };
-            return Choice{to_string(integrator), label, explanation, damping, critical, integrator == Integrator::generalized_alpha};
+            const auto quality = [integrator](double omega, const Settings& s) {
+                const TimeScheme scheme{integrator, s.spectral_radius};
+                const double error = std::abs(discrete_vibration(scheme, {omega}, s.time_step_s).frequency_error);
+                return StepQuality{error, shown_state(step_level(error))};
+            };
+            const bool has_radius = integrator == Integrator::generalized_alpha;
+            return Choice{to_string(integrator), label, explanation, damping, critical, has_radius, quality};
         };
         return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data.\n"
                                                       "The trapezoidal rule over γ h, γ = 2 − √2, then BDF2 over the whole step (Bank et al. 1985)."),
@@ -178,11 +185,14 @@ public:
         const StudyValues values = with_predicted_levels(*study, declared_values(*study));
         if (only) return shown_run(*study, short_run(*study, values, only->trial, only->end_s, progress));
         check_integration(*study);
-        // With the step that is shown; the checks say where it is too long.
-        const StudyRun run = run_study(*study, values, progress);
+        // With the step that is shown, and a shorter one where nobody set it and what moves asks for that.
+        if (!settings.own_step) study->settings.h_s.reset();
+        const StudyRun run = run_with_chosen_steps(*study, values, progress);
         RunResult shown = shown_run(*study, run);
-        const std::vector<std::string> found = untold(check_after({*study, &run}));
-        shown.warnings.insert(shown.warnings.end(), found.begin(), found.end());
+        if (!settings.own_step) shown.time_step_s = shortest_step_s(*study);
+        if (progress.cancelled()) return shown;
+        add_vibrations(*study, run, shown);
+        shown.checks = check_rows(check_after({*study, &run}));
         return shown;
     }
 
@@ -243,8 +253,8 @@ public:
 
     Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveDiagnosis& live) override {
         StudySettings chosen = study_settings(settings);
-        // Steps that nobody changed are the diagnosis' to choose.
-        if (settings.time_step_s == scene.settings.time_step_s) chosen.h_s.reset();
+        // Steps that nobody set are the diagnosis' to choose.
+        if (!settings.own_step) chosen.h_s.reset();
         Result<Study> study = scene_study(scene, body, settings, chosen, progress);
         if (!study) return study.error();
         if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
@@ -257,9 +267,12 @@ public:
         if (!d.declared.usable()) return Error{"stopped before the declared fit", ""};
         progress.report({"forces of the effects", 0.0, 1.0, "stage", {}});
         DiagnosisView view = diagnosis_view(source, d);
+        RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
         if (d.complete()) {
             add_forces(source, d, view);
-            view.page = std::make_shared<const HtmlReport>(diagnosis_report(*study, d, {MYOLOOP_VERSION, {"workbench"}}));
+            facts.findings = check_after({as_diagnosed(d, *study), &d.after});
+            view.checks = check_rows(facts.findings);
+            view.page = std::make_shared<const HtmlReport>(diagnosis_report(*study, d, facts));
         }
         return view;
     }

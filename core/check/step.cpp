@@ -2,6 +2,7 @@
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
+#include "check/step_level.hpp"
 #include "project/time_step.hpp"
 
 namespace myo {
@@ -21,8 +22,8 @@ Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error)
                                                    format_number(100.0 * error, 2) + " % too slow");
     finding.figure = error;
     finding.threshold = doubtful_error;
-    if (error <= doubtful_error) return finding;
-    finding.level = error > wrong_error ? CheckLevel::wrong : CheckLevel::doubtful;
+    finding.level = step_level(error);
+    if (finding.level == CheckLevel::fine) return finding;
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
     // The error grows with the square of the step.
     const double better = trial.options.h_s * std::sqrt(step_policy.most_frequency_error / error);
@@ -53,6 +54,11 @@ Finding of_choice(const StudyTrial& trial, const TrialStep& step) {
 }
 
 }  // namespace
+
+CheckLevel step_level(double frequency_error) {
+    if (frequency_error <= doubtful_error) return CheckLevel::fine;
+    return frequency_error > wrong_error ? CheckLevel::wrong : CheckLevel::doubtful;
+}
 
 std::vector<Finding> check_step(const CheckedJob& job) {
     const Study& study = job.study;

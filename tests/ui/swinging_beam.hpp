@@ -71,6 +71,10 @@ public:
     /// It finds no effect that explains, and a force instead.
     std::atomic<bool> unexplained = false;
     bool fewer_foretold = false;   // predictions tell of half the elements
+    /// What its checks say of the start: when it is opened, and after each job.
+    std::atomic<CheckState> start_opened = CheckState::green, start_after = CheckState::green;
+    /// Runs choose this step where none was set [s]; 0: they do not.
+    std::atomic<double> chosen_step_s = 0.0;
 };
 
 /// Where a point of the beam is at time t.

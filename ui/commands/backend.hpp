@@ -13,6 +13,7 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
+#include "commands/check_view.hpp"
 #include "commands/diagnosis_view.hpp"
 #include "commands/project.hpp"
 #include "commands/recording_import.hpp"
@@ -28,6 +29,12 @@
 
 namespace myo {
 
+/// What a time step does to a vibration.
+struct StepQuality {
+    double frequency_error = 0.0;   // relative
+    CheckState state = CheckState::green;
+};
+
 /// One entry of a list to choose from.
 struct Choice {
     std::string id;
@@ -37,6 +44,7 @@ struct Choice {
     std::function<double(double, const Settings&)> numerical_damping_ratio = {};   // that the scheme itself adds
     std::function<double(double, const Settings&)> critical_velocity_force = {};   // [1/s] above which it grows; slow: keep the result
     bool has_spectral_radius = false;                                              // to choose
+    std::function<StepQuality(double, const Settings&)> step_quality = {};         // of the settings' step
 };
 
 /// A quantity that has a value everywhere in the body.
@@ -66,6 +74,12 @@ struct SceneTrial {
     std::map<std::string, Signal> activation = {};   // a(t) of the experiment's own muscles, by their names
 };
 
+/// Between its samples, on the mean [s]; 0 where it has fewer than two.
+inline double sample_interval_s(const SceneTrial& trial) {
+    const Eigen::Index last = trial.time_s.size() - 1;
+    return last > 0 ? (trial.time_s[last] - trial.time_s[0]) / static_cast<double>(last) : 0.0;
+}
+
 /// What was opened: a body, how it is held, and its measurements. A plain mesh has no markers and no trials.
 struct Scene {
     std::filesystem::path path;
@@ -81,6 +95,7 @@ struct Scene {
     double damping_ratio = std::numeric_limits<double>::quiet_NaN();   // of that vibration; NaN = it does not swing freely
     std::vector<std::string> calibrated;          // labels of what calibration moves; empty = it cannot be calibrated
     std::vector<std::string> warnings;
+    CheckRows checks;                             // of the experiment as it is declared; none of a plain mesh
     std::shared_ptr<const void> source;           // the backend's own
 };
 

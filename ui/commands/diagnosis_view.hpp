@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/check_view.hpp"
 #include "commands/settings.hpp"
 
 // What a person sees of a diagnosis: plain values, copied from it by the backend. Some of it while it still runs.
@@ -78,6 +79,7 @@ struct DiagnosisView {
     ForceCourses missing_force;
     Eigen::VectorXi patch_of_node;                // n nodes of the body that was diagnosed; empty before there are forces
     int patches = 0;
+    CheckRows checks;                             // of the experiment as diagnosed; empty before a verdict
     std::shared_ptr<const void> page;             // about it, for the report: the backend's own; may be null
     int worst_trial = 0, worst_marker = 0, worst_axis = 0;   // where the declared model is furthest off
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "commands/backend.hpp"
+#include "commands/check_view.hpp"
 #include "commands/diagnosis_view.hpp"
 #include "commands/paint_ground.hpp"
 #include "commands/search_result.hpp"
@@ -39,6 +40,7 @@ struct JobRecord {
     std::shared_ptr<const SearchResult> found;
     std::shared_ptr<const SearchView> search;
     std::shared_ptr<const DiagnosisView> diagnosis;
+    std::shared_ptr<const CheckReport> checks;           // null: none were made
     bool compared = false;                               // its markers are drawn beside those of the shown run
 
     bool can_be_restored() const { return outcome != JobOutcome::failed && on.body; }

@@ -34,6 +34,7 @@ struct Settings {
     std::string integrator;                 // id of a Choice
     double spectral_radius = 0.5;           // at infinite frequency, for schemes that have it to choose
     double time_step_s = 0.01;
+    bool own_step = false;                  // a person set time_step_s; else runs shorten it to suit what moves
     double velocity_force_1_s = 0.0;        // Lambda of f = Lambda M v
     std::vector<AddedEffect> effects;       // beside those that the experiment declares
     std::vector<Muscle> muscles;            // names differ

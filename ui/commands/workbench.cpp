@@ -237,7 +237,10 @@ void Workbench::choose_trial(int trial) {
 }
 
 void Workbench::change_settings(const command::ChangeSettings& change) {
-    const Settings settings = within_limits(change.settings);
+    Settings settings = within_limits(change.settings);
+    // Unless the choice is given back to the program.
+    const bool given_back = settings.own_step != state_.settings.own_step;
+    if (settings.time_step_s != state_.settings.time_step_s && !given_back) settings.own_step = true;
     if (settings == state_.settings) return;
     undo_.record(state_.settings, change.what, change.goes_on);
     set_settings(settings);

@@ -141,6 +141,14 @@ private:
     void log(LogLevel level, const std::string& text);
     void log_failure(const Error& error, const std::string& what);
 
+    // workbench_checks.cpp
+    /// Shows what the task's checks found and tells what is not fine, but for what was told before.
+    void show_checks(const CheckRows& rows, const Settings& settings);
+    /// That the task is done: with the doubts of its checks, where there are some.
+    void log_done(const std::string& text, const CheckRows& rows);
+    /// The step that a run chose takes the place of one that nobody set.
+    void take_step(double time_step_s);
+
     std::shared_ptr<Backend> backend_;
     std::function<void()> wake_;
     WorkbenchState state_;

@@ -43,12 +43,16 @@ void Workbench::show_diagnosis(DiagnosisView diagnosis) {
     state_.diagnosis = std::make_shared<const DiagnosisView>(std::move(diagnosis));
     const DiagnosisView& d = *state_.diagnosis;
     if (d.stopped) log(LogLevel::information, "Diagnosis cancelled; what it knew by then is shown, without a verdict.");
-    else log(LogLevel::done, "Diagnosed in " + value_label(d.seconds, 3) + " s: " + d.headline + ", confidence " + value_label(100.0 * d.confidence, 2) + " %.");
+    else log_done("Diagnosed in " + value_label(d.seconds, 3) + " s: " + d.headline + ", confidence " +
+                      value_label(100.0 * d.confidence, 2) + " %.",
+                  d.checks);
     for (const std::string& note : d.notes) log(LogLevel::information, note);
+    show_checks(d.checks, task_->settings);
     JobRecord record;
     record.seconds = d.seconds;
     record.settings = task_->settings;
     record.diagnosis = state_.diagnosis;
+    if (!d.checks.empty()) record.checks = state_.checks;
     end_task(d.stopped ? JobOutcome::stopped : JobOutcome::done, d.stopped ? "stopped without a verdict" : d.headline, std::move(record));
     look_at_forces();
 }

@@ -132,6 +132,7 @@ void Workbench::restore(int id) {
     if (record.run) show_run(record.run, record.settings);
     state_.found = record.found;
     if (record.search && !state_.searching()) state_.search = record.search;
+    if (record.checks) state_.checks = record.checks;
     if (record.diagnosis && !state_.diagnosing()) {
         state_.diagnosis = record.diagnosis;
         state_.diagnosis_settings = record.settings;

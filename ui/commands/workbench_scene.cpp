@@ -71,6 +71,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     state_.found.reset();
     state_.search.reset();
     state_.diagnosis.reset();
+    state_.checks.reset();
     state_.import.reset();
     state_.view.clip = {};
     state_.history.clear();
@@ -88,9 +89,11 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
         return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
     };
     const bool measured = !state_.scene->trials.empty();
-    log(LogLevel::done, "Opened " + state_.scene->name + (measured ? ": " + counted(state_.scene->trials.size(), "trial") + ", " +
-                                                                         counted(state_.scene->markers.size(), "marker") + "." : "."));
+    const std::string content = counted(state_.scene->trials.size(), "trial") + ", " +
+                                counted(state_.scene->markers.size(), "marker") + ".";
+    log_done("Opened " + state_.scene->name + (measured ? ": " + content : "."), state_.scene->checks);
     for (const std::string& warning : state_.scene->warnings) log(LogLevel::warning, warning);
+    show_checks(state_.scene->checks, state_.settings);
 }
 
 void Workbench::show_project(const std::filesystem::path& file, Project project, Scene scene) {

@@ -36,13 +36,21 @@ void Workbench::run() {
                     if ((*result)->problem.empty() && (*result)->steps > 0.0) remember(state_.preferences.step_costs, {settings.element, task_->on.body->dofs, seconds / (*result)->steps});
                     state_.found.reset();
                     show_body(task_->on);
-                    show_run(std::make_shared<RunResult>(std::move(**result)), settings);
+                    Settings used = settings;
+                    if ((*result)->time_step_s > 0.0) {
+                        used.time_step_s = (*result)->time_step_s;
+                        take_step(used.time_step_s);
+                    }
+                    show_run(std::make_shared<RunResult>(std::move(**result)), used);
+                    show_checks(state_.run->checks, used);
                     const std::string error = std::isfinite(rms) ? "rms error " + millimetres(rms) : "";
-                    log(LogLevel::done, "Simulated in " + value_label(seconds, 3) + " s" + (error.empty() ? "." : ", " + error + "."));
+                    const std::string told = error.empty() ? "." : ", " + error + ".";
+                    log_done("Simulated in " + value_label(seconds, 3) + " s" + told, state_.run->checks);
                     JobRecord record;
                     record.seconds = seconds;
-                    record.settings = settings;
+                    record.settings = used;
                     record.run = state_.run;
+                    if (!state_.run->checks.empty()) record.checks = state_.checks;
                     end_task(JobOutcome::done, error, std::move(record));
                 }
             };
@@ -124,15 +132,17 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
     const std::string errors = "rms error " + millimetres(found.rms_before_m) + " before, " + millimetres(found.rms_after_m) + " after, " +
                                std::to_string(found.evaluations) + (found.evaluations == 1 ? " evaluation." : " evaluations.");
     if (found.stopped) log(LogLevel::warning, task_->name + " stopped; the best values so far are kept: " + errors);
-    else log(LogLevel::done, verb + ": " + errors);
+    else log_done(verb + ": " + errors, found.run.checks);
     if (!untouched) log(LogLevel::information, "The settings were changed meanwhile and stay as they are; Restore in Jobs takes over what was found.");
     for (const std::string& warning : found.warnings) log(LogLevel::warning, warning);
+    show_checks(found.run.checks, found.settings);
     JobRecord record;
     record.seconds = found.run.seconds;
     record.settings = found.settings;
     record.run = state_.run;
     record.found = state_.found;
     record.search = state_.search;
+    if (!found.run.checks.empty()) record.checks = state_.checks;
     end_task(found.stopped ? JobOutcome::stopped : JobOutcome::done, "rms error " + millimetres(found.rms_before_m) + " \xe2\x86\x92 " + millimetres(found.rms_after_m), std::move(record));
 }
 

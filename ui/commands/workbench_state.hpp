@@ -20,6 +20,12 @@ namespace myo {
 
 enum class LogLevel { information, done, warning, failure };
 
+/// How what is done, but doubtful or wrong by its checks, looks.
+inline LogLevel log_level(CheckState state) {
+    if (state == CheckState::green) return LogLevel::done;
+    return state == CheckState::amber ? LogLevel::warning : LogLevel::failure;
+}
+
 struct LogLine {
     LogLevel level = LogLevel::information;
     std::string text;
@@ -48,6 +54,7 @@ struct WorkbenchState {
     std::shared_ptr<const MeshedBody> search_body;          // that it works on
     std::shared_ptr<const DiagnosisView> diagnosis;         // the last one, or what is known of the running one
     std::string candidate;          // key of its chosen row; empty = that of the verdict
+    std::shared_ptr<const CheckReport> checks;   // of the newest job that made some, or the restored one; null: none
     std::shared_ptr<const RecordingImport> import;          // a recording that is being made a trial; null: none
     Settings settings;
     Settings saved_settings;        // as they are in the file
@@ -97,6 +104,8 @@ struct WorkbenchState {
     float scale() const { return preferences.scale > 0.0f ? preferences.scale : 1.0f; }
     bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
     bool run_is_current() const { return run && settings == run_settings; }
+    /// What was checked is what is set.
+    bool checks_are_current() const { return checks && settings == checks->settings; }
     bool is_unstable() const { return settings.velocity_force_1_s > 0.0 && critical_velocity_force_1_s && settings.velocity_force_1_s > *critical_velocity_force_1_s; }
     bool diagnosing() const { return job && job->name == diagnose_job; }
     /// Row of the diagnosis that is shown: the chosen one, or the verdict's, or the best so far; null without any.

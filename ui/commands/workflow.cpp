@@ -1,6 +1,8 @@
 #include "commands/workflow.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "plot/ticks.hpp"
 
@@ -76,6 +78,33 @@ StepStatus report_status(const WorkbenchState& state) {
     return {StepState::ready, "Write the report, pictures and tables."};
 }
 
+StepStatus bare_status(const WorkbenchState& state, Step step) {
+    switch (step) {
+        case Step::body: return body_status(state);
+        case Step::mesh: return mesh_status(state);
+        case Step::material: return material_status(state);
+        case Step::fibres: return fibres_status(state);
+        case Step::run: return run_status(state);
+        case Step::measure: return measure_status(state);
+        case Step::fit: return fit_status(state);
+        case Step::diagnose: return diagnose_status(state);
+        case Step::report: return report_status(state);
+    }
+    return {};
+}
+
+/// Checks of the job that a step is done by; of the others, the newest checks of what is set there.
+CheckRows checks_of(const WorkbenchState& state, Step step) {
+    if (step == Step::run || step == Step::measure) return state.run->checks;
+    if (step == Step::fit) return state.found->run.checks;
+    if (step == Step::diagnose) return state.diagnosis->checks;
+    CheckRows rows;
+    if (state.checks)
+        std::copy_if(state.checks->rows.begin(), state.checks->rows.end(), std::back_inserter(rows),
+                     [&](const CheckRow& row) { return row.step == step_id(step); });
+    return rows;
+}
+
 }  // namespace
 
 const char* step_id(Step step) {
@@ -90,18 +119,12 @@ const char* step_title(Step step) {
 
 StepStatus step_status(const WorkbenchState& state, Step step) {
     if (!state.scene && step != Step::body) return {StepState::missing, "Open a body first."};
-    switch (step) {
-        case Step::body: return body_status(state);
-        case Step::mesh: return mesh_status(state);
-        case Step::material: return material_status(state);
-        case Step::fibres: return fibres_status(state);
-        case Step::run: return run_status(state);
-        case Step::measure: return measure_status(state);
-        case Step::fit: return fit_status(state);
-        case Step::diagnose: return diagnose_status(state);
-        case Step::report: return report_status(state);
-    }
-    return {};
+    StepStatus status = bare_status(state, step);
+    if (status.state != StepState::done || !state.scene) return status;
+    const CheckRows rows = checks_of(state, step);
+    status.checks = worst_state(rows);
+    if (status.checks != CheckState::green) status.next += " Checks: " + doubt_words(rows) + ".";
+    return status;
 }
 
 Step next_step(const WorkbenchState& state) {

@@ -25,6 +25,7 @@ enum class StepState {
 struct StepStatus {
     StepState state = StepState::missing;
     std::string next;              // what to do, or what there is: one sentence
+    CheckState checks = CheckState::green;   // of what was done here: it deserves a tick only where they are green
 };
 StepStatus step_status(const WorkbenchState& state, Step step);
 

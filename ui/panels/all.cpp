@@ -1,4 +1,5 @@
 #include "panels/body_panel.hpp"
+#include "panels/checks_panel.hpp"
 #include "panels/diagnose_panel.hpp"
 #include "panels/fibre_panel.hpp"
 #include "panels/fit_panel.hpp"
@@ -39,6 +40,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<SignalPanel>());
     add(std::type_identity<SearchPanel>());
     add(std::type_identity<DiagnosePanel>());
+    add(std::type_identity<ChecksPanel>());
     add(std::type_identity<JobsPanel>());
     add(std::type_identity<LogPanel>());
     return panels;

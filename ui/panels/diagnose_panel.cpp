@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/letter_case.hpp"
+#include "panels/check_marks.hpp"
 #include "panels/job_words.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
@@ -22,7 +23,8 @@ std::string percent(double share) { return !std::isfinite(share) ? dash : std::a
 
 ImVec4 verdict_color(const Theme& theme, const DiagnosisView& d) {
     if (!d.complete) return theme.text;
-    return d.verdict == DiagnosisVerdict::none ? theme.success : d.verdict == DiagnosisVerdict::effects ? theme.accent : theme.warning;
+    if (d.verdict == DiagnosisVerdict::none) return check_color(theme, worst_state(d.checks));
+    return d.verdict == DiagnosisVerdict::effects ? theme.accent : theme.warning;
 }
 
 std::string stage_words(const JobView& job) {
@@ -208,7 +210,8 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         for (const std::string& more : {like, row.no_force})
             if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
         tooltip(theme, words);
-        text_cell(theme, row.name + (row.chosen ? "  " + std::string(icon::done) : ""), row.chosen ? verdict_color(theme, d) : color);
+        const std::string sign = row.chosen ? std::string("  ") + check_icon(worst_state(d.checks)) : "";
+        text_cell(theme, row.name + sign, row.chosen ? verdict_color(theme, d) : color);
         ImGui::TableNextColumn();
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::TextColored(color, "%s", elided(value_words(row, room), room).c_str());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/check_marks.hpp"
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
@@ -66,6 +67,7 @@ void FitPanel::draw_found(PanelContext& context) {
     text_row(theme, "rms error", millimetres(found->rms_before_m) + " \xe2\x86\x92 " + millimetres(found->rms_after_m));
     if (!found->problem.empty()) notice(theme, LogLevel::warning, found->problem);
     for (const std::string& warning : found->warnings) notice(theme, LogLevel::warning, warning);
+    checks_line(context, found->run.checks, "fit/checks");
 }
 
 }  // namespace myo

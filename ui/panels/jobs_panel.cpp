@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "panels/check_marks.hpp"
 #include "panels/job_comparison.hpp"
 #include "panels/job_words.hpp"
 #include "panels/tables.hpp"
@@ -14,8 +15,26 @@
 namespace myo {
 namespace {
 
-const char* outcome_icon(JobOutcome outcome) {
-    return outcome == JobOutcome::done ? icon::done : outcome == JobOutcome::stopped ? icon::stop : icon::failure;
+CheckState state_of(const JobRecord& record) {
+    return record.checks ? worst_state(record.checks->rows) : CheckState::green;
+}
+
+/// What is done has a tick only where its checks are green.
+const char* record_icon(const JobRecord& record) {
+    if (record.outcome == JobOutcome::failed) return icon::failure;
+    if (record.outcome == JobOutcome::stopped) return icon::stop;
+    return state_of(record) == CheckState::green ? icon::done : check_icon(state_of(record));
+}
+
+ImVec4 record_color(const Theme& theme, const JobRecord& record) {
+    if (record.outcome == JobOutcome::failed) return theme.failure;
+    return record.outcome == JobOutcome::stopped ? theme.warning : check_color(theme, state_of(record));
+}
+
+/// "rms error 1.32 mm; checks: 1 amber"
+std::string result_words(const JobRecord& record) {
+    if (state_of(record) == CheckState::green) return record.summary;
+    return record.summary + (record.summary.empty() ? "" : "; ") + "checks: " + doubt_words(record.checks->rows);
 }
 
 bool small_button(PanelContext& context, const char* label, const std::string& item, const std::string& tip) {
@@ -64,14 +83,14 @@ void waiting_row(PanelContext& context, const QueuedJob& job, bool wide) {
 void record_row(PanelContext& context, const JobRecord& record, bool wide) {
     const Theme& theme = context.theme;
     const std::string id = std::to_string(record.id);
-    const ImVec4 color = record.outcome == JobOutcome::done ? theme.success : record.outcome == JobOutcome::stopped ? theme.warning : theme.failure;
     ImGui::TableNextRow();
-    text_cell(theme, outcome_icon(record.outcome), color);
+    text_cell(theme, record_icon(record), record_color(theme, record));
+    context.items.mark("jobs/icon/" + id);
     text_cell(theme, record.name, theme.text);
     const std::string time = record.seconds > 0.0 ? value_label(record.seconds, 3) + " s" : "";
     if (wide) text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
     else tooltip(theme, "Begun " + record.clock + (time.empty() ? "" : ", took " + time));
-    text_cell(theme, record.summary, theme.text);
+    text_cell(theme, result_words(record), theme.text);
     context.items.mark("jobs/record/" + id);
     ImGui::TableNextColumn();
     if (record.run) {

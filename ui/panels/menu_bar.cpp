@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/letter_case.hpp"
+#include "panels/check_marks.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
@@ -118,7 +119,11 @@ void draw_menu_bar(PanelContext& context, ViewportState& viewport) {
     const bool dark = state.preferences.theme == ThemeName::dark;
     const float theme_width = 72.0f * theme.scale, scale_width = 84.0f * theme.scale, spacing = ImGui::GetStyle().ItemSpacing.x;
     const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width - spacing;
-    draw_message(context, right);
+    const float left = ImGui::GetCursorPosX();
+    const float message_right = checks_mark(context, left, right - 16.0f * theme.scale);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left);
+    draw_message(context, message_right);
     ImGui::SetCursorPosX(right);
     ImGui::SetNextItemWidth(scale_width);
     if (ImGui::BeginCombo("##scale", (std::to_string(std::lround(100.0f * state.scale())) + " %").c_str())) {

@@ -46,11 +46,19 @@ void ReportPanel::draw(PanelContext& context) {
     context.items.mark("report/browse");
     ImGui::Spacing();
     muted_text(theme, "What will be written");
-    const auto row = [&](bool there, const std::string& file, const std::string& what) { notice(theme, there ? LogLevel::done : LogLevel::information, file + ": " + what); };
-    row(true, "<trial>.csv", "simulated markers of the shown run");
+    const auto row = [&](bool there, const std::string& file, const std::string& what, const CheckRows& checks = {}) {
+        const CheckState worst = worst_state(checks);
+        const std::string doubts = worst == CheckState::green ? "" : ", checks: " + doubt_words(checks);
+        notice(theme, there ? log_level(worst) : LogLevel::information, file + ": " + what + doubts);
+    };
+    row(true, "<trial>.csv", "simulated markers of the shown run", state.run->checks);
     row(true, "picture.png", "the 3D view as it is now");
-    row(state.found && state.found->page, "fit.html", state.found ? "the last calibration or optimisation" : "comes with a calibration or an optimisation");
-    row(state.diagnosis && state.diagnosis->page, "diagnosis.html", state.diagnosis ? "the last diagnosis" : "comes with a diagnosis");
+    row(state.found && state.found->page, "fit.html",
+        state.found ? "the last calibration or optimisation" : "comes with a calibration or an optimisation",
+        state.found ? state.found->run.checks : CheckRows{});
+    row(state.diagnosis && state.diagnosis->page, "diagnosis.html",
+        state.diagnosis ? "the last diagnosis" : "comes with a diagnosis",
+        state.diagnosis ? state.diagnosis->checks : CheckRows{});
     ImGui::Spacing();
     ImGui::BeginDisabled(folder_.empty());
     if (primary_button(theme, "Write the report", {-1.0f, 0.0f})) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "panels/check_marks.hpp"
 #include "panels/job_words.hpp"
 #include "panels/measure_panel.hpp"
 #include "panels/tables.hpp"
@@ -98,6 +99,7 @@ void RunPanel::draw_errors(PanelContext& context) {
     const Theme& theme = context.theme;
     if (!state.run->problem.empty()) notice(theme, LogLevel::warning, state.run->problem);
     for (const std::string& warning : state.run->warnings) notice(theme, LogLevel::warning, warning);
+    checks_line(context, state.run->checks, "run/checks");
     if (!std::isfinite(state.run->rms_m)) {
         text_row(theme, "Time taken", duration_label(state.run->seconds));
         return;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "panels/check_marks.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
@@ -15,17 +16,18 @@ const char* icon_of(Step step) {
     return icons[static_cast<std::size_t>(step)];
 }
 
-/// A ring, a dot, arrows or a tick, so that the states differ without their colours, too.
-void draw_state(ImDrawList& list, const ImVec2& center, const Theme& theme, StepState state) {
+/// A ring, a dot, arrows, a tick, or the sign of its checks, so that the states differ without their colours, too.
+void draw_state(ImDrawList& list, const ImVec2& center, const Theme& theme, const StepStatus& status) {
     const float s = theme.scale;
     const auto sign = [&](const char* text, const ImVec4& color) {
         const ImVec2 size = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text);
         list.AddText(theme.small, theme.small->FontSize, {center.x - 0.5f * size.x, center.y - 0.5f * size.y}, packed(color), text);
     };
+    const StepState state = status.state;
     if (state == StepState::missing) list.AddCircle(center, 4.0f * s, packed(theme.muted, 0.8f), 16, 1.3f * s);
     if (state == StepState::ready) list.AddCircleFilled(center, 4.0f * s, packed(theme.accent), 16);
     if (state == StepState::stale) sign(icon::stale, theme.warning);
-    if (state == StepState::done) sign(icon::check, theme.success);
+    if (state == StepState::done) sign(check_icon(status.checks), check_color(theme, status.checks));
 }
 
 }  // namespace
@@ -48,7 +50,9 @@ void draw_step_rail(PanelContext& context, Step chosen, bool narrow) {
         const ImVec4& color = step == chosen ? theme.text : theme.muted;
         list.AddText(theme.regular, line, {at.x + 13.0f * s, top}, packed(color), icon_of(step));
         if (!narrow) list.AddText(step == chosen ? theme.strong : theme.regular, line, {at.x + 40.0f * s, top}, packed(color), step_title(step));
-        draw_state(list, narrow ? ImVec2(end.x - 8.0f * s, at.y + 9.0f * s) : ImVec2(end.x - 15.0f * s, at.y + 0.5f * height), theme, status.state);
+        const ImVec2 sign = narrow ? ImVec2(end.x - 8.0f * s, at.y + 9.0f * s)
+                                   : ImVec2(end.x - 15.0f * s, at.y + 0.5f * height);
+        draw_state(list, sign, theme, status);
         tooltip(theme, std::string(step_title(step)) + "\n" + status.next);
     }
 }
@@ -56,7 +60,8 @@ void draw_step_rail(PanelContext& context, Step chosen, bool narrow) {
 void draw_step_head(PanelContext& context, Step step) {
     const StepStatus status = step_status(context.state, step);
     const Theme& theme = context.theme;
-    const LogLevel levels[] = {LogLevel::information, LogLevel::information, LogLevel::warning, LogLevel::done};
+    const LogLevel levels[] = {LogLevel::information, LogLevel::information, LogLevel::warning,
+                               log_level(status.checks)};
     notice(theme, levels[static_cast<int>(status.state)], status.next);
     context.items.mark("step/next");
     ImGui::Spacing();

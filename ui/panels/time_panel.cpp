@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "panels/check_marks.hpp"
 #include "panels/preview_rows.hpp"
 #include "plot/ticks.hpp"
 
@@ -57,6 +58,8 @@ void TimePanel::draw(PanelContext& context) {
     if (scheme && scheme->has_spectral_radius) setting_rows(context, radius_fields(), edit_);
     setting_rows(context, {step_field()}, edit_);
     draw_slider(context, step_field(), time_step_limits, true);
+    draw_step_choice(context);
+    draw_step_state(context);
     draw_numerical_damping(context);
     setting_rows(context, {velocity_force_field()}, edit_);
     const Limits range = slider_range(state);
@@ -73,6 +76,57 @@ void TimePanel::draw_slider(PanelContext& context, const SettingField& field, Li
     if (!slider_row(context, field.field.name + "/slider", {range.lowest / unit, range.highest / unit}, logarithmic, slide_, shown, goes_on)) return;
     settings.*field.value = shown * unit;
     context.emit(command::ChangeSettings{settings, field.field.name, goes_on});
+}
+
+void TimePanel::draw_step_choice(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    if (!state.scene) return;
+    row_label(context.theme, "Automatic",
+              "The program chooses the step: half the interval of the recording at first, and shorter after a run "
+              "whose vibration asks for that; calibration and diagnosis choose theirs. A step that you set is kept.");
+    bool automatic = !state.settings.own_step;
+    if (ImGui::Checkbox("##automatic", &automatic)) {
+        Settings settings = state.settings;
+        settings.own_step = !automatic;
+        if (automatic) settings.time_step_s = state.scene->settings.time_step_s;
+        context.emit(command::ChangeSettings{settings, "model/time_step"});
+    }
+    context.items.mark("model/automatic_step");
+}
+
+void TimePanel::draw_step_state(PanelContext& context) {
+    const WorkbenchState& state = context.state;
+    const Theme& theme = context.theme;
+    const Choice* const scheme = state.integrator();
+    const SceneTrial* const trial = state.scene_trial();
+    if (!scheme || !scheme->step_quality || !trial) return;
+    const auto row = [&](const char* label, const char* item, const std::string& words, const char* tip) {
+        row_label(theme, label, tip);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(words.c_str());
+        context.items.mark(item);
+    };
+    const double h = state.settings.time_step_s, interval = sample_interval_s(*trial);
+    if (interval > 0.0)
+        row("Recorded every", "model/interval",
+            value_label(1e3 * interval, 3) + " ms: " + plain_label(interval / h, 3) + " steps",
+            "Interval between the samples of the shown trial, and how many steps it takes.");
+    const SimulatedTrial* const run = state.trial_of(state.run.get());
+    const double frequency_Hz = run && run->vibration_Hz > 0.0 ? run->vibration_Hz : state.scene->frequency_Hz;
+    const bool swings = frequency_Hz > 0.0;
+    const std::string period = value_label(1.0 / (frequency_Hz * h), 2) + " steps";
+    row("Vibration", "model/vibration", swings ? value_label(frequency_Hz, 3) + " Hz: " + period : "none is seen",
+        "The vibration that moves the markers most, and how many steps its period takes: that of the run of the shown "
+        "trial; before there is one, of the recordings.");
+    if (!swings) return;
+    const StepQuality quality = scheme->step_quality(2.0 * std::numbers::pi * frequency_Hz, state.settings);
+    row_label(theme, "Frequency error",
+              "How much slower the step makes this vibration. A modulus that is fitted on it errs by twice as much: "
+              "see \"Is the time step short enough?\" in Checks.");
+    ImGui::AlignTextToFramePadding();
+    const std::string share = value_label(100.0 * quality.frequency_error, 2) + " %";
+    check_text(theme, quality.state, share + ": " + check_word(quality.state));
+    context.items.mark("model/frequency_error");
 }
 
 void TimePanel::draw_stability(PanelContext& context, Limits range) {

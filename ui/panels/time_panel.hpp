@@ -17,6 +17,8 @@ public:
 private:
     /// A slider below a number's row, for the same number.
     void draw_slider(PanelContext& context, const SettingField& field, Limits range, bool logarithmic);
+    void draw_step_state(PanelContext& context);
+    void draw_step_choice(PanelContext& context);
     void draw_stability(PanelContext& context, Limits range);
     void draw_numerical_damping(PanelContext& context);
     void draw_damping_curve(PanelContext& context, const Choice& scheme);

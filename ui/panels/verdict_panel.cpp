@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "panels/check_marks.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
@@ -18,10 +19,12 @@ void VerdictPanel::draw(PanelContext& context) {
     if (state.diagnosing()) return muted_text(theme, "The diagnosis is running; its ranking grows below the view.");
     if (!state.diagnosis) return muted_text(theme, "Start it below the view. It fits the declared values first, tests whether more than noise is left, then tries every effect of the catalogue.");
     const DiagnosisView& d = *state.diagnosis;
-    const LogLevel level = !d.complete ? LogLevel::information : d.verdict == DiagnosisVerdict::none ? LogLevel::done : LogLevel::warning;
+    const LogLevel verdict = d.verdict == DiagnosisVerdict::none ? log_level(worst_state(d.checks)) : LogLevel::warning;
+    const LogLevel level = d.complete ? verdict : LogLevel::information;
     notice(theme, level, d.complete ? d.headline + "." : "It was cancelled before a verdict; what was known by then is shown.");
     context.items.mark("verdict/headline");
     if (!d.complete) return;
+    checks_line(context, d.checks, "verdict/checks");
     text_row(theme, "Confidence", value_label(100.0 * d.confidence, 2) + " %");
     tooltip(theme, "How credible the verdict is among all that was tried, the declared model and \"none of these\" included: its share of the evidence, less where the data say that the verdict may be off.");
     context.items.mark("verdict/confidence");

@@ -203,8 +203,7 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
     const auto step = [&](double frames) {
         const SceneTrial* trial = context.state.scene_trial();
         if (!trial || trial->time_s.size() < 2) return;
-        const double interval = (trial->time_s[trial->time_s.size() - 1] - trial->time_s[0]) / static_cast<double>(trial->time_s.size() - 1);
-        context.emit(command::SetTime{context.state.time_s + frames * interval});
+        context.emit(command::SetTime{context.state.time_s + frames * sample_interval_s(*trial)});
     };
     if (ImGui::IsKeyPressed(ImGuiKey_LeftArrow)) step(-1.0);
     if (ImGui::IsKeyPressed(ImGuiKey_RightArrow)) step(1.0);

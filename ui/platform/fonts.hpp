@@ -51,6 +51,8 @@ inline constexpr const char* save = "\xef\x83\x87";         // f0c7
 inline constexpr const char* star = "\xef\x80\x85";         // f005
 inline constexpr const char* empty_star = "\xef\x80\x86";   // f006
 inline constexpr const char* home = "\xef\x80\x95";         // f015
+inline constexpr const char* shield = "\xef\x84\xb2";       // f132
+inline constexpr const char* arrow = "\xef\x81\xa1";        // f061
 inline constexpr const char* remove = "\xef\x80\x8d";         // f00d
 }  // namespace icon
 

@@ -1,0 +1,64 @@
+#include "backend/check_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/text.hpp"
+#include "check/catalogue.hpp"
+#include "report/length.hpp"
+
+namespace myo {
+namespace {
+
+/// The step of the window where a person can mend what a check found; the run's for those that are not here.
+std::string step_of(const std::string& check) {
+    static const std::map<std::string, std::string> steps{
+        {"units", "material"},   {"mesh", "mesh"},          {"markers", "mesh"},      {"support", "body"},
+        {"pose", "body"},        {"signals", "fibres"},     {"recordings", "measure"}, {"start", "measure"},
+        {"bounds", "fit"},       {"influence", "fit"},      {"residual", "diagnose"}};
+    const auto known = steps.find(check);
+    return known != steps.end() ? known->second : "run";
+}
+
+/// A unit as it is written on paper, and in that of a suitable size: "320 kPa", "1070 kg/m³".
+std::string number_words(double figure, std::string unit) {
+    if (unit == "Pa")
+        for (const auto& [size, larger] : {std::pair{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
+            if (std::abs(figure) >= size) return format_number(figure / size, 3) + " " + larger;
+    if (unit.ends_with("3")) unit.replace(unit.size() - 1, 1, "³");
+    if (unit.ends_with("2")) unit.replace(unit.size() - 1, 1, "²");
+    const int digits = std::abs(figure) >= 1e3 && std::abs(figure) < 1e6 ? 6 : 3;
+    return format_number(figure, digits) + (unit.empty() ? "" : " " + unit);
+}
+
+/// A frequency error is a share; other figures without unit are plain numbers.
+std::string figure_words(const Finding& finding, double figure) {
+    if (!std::isfinite(figure)) return {};
+    if (finding.unit == "m" && std::abs(figure) < 1.0) return length_words(figure);
+    if (finding.unit.empty() && finding.check == "step") return format_number(100.0 * figure, 2) + " %";
+    return number_words(figure, finding.unit);
+}
+
+}  // namespace
+
+CheckState shown_state(CheckLevel level) {
+    if (level == CheckLevel::fine) return CheckState::green;
+    return level == CheckLevel::doubtful ? CheckState::amber : CheckState::red;
+}
+
+CheckRows check_rows(const std::vector<Finding>& findings) {
+    CheckRows rows;
+    for (const Finding& finding : findings) {
+        const Check* const check = find_check(finding.check);
+        rows.push_back({finding.check, check != nullptr ? check->question : finding.check, shown_state(finding.level),
+                        finding.subject, figure_words(finding, finding.figure),
+                        figure_words(finding, finding.threshold),
+                        finding.source, finding.sentence, finding.way_out, step_of(finding.check), finding.told});
+    }
+    std::stable_sort(rows.begin(), rows.end(), [](const CheckRow& a, const CheckRow& b) { return a.state > b.state; });
+    return rows;
+}
+
+}  // namespace myo

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "project/finding.hpp"
+
+namespace myo {
+
+/// What a step's relative frequency error means for a modulus that is fitted on that vibration.
+CheckLevel step_level(double frequency_error);
+
+}  // namespace myo

@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <utility>
+
+#include "commands/workbench.hpp"
+
+// The checks of the workbench's jobs, and the time step that they are about.
+
+namespace myo {
+namespace {
+
+bool says(const CheckRows& rows, const std::string& sentence) {
+    return std::any_of(rows.begin(), rows.end(), [&](const CheckRow& row) { return row.sentence == sentence; });
+}
+
+}  // namespace
+
+void Workbench::show_checks(const CheckRows& rows, const Settings& settings) {
+    if (rows.empty() || !task_) return;
+    const std::shared_ptr<const CheckReport> before = std::exchange(
+        state_.checks, std::make_shared<const CheckReport>(CheckReport{task_->name, task_->clock, settings, rows}));
+    for (const CheckRow& row : rows) {
+        if (row.state == CheckState::green || row.told || (before && says(before->rows, row.sentence))) continue;
+        log(LogLevel::warning, row.sentence + (row.way_out.empty() ? "" : "; " + row.way_out));
+    }
+}
+
+void Workbench::log_done(const std::string& text, const CheckRows& rows) {
+    const bool trusted = worst_state(rows) == CheckState::green;
+    log(trusted ? LogLevel::done : LogLevel::warning, text + (trusted ? "" : " Checks: " + doubt_words(rows) + "."));
+}
+
+void Workbench::take_step(double time_step_s) {
+    const auto take = [&](Settings& settings) {
+        if (settings.own_step) return;
+        settings.time_step_s = time_step_s;
+    };
+    take(state_.saved_settings);   // no edit that would have to be saved
+    take(autosaved_);
+    Settings settings = state_.settings;
+    take(settings);
+    if (!(settings == state_.settings)) set_settings(settings);
+}
+
+}  // namespace myo

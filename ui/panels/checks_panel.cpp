@@ -1,0 +1,129 @@
+#include "panels/checks_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panels/check_marks.hpp"
+#include "panels/tables.hpp"
+#include "panels/widgets.hpp"
+#include "panels/wrapped_text.hpp"
+#include "platform/fonts.hpp"
+
+namespace myo {
+namespace {
+
+void draw_state(PanelContext& context, const CheckRow& row, const std::string& number) {
+    ImGui::TableNextColumn();
+    check_text(context.theme, row.state, check_word(row.state));
+    context.items.mark("checks/state/" + number);
+}
+
+/// The question, and below it of what.
+void draw_question(const Theme& theme, const CheckRow& row) {
+    wrapped_text(row.question);
+    tooltip(theme, row.source.empty() ? row.id : row.id + "\nThreshold: " + row.source);
+    if (!row.subject.empty()) muted_text(theme, row.subject);
+}
+
+void draw_sentence(const Theme& theme, const CheckRow& row) {
+    wrapped_text(row.sentence);
+    if (row.way_out.empty()) return;
+    ImGui::TextColored(theme.accent, "%s", icon::arrow);
+    ImGui::SameLine(0.0f, 6.0f * theme.scale);
+    wrapped_text(row.way_out);
+}
+
+void draw_wide_row(const Theme& theme, const CheckRow& row) {
+    ImGui::TableNextColumn();
+    draw_question(theme, row);
+    ImGui::TableNextColumn();
+    draw_sentence(theme, row);
+    const std::string source = row.source.empty() ? "" : "Threshold: " + row.source;
+    number_cell(theme, row.figure.empty() ? dash : row.figure);
+    tooltip(theme, source);
+    number_cell(theme, row.threshold.empty() ? dash : row.threshold, &theme.muted);
+    tooltip(theme, source);
+}
+
+void draw_narrow_row(const Theme& theme, const CheckRow& row) {
+    ImGui::TableNextColumn();
+    draw_question(theme, row);
+    draw_sentence(theme, row);
+    if (row.figure.empty()) return;
+    muted_text(theme, row.figure + (row.threshold.empty() ? "" : ", doubtful beyond " + row.threshold));
+    tooltip(theme, row.source);
+}
+
+}  // namespace
+
+std::string ChecksPanel::title() const { return std::string(icon::shield) + "  Checks"; }
+
+void ChecksPanel::draw(PanelContext& context) {
+    if (!context.state.checks) {
+        muted_text(context.theme, no_checks_words);
+        context.items.mark("checks/empty");
+        return;
+    }
+    draw_head(context);
+    draw_rows(context);
+}
+
+void ChecksPanel::draw_head(PanelContext& context) {
+    const Theme& theme = context.theme;
+    const CheckReport& report = *context.state.checks;
+    ImGui::BeginGroup();
+    for (const CheckState state : {CheckState::green, CheckState::amber, CheckState::red}) {
+        const auto is_of = [&](const CheckRow& row) { return row.state == state; };
+        const auto count = std::count_if(report.rows.begin(), report.rows.end(), is_of);
+        if (count == 0) continue;
+        check_text(theme, state, std::to_string(count) + " " + check_word(state));
+        ImGui::SameLine(0.0f, 16.0f * theme.scale);
+    }
+    const std::string of = "of " + report.job + ", begun " + report.clock;
+    ImGui::TextColored(theme.muted, "%s", elided(of, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::EndGroup();
+    context.items.mark("checks/head");
+    if (context.state.checks_are_current()) return;
+    ImGui::TextColored(theme.warning, "%s", icon::stale);
+    ImGui::SameLine(0.0f, 8.0f * theme.scale);
+    wrapped_text(stale_checks_words);
+    context.items.mark("checks/stale");
+}
+
+void ChecksPanel::draw_rows(PanelContext& context) {
+    const Theme& theme = context.theme;
+    const CheckRows& rows = context.state.checks->rows;
+    const bool wide = ImGui::GetContentRegionAvail().x > 720.0f * theme.scale;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                      ImGuiTableFlags_BordersOuterH;
+    if (!ImGui::BeginTable("checks", wide ? 5 : 2, flags)) return;
+    ImGui::TableSetupScrollFreeze(0, 1);
+    const float state = ImGui::CalcTextSize((std::string(icon::warning) + "  amber").c_str()).x;
+    ImGui::TableSetupColumn("state", ImGuiTableColumnFlags_WidthFixed, state);
+    ImGui::TableSetupColumn("check", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+    if (wide) {
+        ImGui::TableSetupColumn("found", ImGuiTableColumnFlags_WidthStretch, 2.2f);
+        for (const char* name : {"figure", "threshold"})
+            ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, 96.0f * theme.scale);
+        heading_row(theme, {{"State", ""},
+                            {"Check", ""},
+                            {"Found", "What was found, and what helps"},
+                            {"Figure", "", true},
+                            {"Doubtful beyond", "Hover over a threshold to see where it comes from", true}});
+    } else {
+        heading_row(theme, {{"State", ""}, {"Check", "What was found, and what helps"}});
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        ImGui::TableNextRow();
+        const std::string number = std::to_string(i);
+        draw_state(context, rows[i], number);
+        const ImVec2 corner = ImGui::GetItemRectMin();
+        if (wide) draw_wide_row(theme, rows[i]);
+        else draw_narrow_row(theme, rows[i]);
+        context.items.add("checks/row/" + number, {corner, ImGui::GetItemRectMax()});
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace myo

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "panels/panel.hpp"
+
+namespace myo {
+
+inline constexpr const char* checks_panel_name = "checks";
+inline constexpr const char* no_checks_words =
+    "Checks appear once an experiment is open: whether its units, support, mesh, time step, start and recordings can "
+    "be trusted, and after a run, a calibration or a diagnosis what that brought.";
+inline constexpr const char* stale_checks_words =
+    "The settings changed since: these are the checks of earlier settings.";
+
+/// What the checks found of the experiment and the newest job, the worst first.
+class ChecksPanel : public Panel {
+public:
+    std::string name() const override { return checks_panel_name; }
+    std::string title() const override;
+    PanelPlace place() const override { return PanelPlace::strip; }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_head(PanelContext& context);
+    void draw_rows(PanelContext& context);
+};
+
+}  // namespace myo
