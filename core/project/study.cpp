@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "dynamics/natural_modes.hpp"
 #include "effect/catalogue.hpp"
 #include "effect/changed_body.hpp"
 #include "fibre/switches.hpp"
@@ -13,6 +12,7 @@
 #include "mesh/region.hpp"
 #include "project/activation_range.hpp"
 #include "project/check_body.hpp"
+#include "project/first_vibration.hpp"
 #include "project/mesh_suitability.hpp"
 #include "project/muscle_groups.hpp"
 #include "project/read_experiment.hpp"
@@ -150,13 +150,12 @@ void warn_of_mass(const Model& model, std::vector<std::string>& warnings) {
     warnings.push_back("equal vertex masses: the body weighs " + format_number(100.0 * part, 3) + " % of its mesh's true mass");
 }
 
+/// @param model  without muscles, whose activations the trials bring
 double assumed_damping_s(const Model& model, const StudySettings& settings) {
     if (settings.assumed_damping_s == 0.0) return 0.0;
-    StageSolver solver(model);
-    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);
-    if (!modes.ok()) return settings.assumed_damping_s;   // of a body that turns freely
-    return std::min(settings.assumed_damping_s,
-                    2.0 * settings.most_assumed_damping_ratio / modes.modes.front().omega_rad_s);
+    const double omega = first_vibration_rad_s(model);
+    if (!(omega > 0.0)) return settings.assumed_damping_s;
+    return std::min(settings.assumed_damping_s, 2.0 * settings.most_assumed_damping_ratio / omega);
 }
 
 /// What the trials' clocks and the range of activations leave to doubt.
@@ -283,6 +282,7 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     warn_of_mass(model, study.warnings);
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
+    model.damping_s = experiment.material.damping_s ? *experiment.material.damping_s : assumed_damping_s(model, settings);
     Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, study.mesh, &study.warnings);
     if (!muscles) return muscles.error();
     model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));

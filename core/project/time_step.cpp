@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "dynamics/numerical_damping.hpp"
+#include "project/first_vibration.hpp"
 #include "project/predict_trials.hpp"
 #include "project/vibration_in_motion.hpp"
 
@@ -43,6 +44,15 @@ double whole_part(double interval, double h) { return interval / std::ceil(inter
 
 double omega_of(const TrialStep& step) { return 2.0 * std::numbers::pi * step.vibration_Hz; }
 
+/// Half a sampling interval, or a shorter step with which the slowest vibration would show if it were excited.
+double probe_step(const Study& study, std::size_t index, const StudyValues& values) {
+    const StudyTrial& trial = study.trials[index];
+    const double interval = sampling_interval_s(trial), half = 0.5 * interval;
+    const double omega = first_vibration_rad_s(affected_trial(study, index, values).model);
+    if (!(omega * half > 1.0)) return half;
+    return whole_part(interval, std::min(half, std::max(1.0 / omega, trial.options.end_s / step_policy.most_probe_steps)));
+}
+
 TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values, const Progress& progress) {
     StudyTrial& trial = study.trials[index];
     const double interval = sampling_interval_s(trial), noise = mean_noise(study);
@@ -53,8 +63,14 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
         set_step(trial, h);
         return predict_trial(study, index, values, {}, progress);
     };
-    TrialPrediction before = run(interval);
-    double h_before = interval;
+    // A coarse run that shows nothing of a fast vibration may have damped it away.
+    const double probe = probe_step(study, index, values);
+    if (probe < step.h_s) {
+        const TrialPrediction fine = run(probe);
+        if (fine.ok() && step_seen_in(study, index, values, fine.trace).vibration_Hz > 0.0) step.h_s = probe;
+    }
+    double h_before = 2.0 * step.h_s;
+    TrialPrediction before = run(h_before);
     for (int runs = 1; runs < step_policy.most_runs; ++runs) {
         const TrialPrediction now = run(step.h_s);
         if (!now.ok()) {
@@ -128,8 +144,11 @@ void set_steps(Study& study, std::vector<TrialStep> steps) {
 
 StudyRun run_with_chosen_steps(Study& study, const StudyValues& values, const Progress& progress,
                                const std::string& only_trial) {
+    if (!choosable(study.settings)) return run_study(study, values, progress, only_trial);
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        if (only_trial.empty() || study.trials[t].name == only_trial)
+            set_step(study.trials[t], std::min(study.trials[t].options.h_s, probe_step(study, t, values)));
     StudyRun run = run_study(study, values, progress, only_trial);
-    if (!choosable(study.settings)) return run;
     const Stopwatch watch;
     std::vector<std::size_t> asked;
     for (std::size_t t = 0; t < study.trials.size(); ++t)

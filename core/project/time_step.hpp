@@ -15,6 +15,7 @@ struct StepPolicy {
                                            // noise's square
     int most_runs = 8;                     // each with at most ...
     double least_ratio = 0.2;              // ... so short a step as the one before
+    int most_probe_steps = 1000;           // of the first look at a vibration that is faster than the camera: 160 periods
     int most_repeats = 2;                  // of runs whose vibrations ask for shorter steps
     double safety = 0.9;                   // of steps by their error's order
 };
@@ -31,7 +32,9 @@ bool choosable(const StudySettings& settings);
 /// Steps for all trials with these values, none longer than half a sampling interval and all whole parts of one.
 ///
 /// A trial is run with a whole sampling interval as step, then with half of it, and so on: the change between two runs
-/// tells the error of second order, and accelerations tell how much of each natural vibration is in the motion.
+/// tells the error of second order, and accelerations tell how much of each natural vibration is in the motion. Where
+/// the slowest vibration is too fast to show with these steps, which damp it away, it is looked for with shorter ones
+/// first.
 ///
 /// Progress counts trials. Cancelled, what is not chosen yet is half a sampling interval.
 std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress = {});

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "dynamics/natural_modes.hpp"
 #include "mesh/box_mesh.hpp"
+#include "project/first_vibration.hpp"
 #include "project/predict_trials.hpp"
 #include "project/study_mesh.hpp"
 #include "trust/truth_model.hpp"
@@ -38,15 +38,6 @@ StudyMesh layered_mesh(const SyntheticBody& body, int layers) {
     mesh.mesh = box_hex_mesh(body.bounds, counts);
     for (auto node : mesh.mesh.nodes.colwise()) node = body.tapered(node);
     return mesh;
-}
-
-/// Of the first vibration about the straight, unloaded body; 0 where none is found.
-double first_frequency_Hz(const Study& study, const StudyValues& values) {
-    Model model = trial_model(study, 0, values);
-    model.forces.clear();
-    StageSolver solver(model);
-    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);
-    return modes.ok() ? modes.modes.front().omega_rad_s / (2.0 * std::numbers::pi) : 0.0;
 }
 
 /// Whole parts of a sampling interval, no longer than asked for.
@@ -98,7 +89,7 @@ Result<Study> settled_mesh(const SyntheticCase& c, const Study& prepared, Conver
         Result<Study> study = on_mesh(prepared, layered_mesh(c.body, layers));
         if (!study) return study;
         const double before_Hz = truth.frequency_Hz;
-        truth.frequency_Hz = first_frequency_Hz(*study, true_values(c, *study));
+        truth.frequency_Hz = first_vibration_rad_s(trial_model(*study, 0, true_values(c, *study))) / (2.0 * std::numbers::pi);
         if (!(truth.frequency_Hz > 0.0)) return Error{"the truth has no first vibration", c.name()};
         truth.frequency_change = std::abs(truth.frequency_Hz / before_Hz - 1.0);
         if (coarser && truth.frequency_change < p.coarse_enough) return std::move(*coarser);

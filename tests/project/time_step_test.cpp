@@ -37,6 +37,22 @@ TEST(TimeStep, ResolvesTheVibrationThatATrialShows) {
     }
 }
 
+/// Long steps of a scheme that damps what it does not resolve show nothing of a vibration.
+TEST(TimeStep, ResolvesAVibrationThatIsMuchFasterThanTheCamera) {
+    const test::Folder folder("fast_step");
+    Study study = test::swung_beam(folder, 0.1);
+    study.noise_m.setConstant(1e-7);
+    StudyValues values = declared_values(study);
+    values.youngs_modulus_Pa *= 3000.0;
+    values.damping_s = 2e-5;
+    const double first_Hz = 7.33 * std::sqrt(3000.0);
+    const TrialStep step = choose_steps(study, values).front();
+    EXPECT_NEAR(step.vibration_Hz, first_Hz, 0.05 * first_Hz);
+    EXPECT_LE(step.frequency_error, 1.001e-3);
+    run_with_chosen_steps(study, values);
+    EXPECT_NEAR(study.trials.front().options.h_s, step.h_s, 0.15 * step.h_s);
+}
+
 /// A run that looks at its own vibrations ends with the steps that are chosen for them.
 TEST(TimeStep, OfARunSuitsTheVibrationsThatItShows) {
     const test::Folder folder("run_step");
