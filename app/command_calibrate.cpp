@@ -23,17 +23,28 @@ struct CalibrateCall : StudyCall {
 
 const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
 
+/// "noise 0.0004, mesh 0.011, step 0.001; " for those parts that are known; nothing where the noise is all.
+std::string deviation_parts(const Calibration& calibration, Eigen::Index row) {
+    const NumericalDeviations& numerical = calibration.numerical;
+    if (!(calibration.fit.deviations(row) > 0.0) || (numerical.mesh.size() == 0 && numerical.step.size() == 0)) return {};
+    std::string text = "noise " + format_number(calibration.fit.deviations(row), 2);
+    if (numerical.mesh.size() > 0) text += ", mesh " + format_number(numerical.mesh(row), 2);
+    if (numerical.step.size() > 0) text += ", step " + format_number(numerical.step(row), 2);
+    return text + "; ";
+}
+
 std::string parameter_lines(const Calibration& calibration) {
     std::string text;
     char line[256];
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const StudyParameter& p = calibration.parameters[i];
-        const double deviation = calibration.fit.deviations(row);
+        const double deviation = calibration.deviation(i);
         std::string spread = std::isfinite(deviation) ? "± " + format_number(deviation, 3) : "not determined";
         if (std::isfinite(deviation)) spread.resize(std::max<std::size_t>(spread.size(), 15), ' ');   // the sign has two bytes
-        std::snprintf(line, sizeof line, "%s%-34s %12.6g %-14s %s (start %.6g)", i > 0 ? "\n" : "", p.parameter.name.c_str(),
-                      calibration.fit.values(row), spread.c_str(), p.unit.c_str(), calibration.fit.start(row));
+        std::snprintf(line, sizeof line, "%s%-34s %12.6g %-14s %s (%sstart %.6g)", i > 0 ? "\n" : "",
+                      p.parameter.name.c_str(), calibration.fit.values(row), spread.c_str(), p.unit.c_str(),
+                      deviation_parts(calibration, row).c_str(), calibration.fit.start(row));
         text += line;
     }
     return text;

@@ -210,7 +210,8 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     if (!calibration.fit.converged() && !calibration.stopped) result.problem = "The fit did not converge: " + calibration.fit.message;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
-        result.parameters.push_back(parameter_row(calibration.parameters[i], *study, calibration.fit.start(k), calibration.fit.values(k), calibration.fit.deviations(k)));
+        result.parameters.push_back(parameter_row(calibration.parameters[i], *study, calibration.fit.start(k),
+                                                 calibration.fit.values(k), calibration.deviation(i)));
     }
     result.rms_before_m = calibration.before.fit_rms_m;
     result.rms_after_m = calibration.after.fit_rms_m;

@@ -5,6 +5,7 @@
 
 #include "loop/stiffening.hpp"
 #include "project/predict_trials.hpp"
+#include "project/refined_study.hpp"
 #include "project/run_study.hpp"
 
 namespace myo {

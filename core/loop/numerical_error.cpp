@@ -66,13 +66,6 @@ void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector
     for (std::size_t m = 0; m < tracks.size(); ++m) sum[m] += factor * tracks[m];
 }
 
-Result<Study> refined_study(const Study& study, double ratio, const Progress& progress) {
-    StudySettings settings = study.settings;
-    settings.mesh.element = study.mesh.element;
-    settings.mesh.refinement *= ratio;
-    return prepare_study(study.experiment, settings, progress);
-}
-
 NumericalError numerical_error(const Study& study, Study* refined, const AlikeValues& values, const std::vector<std::size_t>& trials,
                                const std::vector<TrialPrediction>& base, const NumericalError* known, const Stiffening& stiffening, const Progress& progress) {
     NumericalError error;

@@ -48,9 +48,6 @@ struct NumericalError {
 /// From the change by half the step to its limit.
 double step_extrapolation();
 
-/// The study with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
-Result<Study> refined_study(const Study& study, double ratio, const Progress& progress);
-
 /// Runs these trials on half the step and on the refined study (null: not on a finer mesh) and extrapolates both by Richardson's rule for the
 /// order of each. Shifts of other trials stay empty.
 ///

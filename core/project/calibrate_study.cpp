@@ -10,44 +10,12 @@
 #include "base/text.hpp"
 #include "project/predict_trials.hpp"
 #include "project/values_at_bounds.hpp"
+#include "project/weighted_residuals.hpp"
 
 namespace myo {
 namespace {
 
 using Eigen::Matrix3Xd;
-
-/// Residuals and Jacobian of the fit trials in units of the noise; occluded coordinates have residual 0.
-///
-/// @param predictions  of the trials, in their order
-ResidualEvaluation weighted_residuals(const Study& study, const std::vector<std::size_t>& trials, const std::vector<TrialPrediction>& predictions,
-                                      std::size_t parameters) {
-    ResidualEvaluation result;
-    Eigen::Index rows = 0;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        const StudyTrial& trial = study.trials[trials[i]];
-        if (!predictions[i].ok()) {
-            result.message = "trial " + trial.name + ": " + predictions[i].message;
-            return result;
-        }
-        rows += 3 * static_cast<Eigen::Index>(study.marker_names.size()) * trial.measured.sample_count();
-    }
-    result.residuals = Eigen::VectorXd::Zero(rows);
-    result.jacobian = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(parameters));
-    Eigen::Index row = 0;
-    for (const TrialPrediction& prediction : predictions)
-        for (std::size_t m = 0; m < study.marker_names.size(); ++m) {
-            const double weight = 1.0 / study.noise_m(static_cast<Eigen::Index>(m));
-            const Matrix3Xd& residual = prediction.residual_m[m];
-            for (Eigen::Index k = 0; k < residual.size(); ++k, ++row) {
-                if (!std::isfinite(residual.data()[k])) continue;
-                result.residuals(row) = weight * residual.data()[k];
-                for (std::size_t p = 0; p < parameters; ++p)
-                    result.jacobian(row, static_cast<Eigen::Index>(p)) = weight * prediction.tangents[p][m].data()[k];
-            }
-        }
-    result.ok = true;
-    return result;
-}
 
 /// All nodes at all steps are most of a prediction's memory, and only the run after the fit is shown in motion.
 TrialPrediction markers_only(const TrialPrediction& full) {
@@ -182,6 +150,14 @@ int Calibration::evaluations() const {
     int sum = 0;
     for (const CalibrationStart& start : starts) sum += static_cast<int>(start.history.size());
     return sum;
+}
+
+double Calibration::deviation(std::size_t parameter) const {
+    const auto i = static_cast<Eigen::Index>(parameter);
+    const double noise = fit.deviations(i);
+    if (!(noise > 0.0)) return noise;
+    const auto part = [i](const Eigen::VectorXd& known) { return known.size() > 0 ? known(i) : 0.0; };
+    return std::hypot(noise, part(numerical.mesh), part(numerical.step));
 }
 
 std::string Calibration::undetermined_reason(std::size_t parameter) const {

@@ -41,12 +41,21 @@ struct CalibrationStart {
     std::vector<FitIterate> history;
 };
 
+/// What mesh and time step make wrong in fitted values, one standard deviation per parameter: see
+/// numerical_deviations().
+struct NumericalDeviations {
+    Eigen::VectorXd mesh, step;   // empty: not known
+    std::string message;          // why a part is not known; empty where both are, or nobody asked
+    double seconds = 0.0;
+};
+
 /// The declared fit: what the experiment leaves unknown, from its fit trials.
 struct Calibration {
     std::vector<StudyParameter> parameters;
     CalibrationSettings settings;
     LeastSquaresReport fit;                // of the start that ended with the least cost
     std::vector<CalibrationStart> starts;
+    NumericalDeviations numerical;         // of calibrate_with_chosen_steps()
     int earlier_evaluations = 0;           // of the calls that this one resumes
     StudyRun before;                       // with the declared values; markers only, no node positions
     StudyRun after;                        // with the fitted values
@@ -57,6 +66,9 @@ struct Calibration {
     /// The fit trials are there, before and after. A validation trial may be missing: the runs say why.
     bool usable() const { return fit.usable(); }
     int evaluations() const;               // of all starts
+    /// Standard deviation of a parameter by noise, mesh and step together, as far as they are known; NaN or 0 as in
+    /// fit.deviations.
+    double deviation(std::size_t parameter) const;
     /// Why the data do not determine a parameter, as a clause, see undetermined_reason(); empty for one that they
     /// determine.
     std::string undetermined_reason(std::size_t parameter) const;

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "project/calibrate_study.hpp"
+#include "project/numerical_deviation.hpp"
 #include "project/time_step.hpp"
 
 namespace myo {
@@ -18,9 +18,8 @@ bool much_shorter(const Study& study, const std::vector<TrialStep>& steps) {
     return false;
 }
 
-}  // namespace
-
-Calibration calibrate_with_chosen_steps(Study& study, CalibrationSettings settings, const Progress& progress) {
+/// The fit, and again with shorter steps where its values ask for them.
+Calibration fit_with_chosen_steps(Study& study, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = calibrate_study(study, settings, progress);
     if (!choosable(study.settings)) return calibration;
     for (int fit = 1; fit < refit_policy.most_fits && calibration.fit.converged() && !progress.cancelled(); ++fit) {
@@ -40,6 +39,17 @@ Calibration calibrate_with_chosen_steps(Study& study, CalibrationSettings settin
         next.seconds += calibration.seconds;
         calibration = std::move(next);
     }
+    return calibration;
+}
+
+}  // namespace
+
+Calibration calibrate_with_chosen_steps(Study& study, CalibrationSettings settings, const Progress& progress) {
+    Calibration calibration = fit_with_chosen_steps(study, std::move(settings), progress);
+    if (!calibration.usable()) return calibration;
+    calibration.numerical = numerical_deviations(study, calibration, progress);
+    calibration.seconds += calibration.numerical.seconds;
+    if (!calibration.numerical.message.empty()) calibration.warnings.push_back(calibration.numerical.message);
     return calibration;
 }
 

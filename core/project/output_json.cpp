@@ -93,9 +93,14 @@ Json parameters_json(const Calibration& calibration) {
         const auto row = static_cast<Eigen::Index>(i);
         Json& entry = parameters[p.parameter.name];
         entry = {{"value", json_number(calibration.fit.values(row))},
-                 {"std", json_number(calibration.fit.deviations(row))},
+                 {"std", json_number(calibration.deviation(i))},
+                 {"std_noise", json_number(calibration.fit.deviations(row))},
                  {"start", json_number(calibration.fit.start(row))},
                  {"unit", p.unit}};
+        // Null where a part is not known; "std" is without it then.
+        const NumericalDeviations& numerical = calibration.numerical;
+        entry["std_mesh"] = numerical.mesh.size() > 0 ? json_number(numerical.mesh(row)) : Json();
+        entry["std_step"] = numerical.step.size() > 0 ? json_number(numerical.step(row)) : Json();
         if (const std::string reason = calibration.undetermined_reason(i); !reason.empty()) entry["reason"] = reason;
         if (p.is_angle())
             entry["direction"] = json_array(vector(calibration.after.values.effects[p.index].parameters, p.of_effect));
@@ -203,6 +208,7 @@ Json calibrate_json(const Study& study, const Calibration& calibration, const Ru
               {"evaluations", calibration.evaluations()},
               {"evaluations_in_all", calibration.evaluations() + calibration.earlier_evaluations},
               {"seconds", calibration.seconds},
+              {"numerical_error_s", calibration.numerical.seconds},
               {"converged", calibration.fit.converged()},
               {"stopped", calibration.stopped},
               {"message", calibration.fit.message}};

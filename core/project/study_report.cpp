@@ -33,7 +33,8 @@ std::string deviation_words(const Calibration& calibration, Eigen::Index row, co
 }
 
 KeyFigure modulus_figure(const Calibration& calibration, Eigen::Index row) {
-    const ReadableEstimate shown = readable_estimate(1e-3 * calibration.fit.values(row), 1e-3 * calibration.fit.deviations(row));
+    const ReadableEstimate shown = readable_estimate(
+        1e-3 * calibration.fit.values(row), 1e-3 * calibration.deviation(static_cast<std::size_t>(row)));
     return {"Young’s modulus", shown.value, "kPa",
             deviation_words(calibration, row, shown, "kPa") + ", declared " +
                 readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
@@ -47,7 +48,8 @@ double damping_factor_of(const Study& study) {
 
 KeyFigure damping_figure(const Study& study, const Calibration& calibration, Eigen::Index row) {
     const double damping = calibration.fit.values(row);
-    const ReadableEstimate shown = readable_estimate(1e3 * damping, 1e3 * calibration.fit.deviations(row));
+    const ReadableEstimate shown = 
+        readable_estimate(1e3 * damping, 1e3 * calibration.deviation(static_cast<std::size_t>(row)));
     std::string note = deviation_words(calibration, row, shown, "ms");
     if (const double f = fitted_frequency(study, calibration); f > 0.0)
         note += "; damping ratio " +
@@ -102,8 +104,11 @@ std::vector<std::string> summary(const Study& study, const Calibration& calibrat
 
 Section parameter_section(const Study& study, const Calibration& calibration) {
     Section section{"Parameters", {parameter_table(study, calibration)}};
-    section.blocks.push_back(Paragraph{"± is one standard deviation, from the noise of the markers; where the model leaves more than noise, it is "
-                                       "enlarged in proportion. It does not cover what the model leaves out."});
+    section.blocks.push_back(Paragraph{
+        "± is one standard deviation, the root of the sum of the squares of three: by the noise of the markers, enlarged "
+        "in proportion where the model leaves more than noise; by the mesh, from the values on a finer or coarser one; "
+        "by the time step, from the values with longer steps. A dash is a part that is not known and left out. It does "
+        "not cover what the model leaves out."});
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
         if (const std::string reason = calibration.undetermined_reason(i); !reason.empty())
             section.blocks.push_back(Paragraph{readable_parameter(calibration.parameters[i], study).name +

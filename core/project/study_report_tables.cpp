@@ -32,13 +32,20 @@ double worst_steady_mm(const TrialScore* score) {
 std::string role_words(TrialRole role) { return role == TrialRole::fit ? "fit" : "predicted"; }
 
 Table parameter_table(const Study& study, const Calibration& calibration) {
-    Table table{"", {{"Parameter"}, {"Unit"}, {"Fitted"}, {"±"}, {"Start"}}, {}};
+    Table table{"", {{"Parameter"}, {"Unit"}, {"Fitted"}, {"±"}, {"by noise"}, {"by mesh"}, {"by step"}, {"Start"}}, {}};
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const ReadableParameter shown = readable_parameter(calibration.parameters[i], study);
-        const double deviation = shown.factor * calibration.fit.deviations(row);
+        const double deviation = shown.factor * calibration.deviation(i);
+        const auto part = [&](const Eigen::VectorXd& parts) {
+            return deviation_cell(parts.size() > 0 ? shown.factor * parts(row)
+                                                   : std::numeric_limits<double>::quiet_NaN());
+        };
         const ReadableEstimate estimate = readable_estimate(shown.factor * calibration.fit.values(row), deviation);
-        table.rows.push_back({shown.name, shown.unit.empty() ? "1" : shown.unit, estimate.value, estimate.deviation.empty() ? deviation_cell(deviation) : Cell(estimate.deviation),
+        table.rows.push_back({shown.name, shown.unit.empty() ? "1" : shown.unit, estimate.value,
+                              estimate.deviation.empty() ? deviation_cell(deviation) : Cell(estimate.deviation),
+                              part(calibration.fit.deviations), part(calibration.numerical.mesh),
+                              part(calibration.numerical.step),
                               readable_number(shown.factor * calibration.fit.start(row), 4)});
     }
     return table;

@@ -1,0 +1,228 @@
+#include "project/numerical_deviation.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/stopwatch.hpp"
+#include "dynamics/natural_modes.hpp"
+#include "project/predict_trials.hpp"
+#include "project/refined_study.hpp"
+#include "project/weighted_residuals.hpp"
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr const NumericalDeviationPolicy& policy = numerical_deviation_policy;
+
+/// At rest [rad/s]; 0 where it is not found.
+double first_frequency(const Study& study, const StudyValues& values) {
+    const Model model = trial_model(study, 0, values);
+    StageSolver solver(model);   // refers to the model
+    const NaturalModes modes = natural_modes(solver, study.body->mesh.nodes, 1);
+    return modes.ok() ? modes.modes.front().omega_rad_s : 0.0;
+}
+
+std::vector<TrialPrediction> residuals_of(const StudyRun& run, const std::vector<std::size_t>& trials) {
+    std::vector<TrialPrediction> result;
+    for (const std::size_t t : trials) {
+        const TrialPrediction& full = run.predictions[t];
+        result.push_back({full.status, full.message, {}, {}, {}, full.residual_m, {}});
+    }
+    return result;
+}
+
+/// Change of the fitted values on another mesh or with other steps.
+struct Change {
+    VectorXd values;       // empty: not found
+    std::string message;   // then: why
+};
+
+/// Fits the parameters of a calibration to the same data with another study.
+class Refit {
+public:
+    Refit(const Study& study, const Calibration& calibration, const Progress& progress)
+        : calibration_(calibration), progress_(progress), trials_(trials_with_role(study, TrialRole::fit)),
+          residuals_(weighted_residuals(study, trials_, residuals_of(calibration.after, trials_), 0).residuals) {
+        const Eigen::MatrixXd& J = calibration.fit.jacobian;
+        if (!ready()) return;
+        std::vector<Parameter> parameters;
+        for (const StudyParameter& p : calibration.parameters) parameters.push_back(p.parameter);
+        scale_ = VectorXd::Zero(J.cols());   // those that the fit does not move stay
+        for (const Index i : sufficient_parameters(parameters, J, {}))
+            scale_(i) = parameters[static_cast<std::size_t>(i)].scale;
+        solver_.compute(J * scale_.asDiagonal());
+    }
+
+    /// Whether the calibration has what is needed for it.
+    bool ready() const { return residuals_.size() > 0 && residuals_.size() == calibration_.fit.jacobian.rows(); }
+
+    /// @param values  to begin with
+    /// @param most_s  no run but the first is begun that would end later
+    Change on(const Study& other, VectorXd values, double most_s) const {
+        const Stopwatch watch;
+        const VectorXd& fitted = calibration_.fit.values;
+        for (int run = 1; run <= policy.most_runs; ++run) {
+            const VectorXd at = within_bounds(values);
+            const ResidualEvaluation there = weighted_residuals(
+                other, trials_, predict_trials_with(other, with_values(at), trials_, progress_), 0);
+            if (!there.ok) return {{}, progress_.cancelled() ? "stopped by the user" : there.message};
+            const VectorXd step = scale_.cwiseProduct(solver_.solve(residuals_ - there.residuals));
+            values = at + step;
+            const bool settled = (step.array().abs() <= settled_change(values - fitted)).all();
+            if (settled || watch.seconds() * (run + 1) / run > most_s) break;
+        }
+        return {values - fitted, ""};
+    }
+
+private:
+    VectorXd within_bounds(VectorXd values) const {
+        for (Index i = 0; i < values.size(); ++i) {
+            const Parameter& p = calibration_.parameters[static_cast<std::size_t>(i)].parameter;
+            values(i) = std::clamp(values(i), p.lower, p.upper);
+        }
+        return values;
+    }
+
+    StudyValues with_values(const VectorXd& at) const {
+        StudyValues values = calibration_.after.values;
+        for (Index i = 0; i < at.size(); ++i)
+            set_value(calibration_.parameters[static_cast<std::size_t>(i)], at(i), values);
+        return values;
+    }
+
+    /// Corrections up to these do not matter: beside the whole change, and beside the noise. Any, where the data do
+    /// not determine the parameter.
+    Eigen::ArrayXd settled_change(const VectorXd& change) const {
+        Eigen::ArrayXd most = policy.settled * (change.array().abs() + calibration_.fit.deviations.array());
+        for (double& one : most)
+            if (std::isnan(one)) one = std::numeric_limits<double>::infinity();
+        return most;
+    }
+
+    const Calibration& calibration_;
+    Progress progress_;
+    std::vector<std::size_t> trials_;
+    VectorXd residuals_, scale_;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
+};
+
+/// Seconds of one evaluation of the fit.
+double evaluation_s(const Calibration& calibration) {
+    double sum = 0.0;
+    for (const FitIterate& iterate : calibration.fit.history) sum += iterate.seconds;
+    return sum / static_cast<double>(std::max<std::size_t>(1, calibration.fit.history.size()));
+}
+
+/// The error of a value that changes so much where edges or steps are `ratio` times as long.
+double extrapolation(double ratio, double order) { return 1.0 / std::abs(1.0 - std::pow(ratio, order)); }
+
+class Estimate {
+public:
+    Estimate(const Study& study, const Calibration& calibration, const Progress& progress)
+        : study_(study), calibration_(calibration),
+          progress_(progress.with_sink([progress](ProgressEvent event) {
+              event.task = "numerical errors";
+              progress.report(event);
+          })),
+          refit_(study, calibration, progress_),
+          most_s_(std::max(policy.always_s, policy.most_share * calibration.seconds)) {}
+
+    NumericalDeviations run() {
+        NumericalDeviations result;
+        const Change steps = of_steps(), mesh = steps.values.size() > 0 ? of_mesh() : Change{{}, steps.message};
+        result.step = steps.values;
+        result.mesh = mesh.values;
+        if (steps.values.size() == 0)
+            result.message = "the standard deviations are those of the markers' noise alone, without the errors of mesh "
+                             "and time step: " + steps.message;
+        else if (mesh.values.size() == 0)
+            result.message = "the standard deviations leave out the mesh's error: " + mesh.message;
+        result.seconds = watch_.seconds();
+        return result;
+    }
+
+private:
+    double left_s() const { return most_s_ - watch_.seconds(); }
+
+    Change of_steps() const {
+        if (!refit_.ready()) return {{}, "the fit ended without derivatives"};
+        Study longer = study_;
+        for (StudyTrial& trial : longer.trials) set_step(trial, policy.longer_steps * trial.options.h_s);
+        Change change = refit_.on(longer, calibration_.fit.values, 0.3 * left_s());
+        const double order = study_.settings.integrator == Integrator::implicit_euler ? 1.0 : 2.0;
+        change.values = extrapolation(policy.longer_steps, order) * change.values.cwiseAbs();
+        return change;
+    }
+
+    Change of_mesh() const {
+        std::string message = "no other mesh can be made";
+        for (const double edges : policy.edges) {
+            if (progress_.cancelled()) return {{}, "stopped by the user"};
+            Result<Study> other = refined_study(study_, edges, progress_.with_sink({}));
+            if (!other || std::abs(std::log(edge_ratio(*other))) < std::log(policy.another)) continue;
+            message = "runs on another mesh would take too long";
+            if (run_s(*other) > left_s()) continue;
+            for (std::size_t t = 0; t < study_.trials.size(); ++t)
+                set_step(other->trials[t], study_.trials[t].options.h_s);
+            Change change = refit_.on(*other, start_on(*other), left_s());
+            if (change.values.size() > 0) change.values = error_of(*other, change.values);
+            return change;
+        }
+        return {{}, message};
+    }
+
+    /// Mean of all directions: layers are whole, so edges are not changed alike.
+    double edge_ratio(const Study& other) const {
+        const auto cells = [](const Study& s) { return static_cast<double>(s.mesh.mesh.cell_count()); };
+        return std::cbrt(cells(study_) / cells(other));
+    }
+
+    /// What a run of all trials will take [s].
+    double run_s(const Study& other) const {
+        const double larger = static_cast<double>(other.body->dofs()) / static_cast<double>(study_.body->dofs());
+        return policy.run_share * evaluation_s(calibration_) * std::pow(larger, policy.time_exponent);
+    }
+
+    VectorXd error_of(const Study& other, const VectorXd& change) const {
+        VectorXd error = extrapolation(edge_ratio(other), policy.mesh_order) * change.cwiseAbs();
+        const double edges =
+            study_.mesh.resolution_m / automatic_resolution(study_.surface, cell_type(study_.mesh.element));
+        for (Index i = 0; i < error.size(); ++i)
+            if (calibration_.parameters[static_cast<std::size_t>(i)].kind == StudyParameter::Kind::youngs_modulus)
+                error(i) = std::max(error(i), policy.least_mesh_error * edges * calibration_.fit.values(i));
+        return error;
+    }
+
+    /// Vibrations of another mesh would drift away from the data's: it begins with the modulus of the same frequency.
+    VectorXd start_on(const Study& other) const {
+        VectorXd start = calibration_.fit.values;
+        const StudyValues& values = calibration_.after.values;
+        const double here = first_frequency(study_, values), there = first_frequency(other, values);
+        if (!(here > 0.0) || !(there > 0.0)) return start;
+        for (std::size_t i = 0; i < calibration_.parameters.size(); ++i)
+            if (calibration_.parameters[i].kind == StudyParameter::Kind::youngs_modulus)
+                start(static_cast<Index>(i)) *= std::pow(here / there, 2);
+        return start;
+    }
+
+    const Study& study_;
+    const Calibration& calibration_;
+    Progress progress_;
+    Stopwatch watch_;
+    Refit refit_;
+    double most_s_;
+};
+
+}  // namespace
+
+NumericalDeviations numerical_deviations(const Study& study, const Calibration& calibration, const Progress& progress) {
+    return Estimate(study, calibration, progress).run();
+}
+
+}  // namespace myo

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+#include "project/calibrate_study.hpp"
+
+namespace myo {
+
+/// How the errors are estimated that mesh and time step make in fitted values.
+///
+/// Measured on twelve bodies (bars, strips, plates, columns, a stub, fingers) whose motions were made with other, much
+/// finer elements: errors of the modulus by default meshes of 0.01 to 2.4 %, in units of the deviation that these
+/// numbers give of rms 0.9.
+struct NumericalDeviationPolicy {
+    /// Of the other mesh: the first that can be made and afforded. Two layers become three; tetrahedra may be finer
+    /// already than they were asked to be.
+    std::array<double, 3> edges{2.0 / 3.0, 0.45, 1.5};
+    double another = 1.1;          // ratio of the edges of meshes that tell something
+    double mesh_order = 2.0;       // of the values' error: thin walls have 3, corners of clamps 1
+    double least_mesh_error = 0.003;   // of the modulus, by cells of the default edge length: where errors of bending and
+                                       // of the clamp's corners cancel, two meshes show neither. Measured 0.1 to 0.8 %
+    double longer_steps = 2.0;     // times the steps
+    int most_runs = 3;             // of all trials on another mesh or with other steps
+    double settled = 0.1;          // a correction of so small a share of the whole change ends them
+    double most_share = 0.6;       // of the calibration's time, for all of it ...
+    double always_s = 1.0;         // ... but no less than this
+    double run_share = 0.5;        // of the time of an evaluation, that a run without derivatives takes
+    double time_exponent = 1.3;    // of a run's time over its unknowns
+};
+inline constexpr NumericalDeviationPolicy numerical_deviation_policy;
+
+/// What the fitted values would be on a finer mesh and with longer steps tells their numerical errors, by Richardson's
+/// rule. Those values are found by Gauss-Newton steps with the fit's own Jacobian, from runs without derivatives.
+///
+/// Where a part cannot be found, because its runs fail, take too long or are cancelled, it is empty and the message is
+/// a sentence that says why. Progress is that of the runs.
+/// @param study  with the steps that the calibration ended with
+/// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
+NumericalDeviations numerical_deviations(const Study& study, const Calibration& calibration,
+                                         const Progress& progress = {});
+
+}  // namespace myo

@@ -1,0 +1,164 @@
+#include "project/numerical_deviation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "loop/swung_beam.hpp"
+#include "project/output_json.hpp"
+#include "project/study_report.hpp"
+#include "report/html_report.hpp"
+
+namespace myo {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+constexpr double modulus_Pa = 2.5e5;
+
+/// The beam on tetrahedra of 8 mm, 20 times the cells of the coarse studies, with short steps.
+Study fine_beam(const test::Folder& folder) {
+    const Result<Experiment> experiment = read_experiment(folder.path());
+    EXPECT_TRUE(experiment) << experiment.error().text();
+    StudySettings settings;
+    settings.mesh.element = ElementKind::tet10;
+    settings.mesh.resolution_m = 0.008;
+    settings.h_s = 0.001;
+    Result<Study> study = prepare_study(*experiment, settings);
+    EXPECT_TRUE(study) << study.error().text();
+    return std::move(*study);
+}
+
+/// The beam's experiment with what the fine mesh does as its data, on other cells.
+class SwungBeam {
+public:
+    SwungBeam() : folder_("numerical_deviation") {
+        test::swung_beam(folder_, 0.3);
+        Study fine = fine_beam(folder_);
+        StudyValues values = declared_values(fine);
+        values.youngs_modulus_Pa = modulus_Pa;
+        const TrialPrediction truth = predict_trial(fine, 0, values);
+        EXPECT_TRUE(truth.ok()) << truth.message;
+        test::record(fine, 0, values, truth.trace);
+        tracks_ = fine.trials[0].measured.tracks;
+        std::string text = "time_s";
+        for (const std::string& name : fine.marker_names)
+            for (const char axis : {'x', 'y', 'z'}) text += "," + name + "_" + axis + "_m";
+        char number[32];
+        for (Eigen::Index k = 0; k < fine.trials[0].measured.sample_count(); ++k) {
+            std::snprintf(number, sizeof number, "\n%.2f", fine.trials[0].measured.time_s(k));
+            text += number;
+            for (const Eigen::Matrix3Xd& track : tracks_)
+                for (int axis = 0; axis < 3; ++axis) {
+                    std::snprintf(number, sizeof number, ",%.8f", track(axis, k));
+                    text += number;
+                }
+        }
+        folder_.write("swing.csv", text + "\n");
+    }
+
+    Study study(double resolution_m) const {
+        const Result<Experiment> experiment = read_experiment(folder_.path());
+        EXPECT_TRUE(experiment) << experiment.error().text();
+        StudySettings settings;
+        settings.mesh.resolution_m = resolution_m;
+        Result<Study> study = prepare_study(*experiment, settings);
+        EXPECT_TRUE(study) << study.error().text();
+        return std::move(*study);
+    }
+
+private:
+    test::Folder folder_;
+    std::vector<Eigen::Matrix3Xd> tracks_;
+};
+
+double share(const Eigen::VectorXd& part) { return part.size() == 1 ? part(0) / modulus_Pa : std::nan(""); }
+
+TEST(NumericalDeviation, CoversTheErrorAgainstAFineMeshAndShrinksWithTheEdges) {
+    const SwungBeam beam;
+    std::vector<double> mesh;
+    for (const double edge : {0.015, 0.0075}) {
+        const Study study = beam.study(edge);
+        Calibration found = calibrate_study(study);
+        ASSERT_TRUE(found.fit.converged()) << found.fit.message;
+        EXPECT_DOUBLE_EQ(found.deviation(0), found.fit.deviations(0));
+        found.numerical = numerical_deviations(study, found);
+        EXPECT_EQ(found.numerical.message, "");
+        ASSERT_EQ(found.numerical.mesh.size(), 1);
+        const double error = std::abs(found.fit.values(0) - modulus_Pa), deviation = found.deviation(0);
+        EXPECT_LT(error, 2.5 * deviation) << edge;
+        EXPECT_LT(deviation, 0.05 * modulus_Pa) << edge;
+        EXPECT_DOUBLE_EQ(deviation, Eigen::Vector3d(found.fit.deviations(0), found.numerical.mesh(0),
+                                                    found.numerical.step(0)).norm());
+        mesh.push_back(share(found.numerical.mesh));
+        RecordProperty("error_" + std::to_string(edge), std::to_string(error / modulus_Pa));
+        RecordProperty("mesh_" + std::to_string(edge), std::to_string(mesh.back()));
+    }
+    // Half the edges: a quarter of the error, between the orders 1.2 and 2.8.
+    EXPECT_LT(mesh[1], 0.43 * mesh[0]);
+    EXPECT_GT(mesh[1], 0.14 * mesh[0]);
+}
+
+/// What the same cells did with short steps leaves the steps' error alone, which theory knows: twice the frequency's.
+TEST(NumericalDeviation, OfTheStepIsTwiceItsFrequencyError) {
+    const test::Folder folder("step");
+    Study study = test::swung_beam(folder, 0.6);
+    StudyValues values = declared_values(study);
+    Study fine = study;
+    set_step(fine.trials[0], 0.0005);
+    const TrialPrediction truth = predict_trial(fine, 0, values);
+    ASSERT_TRUE(truth.ok()) << truth.message;
+    test::record(study, 0, values, truth.trace);
+    for (StudyTrial& trial : study.trials) set_step(trial, 0.005);
+    study.settings.h_s = 0.005;
+    const Calibration plain = calibrate_study(study), found = calibrate_with_chosen_steps(study);
+    ASSERT_TRUE(found.fit.converged()) << found.fit.message;
+    EXPECT_EQ(found.fit.values, plain.fit.values);
+    EXPECT_EQ(found.fit.deviations, plain.fit.deviations);   // of the noise, as they were
+    const double error = std::abs(found.fit.values(0) - values.youngs_modulus_Pa);
+    EXPECT_GT(error, 5.0 * found.fit.deviations(0));   // there is something to be found
+    ASSERT_EQ(found.numerical.step.size(), 1);
+    EXPECT_NEAR(found.numerical.step(0), error, 0.3 * error);
+}
+
+/// Parts are stated in every result.
+TEST(NumericalDeviation, IsStatedByPart) {
+    const test::Folder folder("parts");
+    Study study = test::swung_beam(folder, 0.3);
+    const StudyValues values = declared_values(study);
+    const TrialPrediction truth = predict_trial(study, 0, values);
+    test::record(study, 0, values, truth.trace);
+    const Calibration found = calibrate_with_chosen_steps(study);
+    const RunFacts facts{"test", {}, 0.0, 0, {}};
+    const Json json = calibrate_json(study, found, facts).at("parameters").at("youngs_modulus_Pa");
+    EXPECT_DOUBLE_EQ(json.at("std"), found.deviation(0));
+    EXPECT_DOUBLE_EQ(json.at("std_noise"), found.fit.deviations(0));
+    EXPECT_DOUBLE_EQ(json.at("std_mesh"), found.numerical.mesh(0));
+    EXPECT_DOUBLE_EQ(json.at("std_step"), found.numerical.step(0));
+    EXPECT_THAT(html(study_report(study, found, facts)), HasSubstr("by mesh"));
+}
+
+TEST(NumericalDeviation, CancelledIsTheNoiseAloneAndSaysSo) {
+    const test::Folder folder("cancelled");
+    Study study = test::swung_beam(folder, 0.3);
+    const StudyValues values = declared_values(study);
+    const TrialPrediction truth = predict_trial(study, 0, values);
+    test::record(study, 0, values, truth.trace);
+    Calibration found = calibrate_study(study);
+    std::atomic<bool> cancel{true};
+    found.numerical = numerical_deviations(study, found, Progress({}, &cancel));
+    EXPECT_EQ(found.numerical.mesh.size(), 0);
+    EXPECT_EQ(found.numerical.step.size(), 0);
+    EXPECT_EQ(found.deviation(0), found.fit.deviations(0));
+    EXPECT_THAT(found.numerical.message, HasSubstr("noise alone"));
+    EXPECT_THAT(found.numerical.message, HasSubstr("stopped by the user"));
+    const Json json = calibrate_json(study, found, {"test", {}, 0.0, 0, {}}).at("parameters").at("youngs_modulus_Pa");
+    EXPECT_TRUE(json.at("std_mesh").is_null());
+    EXPECT_TRUE(json.at("std_step").is_null());
+}
+
+}  // namespace
+}  // namespace myo
