@@ -26,7 +26,8 @@ const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
 /// "noise 0.0004, mesh 0.011, step 0.001; " for those parts that are known; nothing where the noise is all.
 std::string deviation_parts(const Calibration& calibration, Eigen::Index row) {
     const NumericalDeviations& numerical = calibration.numerical;
-    if (!(calibration.fit.deviations(row) > 0.0) || (numerical.mesh.size() == 0 && numerical.step.size() == 0)) return {};
+    if (!(calibration.fit.deviations(row) > 0.0) || (numerical.mesh.size() == 0 && numerical.step.size() == 0))
+        return {};
     std::string text = "noise " + format_number(calibration.fit.deviations(row), 2);
     if (numerical.mesh.size() > 0) text += ", mesh " + format_number(numerical.mesh(row), 2);
     if (numerical.step.size() > 0) text += ", step " + format_number(numerical.step(row), 2);

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/stopwatch.hpp"
-#include "dynamics/natural_modes.hpp"
+#include "project/first_vibration.hpp"
 #include "project/predict_trials.hpp"
 #include "project/refined_study.hpp"
 #include "project/weighted_residuals.hpp"
@@ -19,14 +19,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr const NumericalDeviationPolicy& policy = numerical_deviation_policy;
-
-/// At rest [rad/s]; 0 where it is not found.
-double first_frequency(const Study& study, const StudyValues& values) {
-    const Model model = trial_model(study, 0, values);
-    StageSolver solver(model);   // refers to the model
-    const NaturalModes modes = natural_modes(solver, study.body->mesh.nodes, 1);
-    return modes.ok() ? modes.modes.front().omega_rad_s : 0.0;
-}
 
 std::vector<TrialPrediction> residuals_of(const StudyRun& run, const std::vector<std::size_t>& trials) {
     std::vector<TrialPrediction> result;
@@ -139,8 +131,10 @@ public:
         result.step = steps.values;
         result.mesh = mesh.values;
         if (steps.values.size() == 0)
-            result.message = "the standard deviations are those of the markers' noise alone, without the errors of mesh "
-                             "and time step: " + steps.message;
+            result.message =
+                "the standard deviations are those of the markers' noise alone, without the errors of mesh "
+                "and time step: " +
+                steps.message;
         else if (mesh.values.size() == 0)
             result.message = "the standard deviations leave out the mesh's error: " + mesh.message;
         result.seconds = watch_.seconds();
@@ -203,7 +197,8 @@ private:
     VectorXd start_on(const Study& other) const {
         VectorXd start = calibration_.fit.values;
         const StudyValues& values = calibration_.after.values;
-        const double here = first_frequency(study_, values), there = first_frequency(other, values);
+        const double here = first_vibration_rad_s(trial_model(study_, 0, values)),
+                     there = first_vibration_rad_s(trial_model(other, 0, values));
         if (!(here > 0.0) || !(there > 0.0)) return start;
         for (std::size_t i = 0; i < calibration_.parameters.size(); ++i)
             if (calibration_.parameters[i].kind == StudyParameter::Kind::youngs_modulus)

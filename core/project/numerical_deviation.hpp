@@ -17,8 +17,9 @@ struct NumericalDeviationPolicy {
     std::array<double, 3> edges{2.0 / 3.0, 0.45, 1.5};
     double another = 1.1;          // ratio of the edges of meshes that tell something
     double mesh_order = 2.0;       // of the values' error: thin walls have 3, corners of clamps 1
-    double least_mesh_error = 0.003;   // of the modulus, by cells of the default edge length: where errors of bending and
-                                       // of the clamp's corners cancel, two meshes show neither. Measured 0.1 to 0.8 %
+    double least_mesh_error =
+        0.003;                     // of the modulus, by cells of the default edge length: where errors of bending and
+                                   // of the clamp's corners cancel, two meshes show neither. Measured 0.1 to 0.8 %
     double longer_steps = 2.0;     // times the steps
     int most_runs = 3;             // of all trials on another mesh or with other steps
     double settled = 0.1;          // a correction of so small a share of the whole change ends them

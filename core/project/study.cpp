@@ -282,12 +282,11 @@ Result<Study> prepare_study(const Experiment& experiment, const StudySettings& s
     warn_of_mass(model, study.warnings);
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
-    model.damping_s = experiment.material.damping_s ? *experiment.material.damping_s : assumed_damping_s(model, settings);
+    model.damping_s =
+        experiment.material.damping_s ? *experiment.material.damping_s : assumed_damping_s(model, settings);
     Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, study.mesh, &study.warnings);
     if (!muscles) return muscles.error();
     model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
-    model.damping_s =
-        experiment.material.damping_s ? *experiment.material.damping_s : assumed_damping_s(model, settings);
 
     std::vector<Recording> recordings;
     for (const TrialDeclaration& declaration : experiment.trials) {

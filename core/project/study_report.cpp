@@ -105,7 +105,8 @@ std::vector<std::string> summary(const Study& study, const Calibration& calibrat
 Section parameter_section(const Study& study, const Calibration& calibration) {
     Section section{"Parameters", {parameter_table(study, calibration)}};
     section.blocks.push_back(Paragraph{
-        "± is one standard deviation, the root of the sum of the squares of three: by the noise of the markers, enlarged "
+        "± is one standard deviation, the root of the sum of the squares of three: by the noise of the markers, "
+        "enlarged "
         "in proportion where the model leaves more than noise; by the mesh, from the values on a finer or coarser one; "
         "by the time step, from the values with longer steps. A dash is a part that is not known and left out. It does "
         "not cover what the model leaves out."});

@@ -32,7 +32,8 @@ double worst_steady_mm(const TrialScore* score) {
 std::string role_words(TrialRole role) { return role == TrialRole::fit ? "fit" : "predicted"; }
 
 Table parameter_table(const Study& study, const Calibration& calibration) {
-    Table table{"", {{"Parameter"}, {"Unit"}, {"Fitted"}, {"±"}, {"by noise"}, {"by mesh"}, {"by step"}, {"Start"}}, {}};
+    Table table{
+        "", {{"Parameter"}, {"Unit"}, {"Fitted"}, {"±"}, {"by noise"}, {"by mesh"}, {"by step"}, {"Start"}}, {}};
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const ReadableParameter shown = readable_parameter(calibration.parameters[i], study);

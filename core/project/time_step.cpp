@@ -50,7 +50,8 @@ double probe_step(const Study& study, std::size_t index, const StudyValues& valu
     const double interval = sampling_interval_s(trial), half = 0.5 * interval;
     const double omega = first_vibration_rad_s(affected_trial(study, index, values).model);
     if (!(omega * half > 1.0)) return half;
-    return whole_part(interval, std::min(half, std::max(1.0 / omega, trial.options.end_s / step_policy.most_probe_steps)));
+    return whole_part(interval,
+                      std::min(half, std::max(1.0 / omega, trial.options.end_s / step_policy.most_probe_steps)));
 }
 
 TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values, const Progress& progress) {

@@ -15,7 +15,7 @@ struct StepPolicy {
                                            // noise's square
     int most_runs = 8;                     // each with at most ...
     double least_ratio = 0.2;              // ... so short a step as the one before
-    int most_probe_steps = 1000;           // of the first look at a vibration that is faster than the camera: 160 periods
+    int most_probe_steps = 1000;   // of the first look at a vibration that is faster than the camera: 160 periods
     int most_repeats = 2;                  // of runs whose vibrations ask for shorter steps
     double safety = 0.9;                   // of steps by their error's order
 };

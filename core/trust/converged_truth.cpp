@@ -89,7 +89,8 @@ Result<Study> settled_mesh(const SyntheticCase& c, const Study& prepared, Conver
         Result<Study> study = on_mesh(prepared, layered_mesh(c.body, layers));
         if (!study) return study;
         const double before_Hz = truth.frequency_Hz;
-        truth.frequency_Hz = first_vibration_rad_s(trial_model(*study, 0, true_values(c, *study))) / (2.0 * std::numbers::pi);
+        truth.frequency_Hz =
+            first_vibration_rad_s(trial_model(*study, 0, true_values(c, *study))) / (2.0 * std::numbers::pi);
         if (!(truth.frequency_Hz > 0.0)) return Error{"the truth has no first vibration", c.name()};
         truth.frequency_change = std::abs(truth.frequency_Hz / before_Hz - 1.0);
         if (coarser && truth.frequency_change < p.coarse_enough) return std::move(*coarser);

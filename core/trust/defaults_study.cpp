@@ -80,7 +80,7 @@ std::vector<FittedNumber> fitted_numbers(const DefaultsCase& d, const Calibratio
         const auto row = static_cast<Eigen::Index>(i);
         numbers.push_back({parameter.parameter.name,
                            modulus ? d.truth.material.youngs_modulus_Pa : d.truth.material.damping_s,
-                           calibration.fit.values(row), calibration.fit.deviations(row)});
+                           calibration.fit.values(row), calibration.deviation(i)});
     }
     return numbers;
 }

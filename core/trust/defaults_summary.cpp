@@ -26,8 +26,8 @@ bool counts_as_right(DefaultsAnswer answer) {
 }
 
 std::string number_words(const FittedNumber& n) {
-    return n.name + " " + format_number(100.0 * n.error(), 3) + " ± " + format_number(100.0 * n.deviation / n.truth, 2) +
-           " %";
+    return n.name + " " + format_number(100.0 * n.error(), 3) + " ± " +
+           format_number(100.0 * n.deviation / n.truth, 2) + " %";
 }
 
 std::string numbers_words(const DefaultsRecord& r) {
@@ -122,7 +122,8 @@ DefaultsSummary defaults_summary(const std::vector<DefaultsRecord>& records) {
     }
     for (const auto& [name, sum] : squares) s.normalised_rms[name] = std::sqrt(sum.first / sum.second);
     s.median_time_ratio = median(ratios);
-    s.longest_fit_s = fit_s.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(fit_s.begin(), fit_s.end());
+    s.longest_fit_s =
+        fit_s.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(fit_s.begin(), fit_s.end());
     s.median_fit_s = median(fit_s);
     s.median_make_s = median(make_s);
     return s;
@@ -147,10 +148,11 @@ std::string summary_text(const DefaultsSummary& s) {
     text += "\nerrors over stated deviations, rms:";
     for (const auto& [name, rms] : s.normalised_rms) text += " " + name + " " + format_number(rms, 3);
     text += "\nright with half a sampling interval as step: " + at_least_words(s.half_interval_right);
-    text += "\ntime over that with half a sampling interval, where right: median " + format_number(s.median_time_ratio, 3) +
-            ", at most twice in " + at_least_words(s.twice_the_time_at_most);
+    text += "\ntime over that with half a sampling interval, where right: median " +
+            format_number(s.median_time_ratio, 3) + ", at most twice in " + at_least_words(s.twice_the_time_at_most);
     return text + "\ntime of a fit: median " + format_number(s.median_fit_s, 3) + " s, longest " +
-           format_number(s.longest_fit_s, 3) + " s; of making a case: median " + format_number(s.median_make_s, 3) + " s";
+           format_number(s.longest_fit_s, 3) + " s; of making a case: median " + format_number(s.median_make_s, 3) +
+           " s";
 }
 
 Json summary_json(const DefaultsSummary& s) {
@@ -180,12 +182,14 @@ HtmlReport defaults_report(const std::vector<DefaultsRecord>& records, const std
                       "Right: modulus and damping within 2 % and three stated deviations, or a check that names the "
                       "true cause."};
     const auto percent = [](double share) { return format_number(100.0 * share, 3); };
-    report.key_figures = {{"right or named", percent(s.right.share()), "%", "at least " + percent(s.right.lower()) + " %"},
-                          {"wrong without a word", percent(s.silent.share()), "%", "at most " + percent(s.silent.upper()) + " %"},
-                          {"false alarms", percent(s.false_alarms.share()), "%", "at most " + percent(s.false_alarms.upper()) + " %"},
-                          {"time", format_number(s.median_time_ratio, 3), "", "over that with half a sampling interval, median"}};
+    report.key_figures = {
+        {"right or named", percent(s.right.share()), "%", "at least " + percent(s.right.lower()) + " %"},
+        {"wrong without a word", percent(s.silent.share()), "%", "at most " + percent(s.silent.upper()) + " %"},
+        {"false alarms", percent(s.false_alarms.share()), "%", "at most " + percent(s.false_alarms.upper()) + " %"},
+        {"time", format_number(s.median_time_ratio, 3), "", "over that with half a sampling interval, median"}};
     report.sections.push_back({"Rates", {rate_table(s)}});
-    report.sections.push_back({"Cases that were not right", {case_table(records), EmbeddedJson{"study", summary_json(s)}}});
+    report.sections.push_back(
+        {"Cases that were not right", {case_table(records), EmbeddedJson{"study", summary_json(s)}}});
     report.footer = command_line;
     return report;
 }
