@@ -131,10 +131,8 @@ public:
         result.step = steps.values;
         result.mesh = mesh.values;
         if (steps.values.size() == 0)
-            result.message =
-                "the standard deviations are those of the markers' noise alone, without the errors of mesh "
-                "and time step: " +
-                steps.message;
+            result.message = "the standard deviations are those of the markers' noise alone, without the errors of "
+                             "mesh and time step: " + steps.message;
         else if (mesh.values.size() == 0)
             result.message = "the standard deviations leave out the mesh's error: " + mesh.message;
         result.seconds = watch_.seconds();
