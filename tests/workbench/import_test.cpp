@@ -63,7 +63,8 @@ TEST(CoreImport, ARecordingByOtherCamerasBecomesTheTrialThatItWas) {
     driver.workbench->execute(command::Run{});
     ASSERT_TRUE(driver.wait_for_job(120));
     EXPECT_NEAR(driver.state().run->trials.back().rms_m, rms, 0.05 * rms) << "the same motion, from another folder of files";
-    EXPECT_NEAR(driver.state().run->trials.front().rms_m, rms, 1e-6);
+    // Steps are chosen anew: what they change is far below the error.
+    EXPECT_NEAR(driver.state().run->trials.front().rms_m, rms, 0.005 * rms);
 }
 
 TEST(CoreImport, BundledExamplesStayAsTheyAre) {
