@@ -9,7 +9,7 @@
 namespace myo {
 namespace {
 
-/// A model that lacks nothing leaves 1; the noise itself is known to some tens of percent.
+/// A model that lacks nothing leaves 1, beside its numerical errors; the noise itself is known to some tens of percent.
 constexpr double doubtful_ratio = 1.5, wrong_ratio = 10.0;
 
 /// What was found doubtful so far and may leave a residual, the worst first.
@@ -29,12 +29,17 @@ std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
 std::vector<Finding> check_residual(const CheckedJob& job) {
     if (job.calibration == nullptr || !std::isfinite(job.run->fit_rms_m)) return {};
     const double noise = mean_noise(job.study), ratio = job.run->fit_rms_m / noise;
+    const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
+    const bool numerical_is_seen = expected > 1.1;
     Finding finding = fine_finding("", "what the model leaves of the fit trials, " + length_words(job.run->fit_rms_m) +
-                                           " rms, is " + format_number(ratio, 3) + " times the noise");
+                                           " rms, is " + format_number(ratio, 3) + " times the noise" +
+                                           (numerical_is_seen ? ", of which mesh and step make about " +
+                                                                    format_number(numerical, 2)
+                                                              : ""));
     finding.figure = ratio;
-    finding.threshold = doubtful_ratio;
-    if (ratio <= doubtful_ratio) return {finding};
-    finding.level = ratio > wrong_ratio ? CheckLevel::wrong : CheckLevel::doubtful;
+    finding.threshold = doubtful_ratio * expected;
+    if (ratio <= finding.threshold) return {finding};
+    finding.level = ratio > wrong_ratio * expected ? CheckLevel::wrong : CheckLevel::doubtful;
     std::vector<std::string> names;
     for (const Finding& suspect : suspects(*job.earlier)) {
         const std::string name = suspect.check + (suspect.subject.empty() ? "" : " (" + suspect.subject + ")");

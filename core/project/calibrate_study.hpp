@@ -45,6 +45,7 @@ struct CalibrationStart {
 /// numerical_deviations().
 struct NumericalDeviations {
     Eigen::VectorXd mesh, step;   // empty: not known
+    double motion_noise_levels = 0.0;   // of the markers' motion, what a fit does not take up: rms in noise levels
     std::string message;          // why a part is not known; empty where both are, or nobody asked
     double seconds = 0.0;
 };

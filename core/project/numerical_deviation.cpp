@@ -33,6 +33,7 @@ std::vector<TrialPrediction> residuals_of(const StudyRun& run, const std::vector
 struct Change {
     VectorXd values;       // empty: not found
     std::string message;   // then: why
+    double left = 0.0;     // of the motion, where the values are changed by this much: rms in noise levels
 };
 
 /// Fits the parameters of a calibration to the same data with another study.
@@ -59,6 +60,7 @@ public:
     Change on(const Study& other, VectorXd values, double most_s) const {
         const Stopwatch watch;
         const VectorXd& fitted = calibration_.fit.values;
+        double left = 0.0;
         for (int run = 1; run <= policy.most_runs; ++run) {
             const VectorXd at = within_bounds(values);
             const ResidualEvaluation there = weighted_residuals(
@@ -66,13 +68,20 @@ public:
             if (!there.ok) return {{}, progress_.cancelled() ? "stopped by the user" : there.message};
             const VectorXd step = scale_.cwiseProduct(solver_.solve(residuals_ - there.residuals));
             values = at + step;
+            left = rms(there.residuals + calibration_.fit.jacobian * step - residuals_);
             const bool settled = (step.array().abs() <= settled_change(values - fitted)).all();
             if (settled || watch.seconds() * (run + 1) / run > most_s) break;
         }
-        return {values - fitted, ""};
+        return {values - fitted, "", left};
     }
 
 private:
+    /// Over what is compared: occluded coordinates have a residual of 0.
+    double rms(const VectorXd& change) const {
+        const auto count = static_cast<double>((residuals_.array() != 0.0).count());
+        return count > 0.0 ? change.norm() / std::sqrt(count) : 0.0;
+    }
+
     VectorXd within_bounds(VectorXd values) const {
         for (Index i = 0; i < values.size(); ++i) {
             const Parameter& p = calibration_.parameters[static_cast<std::size_t>(i)].parameter;
@@ -130,6 +139,7 @@ public:
         const Change steps = of_steps(), mesh = steps.values.size() > 0 ? of_mesh() : Change{{}, steps.message};
         result.step = steps.values;
         result.mesh = mesh.values;
+        result.motion_noise_levels = std::hypot(steps.left, mesh.left);
         if (steps.values.size() == 0)
             result.message = "the standard deviations are those of the markers' noise alone, without the errors of "
                              "mesh and time step: " + steps.message;
@@ -149,6 +159,7 @@ private:
         Change change = refit_.on(longer, calibration_.fit.values, 0.3 * left_s());
         const double order = study_.settings.integrator == Integrator::implicit_euler ? 1.0 : 2.0;
         change.values = extrapolation(policy.longer_steps, order) * change.values.cwiseAbs();
+        change.left *= extrapolation(policy.longer_steps, order);
         return change;
     }
 
@@ -164,6 +175,7 @@ private:
                 set_step(other->trials[t], study_.trials[t].options.h_s);
             Change change = refit_.on(*other, start_on(*other), left_s());
             if (change.values.size() > 0) change.values = error_of(*other, change.values);
+            change.left *= extrapolation(edge_ratio(*other), policy.mesh_order);
             return change;
         }
         return {{}, message};

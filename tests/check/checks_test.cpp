@@ -189,7 +189,7 @@ TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
 
 TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     const Study study = study_of(test::swung_beam_toml());
-    const Calibration calibration;
+    Calibration calibration;
     StudyRun run;
     std::vector<Finding> earlier{fine_finding("", "a mesh"), fine_finding("a", "a step"), fine_finding("b", "a start")};
     earlier[0].check = "mesh";
@@ -207,6 +207,11 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     earlier[2].level = CheckLevel::wrong;
     EXPECT_EQ(judged(30.0).level, CheckLevel::wrong);
     EXPECT_THAT(judged(30.0).way_out, HasSubstr("suspected, in this order: start (b), step (a)"));
+    // What mesh and step make is nothing that the model lacks.
+    calibration.numerical.motion_noise_levels = 2.5;
+    EXPECT_EQ(judged(3.0).level, CheckLevel::fine);
+    EXPECT_THAT(judged(3.0).sentence, HasSubstr("is 3 times the noise, of which mesh and step make about 2.5"));
+    EXPECT_EQ(judged(5.0).level, CheckLevel::doubtful);
 }
 
 TEST(Findings, AreToldWorstFirstAndOnce) {

@@ -94,6 +94,10 @@ TEST(NumericalDeviation, CoversTheErrorAgainstAFineMeshAndShrinksWithTheEdges) {
         EXPECT_DOUBLE_EQ(deviation, Eigen::Vector3d(found.fit.deviations(0), found.numerical.mesh(0),
                                                     found.numerical.step(0)).norm());
         mesh.push_back(share(found.numerical.mesh));
+        // What the fit on these cells leaves beside the noise is what other cells change.
+        const double ratio = found.after.fit_rms_m / mean_noise(study), beside_noise = std::sqrt(ratio * ratio - 1.0);
+        RecordProperty("left_" + std::to_string(edge), std::to_string(beside_noise));
+        RecordProperty("motion_" + std::to_string(edge), std::to_string(found.numerical.motion_noise_levels));
         RecordProperty("error_" + std::to_string(edge), std::to_string(error / modulus_Pa));
         RecordProperty("mesh_" + std::to_string(edge), std::to_string(mesh.back()));
     }
