@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"study", "--out", "OUT", "--geometry", "beem"}, {"--geometry", "did you mean 'beam'"}},
         BadCall{{"study", "--out", "OUT", "--geometry", "plate", "--effects", "actuation_lag"},
                 {"--geometry", "muscles"}},
+        BadCall{{"study", "--defaults", "--out", "OUT", "--geometry", "beam"}, {"--defaults", "leave --geometry"}},
         BadCall{{"study", "--out", "OUT", "--share", "5/4"}, {"--share", "5/4"}},
         BadCall{{"study", "--out", "OUT", "--cases", "0"}, {"--cases"}},
         BadCall{{"bench", "realease"}, {"bench", "did you mean 'release'"}},
