@@ -130,7 +130,7 @@ int calibrate_command(const CalibrateCall& call) {
     }
     for (const std::string& warning : study->warnings) console.warn(warning);
     const std::vector<Finding> before = check_before(*study);
-    tell_findings(before, {}, console);
+    tell_findings(before, opening.told, console);
     const double setup_s = opening.setup.seconds();
     console.print(study->experiment.name);
 

@@ -116,7 +116,7 @@ int diagnose_command(const DiagnoseCall& call) {
     const Study& study = *opening.study;
     for (const std::string& warning : study.warnings) console.warn(warning);
     const std::vector<Finding> before = check_before(study);
-    tell_findings(before, {}, console);
+    tell_findings(before, opening.told, console);
     console.print(study.experiment.name);
     DiagnoseSettings settings;
     settings.without = call.without;

@@ -96,7 +96,7 @@ int gradcheck_command(const GradcheckCall& call) {
 std::function<int()> declare_gradcheck(CLI::App& app) {
     const auto call = std::make_shared<GradcheckCall>();
     call->writes_folder = false;
-    call->chooses_steps = false;
+    call->step_choice = StepChoice::half_interval;
     call->outputs = [own = call.get()](const Experiment&) { return std::vector<std::filesystem::path>{own->json}; };
     declare_study_call(app, *call);
     app.add_option("--trial", call->trial, "trial to check (default: the first with role fit)")->type_name("NAME");

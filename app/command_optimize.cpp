@@ -122,7 +122,7 @@ int optimize_command(const OptimizeCall& call) {
     }
     for (const std::string& warning : study.warnings) console.warn(warning);
     const std::vector<Finding> before = check_before(study);
-    tell_findings(before, {}, console);
+    tell_findings(before, opening.told, console);
     std::vector<std::string> names;
     for (const SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
     console.print(study.experiment.name + ", trial " + study.trials.front().name + ": " + std::to_string(from.values.size()) + " values of " +
@@ -150,7 +150,7 @@ int optimize_command(const OptimizeCall& call) {
 
 std::function<int()> declare_optimize(CLI::App& app) {
     const auto call = std::make_shared<OptimizeCall>();
-    call->chooses_steps = false;
+    call->step_choice = StepChoice::half_interval;
     declare_study_call(app, *call);
     call->outputs = [own = call.get()](const Experiment& experiment) {
         std::vector<std::filesystem::path> files = trace_files_and(*own, experiment, {"optimize.json", "report.html"});

@@ -80,12 +80,18 @@ int simulate_command(const SimulateCall& call) {
     std::optional<Study>& study = opening.study;
     for (const std::string& warning : study->warnings) console.warn(warning);
     const std::vector<Finding> before = check_before(*study);
-    tell_findings(before, {}, console);
+    tell_findings(before, opening.told, console);
     const double setup_s = opening.setup.seconds();
 
     const StudyValues values = with_predicted_levels(*study, declared_values(*study));
     console.print(study->experiment.name + "\n" + mesh_line(*study) + "\n" + values_line(*study, values));
     const StudyRun run = run_with_chosen_steps(*study, values, progress, call.trial);
+    if (!study->integration && !progress.cancelled()) {
+        const auto told = static_cast<std::ptrdiff_t>(study->warnings.size());
+        check_integration(*study);   // with the steps of the run
+        for (auto warning = study->warnings.begin() + told; warning != study->warnings.end(); ++warning)
+            console.warn(*warning);
+    }
     RunFacts facts = run_facts(call, setup_s);
     facts.findings = check_after({*study, &run}, before);
     tell_findings(facts.findings, before, console);
@@ -110,7 +116,7 @@ int simulate_command(const SimulateCall& call) {
 
 std::function<int()> declare_simulate(CLI::App& app) {
     const auto call = std::make_shared<SimulateCall>();
-    call->chooses_steps = false;
+    call->step_choice = StepChoice::in_run;
     declare_study_call(app, *call);
     call->outputs = [own = call.get()](const Experiment& experiment) {
         std::vector<std::filesystem::path> files = trace_files_and(*own, experiment, {"simulate.json"});

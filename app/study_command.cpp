@@ -9,6 +9,7 @@
 
 #include "base/overwrites.hpp"
 #include "base/text.hpp"
+#include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "dynamics/run_advice.hpp"
 #include "exit_status.hpp"
@@ -72,14 +73,19 @@ Result<Experiment> open_experiment(const StudyCall& call, std::optional<FolderLo
 }
 
 /// prepare_study() with limits that keep a slip of the keyboard from filling the memory.
-Result<Study> open_study(const StudyCall& call, const Experiment& experiment, const Progress& progress) {
+Result<Study> open_study(const StudyCall& call, const Experiment& experiment, Console& console,
+                         const Progress& progress, std::vector<Finding>& told) {
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
     Result<Study> study = prepare_study(experiment, study_settings(call.study, call.work), progress);
     if (!study) return study.error();
-    if (call.chooses_steps && choosable(study->settings))
+    const bool choosable_steps = choosable(study->settings);
+    if (call.step_choice == StepChoice::before && choosable_steps) {
+        told = run_check(*find_check("units"), {*study});
+        tell_findings(told, {}, console);
         set_steps(*study, choose_steps(*study, declared_values(*study), progress));
+    }
     if (const Result<void> few = check_steps(*study); !few) return few.error();
-    check_integration(*study);
+    if (call.step_choice != StepChoice::in_run || !choosable_steps) check_integration(*study);
     return study;
 }
 
@@ -112,7 +118,7 @@ StudyOpening open_command(const StudyCall& call, TrialChoice choice, const std::
         opening.status = console.refuse(declaration_error(*experiment, "effect[0].id", "simulate, calibrate and diagnose know declared effects; this command does not"));
         return opening;
     }
-    Result<Study> study = open_study(call, *experiment, progress);
+    Result<Study> study = open_study(call, *experiment, console, progress, opening.told);
     opening.experiment = std::move(*experiment);
     if (progress.cancelled()) opening.status = stopped_before(first_result, console);
     else if (!study) opening.status = console.refuse(study.error());

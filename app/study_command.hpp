@@ -16,11 +16,19 @@
 
 namespace myo {
 
+/// When the steps of trials are chosen, where nobody asks for one.
+enum class StepChoice {
+    before,          // the command runs
+    in_run,          // by the run itself, which looks at its own vibrations
+    half_interval,   // they are half a sampling interval: each trial runs once, which is cheaper than to look for its
+                     // step
+};
+
 struct StudyCall {
     std::filesystem::path experiment;
     std::filesystem::path out;
     bool writes_folder = true;   // false: the command has no --out
-    bool chooses_steps = true;   // false: it runs each trial once, which is cheaper than to look for its step
+    StepChoice step_choice = StepChoice::before;
     /// Files that the command may write for an experiment; none of them may be one that it reads.
     std::function<std::vector<std::filesystem::path>(const Experiment&)> outputs;
     std::string trial;           // of commands with --trial
@@ -42,6 +50,7 @@ struct StudyOpening {
     Experiment experiment;        // all of it
     Stopwatch setup;              // since the beginning
     std::optional<FolderLock> lock = {};   // of the folder of results
+    std::vector<Finding> told = {};        // before steps were looked for: with a slip in a unit that may take long
 };
 
 /// Reads and prepares the study, of one trial alone (with_one_trial) when the command is on one. A call.trial that is

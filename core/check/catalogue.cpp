@@ -12,7 +12,7 @@ const std::vector<Check>& check_catalogue() {
         {"units", "Are the numbers in SI units?", CheckTime::before,
          "soft robots are built of 1 kPa to 1 GPa and 0.1 to 20 g/cm3", check_units, true},
         {"mesh", "Is the mesh fine enough to bend and to twist?", CheckTime::before,
-         "errors of coarse meshes beside fine ones, see SuitabilityPolicy", check_mesh, true},
+         "errors of coarse meshes beside fine ones", check_mesh, true},
         {"markers", "Is the mesh fine enough for the markers?", CheckTime::before,
          "strains are linear within a cell", check_markers},
         {"support", "Does the support hold the body?", CheckTime::before,
@@ -31,7 +31,7 @@ const std::vector<Check>& check_catalogue() {
          "a Jacobian below 0 is no deformation", check_inside_out, true},
         {"bounds", "Did the fit end within its bounds?", CheckTime::after, "the declared ranges", check_bounds, true},
         {"influence", "Do the data determine what is fitted?", CheckTime::after,
-         "singular values of the Jacobian, see IdentifiabilityPolicy", check_influence},
+         "singular values of the Jacobian", check_influence},
         {"residual", "Does the model explain the recordings?", CheckTime::after,
          "the noise of the markers", check_residual},
     };
@@ -56,11 +56,7 @@ std::vector<Finding> run_checks(CheckedJob job, const std::vector<Finding>& befo
             std::copy_if(before.begin(), before.end(), std::back_inserter(own),
                          [&](const Finding& finding) { return finding.check == check.id; });
         } else {
-            own = check.find(job);
-        }
-        for (Finding& finding : own) {
-            finding.check = check.id;
-            finding.source = check.source;
+            own = run_check(check, job);
         }
         findings.insert(findings.end(), own.begin(), own.end());
     }
@@ -68,6 +64,15 @@ std::vector<Finding> run_checks(CheckedJob job, const std::vector<Finding>& befo
 }
 
 }  // namespace
+
+std::vector<Finding> run_check(const Check& check, const CheckedJob& job) {
+    std::vector<Finding> findings = check.find(job);
+    for (Finding& finding : findings) {
+        finding.check = check.id;
+        finding.source = check.source;
+    }
+    return findings;
+}
 
 std::vector<Finding> check_before(const Study& study) { return run_checks({study}, {}); }
 

@@ -24,6 +24,9 @@ struct Check {
 const std::vector<Check>& check_catalogue();
 const Check* find_check(const std::string& id);
 
+/// What one of them finds, with its id and source.
+std::vector<Finding> run_check(const Check& check, const CheckedJob& job);
+
 /// All findings before a job, fine ones among them.
 std::vector<Finding> check_before(const Study& study);
 

@@ -320,6 +320,17 @@ TEST(Calibrate, RefusesToFitOnlyWhatIsExact) {
     EXPECT_THAT(run.err, HasSubstr("nothing is left to fit"));
 }
 
+/// Runs with a slip in a unit may take for ever: it is said before the first of them, and not again.
+TEST(Calibrate, TellsOfADoubtfulUnitOnce) {
+    const Folder folder("doubtful_unit");
+    write_small_experiment(folder);
+    const ProgramRun run = run_program(
+        call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--set", "material.density_kg_m3=1.0"}));
+    const std::size_t first = run.err.find("material.density_kg_m3 is 1 kg/m3");
+    ASSERT_NE(first, std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("material.density_kg_m3 is 1 kg/m3", first + 1), std::string::npos) << run.err;
+}
+
 TEST(Calibrate, LogsEveryEvaluationAndResumeGoesOnFromTheLast) {
     const Folder folder("calibrate_resume");
     write_small_experiment(folder, 0.3);
