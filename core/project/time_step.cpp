@@ -4,6 +4,8 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -65,15 +67,20 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
         return predict_trial(study, index, values, {}, progress);
     };
     // A coarse run that shows nothing of a fast vibration may have damped it away.
+    std::optional<TrialPrediction> probed;
     const double probe = probe_step(study, index, values);
     if (probe < step.h_s) {
-        const TrialPrediction fine = run(probe);
-        if (fine.ok() && step_seen_in(study, index, values, fine.trace).vibration_Hz > 0.0) step.h_s = probe;
+        TrialPrediction fine = run(probe);
+        if (fine.ok() && step_seen_in(study, index, values, fine.trace).vibration_Hz > 0.0) {
+            step.h_s = probe;
+            probed = std::move(fine);
+        }
     }
     double h_before = 2.0 * step.h_s;
-    TrialPrediction before = run(h_before);
+    // Where a vibration is seen, its frequency tells the error, and no second run is needed.
+    TrialPrediction before = probed ? TrialPrediction{} : run(h_before);
     for (int runs = 1; runs < step_policy.most_runs; ++runs) {
-        const TrialPrediction now = run(step.h_s);
+        const TrialPrediction now = probed ? *std::exchange(probed, std::nullopt) : run(step.h_s);
         if (!now.ok()) {
             step = {};
             step.h_s = 0.5 * interval;
