@@ -159,7 +159,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     c.material.declared_modulus_Pa = rounded(beam.E * random.uniform(0.8, 1.25));
     c.material.poissons_ratio = drawn_ratio(random);
     c.material.density_kg_m3 = beam.rho;
-    // Of a vibration the ratio is omega damping / 2.
+    // The damping ratio of a vibration is omega damping / 2.
     c.material.damping_s = rounded(random.log_uniform(p.least_damping_ratio, p.most_damping_ratio) /
                                    (std::numbers::pi * d.frequency_Hz));
     c.markers = drawn_markers(c.body, 3 + random.below(4), random);
@@ -170,7 +170,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     return true;
 }
 
-/// Of every three cases in a row one has a slip; they go round the catalogue.
+/// One case in three has a slip: the next of the catalogue each time.
 const Slip* slip_of(int number) {
     constexpr int round = static_cast<int>(1.0 / defaults_policy.slips + 0.5);
     if (number % round != round - 1) return nullptr;

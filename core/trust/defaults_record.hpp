@@ -15,7 +15,7 @@ struct FittedNumber {
     double deviation = std::numeric_limits<double>::quiet_NaN();   // NaN: not determined
 
     double error() const { return value / truth - 1.0; }
-    /// Of the error, in deviations.
+    /// The error in units of the deviation.
     double normalised() const { return (value - truth) / deviation; }
 };
 

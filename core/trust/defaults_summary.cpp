@@ -6,16 +6,10 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "trust/finite_median.hpp"
 
 namespace myo {
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
 
 bool all_right(const std::vector<FittedNumber>& numbers) {
     return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), is_right);
@@ -48,14 +42,6 @@ std::string remark_words(const DefaultsRecord& r) {
 std::string what_was_said(const DefaultsRecord& r) {
     if (!r.refusal.empty()) return "refused: " + r.refusal;
     return (r.failure.empty() ? "" : "failed: " + r.failure + "; ") + remark_words(r);
-}
-
-Json proportion_json(const Proportion& p) {
-    return {{"count", p.count},
-            {"of", p.of},
-            {"share", json_number(p.share())},
-            {"lower_95", json_number(p.lower())},
-            {"upper_95", json_number(p.upper())}};
 }
 
 Table rate_table(const DefaultsSummary& s) {
@@ -121,11 +107,11 @@ DefaultsSummary defaults_summary(const std::vector<DefaultsRecord>& records) {
         }
     }
     for (const auto& [name, sum] : squares) s.normalised_rms[name] = std::sqrt(sum.first / sum.second);
-    s.median_time_ratio = median(ratios);
+    s.median_time_ratio = finite_median(ratios);
     s.longest_fit_s =
         fit_s.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(fit_s.begin(), fit_s.end());
-    s.median_fit_s = median(fit_s);
-    s.median_make_s = median(make_s);
+    s.median_fit_s = finite_median(fit_s);
+    s.median_make_s = finite_median(make_s);
     return s;
 }
 

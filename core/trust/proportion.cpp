@@ -32,4 +32,12 @@ double Proportion::lower(double confidence) const {
 std::string at_least_words(const Proportion& p) { return words(p, "least", p.lower()); }
 std::string at_most_words(const Proportion& p) { return words(p, "most", p.upper()); }
 
+Json proportion_json(const Proportion& p) {
+    return {{"count", p.count},
+            {"of", p.of},
+            {"share", json_number(p.share())},
+            {"lower_95", json_number(p.lower())},
+            {"upper_95", json_number(p.upper())}};
+}
+
 }  // namespace myo

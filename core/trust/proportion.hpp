@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "report/json.hpp"
+
 namespace myo {
 
 /// A share that was counted, with what the count says of the true one.
@@ -22,5 +24,7 @@ struct Proportion {
 /// "47 of 50, 94 % (at least 85 %)", with the lower bound or the upper one.
 std::string at_least_words(const Proportion& p);
 std::string at_most_words(const Proportion& p);
+/// Count, share and both bounds.
+Json proportion_json(const Proportion& p);
 
 }  // namespace myo

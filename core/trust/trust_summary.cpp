@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "trust/finite_median.hpp"
 
 namespace myo {
 namespace {
@@ -12,14 +13,6 @@ namespace {
 constexpr double good_relative = 0.1, good_place_m = 5e-3, explained_over_noise = 1.3;
 /// Confidence is stated coarsely near certainty: bins are narrower there.
 constexpr double bin_edges[] = {0.0, 0.5, 0.7, 0.85, 0.95, 1.0};
-
-double median(std::vector<double> values) {
-    values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }), values.end());
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
 
 std::vector<ConfidenceBin> reliability_of(const std::vector<CaseRecord>& records) {
     std::vector<ConfidenceBin> bins;
@@ -60,14 +53,10 @@ std::vector<ParameterQuality> qualities_of(const std::vector<CaseRecord>& record
             sizes.push_back(quality.is_place ? error.absolute : error.relative);
             quality.good.add(sizes.back() <= (quality.is_place ? good_place_m : good_relative));
         }
-        quality.median = median(sizes);
+        quality.median = finite_median(sizes);
         list.push_back(quality);
     }
     return list;
-}
-
-Json proportion_json(const Proportion& p) {
-    return {{"count", p.count}, {"of", p.of}, {"share", json_number(p.share())}, {"lower_95", json_number(p.lower())}, {"upper_95", json_number(p.upper())}};
 }
 
 }  // namespace
@@ -114,11 +103,11 @@ TrustSummary trust_summary(const std::vector<CaseRecord>& records) {
     }
     s.reliability = reliability_of(records);
     s.calibration_error = calibration_error_of(s.reliability);
-    s.validation_before = median(before);
-    s.validation_after = median(after);
-    s.median_diagnose_s = median(diagnose_s);
+    s.validation_before = finite_median(before);
+    s.validation_after = finite_median(after);
+    s.median_diagnose_s = finite_median(diagnose_s);
     s.longest_diagnose_s = diagnose_s.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(diagnose_s.begin(), diagnose_s.end());
-    s.median_make_s = median(make_s);
+    s.median_make_s = finite_median(make_s);
     return s;
 }
 
