@@ -11,6 +11,8 @@ namespace {
 
 /// A model that lacks nothing leaves 1, beside its numerical errors; the noise itself is known to some tens of percent.
 constexpr double doubtful_ratio = 1.5, wrong_ratio = 10.0;
+/// Numerical errors that raise what is expected by less than this are not worth a word.
+constexpr double least_told_rise = 1.1;
 
 /// What was found doubtful so far and may leave a residual, the worst first.
 std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
@@ -30,7 +32,7 @@ std::vector<Finding> check_residual(const CheckedJob& job) {
     if (job.calibration == nullptr || !std::isfinite(job.run->fit_rms_m)) return {};
     const double noise = mean_noise(job.study), ratio = job.run->fit_rms_m / noise;
     const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
-    const bool numerical_is_seen = expected > 1.1;
+    const bool numerical_is_seen = expected > least_told_rise;
     Finding finding = fine_finding("", "what the model leaves of the fit trials, " + length_words(job.run->fit_rms_m) +
                                            " rms, is " + format_number(ratio, 3) + " times the noise" +
                                            (numerical_is_seen ? ", of which mesh and step make about " +

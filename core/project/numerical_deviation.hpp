@@ -12,13 +12,13 @@ namespace myo {
 /// element on finer meshes: errors of the modulus of 0.01 to 2.3 %, in units of these deviations of rms 0.8; of the
 /// damping 0.05 to 1.0 %, rms 0.6.
 struct NumericalDeviationPolicy {
-    /// Of the other mesh: the first that can be made and afforded. Two layers become three; tetrahedra may be finer
-    /// already than they were asked to be.
+    /// Edges of the other mesh over those of the study: the first that can be made and afforded. Two layers become
+    /// three; tetrahedra may be finer already than they were asked to be.
     std::array<double, 3> edges{2.0 / 3.0, 0.45, 1.5};
     double another = 1.1;          // ratio of the edges of meshes that tell something
     double mesh_order = 2.0;       // of the values' error: thin walls have 3, corners of clamps 1
-    /// Of the modulus, by cells of the default edge length: where errors of bending and of the clamp's corners cancel,
-    /// two meshes show neither. Errors of such bodies were 0.1 to 0.4 %.
+    /// Least error of the modulus on cells of the default edge length: where errors of bending and of the clamp's
+    /// corners cancel, two meshes show neither. Errors of such bodies were 0.1 to 0.4 %.
     double least_mesh_error = 0.003;
     double longer_steps = 2.0;     // times the steps
     int most_runs = 3;             // of all trials on another mesh or with other steps

@@ -1,5 +1,6 @@
 #include "project/shared_recordings.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "loop/swung_beam.hpp"
@@ -8,6 +9,7 @@
 namespace myo {
 namespace {
 
+using testing::HasSubstr;
 using testing_support::replaced;
 
 /// The pairs of the swung beam, whose second trial names `second` and has `more` in it.
