@@ -108,9 +108,9 @@ int end_status(const OptimizeCall& call, const Optimization& result, Console& co
 int optimize_command(const OptimizeCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const StudyOpening opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
+    StudyOpening opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
     if (!opening.study) return opening.status;
-    const Study& study = *opening.study;
+    Study& study = *opening.study;
     const OptimizeSettings settings = settings_of(call);
     const Result<ActuationProblem> problem = actuation_problem(study, settings);
     if (!problem) return console.refuse(problem.error());
@@ -129,8 +129,8 @@ int optimize_command(const OptimizeCall& call) {
                   join(names) + " at " + format_number(settings.frequency_Hz) + " Hz");
     const double setup_s = opening.setup.seconds();
 
-    Optimization result = optimize_study(study, *problem, settings, from.values, progress);
-    result.earlier_evaluations = from.evaluations;
+    Optimization result = optimize_with_chosen_steps(study, *problem, settings, from.values, progress);
+    result.earlier_evaluations += from.evaluations;
     if (!result.usable()) {
         if (result.stopped) return stopped_before(first_evaluation, console);
         console.complain("the trial could not be run: " + result.fit.message + "; a smaller --dt or another mesh (--element, --resolution) may help");
@@ -138,7 +138,9 @@ int optimize_command(const OptimizeCall& call) {
     }
     for (const std::string& warning : result.warnings) console.warn(warning);
     RunFacts facts = run_facts(call, setup_s);
-    facts.findings = before;   // the trial ran with signals of its own, markers only
+    const StudyRun run = run_with_found_signals(study, result, progress);
+    facts.findings = check_after({study, &run}, before);
+    tell_findings(facts.findings, before, console);
     console.print("\n" + result_lines(study, result));
     if (const Result<void> written = write_results(call, study, result, facts); !written)
         return console.fail(written.error());

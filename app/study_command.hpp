@@ -20,8 +20,8 @@ namespace myo {
 enum class StepChoice {
     before,          // the command runs
     in_run,          // by the run itself, which looks at its own vibrations
-    half_interval,   // they are half a sampling interval: each trial runs once, which is cheaper than to look for its
-                     // step
+    half_interval,   // they begin as half a sampling interval: what is sought tells, or each trial runs once, which is
+                     // cheaper than to look for its step
 };
 
 struct StudyCall {

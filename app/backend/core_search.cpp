@@ -228,12 +228,14 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
 
 Result<SearchResult> optimize_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
                                     const Backend::LiveSearch& live) {
-    Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
+    StudySettings chosen = study_settings(settings);
+    if (!settings.own_step) chosen.h_s.reset();   // it gives way to one that suits the signals
+    Result<Study> study = scene_study(scene, body, settings, chosen, progress);
     if (!study) return study.error();
     check_integration(*study);
     const Result<std::size_t> trial = find_trial(study->experiment, request.trial);
     if (!trial) return trial.error();
-    const Study one = with_one_trial(*study, *trial);
+    Study one = with_one_trial(*study, *trial);
     OptimizeSettings how;
     how.frequency_Hz = std::min(request.frequency_Hz, 1.0 / one.trials.front().options.h_s);
     how.lowest = request.lowest;
@@ -244,11 +246,13 @@ Result<SearchResult> optimize_scene(const Scene& scene, const MeshedBody& body, 
     const Eigen::MatrixXd start = drawn_values(one, *problem);
     LiveOptimization shown(*study, *trial, *problem, start, settings, progress, live);
     how.evaluated = [&](const ActuationFit& fit) { shown.show(fit); };
-    const Optimization found = optimize_study(one, *problem, how, start, progress);
+    const Optimization found = optimize_with_chosen_steps(one, *problem, how, start, progress);
     if (!found.usable()) return Error{found.stopped ? "stopped before the first evaluation was complete" : found.fit.message, ""};
+    set_step(study->trials[*trial], one.trials.front().options.h_s);   // the body is shown as it was run
     SearchResult result;
     result.title = "Optimised";
     result.settings = with_signals(settings, activations_of(problem->sought, found.fit.values));
+    if (!settings.own_step) result.settings.time_step_s = one.trials.front().options.h_s;
     result.evaluations = static_cast<int>(found.fit.log.size());
     result.stopped = found.stopped;
     result.warnings = found.warnings;

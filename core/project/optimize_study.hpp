@@ -66,6 +66,15 @@ struct Optimization {
 Optimization optimize_study(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings, const Eigen::MatrixXd& start,
                             const Progress& progress = {});
 
+/// optimize_study() with steps that suit the motion it ends with: where half a sampling interval is too long for the
+/// vibrations that the signals excite, shorter steps are set in the study and the search goes on from where it was.
+/// Steps that are not choosable() stay. The evaluations of searches before the last count as earlier ones.
+Optimization optimize_with_chosen_steps(Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
+                                        const Eigen::MatrixXd& start, const Progress& progress = {});
+
+/// The only trial run with the signals that were found and with all that simulate looks at. Cancelled, it has not run.
+StudyRun run_with_found_signals(const Study& study, const Optimization& found, const Progress& progress = {});
+
 /// Where an earlier call has left off: the values in its optimize.json.
 struct EarlierOptimization {
     Eigen::MatrixXd values;   // signals x knots

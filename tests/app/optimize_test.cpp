@@ -51,7 +51,7 @@ std::vector<std::string> optimize_call(const Folder& folder, const std::vector<s
 TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
     const Folder folder("optimize");
     write_muscled_experiment(folder);
-    const ProgramRun run = run_program(optimize_call(folder));
+    const ProgramRun run = run_program(optimize_call(folder, {"--dt", "0.005"}));
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("signal upper: 8 values"));
     const json j = json_at(folder, "out/optimize.json");
@@ -92,7 +92,10 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
 TEST(Optimize, HeldSignalsCanBePlayed) {
     const Folder folder("optimize_hold");
     write_muscled_experiment(folder);
-    ASSERT_EQ(run_program(optimize_call(folder, {"--hold", "--frequency", "50", "--smoothness", "0.001", "--quiet"})).status, 0);
+    ASSERT_EQ(run_program(optimize_call(folder, {"--hold", "--frequency", "50", "--smoothness", "0.001", "--dt", "0.005",
+                                                 "--quiet"}))
+                  .status,
+              0);
     const json j = json_at(folder, "out/optimize.json");
     EXPECT_EQ(j.at("interpolation"), "hold");
     EXPECT_EQ(j.at("knot_times_s").size(), 20u);
@@ -215,6 +218,23 @@ TEST(Optimize, SaysThatATargetIsNotReachedByHowMuchAndWhere) {
         EXPECT_THAT(said, HasSubstr("middle"));
     }
     EXPECT_THAT(run.out, HasSubstr("target not reached: "));
+}
+
+/// The block swings faster than half a sampling interval resolves.
+TEST(Optimize, TakesStepsThatSuitTheVibrationsItExcites) {
+    const Folder folder("optimize_steps");
+    write_muscled_experiment(folder);
+    const ProgramRun run = run_program(optimize_call(folder));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json j = json_at(folder, "out/optimize.json");
+    bool told = false;
+    for (const json& check : j.at("checks"))
+        if (check.at("id") == "step" && check.contains("figure")) {
+            told = true;
+            EXPECT_LE(check.at("figure").get<double>(), 1.5e-3) << check.dump();
+        }
+    EXPECT_TRUE(told) << j.at("checks").dump();
+    EXPECT_GT(j.at("steps").get<int>(), 2 * 0.4 / 0.005);
 }
 
 TEST(Optimize, ATargetThatIsMetFromTheStartEndsAtOnce) {
