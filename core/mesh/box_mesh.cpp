@@ -68,6 +68,20 @@ GridLines equal_grid(const Box& box, const Eigen::Vector3i& cells) {
     return grid;
 }
 
+/// Along which axes a cell of a grid has an odd number.
+std::array<bool, 3> odd_axes(Eigen::Index cell, const Eigen::Vector3i& cells) {
+    return {cell % cells[0] % 2 == 1, cell / cells[0] % cells[1] % 2 == 1, cell / cells[0] / cells[1] % 2 == 1};
+}
+
+/// The corner of a hexahedron on the other side along these axes.
+int mirrored_corner(int corner, const std::array<bool, 3>& axes) {
+    std::array<int, 3> at = hexahedron_corners[static_cast<std::size_t>(corner)];
+    for (std::size_t a = 0; a < 3; ++a)
+        if (axes[a]) at[a] = 1 - at[a];
+    return static_cast<int>(std::find(hexahedron_corners.begin(), hexahedron_corners.end(), at) -
+                            hexahedron_corners.begin());
+}
+
 }  // namespace
 
 Eigen::Vector3i box_cells(const Box& box, double edge) {
@@ -150,7 +164,7 @@ VolumeMesh hex_mesh(const GridLines& grid) {
 
 VolumeMesh box_hex_mesh(const Box& box, const Eigen::Vector3i& cells) { return hex_mesh(equal_grid(box, cells)); }
 
-VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type) {
+VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type, Diagonals diagonals) {
     assert(type != CellType::hex8);
     const VolumeMesh hexes = box_hex_mesh(box, cells);
     // Paths from corner 0 to corner 6 along three axes, one per order of the axes; even orders are positive.
@@ -161,11 +175,13 @@ VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType t
     mesh.nodes = hexes.nodes;
     mesh.cells.resize(4, 6 * hexes.cell_count());
     for (Eigen::Index c = 0; c < hexes.cell_count(); ++c) {
+        const std::array<bool, 3> turned = diagonals == Diagonals::mirrored ? odd_axes(c, cells) : std::array<bool, 3>{};
         for (Eigen::Index p = 0; p < 6; ++p) {
             for (Eigen::Index i = 0; i < 4; ++i) {
-                mesh.cells(i, 6 * c + p) =
-                    hexes.cells(paths[static_cast<std::size_t>(p)][static_cast<std::size_t>(i)], c);
+                const int corner = paths[static_cast<std::size_t>(p)][static_cast<std::size_t>(i)];
+                mesh.cells(i, 6 * c + p) = hexes.cells(mirrored_corner(corner, turned), c);
             }
+            if ((turned[0] + turned[1] + turned[2]) % 2 == 1) std::swap(mesh.cells(2, 6 * c + p), mesh.cells(3, 6 * c + p));
         }
     }
     return type == CellType::tet10 ? to_tet10(mesh) : mesh;

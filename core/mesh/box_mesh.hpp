@@ -60,8 +60,15 @@ VolumeMesh hex_mesh(const GridLines& grid);
 /// Equal hex8 cells that fill the box exactly.
 VolumeMesh box_hex_mesh(const Box& box, const Eigen::Vector3i& cells);
 
+/// How grid cells are divided into tetrahedra.
+enum class Diagonals {
+    alike,      // all cells: their common direction couples bending in one plane with bending in the other
+    mirrored,   // neighbours in each other's faces: with even counts the mesh is as symmetric as the box
+};
+
 /// Six tetrahedra per grid cell around its main diagonal (Kuhn's subdivision), tet4 or tet10; faces match between cells.
-VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type = CellType::tet4);
+VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type = CellType::tet4,
+                        Diagonals diagonals = Diagonals::alike);
 
 /// Adds a node in the middle of every edge of a tet4 mesh, after the corner nodes, in ascending order of the edge's (lower,
 /// higher) corner numbers. A tet10 mesh is returned unchanged.

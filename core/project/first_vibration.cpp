@@ -5,9 +5,17 @@
 namespace myo {
 
 double first_vibration_rad_s(const Model& model) {
+    const std::vector<double> found = slowest_vibrations_rad_s(model, 1);
+    return found.empty() ? 0.0 : found.front();
+}
+
+std::vector<double> slowest_vibrations_rad_s(const Model& model, int count) {
     StageSolver solver(model);
-    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);
-    return modes.ok() ? modes.modes.front().omega_rad_s : 0.0;
+    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, count);
+    std::vector<double> omega_rad_s;
+    if (modes.ok())
+        for (const NaturalMode& mode : modes.modes) omega_rad_s.push_back(mode.omega_rad_s);
+    return omega_rad_s;
 }
 
 }  // namespace myo

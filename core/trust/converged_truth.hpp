@@ -10,12 +10,12 @@ namespace myo {
 
 /// When a truth is called converged.
 struct ConvergencePolicy {
-    double most_change = 3e-3;       // of the first frequency by the last refinement of the mesh, and of the path by
+    double most_change = 3e-3;       // of the first frequencies by the last refinement of the mesh, and of the path by
                                      // extrapolation over the step, as a share of the motion's rms
-    double coarse_enough = 1e-3;     // change of the frequency, below which the coarser of the last two meshes will do:
-                                     // its error is about twice the change
-    int first_layers = 2;            // across the thickness
-    int most_layers = 6;
+    double mesh_order = 2.0;         // of the frequencies' error
+    int frequencies = 2;             // bending in both planes, or the twist of a plate
+    int layers = 2;                  // across the thickness: so many, twice as many, ...
+    int most_layers = 8;
     double length_aspect = 2.5;      // of cells, along the body over across it
     double width_aspect = 2.0;
     double steps_per_period = 40.0;  // of the first vibration, of the longest step
@@ -28,12 +28,14 @@ struct ConvergedTruth {
     std::vector<std::vector<Eigen::Matrix3Xd>> positions_m;   // per trial and marker 3 x samples, mesh frame
     int dofs = 0;
     double frequency_Hz = 0.0;         // of the first vibration about the straight body
-    double frequency_change = 0.0;     // by the last refinement of the mesh
+    double modulus_factor = 1.0;       // with which these cells vibrate as infinitely small ones
+    double frequency_change = 0.0;     // by the last refinement of the mesh, of the first ones the largest
     double path_change = 0.0;          // by which extrapolation over the step moves the finer path
 };
 
 /// The motions of a case as it truly is, by another element than its experiment's default: tet10 in boxes, hex8 that
-/// follow the taper in fingers. Positions are extrapolated from the last two steps by Richardson's rule.
+/// follow the taper in fingers. Frequencies are extrapolated from the last two meshes by Richardson's rule: the coarser
+/// of them moves with the modulus that gives it the first one. Positions are extrapolated from the last two steps.
 ///
 /// @param experiment  of the folder of the true experiment, traces of the right times in it
 /// Errors: those of prepare_study; a trial that does not run; numbers that do not settle; cancelled.

@@ -66,6 +66,7 @@ Result<ConvergedTruth> write_case(const DefaultsCase& d, const std::filesystem::
                     {"dofs", truth->dofs},
                     {"frequency_Hz", truth->frequency_Hz},
                     {"frequency_change", truth->frequency_change},
+                    {"modulus_factor", truth->modulus_factor},
                     {"path_change", truth->path_change}};
     if (const Result<void> file = write_json(folder / "truth.json", json); !file) return file.error();
     return truth;
