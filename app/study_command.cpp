@@ -80,7 +80,8 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, Co
     if (!study) return study.error();
     const bool choosable_steps = choosable(study->settings);
     if (call.step_choice == StepChoice::before && choosable_steps) {
-        told = run_check(*find_check("units"), {*study});
+        for (const char* const unit : {"units", "time_unit"})
+            for (Finding& finding : run_check(*find_check(unit), {*study})) told.push_back(std::move(finding));
         tell_findings(told, {}, console);
         set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     }

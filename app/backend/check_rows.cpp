@@ -15,7 +15,7 @@ namespace {
 /// The step of the window where a person can mend what a check found; the run's for those that are not here.
 std::string step_of(const std::string& check) {
     static const std::map<std::string, std::string> steps{
-        {"units", "material"},   {"mesh", "mesh"},          {"markers", "mesh"},      {"support", "body"},
+        {"units", "material"},   {"time_unit", "measure"}, {"mesh", "mesh"},          {"markers", "mesh"},      {"support", "body"},
         {"pose", "body"},        {"signals", "fibres"},     {"recordings", "measure"}, {"start", "measure"},
         {"bounds", "fit"},       {"influence", "fit"},      {"residual", "diagnose"}};
     const auto known = steps.find(check);

@@ -10,6 +10,7 @@ namespace myo {
 std::vector<Finding> check_mesh(const CheckedJob& job);
 std::vector<Finding> check_markers(const CheckedJob& job);
 std::vector<Finding> check_units(const CheckedJob& job);
+std::vector<Finding> check_time_unit(const CheckedJob& job);
 std::vector<Finding> check_support(const CheckedJob& job);
 std::vector<Finding> check_pose(const CheckedJob& job);
 std::vector<Finding> check_step(const CheckedJob& job);

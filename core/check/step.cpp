@@ -1,8 +1,10 @@
 #include <cmath>
+#include <numbers>
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
 #include "check/step_level.hpp"
+#include "project/first_vibration.hpp"
 #include "project/time_step.hpp"
 
 namespace myo {
@@ -29,6 +31,17 @@ Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error)
     const double better = trial.options.h_s * std::sqrt(step_policy.most_frequency_error / error);
     finding.way_out = "choose a step of " + format_number(better, 2) + " s (--dt), or leave it to the program";
     return finding;
+}
+
+/// Of a run whose step nobody has looked for, and that shows no vibration to judge it by.
+Finding of_nothing_seen(const StudyTrial& trial, double first_rad_s) {
+    const double h = trial.options.h_s;
+    const bool blind = first_rad_s * h > 1.0;
+    return fine_finding(trial.name, step_words(trial) + ", and no vibration is seen that they could make too slow" +
+                                        (blind ? ": they damp away the first one, of " +
+                                                     format_number(first_rad_s / (2.0 * std::numbers::pi), 3) +
+                                                     " Hz, as suits slow motion"
+                                               : ""));
 }
 
 Finding of_choice(const StudyTrial& trial, const TrialStep& step) {
@@ -65,7 +78,9 @@ std::vector<Finding> check_step(const CheckedJob& job) {
     std::vector<Finding> findings;
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
         const StudyTrial& trial = study.trials[t];
-        if (job.run != nullptr && job.run->predictions[t].ok() && job.run->predictions[t].trace.complete()) {
+        const bool has_run =
+            job.run != nullptr && job.run->predictions[t].ok() && job.run->predictions[t].trace.complete();
+        if (has_run) {
             const TrialStep seen = step_seen_in(study, t, job.run->values, job.run->predictions[t].trace);
             if (seen.vibration_Hz > 0.0) {
                 findings.push_back(of_vibration(trial, seen.vibration_Hz, seen.frequency_error));
@@ -73,6 +88,9 @@ std::vector<Finding> check_step(const CheckedJob& job) {
             }
         }
         if (t < study.steps.size()) findings.push_back(of_choice(trial, study.steps[t]));
+        else if (has_run)
+            findings.push_back(of_nothing_seen(
+                trial, first_vibration_rad_s(affected_trial(study, t, job.run->values).model)));
     }
     return findings;
 }

@@ -187,6 +187,23 @@ TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
     EXPECT_NEAR(coarse[0].figure / fine[0].figure, 25.0, 3.0);   // second order
 }
 
+/// Of a run whose step nobody has looked for, as simulate's, every trial is judged, also one that shows no vibration.
+TEST(CheckStep, JudgesTrialsWithoutAVibration) {
+    Study study = study_of(test::swung_beam_toml());
+    StudyRun run;
+    run.values = declared_values(study);
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        study.trials[t].model.gravity_m_s2.setZero();
+        set_step(study.trials[t], 0.1);
+        run.predictions.push_back(predict_trial(study, t, run.values));
+    }
+    const std::vector<Finding> found = check_step({study, &run});
+    ASSERT_EQ(found.size(), study.trials.size());
+    EXPECT_EQ(found[0].level, CheckLevel::fine);
+    EXPECT_THAT(found[0].sentence, HasSubstr("steps of 100 ms, and no vibration is seen"));
+    EXPECT_THAT(found[0].sentence, HasSubstr("they damp away the first one, of "));
+}
+
 TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     const Study study = study_of(test::swung_beam_toml());
     Calibration calibration;

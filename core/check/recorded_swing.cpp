@@ -1,0 +1,88 @@
+#include "check/recorded_swing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace myo {
+namespace {
+
+using Eigen::Index;
+
+struct SwingPolicy {
+    int least_turns = 3;              // a period and a half: a step has one turn where it overshoots, drift none
+    double noise_levels = 10.0;       // that a turn goes back at least: not reached by white noise ...
+    double travel_share = 0.05;       // ... nor, with this part of the travel, by a tripod that is touched
+    double least_signal_change = 0.05;
+};
+constexpr SwingPolicy policy;
+
+/// The last knot at which a signal is still away from its end.
+double last_change_s(const Signal& signal) {
+    const auto [least, most] = std::minmax_element(signal.values.begin(), signal.values.end());
+    const double off = policy.least_signal_change * (*most - *least);
+    for (std::size_t k = signal.values.size(); k-- > 1;)
+        if (std::abs(signal.values[k - 1] - signal.values.back()) > off) return signal.times_s[k];
+    return 0.0;
+}
+
+}  // namespace
+
+double last_change_s(const Model& model) {
+    double last = 0.0;
+    for (const double jump : jump_times(model)) last = std::max(last, jump);
+    for (const Signal& signal : model.activation) last = std::max(last, last_change_s(signal));
+    return last;
+}
+
+std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double least_m) {
+    std::vector<double> turns;
+    Index low = -1, high = -1;   // extremes since the last turn
+    int direction = 0;
+    for (Index k = 0; k < x_m.size(); ++k) {
+        if (!std::isfinite(x_m(k))) continue;
+        if (low < 0 || x_m(k) < x_m(low)) low = k;
+        if (high < 0 || x_m(k) > x_m(high)) high = k;
+        if (direction >= 0 && x_m(high) - x_m(k) > least_m) {
+            if (direction > 0) turns.push_back(time_s(high));
+            direction = -1;
+            low = k;
+        } else if (direction <= 0 && x_m(k) - x_m(low) > least_m) {
+            if (direction < 0) turns.push_back(time_s(low));
+            direction = 1;
+            high = k;
+        }
+    }
+    return turns;
+}
+
+RecordedSwing recorded_swing(const StudyTrial& trial, double from_s, double noise_m) {
+    const Eigen::VectorXd& time = trial.measured.time_s;
+    const auto after = std::lower_bound(time.begin(), time.end(), from_s) - time.begin();
+    const Index first = std::max(trial.first_sample, static_cast<Index>(after));
+    const Index count = time.size() - first;
+    if (count <= policy.least_turns) return {};
+    Eigen::VectorXd widest;
+    double travel = 0.0;
+    for (const Eigen::Matrix3Xd& track : trial.measured.tracks)
+        for (Index axis = 0; axis < 3; ++axis) {
+            const Eigen::VectorXd x = track.row(axis).tail(count);
+            double low = INFINITY, high = -INFINITY;
+            for (const double value : x)
+                if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+            if (high - low > travel) travel = high - low, widest = x;
+        }
+    if (!(travel > 0.0)) return {};
+    const double least = std::max(policy.noise_levels * noise_m, policy.travel_share * travel);
+    const std::vector<double> turns = turning_times(time.tail(count), widest, least);
+    RecordedSwing swing;
+    if (turns.size() < static_cast<std::size_t>(policy.least_turns)) return swing;
+    std::vector<double> halves;
+    for (std::size_t i = 1; i < turns.size(); ++i) halves.push_back(turns[i] - turns[i - 1]);
+    const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
+    std::nth_element(halves.begin(), middle, halves.end());
+    swing.turns = static_cast<int>(turns.size());
+    swing.frequency_Hz = 0.5 / *middle;
+    return swing;
+}
+
+}  // namespace myo

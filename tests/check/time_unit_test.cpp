@@ -1,0 +1,136 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "check/catalogue.hpp"
+#include "check/checks.hpp"
+#include "check/recorded_swing.hpp"
+#include "loop/swung_beam.hpp"
+#include "project/first_vibration.hpp"
+
+namespace myo {
+namespace {
+
+using testing::HasSubstr;
+
+/// The beam let go, with its own motion as its recording.
+class TimeUnit : public testing::Test {
+protected:
+    TimeUnit() : folder_("time_unit"), study_(test::swung_beam(folder_, 0.6)) {
+        const StudyValues values = declared_values(study_);
+        const TrialPrediction truth = predict_trial(study_, 0, values);
+        for (std::size_t t = 0; t < study_.trials.size(); ++t) test::record(study_, t, values, truth.trace);
+    }
+
+    /// As read from a file in whose unit a second is so many.
+    Finding in_units(double per_second) const {
+        Study study = study_;
+        scale_times(study.trials[0], per_second);
+        return check_time_unit({study}).front();
+    }
+
+    static void scale_times(StudyTrial& trial, double factor) {
+        trial.measured.time_s *= factor;
+        trial.measured.rate_Hz /= factor;
+    }
+
+    test::Folder folder_;
+    Study study_;
+};
+
+TEST_F(TimeUnit, SecondsAreThose) {
+    const Finding found = in_units(1.0);
+    EXPECT_EQ(found.level, CheckLevel::fine) << found.sentence;
+    const Model model = trial_model(study_, 0, declared_values(study_));
+    const double first_Hz = first_vibration_rad_s(model) / (2.0 * std::numbers::pi);
+    EXPECT_NEAR(found.figure, first_Hz, 0.15 * first_Hz);
+    EXPECT_NEAR(found.threshold, first_Hz / 30.0, 1e-6 * first_Hz);
+}
+
+TEST_F(TimeUnit, KnowsMillisecondsMinutesAndFrameNumbers) {
+    const Finding milliseconds = in_units(1000.0), minutes = in_units(1.0 / 60.0), frames = in_units(100.0);
+    EXPECT_EQ(milliseconds.level, CheckLevel::wrong);
+    EXPECT_THAT(milliseconds.sentence, HasSubstr("times slower than its first vibration"));
+    EXPECT_THAT(milliseconds.way_out, HasSubstr("they look like milliseconds"));
+    EXPECT_EQ(minutes.level, CheckLevel::doubtful);
+    EXPECT_THAT(minutes.way_out, HasSubstr("they look like minutes"));
+    EXPECT_EQ(frames.level, CheckLevel::doubtful);
+    EXPECT_THAT(frames.way_out, HasSubstr("they look like the numbers of frames"));
+    const Finding microseconds = in_units(1e-6);
+    EXPECT_EQ(microseconds.level, CheckLevel::doubtful);
+    EXPECT_THAT(microseconds.sentence, HasSubstr("1e+08 samples per second"));
+}
+
+/// One picture a minute of a body that creeps, and of one that is pulled to and fro, are slow recordings and no slips.
+TEST_F(TimeUnit, LeavesSlowRecordingsAlone) {
+    Study creeping = study_;
+    scale_times(creeping.trials[0], 6000.0);
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> noise(0.0, 1e-4);
+    for (Eigen::Matrix3Xd& track : creeping.trials[0].measured.tracks)
+        for (Eigen::Index k = 0; k < track.cols(); ++k) {
+            track(2, k) = -0.02 * (1.0 - std::exp(-0.05 * static_cast<double>(k)));
+            for (double& x : track.col(k)) x += noise(random);
+        }
+    EXPECT_EQ(check_time_unit({creeping}).front().level, CheckLevel::fine);
+
+    Study pulled = study_;
+    scale_times(pulled.trials[0], 6000.0);
+    const Eigen::Index nodes = pulled.mesh.mesh.node_count();
+    DeadForce pull{Eigen::VectorXd::Constant(nodes, 1.0 / static_cast<double>(nodes)), Eigen::Vector3d::UnitZ()};
+    pull.until_s = 0.98 * pulled.trials[0].measured.time_s.tail(1)(0);
+    pulled.trials[0].model.forces.push_back(pull);
+    EXPECT_EQ(check_time_unit({pulled}).front().level, CheckLevel::fine);
+    pulled.trials[0].model.forces.back().until_s = 0.0;
+    EXPECT_EQ(check_time_unit({pulled}).front().level, CheckLevel::wrong);
+}
+
+/// Whose motion is a target to be reached.
+TEST_F(TimeUnit, LeavesMotionsAloneWhoseSignalsAreSought) {
+    Study sought = study_;
+    scale_times(sought.trials[0], 1000.0);
+    sought.trials[0].model.activation = {Signal::constant(1.0)};
+    EXPECT_EQ(check_time_unit({sought}).front().level, CheckLevel::fine);
+    sought.trials[0].model.activation = {Signal::step(0.0, 1.0, 0.8)};
+    EXPECT_EQ(check_time_unit({sought}).front().level, CheckLevel::wrong);
+}
+
+TEST_F(TimeUnit, IsAskedBeforeEveryJob) {
+    scale_times(study_.trials[0], 1000.0);
+    const std::vector<Finding> before = check_before(study_);
+    EXPECT_TRUE(std::any_of(before.begin(), before.end(), [](const Finding& finding) {
+        return finding.check == "time_unit" && finding.level == CheckLevel::wrong;
+    }));
+}
+
+TEST(TurningTimes, AreThoseOfTheMotionAndNotOfTheNoise) {
+    const Eigen::VectorXd time = Eigen::VectorXd::LinSpaced(201, 0.0, 2.0);
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> noise(0.0, 0.01);
+    Eigen::VectorXd swing(201), still(201);
+    for (Eigen::Index k = 0; k < 201; ++k) {
+        swing(k) = std::cos(2.0 * std::numbers::pi * 1.5 * time(k)) + noise(random);
+        still(k) = noise(random);
+    }
+    swing.segment(50, 3).setConstant(std::nan(""));
+    const std::vector<double> turns = turning_times(time, swing, 0.1);
+    ASSERT_EQ(turns.size(), 5u);   // 1/3, 2/3, ... s; the first is where it begins
+    for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(turns[i], static_cast<double>(i + 1) / 3.0, 0.04);
+    EXPECT_TRUE(turning_times(time, still, 0.1).empty());
+}
+
+TEST(LastChange, IsThatOfLoadsAndSignals) {
+    Model model;
+    EXPECT_EQ(last_change_s(model), 0.0);
+    model.activation = {Signal{{0.0, 1.0, 2.0, 5.0}, {1.0, 1.0, 0.8, 0.801}}};
+    EXPECT_EQ(last_change_s(model), 2.0);
+    DeadForce force{Eigen::VectorXd::Ones(1), Eigen::Vector3d::UnitX()};
+    force.until_s = 3.0;
+    model.forces = {force};
+    EXPECT_EQ(last_change_s(model), 3.0);
+}
+
+}  // namespace
+}  // namespace myo
