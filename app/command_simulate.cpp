@@ -93,7 +93,7 @@ int simulate_command(const SimulateCall& call) {
             console.warn(*warning);
     }
     RunFacts facts = run_facts(call, setup_s);
-    facts.findings = check_after({*study, &run}, before);
+    facts.findings = check_after({.study = *study, .run = &run, .as_declared = true}, before);
     tell_findings(facts.findings, before, console);
     if (!run.scores.empty()) console.print("\n" + findings_line(facts.findings) + "\n\n" + score_table(*study, run));
     if (const Result<void> written = write_results(call, *study, run, facts, progress); !written)

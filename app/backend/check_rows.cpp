@@ -13,7 +13,8 @@ namespace myo {
 namespace {
 
 /// The step of the window where a person can mend what a check found; the run's for those that are not here.
-std::string step_of(const std::string& check) {
+std::string step_of(const std::string& check, bool as_declared) {
+    if (check == "residual" && as_declared) return "fit";
     static const std::map<std::string, std::string> steps{
         {"units", "material"},   {"time_unit", "measure"}, {"mesh", "mesh"},          {"markers", "mesh"},      {"support", "body"},
         {"pose", "body"},        {"signals", "fibres"},     {"recordings", "measure"}, {"start", "measure"},
@@ -48,14 +49,15 @@ CheckState shown_state(CheckLevel level) {
     return level == CheckLevel::doubtful ? CheckState::amber : CheckState::red;
 }
 
-CheckRows check_rows(const std::vector<Finding>& findings) {
+CheckRows check_rows(const std::vector<Finding>& findings, bool as_declared) {
     CheckRows rows;
     for (const Finding& finding : findings) {
         const Check* const check = find_check(finding.check);
         rows.push_back({finding.check, check != nullptr ? check->question : finding.check, shown_state(finding.level),
                         finding.subject, figure_words(finding, finding.figure),
                         figure_words(finding, finding.threshold),
-                        finding.source, finding.sentence, finding.way_out, step_of(finding.check), finding.told});
+                        finding.source, finding.sentence, finding.way_out, step_of(finding.check, as_declared),
+                        finding.told});
     }
     std::stable_sort(rows.begin(), rows.end(), [](const CheckRow& a, const CheckRow& b) { return a.state > b.state; });
     return rows;

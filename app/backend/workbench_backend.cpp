@@ -192,7 +192,8 @@ public:
         if (!settings.own_step) shown.time_step_s = shortest_step_s(*study);
         if (progress.cancelled()) return shown;
         add_vibrations(*study, run, shown);
-        shown.checks = check_rows(check_after({*study, &run}));
+        const bool as_declared = true;
+        shown.checks = check_rows(check_after({.study = *study, .run = &run, .as_declared = as_declared}), as_declared);
         return shown;
     }
 

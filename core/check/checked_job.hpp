@@ -13,6 +13,7 @@ struct CheckedJob {
     const StudyRun* run = nullptr;                   // with the values that the job ended with; null before it
     const Calibration* calibration = nullptr;        // where the job was one
     const std::vector<Finding>* earlier = nullptr;   // of the checks before this one in the catalogue
+    bool as_declared = false;                        // the run has the declared values: nothing was fitted
 };
 
 }  // namespace myo

@@ -26,32 +26,77 @@ std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
     return list;
 }
 
-}  // namespace
 
-std::vector<Finding> check_residual(const CheckedJob& job) {
-    if (job.calibration == nullptr || !std::isfinite(job.run->fit_rms_m)) return {};
-    const double noise = mean_noise(job.study), ratio = job.run->fit_rms_m / noise;
-    const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
-    const bool numerical_is_seen = expected > least_told_rise;
-    Finding finding = fine_finding("", "what the model leaves of the fit trials, " + length_words(job.run->fit_rms_m) +
-                                           " rms, is " + format_number(ratio, 3) + " times the noise" +
-                                           (numerical_is_seen ? ", of which mesh and step make about " +
-                                                                    format_number(numerical, 2)
-                                                              : ""));
-    finding.figure = ratio;
-    finding.threshold = doubtful_ratio * expected;
-    if (ratio <= finding.threshold) return {finding};
-    finding.level = ratio > wrong_ratio * expected ? CheckLevel::wrong : CheckLevel::doubtful;
+std::string suspect_names(const std::vector<Finding>& earlier) {
     std::vector<std::string> names;
-    for (const Finding& suspect : suspects(*job.earlier)) {
+    for (const Finding& suspect : suspects(earlier)) {
         const std::string name = suspect.check + (suspect.subject.empty() ? "" : " (" + suspect.subject + ")");
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    const std::string diagnose = "myoloop diagnose names the effect that is missing";
-    finding.way_out = names.empty()
-                          ? "nothing that is checked explains it: " + diagnose
-                          : "suspected, in this order: " + join(names, ", ") + "; once these are settled, " + diagnose;
+    return join(names, ", ");
+}
+
+/// Judges a residual in noise levels beside those that are expected.
+Finding judged(const std::string& sentence, double ratio, double expected) {
+    Finding finding = fine_finding("", sentence);
+    finding.figure = ratio;
+    finding.threshold = doubtful_ratio * expected;
+    if (ratio > finding.threshold)
+        finding.level = ratio > wrong_ratio * expected ? CheckLevel::wrong : CheckLevel::doubtful;
+    return finding;
+}
+
+/// Of all trials that have run.
+double rms_of(const StudyRun& run) {
+    std::vector<Eigen::Matrix3Xd> all;
+    for (const TrialPrediction& prediction : run.predictions)
+        if (prediction.ok()) all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
+    return rms(all);
+}
+
+std::string beside_noise(double rms_m, double ratio) {
+    return length_words(rms_m) + " rms, is " + format_number(ratio, 3) + " times the noise";
+}
+
+std::vector<Finding> of_declared_values(const CheckedJob& job) {
+    const double left = rms_of(*job.run);
+    if (!std::isfinite(left)) return {};
+    const double ratio = left / mean_noise(job.study);
+    Finding finding = judged("what the model leaves of the recordings with the declared values, " +
+                                 beside_noise(left, ratio),
+                             ratio, 1.0);
+    if (finding.level == CheckLevel::fine) return {finding};
+    finding.sentence += ": nothing was fitted";
+    const std::string names = suspect_names(*job.earlier);
+    finding.way_out = (names.empty() ? "" : "suspected, in this order: " + names + "; once these are settled, ") +
+                      (study_parameters(job.study).empty() ? "name what is unknown in material.calibrate, and " : "") +
+                      "calibrate finds the values that fit (myoloop calibrate, or Fit in the window)";
     return {finding};
+}
+
+std::vector<Finding> of_fit(const CheckedJob& job) {
+    if (!std::isfinite(job.run->fit_rms_m)) return {};
+    const double ratio = job.run->fit_rms_m / mean_noise(job.study);
+    const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
+    Finding finding = judged("what the model leaves of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio) +
+                                 (expected > least_told_rise
+                                      ? ", of which mesh and step make about " + format_number(numerical, 2)
+                                      : ""),
+                             ratio, expected);
+    if (finding.level == CheckLevel::fine) return {finding};
+    const std::string names = suspect_names(*job.earlier);
+    const std::string diagnose =
+        "diagnose names the effect that is missing (myoloop diagnose, or Diagnose in the window)";
+    finding.way_out = names.empty() ? "nothing that is checked explains it: " + diagnose
+                                    : "suspected, in this order: " + names + "; once these are settled, " + diagnose;
+    return {finding};
+}
+
+}  // namespace
+
+std::vector<Finding> check_residual(const CheckedJob& job) {
+    if (job.calibration != nullptr) return of_fit(job);
+    return job.as_declared ? of_declared_values(job) : std::vector<Finding>{};
 }
 
 }  // namespace myo

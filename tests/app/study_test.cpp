@@ -80,6 +80,13 @@ TEST(Simulate, WritesEveryKeyOfTheContract) {
     EXPECT_NEAR(trial.at("rms_m").get<double>(), std::sqrt(0.5 * (tip * tip + middle * middle)), 1e-12);
     EXPECT_EQ(trial["markers"]["tip"].at("steady_state_m").size(), 3u);
     EXPECT_EQ(trial["markers"]["tip"]["steady_state_m"], j["trials"][1]["markers"]["tip"]["steady_state_m"]);
+    // What the made-up trace and the declared values have not in common is told, with what finds better ones.
+    EXPECT_THAT(run.err, HasSubstr("nothing was fitted; "));
+    const auto residual = std::find_if(j.at("checks").begin(), j.at("checks").end(),
+                                       [](const json& check) { return check.at("id") == "residual"; });
+    ASSERT_NE(residual, j.at("checks").end());
+    EXPECT_NE(residual->at("level"), "green");
+    EXPECT_GT(residual->at("figure").get<double>(), residual->at("threshold").get<double>());
     expect_clean(folder);
 }
 

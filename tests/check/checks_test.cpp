@@ -219,7 +219,7 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     EXPECT_EQ(judged(1.02).level, CheckLevel::fine);
     EXPECT_EQ(judged(3.0).level, CheckLevel::doubtful);
     EXPECT_THAT(judged(3.0).sentence, HasSubstr("is 3 times the noise"));
-    EXPECT_THAT(judged(3.0).way_out, HasSubstr("nothing that is checked explains it: myoloop diagnose"));
+    EXPECT_THAT(judged(3.0).way_out, HasSubstr("nothing that is checked explains it: diagnose names"));
     earlier[1].level = CheckLevel::doubtful;
     earlier[2].level = CheckLevel::wrong;
     EXPECT_EQ(judged(30.0).level, CheckLevel::wrong);
@@ -229,6 +229,37 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     EXPECT_EQ(judged(3.0).level, CheckLevel::fine);
     EXPECT_THAT(judged(3.0).sentence, HasSubstr("is 3 times the noise, of which mesh and step make about 2.5"));
     EXPECT_EQ(judged(5.0).level, CheckLevel::doubtful);
+}
+
+/// simulate fits nothing: what it leaves is for a fit to mend, not for a diagnosis.
+TEST(CheckResidual, OfDeclaredValuesPointsToTheFit) {
+    Study study = study_of(test::swung_beam_toml());
+    StudyRun run;
+    run.values = declared_values(study);
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        run.predictions.push_back(predict_trial(study, t, run.values));
+    std::vector<Finding> earlier{fine_finding("", "a step")};
+    earlier[0].check = "step";
+    EXPECT_TRUE(check_residual({study, &run, nullptr, &earlier}).empty());   // nor of a diagnosis
+    const auto judged = [&] {
+        return check_residual({.study = study, .run = &run, .earlier = &earlier, .as_declared = true}).front();
+    };
+    // The recording is of a body at rest, which is not where the beam swings.
+    EXPECT_EQ(judged().level, CheckLevel::wrong);
+    EXPECT_THAT(judged().sentence, HasSubstr("with the declared values, "));
+    EXPECT_THAT(judged().sentence, HasSubstr("times the noise: nothing was fitted"));
+    EXPECT_THAT(judged().way_out, HasSubstr("calibrate finds the values that fit"));
+    EXPECT_THAT(judged().way_out, testing::Not(HasSubstr("diagnose")));
+    earlier[0].level = CheckLevel::doubtful;
+    EXPECT_THAT(judged().way_out, testing::StartsWith("suspected, in this order: step; once these are settled, "));
+    study.experiment.material.calibrate.clear();
+    EXPECT_THAT(judged().way_out, HasSubstr("name what is unknown in material.calibrate, and calibrate"));
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        test::record(study, t, run.values, run.predictions[t].trace);
+        run.predictions[t] = predict_trial(study, t, run.values);
+    }
+    EXPECT_EQ(judged().level, CheckLevel::fine);
+    EXPECT_NEAR(judged().figure, 1.0, 0.1);
 }
 
 TEST(Findings, AreToldWorstFirstAndOnce) {
