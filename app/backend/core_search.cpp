@@ -206,7 +206,9 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.stopped = calibration.stopped;
     result.warnings = calibration.warnings;
     RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
-    facts.findings = check_after({*study, &calibration.after, &calibration});
+    const std::vector<TrialStep> seen = steps_seen_in(*study, calibration.after);
+    facts.findings =
+        check_after({.study = *study, .run = &calibration.after, .calibration = &calibration, .seen = &seen});
     if (!calibration.fit.converged() && !calibration.stopped) result.problem = "The fit did not converge: " + calibration.fit.message;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
@@ -219,7 +221,7 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.settings.damping_s = calibration.after.values.damping_s;
     if (!settings.own_step) result.settings.time_step_s = shortest_step_s(*study);
     result.run = shown_run(*study, calibration.after);
-    add_vibrations(*study, calibration.after, result.run);
+    add_vibrations(seen, result.run);
     result.run.checks = check_rows(facts.findings);
     result.run.seconds = calibration.seconds;
     result.page = std::make_shared<const HtmlReport>(study_report(*study, calibration, facts));

@@ -6,7 +6,6 @@
 #include "backend/fields.hpp"
 #include "measurement/rigid_motion.hpp"
 #include "project/prediction.hpp"
-#include "project/time_step.hpp"
 
 namespace myo {
 
@@ -64,10 +63,8 @@ RunResult shown_run(const Study& study, const StudyRun& run) {
     return result;
 }
 
-void add_vibrations(const Study& study, const StudyRun& run, RunResult& shown) {
-    for (std::size_t t = 0; t < shown.trials.size(); ++t)
-        if (run.predictions[t].ok() && run.predictions[t].trace.complete())
-            shown.trials[t].vibration_Hz = step_seen_in(study, t, run.values, run.predictions[t].trace).vibration_Hz;
+void add_vibrations(const std::vector<TrialStep>& seen, RunResult& shown) {
+    for (std::size_t t = 0; t < shown.trials.size(); ++t) shown.trials[t].vibration_Hz = seen[t].vibration_Hz;
 }
 
 }  // namespace myo

@@ -8,7 +8,7 @@ namespace myo {
 /// A run as the workbench shows it. Frames are thinned so that a long run of a large body stays within some 200 MB a trial.
 RunResult shown_run(const Study& study, const StudyRun& run);
 
-/// The vibrations that the trials of a complete run show; takes natural modes of the body.
-void add_vibrations(const Study& study, const StudyRun& run, RunResult& shown);
+/// The vibrations that the trials of a run show, of steps_seen_in() it.
+void add_vibrations(const std::vector<TrialStep>& seen, RunResult& shown);
 
 }  // namespace myo

@@ -191,9 +191,11 @@ public:
         RunResult shown = shown_run(*study, run);
         if (!settings.own_step) shown.time_step_s = shortest_step_s(*study);
         if (progress.cancelled()) return shown;
-        add_vibrations(*study, run, shown);
+        const std::vector<TrialStep> seen = steps_seen_in(*study, run);
+        add_vibrations(seen, shown);
         const bool as_declared = true;
-        shown.checks = check_rows(check_after({.study = *study, .run = &run, .as_declared = as_declared}), as_declared);
+        shown.checks = check_rows(
+            check_after({.study = *study, .run = &run, .as_declared = as_declared, .seen = &seen}), as_declared);
         return shown;
     }
 

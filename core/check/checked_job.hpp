@@ -14,6 +14,7 @@ struct CheckedJob {
     const Calibration* calibration = nullptr;        // where the job was one
     const std::vector<Finding>* earlier = nullptr;   // of the checks before this one in the catalogue
     bool as_declared = false;                        // the run has the declared values: nothing was fitted
+    const std::vector<TrialStep>* seen = nullptr;    // steps_seen_in() the run; null: they are looked for
 };
 
 }  // namespace myo

@@ -76,18 +76,15 @@ CheckLevel step_level(double frequency_error) {
 std::vector<Finding> check_step(const CheckedJob& job) {
     const Study& study = job.study;
     std::vector<Finding> findings;
+    std::vector<TrialStep> seen;
+    if (job.run != nullptr) seen = job.seen != nullptr ? *job.seen : steps_seen_in(study, *job.run);
     for (std::size_t t = 0; t < study.trials.size(); ++t) {
         const StudyTrial& trial = study.trials[t];
-        const bool has_run =
-            job.run != nullptr && job.run->predictions[t].ok() && job.run->predictions[t].trace.complete();
-        if (has_run) {
-            const TrialStep seen = step_seen_in(study, t, job.run->values, job.run->predictions[t].trace);
-            if (seen.vibration_Hz > 0.0) {
-                findings.push_back(of_vibration(trial, seen.vibration_Hz, seen.frequency_error));
-                continue;
-            }
-        }
-        if (t < study.steps.size()) findings.push_back(of_choice(trial, study.steps[t]));
+        const bool has_run = job.run != nullptr && seen[t].h_s > 0.0;
+        if (has_run && seen[t].vibration_Hz > 0.0)
+            findings.push_back(of_vibration(trial, seen[t].vibration_Hz, seen[t].frequency_error));
+        else if (t < study.steps.size())
+            findings.push_back(of_choice(trial, study.steps[t]));
         else if (has_run)
             findings.push_back(of_nothing_seen(
                 trial, first_vibration_rad_s(affected_trial(study, t, job.run->values).model)));

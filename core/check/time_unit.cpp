@@ -53,7 +53,8 @@ Finding of_swing(const StudyTrial& trial, double swing_Hz, double first_Hz) {
                        " than its first vibration of " + hertz(first_Hz);
     finding.way_out = "give the times of the recording in seconds" + guess(sampling_interval_s(trial), ratio) +
                       ". If they are seconds, " +
-                      (ratio > 1.0 ? "the camera is too slow for the vibration, what moves the body is not declared, or "
+                      (ratio > 1.0 ? "the camera is too slow for the vibration, what moves the body is not declared, "
+                                     "or "
                                    : "") +
                       "modulus, density or size are not in Pa, kg/m3 and m";
     return finding;

@@ -126,6 +126,14 @@ TrialStep step_seen_in(const Study& study, std::size_t trial, const StudyValues&
     return step;
 }
 
+std::vector<TrialStep> steps_seen_in(const Study& study, const StudyRun& run) {
+    std::vector<TrialStep> steps(study.trials.size());
+    for (std::size_t t = 0; t < steps.size(); ++t)
+        if (run.predictions[t].ok() && run.predictions[t].trace.complete())
+            steps[t] = step_seen_in(study, t, run.values, run.predictions[t].trace);
+    return steps;
+}
+
 bool choosable(const StudySettings& settings) { return !settings.h_s && !settings.as_published; }
 
 std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress) {

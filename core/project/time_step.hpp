@@ -25,6 +25,9 @@ inline constexpr StepPolicy step_policy;
 /// frequency error in it; of the step alone where markers show no vibration of a third of the noise.
 TrialStep step_seen_in(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace);
 
+/// Of all trials of a run; without a step where a trial did not complete.
+std::vector<TrialStep> steps_seen_in(const Study& study, const StudyRun& run);
+
 /// Whether steps are the program's to choose: nobody asked for one, and it is no published formulation, whose damping
 /// is that of its step.
 bool choosable(const StudySettings& settings);

@@ -9,6 +9,7 @@
 #include "loop/swung_beam.hpp"
 #include "project/finding_output.hpp"
 #include "project/run_study.hpp"
+#include "project/time_step.hpp"
 
 namespace myo {
 namespace {
@@ -185,6 +186,26 @@ TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
     EXPECT_THAT(coarse[0].sentence, HasSubstr("so that a modulus fitted on it is"));
     EXPECT_EQ(worst(fine), CheckLevel::fine);
     EXPECT_NEAR(coarse[0].figure / fine[0].figure, 25.0, 3.0);   // second order
+}
+
+/// Who has looked for it hands it on: natural modes are not asked for twice.
+TEST(CheckStep, TakesOverWhatWasSeen) {
+    Study study = study_of(test::swung_beam_toml());
+    StudyRun run;
+    run.values = declared_values(study);
+    for (std::size_t t = 0; t < study.trials.size(); ++t)
+        run.predictions.push_back(predict_trial(study, t, run.values));
+    run.predictions[1].status = RunStatus::failed;
+    std::vector<TrialStep> seen = steps_seen_in(study, run);
+    ASSERT_EQ(seen.size(), study.trials.size());
+    EXPECT_GT(seen[0].vibration_Hz, 0.0);
+    EXPECT_EQ(seen[1].h_s, 0.0);
+    const std::vector<Finding> looked_for = check_step({study, &run}),
+                               taken = check_step({.study = study, .run = &run, .seen = &seen});
+    ASSERT_EQ(taken.size(), 1u);   // a trial that did not complete shows nothing
+    EXPECT_EQ(taken[0].figure, looked_for[0].figure);
+    seen[0].frequency_error = 0.5;
+    EXPECT_EQ(check_step({.study = study, .run = &run, .seen = &seen})[0].figure, 0.5);
 }
 
 /// Of a run whose step nobody has looked for, as simulate's, every trial is judged, also one that shows no vibration.
