@@ -10,7 +10,7 @@ namespace myo {
 const std::vector<Check>& check_catalogue() {
     static const std::vector<Check> checks{
         {"units", "Are the numbers in SI units?", CheckTime::before,
-         "soft robots are built of 1 kPa to 1 GPa and 0.1 to 20 g/cm3", check_units, true},
+         "materials from gels and foams to plastics and metals", check_units, true},
         {"time_unit", "Are the recordings' times in seconds?", CheckTime::before,
          "no body left to itself swings slower than its first vibration; cameras", check_time_unit, true},
         {"mesh", "Is the mesh fine enough to bend and to twist?", CheckTime::before,

@@ -2,6 +2,7 @@
 
 #include "check/checks.hpp"
 #include "mesh/quality.hpp"
+#include "project/setting_words.hpp"
 #include "report/length.hpp"
 
 namespace myo {
@@ -35,7 +36,7 @@ std::vector<Finding> check_markers(const CheckedJob& job) {
     finding.level = CheckLevel::doubtful;
     finding.sentence =
         pair + " and the mesh's edges " + length_words(edge) + " long: what strains between them is lost";
-    finding.way_out = "choose shorter edges (--resolution), or compare one of them";
+    finding.way_out = std::string("choose shorter edges (") + edge_setting + "), or compare one of them";
     return {finding};
 }
 

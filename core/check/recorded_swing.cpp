@@ -14,12 +14,12 @@ struct SwingPolicy {
     double travel_share = 0.05;       // ... nor, with this part of the travel, by a tripod that is touched
     double least_signal_change = 0.05;
 };
-constexpr SwingPolicy policy;
+constexpr SwingPolicy swing_policy;
 
 /// The last knot at which a signal is still away from its end.
 double last_change_s(const Signal& signal) {
     const auto [least, most] = std::minmax_element(signal.values.begin(), signal.values.end());
-    const double off = policy.least_signal_change * (*most - *least);
+    const double off = swing_policy.least_signal_change * (*most - *least);
     for (std::size_t k = signal.values.size(); k-- > 1;)
         if (std::abs(signal.values[k - 1] - signal.values.back()) > off) return signal.times_s[k];
     return 0.0;
@@ -60,7 +60,7 @@ RecordedSwing recorded_swing(const StudyTrial& trial, double from_s, double nois
     const auto after = std::lower_bound(time.begin(), time.end(), from_s) - time.begin();
     const Index first = std::max(trial.first_sample, static_cast<Index>(after));
     const Index count = time.size() - first;
-    if (count <= policy.least_turns) return {};
+    if (count <= swing_policy.least_turns) return {};
     Eigen::VectorXd widest;
     double travel = 0.0;
     for (const Eigen::Matrix3Xd& track : trial.measured.tracks)
@@ -72,10 +72,10 @@ RecordedSwing recorded_swing(const StudyTrial& trial, double from_s, double nois
             if (high - low > travel) travel = high - low, widest = x;
         }
     if (!(travel > 0.0)) return {};
-    const double least = std::max(policy.noise_levels * noise_m, policy.travel_share * travel);
+    const double least = std::max(swing_policy.noise_levels * noise_m, swing_policy.travel_share * travel);
     const std::vector<double> turns = turning_times(time.tail(count), widest, least);
     RecordedSwing swing;
-    if (turns.size() < static_cast<std::size_t>(policy.least_turns)) return swing;
+    if (turns.size() < static_cast<std::size_t>(swing_policy.least_turns)) return swing;
     std::vector<double> halves;
     for (std::size_t i = 1; i < turns.size(); ++i) halves.push_back(turns[i] - turns[i - 1]);
     const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);

@@ -37,7 +37,7 @@ std::string suspect_names(const std::vector<Finding>& earlier) {
 }
 
 /// Judges a residual in noise levels beside those that are expected.
-Finding judged(const std::string& sentence, double ratio, double expected) {
+Finding judged_residual(const std::string& sentence, double ratio, double expected) {
     Finding finding = fine_finding("", sentence);
     finding.figure = ratio;
     finding.threshold = doubtful_ratio * expected;
@@ -47,7 +47,7 @@ Finding judged(const std::string& sentence, double ratio, double expected) {
 }
 
 /// Of all trials that have run.
-double rms_of(const StudyRun& run) {
+double rms_of_all(const StudyRun& run) {
     std::vector<Eigen::Matrix3Xd> all;
     for (const TrialPrediction& prediction : run.predictions)
         if (prediction.ok()) all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
@@ -59,12 +59,11 @@ std::string beside_noise(double rms_m, double ratio) {
 }
 
 std::vector<Finding> of_declared_values(const CheckedJob& job) {
-    const double left = rms_of(*job.run);
+    const double left = rms_of_all(*job.run);
     if (!std::isfinite(left)) return {};
     const double ratio = left / mean_noise(job.study);
-    Finding finding = judged("what the model leaves of the recordings with the declared values, " +
-                                 beside_noise(left, ratio),
-                             ratio, 1.0);
+    Finding finding = judged_residual(
+        "what the model leaves of the recordings with the declared values, " + beside_noise(left, ratio), ratio, 1.0);
     if (finding.level == CheckLevel::fine) return {finding};
     finding.sentence += ": nothing was fitted";
     const std::string names = suspect_names(*job.earlier);
@@ -78,11 +77,9 @@ std::vector<Finding> of_fit(const CheckedJob& job) {
     if (!std::isfinite(job.run->fit_rms_m)) return {};
     const double ratio = job.run->fit_rms_m / mean_noise(job.study);
     const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
-    Finding finding = judged("what the model leaves of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio) +
-                                 (expected > least_told_rise
-                                      ? ", of which mesh and step make about " + format_number(numerical, 2)
-                                      : ""),
-                             ratio, expected);
+    std::string sentence = "what the model leaves of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio);
+    if (expected > least_told_rise) sentence += ", of which mesh and step make about " + format_number(numerical, 2);
+    Finding finding = judged_residual(sentence, ratio, expected);
     if (finding.level == CheckLevel::fine) return {finding};
     const std::string names = suspect_names(*job.earlier);
     const std::string diagnose =

@@ -5,6 +5,7 @@
 #include "check/checks.hpp"
 #include "check/step_level.hpp"
 #include "project/first_vibration.hpp"
+#include "project/setting_words.hpp"
 #include "project/time_step.hpp"
 
 namespace myo {
@@ -29,7 +30,8 @@ Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error)
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
     // The error grows with the square of the step.
     const double better = trial.options.h_s * std::sqrt(step_policy.most_frequency_error / error);
-    finding.way_out = "choose a step of " + format_number(better, 2) + " s (--dt), or leave it to the program";
+    finding.way_out =
+        "choose a step of " + format_number(better, 2) + " s (" + step_setting + "), or leave it to the program";
     return finding;
 }
 
@@ -50,7 +52,7 @@ Finding of_choice(const StudyTrial& trial, const TrialStep& step) {
             trial.name, step_words(trial) + " are half a sampling interval, for with the declared values " +
                             step.failure);
         finding.level = CheckLevel::doubtful;
-        finding.way_out = "choose a step with --dt, or declare values nearer the truth";
+        finding.way_out = std::string("choose a step (") + step_setting + "), or declare values nearer the truth";
         return finding;
     }
     if (step.vibration_Hz > 0.0) return of_vibration(trial, step.vibration_Hz, step.frequency_error);
@@ -61,7 +63,7 @@ Finding of_choice(const StudyTrial& trial, const TrialStep& step) {
     if (!step.settled) {
         finding.level = CheckLevel::doubtful;
         finding.sentence += ", and no shorter ones were tried";
-        finding.way_out = "choose a step with --dt";
+        finding.way_out = std::string("choose a step (") + step_setting + ")";
     }
     return finding;
 }

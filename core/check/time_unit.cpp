@@ -20,7 +20,7 @@ struct TimeUnitPolicy {
     double most_samples_per_s = 1e5;        // high-speed cameras at a tenth of their picture
     double same = 3.0;                      // ratios within this factor are taken for that of a unit
 };
-constexpr TimeUnitPolicy policy;
+constexpr TimeUnitPolicy time_unit_policy;
 
 struct Slip {
     double ratio;        // of the first vibration's frequency over that in the recording
@@ -32,7 +32,7 @@ constexpr std::array slips{Slip{1e3, "milliseconds"}, Slip{1e6, "microseconds"},
 std::string guess(double interval_s, double ratio) {
     if (std::abs(interval_s - 1.0) < 1e-9 && ratio > 1.0) return "; they look like the numbers of frames";
     for (const Slip& slip : slips)
-        if (std::abs(std::log(ratio / slip.ratio)) < std::log(policy.same))
+        if (std::abs(std::log(ratio / slip.ratio)) < std::log(time_unit_policy.same))
             return std::string("; they look like ") + slip.words;
     return {};
 }
@@ -45,10 +45,11 @@ Finding of_swing(const StudyTrial& trial, double swing_Hz, double first_Hz) {
         "trial " + trial.name + ": left to itself the body swings at " + hertz(swing_Hz) + " in the recording";
     Finding finding = fine_finding(trial.name, swings + ", and the first vibration is " + hertz(first_Hz));
     finding.figure = swing_Hz;
-    finding.threshold = ratio > 1.0 ? first_Hz / policy.doubtful_ratio : first_Hz * policy.doubtful_ratio;
+    const double most = time_unit_policy.doubtful_ratio;
+    finding.threshold = ratio > 1.0 ? first_Hz / most : first_Hz * most;
     finding.unit = "Hz";
-    if (off <= policy.doubtful_ratio) return finding;
-    finding.level = off > policy.wrong_ratio ? CheckLevel::wrong : CheckLevel::doubtful;
+    if (off <= most) return finding;
+    finding.level = off > time_unit_policy.wrong_ratio ? CheckLevel::wrong : CheckLevel::doubtful;
     finding.sentence = swings + ", " + format_number(off, 3) + " times " + (ratio > 1.0 ? "slower" : "faster") +
                        " than its first vibration of " + hertz(first_Hz);
     finding.way_out = "give the times of the recording in seconds" + guess(sampling_interval_s(trial), ratio) +
@@ -74,7 +75,7 @@ Finding of_rate(const StudyTrial& trial, double rate_Hz) {
     const std::string sentence = "trial " + trial.name + ": " + format_number(rate_Hz, 3) + " samples per second";
     Finding finding = fine_finding(trial.name, sentence + ", and nothing in the motion contradicts its times");
     finding.figure = rate_Hz;
-    finding.threshold = policy.most_samples_per_s;
+    finding.threshold = time_unit_policy.most_samples_per_s;
     finding.unit = "Hz";
     if (rate_Hz <= finding.threshold) return finding;
     finding.level = CheckLevel::doubtful;
@@ -95,7 +96,7 @@ std::vector<Finding> check_time_unit(const CheckedJob& job) {
         if (trial.measured.sample_count() < 2) continue;
         const double rate_Hz = 1.0 / sampling_interval_s(trial);
         const RecordedSwing swing = recorded_swing(trial, last_change_s(trial.model), mean_noise(study));
-        if (rate_Hz <= policy.most_samples_per_s && swing.frequency_Hz > 0.0 && signals_are_known(trial)) {
+        if (rate_Hz <= time_unit_policy.most_samples_per_s && swing.frequency_Hz > 0.0 && signals_are_known(trial)) {
             const double omega = first_vibration_rad_s(affected_trial(study, t, declared_values(study)).model);
             if (omega > 0.0) {
                 findings.push_back(of_swing(trial, swing.frequency_Hz, omega / (2.0 * std::numbers::pi)));

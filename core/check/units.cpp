@@ -15,13 +15,24 @@ struct PlausibleRange {
     const char* slip;   // what was likely written
 };
 
-// Soft robots: gels of 1 kPa to plastics of 5 GPa, foams of 30 kg/m3 to metals, bodies of a millimetre to metres.
-constexpr PlausibleRange modulus{"material.youngs_modulus_Pa", "Pa", 500.0, 5e9, "MPa or kPa in place of Pa"};
-constexpr PlausibleRange density{"material.density_kg_m3", "kg/m3", 20.0, 25e3, "g/cm3 in place of kg/m3"};
-constexpr PlausibleRange damping{"material.damping_s", "s", 0.0, 0.5, "ms in place of s"};
-constexpr PlausibleRange gravity{"gravity_m_s2", "m/s2", 0.0, 30.0, "mm/s2 in place of m/s2"};
-constexpr PlausibleRange noise{"markers.noise_m", "m", 0.0, 0.02, "mm in place of m"};
-constexpr PlausibleRange extent{"body", "m", 0.002, 5.0, "mm in place of m, or the reverse"};
+/// The only limits of these quantities: what is said of them is made from here.
+struct UnitPolicy {
+    // Gels of jellyfish to stiff plastics (Young's moduli of polymers end at 5 GPa); light foams to heavy metals.
+    PlausibleRange modulus{"material.youngs_modulus_Pa", "Pa", 500.0, 5e9, "MPa or kPa in place of Pa"};
+    PlausibleRange density{"material.density_kg_m3", "kg/m3", 20.0, 25e3, "g/cm3 in place of kg/m3"};
+    // Critical damping of a body of 0.6 Hz; that of Jupiter; a marker of the largest size; the smallest to the longest
+    // arms.
+    PlausibleRange damping{"material.damping_s", "s", 0.0, 0.5, "ms in place of s"};
+    PlausibleRange gravity{"gravity_m_s2", "m/s2", 0.0, 30.0, "mm/s2 in place of m/s2"};
+    PlausibleRange noise{"markers.noise_m", "m", 0.0, 0.02, "mm in place of m"};
+    PlausibleRange extent{"body", "m", 0.002, 5.0, "mm in place of m, or the reverse"};
+};
+constexpr UnitPolicy unit_policy;
+
+/// "500 to 5e+09 Pa"; "0 to 0.5 s".
+std::string range_words(const PlausibleRange& range) {
+    return format_number(range.low) + " to " + format_number(range.high) + " " + range.unit;
+}
 
 Finding judged(const PlausibleRange& range, double value) {
     Finding finding = fine_finding(range.key, std::string(range.key) + " = " + format_number(value) + " " + range.unit);
@@ -31,9 +42,7 @@ Finding judged(const PlausibleRange& range, double value) {
     finding.threshold = low ? range.low : range.high;
     if (!low && !high) return finding;
     finding.level = CheckLevel::doubtful;
-    finding.sentence = std::string(range.key) + " is " + format_number(value) + " " + range.unit +
-                       (low ? ", less than the " : ", more than the ") + format_number(finding.threshold) + " " +
-                       range.unit + " of anything soft robots are made of";
+    finding.sentence += std::string(", ") + (low ? "below" : "above") + " what soft robots have, " + range_words(range);
     finding.way_out = std::string("was it written in ") + range.slip + "?";
     return finding;
 }
@@ -43,13 +52,13 @@ Finding judged(const PlausibleRange& range, double value) {
 std::vector<Finding> check_units(const CheckedJob& job) {
     const Experiment& experiment = job.study.experiment;
     std::vector<Finding> findings{
-        judged(extent, bounding_box(job.study.surface.vertices).size().maxCoeff()),
-        judged(modulus, experiment.material.youngs_modulus_Pa),
-        judged(density, experiment.material.density_kg_m3),
-        judged(gravity, experiment.gravity_m_s2.norm()),
+        judged(unit_policy.extent, bounding_box(job.study.surface.vertices).size().maxCoeff()),
+        judged(unit_policy.modulus, experiment.material.youngs_modulus_Pa),
+        judged(unit_policy.density, experiment.material.density_kg_m3),
+        judged(unit_policy.gravity, experiment.gravity_m_s2.norm()),
     };
-    if (experiment.material.damping_s) findings.push_back(judged(damping, *experiment.material.damping_s));
-    if (experiment.markers.noise_m) findings.push_back(judged(noise, *experiment.markers.noise_m));
+    if (experiment.material.damping_s) findings.push_back(judged(unit_policy.damping, *experiment.material.damping_s));
+    if (experiment.markers.noise_m) findings.push_back(judged(unit_policy.noise, *experiment.markers.noise_m));
     return findings;
 }
 

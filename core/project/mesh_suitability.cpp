@@ -9,9 +9,13 @@
 #include "base/text.hpp"
 #include "mesh/cell_topology.hpp"
 #include "mesh/quality.hpp"
+#include "project/setting_words.hpp"
 
 namespace myo {
 namespace {
+
+/// Where the length that the program chooses is short enough.
+constexpr const char* or_none = ", or leave it to the program";
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
@@ -51,8 +55,8 @@ std::string layers_text(const Layers& layers) {
            in_mm(layers.slice.thickness_m()) + " along " + axis_names[layers.slice.axis];
 }
 
-std::string shorter_edges(double thickness_m, int layers) {
-    return "choose --resolution " + format_number(thickness_m / layers, 3) + " or less, or leave it out";
+std::string edges_up_to(double metres) {
+    return "choose edges of " + format_number(metres, 3) + " m or less (" + edge_setting + ")";
 }
 
 /// Longest edge over the shortest of a hexahedron, over the smallest height of a tetrahedron.
@@ -86,15 +90,15 @@ std::optional<std::string> too_few_layers(const MeshFacts& facts) {
         if (!fewest || fewest->count >= policy.least_layers) return std::nullopt;
         return layers_text(*fewest) + ", fewer than " + std::to_string(policy.least_layers) +
                ": it may bend tens of percent too far and twist " + format_number(policy.layer_twist_error_percent) +
-               " % too little; " + shorter_edges(fewest->slice.thickness_m(), policy.least_layers);
+               " % too little; " + edges_up_to(fewest->slice.thickness_m() / policy.least_layers) + or_none;
     }
     const double thickness = local_thickness(facts.surface);
     const double edge = has_hexahedra(facts) ? facts.mesh.resolution_m : mean_edge_length(facts.mesh.mesh);
     const double most = has_hexahedra(facts) ? 1.0 / policy.least_layers : mesh_policy.edge_over_thickness;
     if (!(edge > 1.001 * most * thickness)) return std::nullopt;  // an edge asked for comes out a little longer
     return "edges of " + in_mm(edge) + " are longer than " + format_number(most, 3) +
-           " times the body's thickness of " + in_mm(thickness) + ": it may bend too far; choose --resolution " +
-           format_number(most * thickness, 3) + " or less";
+           " times the body's thickness of " + in_mm(thickness) + ": it may bend too far; " +
+           edges_up_to(most * thickness);
 }
 
 std::optional<std::string> too_few_cells_to_twist(const MeshFacts& facts) {
@@ -105,13 +109,13 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& facts) {
         if (best > thickness || edge < policy.rod_edge_over_thickness * thickness) return std::nullopt;
         return "edges of " + in_mm(edge) + " leave one layer of tetrahedra across a rod of " + in_mm(thickness) +
                ": its torsion may be off by " + format_number(policy.tetrahedral_rod_twist_error_percent) +
-               " %; choose --resolution " + format_number(best, 3) + " or less, or leave it out";
+               " %; " + edges_up_to(best) + or_none;
     }
     const std::optional<Layers> fewest = fewest_layers(facts, true);
     if (!fewest || fewest->count >= policy.least_rod_layers) return std::nullopt;
     return layers_text(*fewest) + " of a rod, fewer than " + std::to_string(policy.least_rod_layers) +
            ": its torsion may be off by " + format_number(policy.rod_twist_error_percent) + " %; " +
-           shorter_edges(fewest->slice.thickness_m(), policy.least_rod_layers);
+           edges_up_to(fewest->slice.thickness_m() / policy.least_rod_layers) + or_none;
 }
 
 std::optional<std::string> cells_too_flat(const MeshFacts& facts) {
@@ -128,7 +132,7 @@ std::optional<std::string> cells_too_flat(const MeshFacts& facts) {
     if (flat == 0) return std::nullopt;
     return std::to_string(flat) + " of " + std::to_string(mesh.cell_count()) + " cells are longer than " +
            format_number(suitability_policy.most_aspect) + " times their height, up to " + format_number(worst, 3) +
-           " times: choose shorter edges (--resolution), or move faces that nearly touch";
+           " times: choose shorter edges (" + edge_setting + "), or move faces that nearly touch";
 }
 
 std::optional<std::string> patch_too_small(const MeshFacts& facts) {
@@ -140,8 +144,8 @@ std::optional<std::string> patch_too_small(const MeshFacts& facts) {
         const double least = suitability_policy.least_cells_per_radius * edge;
         if (value == nullptr || *value >= least) continue;
         return "effect soft_patch: its radius of " + in_mm(*value) + " is below the mesh's edge length of " +
-               in_mm(edge) + ", so the cells see little of it; choose --resolution " + format_number(*value, 3) +
-               " or less";
+               in_mm(edge) + ", so the cells see little of it; " +
+               edges_up_to(*value);
     }
     return std::nullopt;
 }

@@ -333,9 +333,9 @@ TEST(Calibrate, TellsOfADoubtfulUnitOnce) {
     write_small_experiment(folder);
     const ProgramRun run = run_program(
         call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--set", "material.density_kg_m3=1.0"}));
-    const std::size_t first = run.err.find("material.density_kg_m3 is 1 kg/m3");
+    const std::size_t first = run.err.find("material.density_kg_m3 = 1 kg/m3");
     ASSERT_NE(first, std::string::npos) << run.err;
-    EXPECT_EQ(run.err.find("material.density_kg_m3 is 1 kg/m3", first + 1), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("material.density_kg_m3 = 1 kg/m3", first + 1), std::string::npos) << run.err;
 }
 
 TEST(Calibrate, LogsEveryEvaluationAndResumeGoesOnFromTheLast) {

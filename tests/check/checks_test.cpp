@@ -95,6 +95,18 @@ TEST(CheckUnits, KnowsLikelySlips) {
     }
 }
 
+/// One range for a quantity, however it is told.
+TEST(CheckUnits, TellsTheLimitsThatItJudgesBy) {
+    const std::vector<Finding> found = check_units({study_of(with(test::swung_beam_toml(), "2.6e5", "0.26"))});
+    const auto soft = std::find_if(found.begin(), found.end(),
+                                   [](const Finding& finding) { return finding.level == CheckLevel::doubtful; });
+    ASSERT_NE(soft, found.end());
+    EXPECT_EQ(soft->sentence,
+              "material.youngs_modulus_Pa = 0.26 Pa, below what soft robots have, 500 to 5e+09 Pa");
+    EXPECT_EQ(soft->threshold, 500.0);
+    EXPECT_EQ(find_check("units")->source.find_first_of("0123456789"), std::string::npos);
+}
+
 TEST(CheckMarkers, KnowsThoseThatTheMeshTakesForOne) {
     EXPECT_EQ(worst(check_markers({study_of(test::swung_beam_toml())})), CheckLevel::fine);
     const std::string near =
@@ -102,6 +114,7 @@ TEST(CheckMarkers, KnowsThoseThatTheMeshTakesForOne) {
     const std::vector<Finding> found = check_markers({study_of(near)});
     EXPECT_EQ(worst(found), CheckLevel::doubtful);
     EXPECT_THAT(found[0].sentence, HasSubstr("markers tip_left and middle are 1.00 mm apart"));
+    EXPECT_THAT(found[0].way_out, HasSubstr("(--resolution, or Edge length of Mesh in the window)"));
 }
 
 TEST(CheckAfter, TakesOverWhatWasAskedBefore) {
@@ -184,6 +197,7 @@ TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
     const std::vector<Finding> coarse = level_at(2.5e-3), fine = level_at(5e-4);
     EXPECT_EQ(worst(coarse), CheckLevel::wrong);
     EXPECT_THAT(coarse[0].sentence, HasSubstr("so that a modulus fitted on it is"));
+    EXPECT_THAT(coarse[0].way_out, HasSubstr(" s (--dt, or Step h of Run in the window)"));
     EXPECT_EQ(worst(fine), CheckLevel::fine);
     EXPECT_NEAR(coarse[0].figure / fine[0].figure, 25.0, 3.0);   // second order
 }

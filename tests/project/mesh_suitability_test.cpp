@@ -38,7 +38,8 @@ TEST(Suitability, TellsOfOneLayer) {
     const Checked one = checked(thin_plate, {ElementKind::hex8, 0.005});
     ASSERT_TRUE(too_few_layers(one.facts()));
     EXPECT_THAT(*too_few_layers(one.facts()), HasSubstr("1 layer of hexahedra across 5 mm along z, fewer than 2"));
-    EXPECT_THAT(*too_few_layers(one.facts()), HasSubstr("choose --resolution 0.0025 or less"));
+    EXPECT_THAT(*too_few_layers(one.facts()),
+                HasSubstr("choose edges of 0.0025 m or less (--resolution, or Edge length of Mesh in the window)"));
     EXPECT_FALSE(too_few_layers(checked(thin_plate, {ElementKind::hex8, 0.0025}).facts()));
     // Voxels of a slanted plate have no layers to count: the edge is compared with the thickness.
     SurfaceMesh slanted = thin_plate;
