@@ -160,6 +160,7 @@ int calibrate_command(const CalibrateCall& call) {
 
 std::function<int()> declare_calibrate(CLI::App& app) {
     const auto call = std::make_shared<CalibrateCall>();
+    call->fits = true;
     declare_study_call(app, *call);
     call->outputs = [own = call.get()](const Experiment& experiment) {
         return trace_files_and(*own, experiment, {"calibrate.json", "report.html"});

@@ -147,6 +147,7 @@ int diagnose_command(const DiagnoseCall& call) {
 
 std::function<int()> declare_diagnose(CLI::App& app) {
     const auto call = std::make_shared<DiagnoseCall>();
+    call->fits = true;
     declare_study_call(app, *call);
     call->outputs = [own = call.get()](const Experiment& experiment) {
         return trace_files_and(*own, experiment, {report_name(experiment) + ".json", "report.json", "report.html",

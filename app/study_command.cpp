@@ -21,6 +21,7 @@
 #include "project/read_experiment.hpp"
 #include "project/study_target.hpp"
 #include "project/time_step.hpp"
+#include "project/untested_fit.hpp"
 
 namespace myo {
 namespace {
@@ -78,6 +79,7 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, Co
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
     Result<Study> study = prepare_study(experiment, study_settings(call.study, call.work), progress);
     if (!study) return study.error();
+    if (const auto untested = untested_fit(*study); untested && call.fits) study->warnings.push_back(*untested);
     const bool choosable_steps = choosable(study->settings);
     if (call.step_choice == StepChoice::before && choosable_steps) {
         for (const char* const unit : {"units", "time_unit"})

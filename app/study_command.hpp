@@ -29,6 +29,7 @@ struct StudyCall {
     std::filesystem::path out;
     bool writes_folder = true;   // false: the command has no --out
     StepChoice step_choice = StepChoice::before;
+    bool fits = false;           // the command fits values, which trials may test
     /// Files that the command may write for an experiment; none of them may be one that it reads.
     std::function<std::vector<std::filesystem::path>(const Experiment&)> outputs;
     std::string trial;           // of commands with --trial

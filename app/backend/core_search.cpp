@@ -17,6 +17,7 @@
 #include "project/readable_parameter.hpp"
 #include "project/study_report.hpp"
 #include "project/study_target.hpp"
+#include "project/untested_fit.hpp"
 
 namespace myo {
 namespace {
@@ -174,6 +175,8 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     if (!settings.own_step) chosen.h_s.reset();
     Result<Study> study = scene_study(scene, body, settings, chosen, progress);
     if (!study) return study.error();
+    const std::optional<std::string> untested = untested_fit(*study);
+    if (untested) study->warnings.push_back(*untested);
     if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
     check_integration(*study);
     const std::vector<StudyParameter> parameters = study_parameters(*study);
@@ -205,6 +208,7 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     result.evaluations = calibration.fit.evaluations;
     result.stopped = calibration.stopped;
     result.warnings = calibration.warnings;
+    if (untested) result.warnings.push_back(*untested);
     RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
     const std::vector<TrialStep> seen = steps_seen_in(*study, calibration.after);
     facts.findings =

@@ -32,6 +32,7 @@
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
 #include "project/time_step.hpp"
+#include "project/untested_fit.hpp"
 #include "project/muscle_groups.hpp"
 #include "project/output_files.hpp"
 
@@ -260,6 +261,7 @@ public:
         if (!settings.own_step) chosen.h_s.reset();
         Result<Study> study = scene_study(scene, body, settings, chosen, progress);
         if (!study) return study.error();
+        if (const auto untested = untested_fit(*study)) study->warnings.push_back(*untested);
         if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
         const DiagnosisSource source{*study, source_of(scene).experiment.effects.size(), settings};
         const auto show = [&](const Diagnosis& known) {

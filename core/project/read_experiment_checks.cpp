@@ -140,13 +140,13 @@ void check_predicted_levels(const Experiment& experiment, const std::string& tri
 
 void check_trials(Experiment& experiment) {
     std::vector<std::string> names, paths;
-    bool any_fit = false, any_validate = false, any_free = false;
+    bool any_fit = false, any_free = false;
     for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
         TrialDeclaration& trial = experiment.trials[i];
         const std::string path = element("trial", i);
         names.push_back(trial.name);
         paths.push_back(path + ".name");
-        (trial.role == TrialRole::fit ? any_fit : any_validate) = true;
+        any_fit = any_fit || trial.role == TrialRole::fit;
         if (trial.columns) check_columns(experiment, path, *trial.columns);
         check_actuation(experiment, path, trial);
         check_predicted_levels(experiment, path, trial);
@@ -154,8 +154,6 @@ void check_trials(Experiment& experiment) {
     }
     check_unique(experiment, names, paths);
     if (!any_fit) fail(experiment, "trial[0].role", "all trials are \"validate\"; at least one needs role = \"fit\"");
-    if (!any_validate)
-        experiment.warnings.push_back("trial: there is no trial with role \"validate\", so nothing is left to test the fit on");
     if (!any_free && contains(experiment.material.calibrate, "actuation_level"))
         experiment.warnings.push_back("material.calibrate: \"actuation_level\" has no effect, no trial has a level \"free\"");
 }

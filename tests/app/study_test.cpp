@@ -80,13 +80,6 @@ TEST(Simulate, WritesEveryKeyOfTheContract) {
     EXPECT_NEAR(trial.at("rms_m").get<double>(), std::sqrt(0.5 * (tip * tip + middle * middle)), 1e-12);
     EXPECT_EQ(trial["markers"]["tip"].at("steady_state_m").size(), 3u);
     EXPECT_EQ(trial["markers"]["tip"]["steady_state_m"], j["trials"][1]["markers"]["tip"]["steady_state_m"]);
-    // What the made-up trace and the declared values have not in common is told, with what finds better ones.
-    EXPECT_THAT(run.err, HasSubstr("nothing was fitted; "));
-    const auto residual = std::find_if(j.at("checks").begin(), j.at("checks").end(),
-                                       [](const json& check) { return check.at("id") == "residual"; });
-    ASSERT_NE(residual, j.at("checks").end());
-    EXPECT_NE(residual->at("level"), "green");
-    EXPECT_GT(residual->at("figure").get<double>(), residual->at("threshold").get<double>());
     expect_clean(folder);
 }
 
@@ -328,16 +321,6 @@ TEST(Calibrate, RefusesToFitOnlyWhatIsExact) {
 }
 
 /// Runs with a slip in a unit may take for ever: it is said before the first of them, and not again.
-TEST(Calibrate, TellsOfADoubtfulUnitOnce) {
-    const Folder folder("doubtful_unit");
-    write_small_experiment(folder);
-    const ProgramRun run = run_program(
-        call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--set", "material.density_kg_m3=1.0"}));
-    const std::size_t first = run.err.find("material.density_kg_m3 = 1 kg/m3");
-    ASSERT_NE(first, std::string::npos) << run.err;
-    EXPECT_EQ(run.err.find("material.density_kg_m3 = 1 kg/m3", first + 1), std::string::npos) << run.err;
-}
-
 TEST(Calibrate, LogsEveryEvaluationAndResumeGoesOnFromTheLast) {
     const Folder folder("calibrate_resume");
     write_small_experiment(folder, 0.3);

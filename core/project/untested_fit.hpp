@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace myo {
+
+struct Study;
+
+/// A warning where no trial has the role validate: nothing is left to test a fit on. For what fits; a run of declared
+/// values needs no test.
+std::optional<std::string> untested_fit(const Study& study);
+
+}  // namespace myo
