@@ -132,7 +132,7 @@ int calibrate_command(const CalibrateCall& call) {
     const std::vector<Finding> before = check_before(*study);
     tell_findings(before, opening.told, console);
     const double setup_s = opening.setup.seconds();
-    console.print(study->experiment.name);
+    console.print(study->experiment.name + "\n" + size_line(*study));
 
     Calibration calibration = calibrate_with_chosen_steps(*study, settings, progress);
     calibration.earlier_evaluations += earlier.evaluations;

@@ -117,7 +117,7 @@ int diagnose_command(const DiagnoseCall& call) {
     for (const std::string& warning : study.warnings) console.warn(warning);
     const std::vector<Finding> before = check_before(study);
     tell_findings(before, opening.told, console);
-    console.print(study.experiment.name);
+    console.print(study.experiment.name + "\n" + size_line(study));
     DiagnoseSettings settings;
     settings.without = call.without;
     settings.fits = call.out / fits_file;

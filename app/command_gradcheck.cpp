@@ -66,9 +66,8 @@ int gradcheck_command(const GradcheckCall& call) {
     const Study& study = *opening.study;
     for (const std::string& warning : study.warnings) console.warn(warning);
     const StudyTrial& checked = study.trials.front();
-    console.print(study.experiment.name + ", trial " + checked.name + ": " + std::to_string(study.body->dofs()) +
-                  " DOF of " + to_string(study.body->kind) + ", " + std::to_string(call.steps) + " steps of " +
-                  format_number(1e3 * checked.options.h_s, 4) + " ms with " + to_string(study.settings.integrator));
+    console.print(study.experiment.name + ", trial " + checked.name + ": " + std::to_string(call.steps) +
+                  " steps of " + format_number(1e3 * checked.options.h_s, 4) + " ms\n" + size_line(study));
 
     const double setup_s = opening.setup.seconds();
     const StudyGradientCheck run = gradcheck_study(study, 0, call.steps, progress);

@@ -126,7 +126,7 @@ int optimize_command(const OptimizeCall& call) {
     std::vector<std::string> names;
     for (const SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
     console.print(study.experiment.name + ", trial " + study.trials.front().name + ": " + std::to_string(from.values.size()) + " values of " +
-                  join(names) + " at " + format_number(settings.frequency_Hz) + " Hz");
+                  join(names) + " at " + format_number(settings.frequency_Hz) + " Hz\n" + size_line(study));
     const double setup_s = opening.setup.seconds();
 
     Optimization result = optimize_with_chosen_steps(study, *problem, settings, from.values, progress);

@@ -22,13 +22,6 @@ struct SimulateCall : StudyCall {
 /// About as many frames as an animation needs.
 constexpr int series_frames = 100;
 
-std::string mesh_line(const Study& study) {
-    return std::to_string(study.mesh.mesh.cell_count()) + " " + to_string(study.body->kind) + " elements of " +
-           format_number(1e3 * study.mesh.resolution_m, 3) + " mm, " + std::to_string(3 * study.mesh.mesh.node_count()) + " degrees of freedom, " +
-           to_string(study.settings.integrator) + ", " + std::to_string(study.settings.threads) +
-           (study.settings.threads == 1 ? " thread" : " threads");
-}
-
 std::string values_line(const Study& study, const StudyValues& values) {
     return "E = " + format_number(1e-3 * values.youngs_modulus_Pa, 5) + " kPa, Poisson's ratio " +
            format_number(study.experiment.material.poissons_ratio, 4) + ", density " + format_number(study.experiment.material.density_kg_m3, 5) +
@@ -84,7 +77,7 @@ int simulate_command(const SimulateCall& call) {
     const double setup_s = opening.setup.seconds();
 
     const StudyValues values = with_predicted_levels(*study, declared_values(*study));
-    console.print(study->experiment.name + "\n" + mesh_line(*study) + "\n" + values_line(*study, values));
+    console.print(study->experiment.name + "\n" + size_line(*study) + "\n" + values_line(*study, values));
     const StudyRun run = run_with_chosen_steps(*study, values, progress, call.trial);
     if (!study->integration && !progress.cancelled()) {
         const auto told = static_cast<std::ptrdiff_t>(study->warnings.size());

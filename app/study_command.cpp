@@ -17,6 +17,7 @@
 #include "mesh/quality.hpp"
 #include "project/check_body.hpp"
 #include "project/finding_output.hpp"
+#include "project/mesh_words.hpp"
 #include "project/output_files.hpp"
 #include "project/read_experiment.hpp"
 #include "project/study_target.hpp"
@@ -149,6 +150,11 @@ RunFacts run_facts(const StudyCall& call, double setup_s) {
 std::string assumed_damping(const Study& study) {
     if (study.experiment.material.damping_s) return {};
     return "material.damping_s is not declared; " + format_number(1e3 * study.trials.front().model.damping_s, 4) + " ms is assumed";
+}
+
+std::string size_line(const Study& study) {
+    return mesh_words(study) + ", " + to_string(study.settings.integrator) + ", " +
+           std::to_string(study.settings.threads) + (study.settings.threads == 1 ? " thread" : " threads");
 }
 
 std::string with_options(const std::string& failure) {

@@ -76,6 +76,9 @@ RunFacts run_facts(const StudyCall& call, double setup_s);
 /// "damping 3 ms is assumed, for none is declared", or empty.
 std::string assumed_damping(const Study& study);
 
+/// "64 hex8 elements of 5 mm, 2 layers across 10 mm, 375 degrees of freedom, tr_bdf2, 2 threads"
+std::string size_line(const Study& study);
+
 /// "  0.312" for 3.12e-4 m; "-" when there is no number.
 std::string in_millimetres(double metres);
 

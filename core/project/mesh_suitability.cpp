@@ -150,6 +150,14 @@ std::optional<std::string> patch_too_small(const MeshFacts& facts) {
     return std::nullopt;
 }
 
+WallLayers wall_layers(const MeshFacts& facts) {
+    if (has_hexahedra(facts) && is_rectilinear(facts.surface))
+        if (const std::optional<Layers> fewest = fewest_layers(facts, false))
+            return {static_cast<double>(fewest->count), fewest->slice.thickness_m()};
+    const double thickness = local_thickness(facts.surface);
+    return {thickness / mean_edge_length(facts.mesh.mesh), thickness};
+}
+
 std::vector<std::string> unsuitable(const MeshFacts& facts) {
     std::vector<std::string> found;
     if (facts.mesh.mesh.cell_count() == 0) return found;

@@ -40,6 +40,14 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& body);
 std::optional<std::string> cells_too_flat(const MeshFacts& body);
 std::optional<std::string> patch_too_small(const MeshFacts& body);
 
+/// How many cells lie across a body's thinnest wall.
+struct WallLayers {
+    double count = 0.0;         // whole where layers can be counted: hexahedra in a body of axis-aligned faces
+    double thickness_m = 0.0;   // of the wall
+};
+/// Of the wall with the fewest layers; elsewhere its thickness over the mean edge.
+WallLayers wall_layers(const MeshFacts& body);
+
 /// All of them; what a mesh's volume misses is told by mesh_quality().
 inline constexpr std::array<MeshCheck, 4> mesh_checks{too_few_layers, too_few_cells_to_twist, cells_too_flat,
                                                       patch_too_small};

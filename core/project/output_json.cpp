@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "project/finding_output.hpp"
+#include "project/mesh_suitability.hpp"
 #include "project/predict_trials.hpp"
 #include "project/values_at_bounds.hpp"
 
@@ -23,11 +24,14 @@ void add_integration(const Study& study, Json& json) {
 
 Json size_json(const Study& study) {
     const double h = study.settings.h_s.value_or(study.trials.front().options.h_s);
+    const WallLayers layers = wall_layers({study.surface, study.mesh, study.experiment.effects});
     Json json{{"dofs", 3 * study.mesh.mesh.node_count()},
             {"nodes", study.mesh.mesh.node_count()},
             {"elements", study.mesh.mesh.cell_count()},
             {"element", to_string(study.body->kind)},
             {"resolution_m", study.mesh.resolution_m},
+            {"layers", layers.count},
+            {"layers_across_m", layers.thickness_m},
             {"material", study.settings.material.value_or(study.experiment.material.model)},
             {"as_published", study.settings.as_published},
             {"mass", to_string(study.settings.mass_model)},

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "mesh/quality.hpp"
+#include "project/mesh_words.hpp"
 #include "project/output_json.hpp"
 #include "project/readable_parameter.hpp"
 #include "project/study_report.hpp"
@@ -89,9 +90,7 @@ Section model_section(const Study& study, const Calibration& calibration) {
     Table facts{"", {{"Model"}, {""}}, {}};
     const auto add = [&](const std::string& name, const std::string& value) { facts.rows.push_back({name, value}); };
     add("Body", readable_number(1e6 * quality.volume, 4) + " cm³, " + readable_number(1e3 * study.experiment.material.density_kg_m3 * quality.volume, 4) + " g");
-    add("Mesh", std::to_string(quality.cells) + " " + to_string(study.body->kind) + " elements, " +
-                    std::to_string(quality.dofs) + " degrees of freedom, edges of " +
-                    readable_number(1e3 * quality.mean_edge, 3) + " mm on average");
+    add("Mesh", mesh_words(study) + ", edges of " + readable_number(1e3 * quality.mean_edge, 3) + " mm on average");
     // What is left of an exact fill is rounding, which would only read as noise.
     if (quality.volume_error)
         add("Volume of the mesh", std::abs(*quality.volume_error) < 1e-8 ? "that of the surface"

@@ -50,6 +50,19 @@ TEST(Told, BySimulateWhatTheDeclaredValuesLeave) {
     EXPECT_GT(residual->at("figure").get<double>(), residual->at("threshold").get<double>());
 }
 
+/// 2 x 2 x 4 cells of 1 cm.
+TEST(Told, WhatTheBodyIsMadeOf) {
+    for (const char* command : {"simulate", "calibrate"}) {
+        const Told told = told_by(command);
+        EXPECT_THAT(told.run.out, HasSubstr("small block\n16 hex8 elements of 10 mm, 2 layers across 20.0 mm, 135 "
+                                            "degrees of freedom, tr_bdf2, "))
+            << command;
+        EXPECT_EQ(told.result.at("layers"), 2.0);
+        EXPECT_DOUBLE_EQ(told.result.at("layers_across_m").get<double>(), 0.02);
+        EXPECT_EQ(told.result.at("dofs"), 135);
+    }
+}
+
 /// Of a run of declared values no trial is a test.
 TEST(Told, ByFitsAloneThatNoTrialIsLeftToTestThem) {
     const char* const warning = "so nothing is left to test the fit on";

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/quality.hpp"
 #include "mesh/test_surfaces.hpp"
 
 namespace myo {
@@ -46,6 +47,18 @@ TEST(Suitability, TellsOfOneLayer) {
     slanted.vertices.row(0) += 0.2 * slanted.vertices.row(2);
     EXPECT_TRUE(too_few_layers(checked(slanted, {ElementKind::hex8, 0.005}).facts()));
     EXPECT_FALSE(too_few_layers(checked(slanted, {ElementKind::hex8, 0.00245}).facts()));
+}
+
+TEST(WallLayers, AreCountedInHexahedraAndEstimatedElsewhere) {
+    const WallLayers plate = wall_layers(checked(thin_plate, {ElementKind::hex8, 0.0025}).facts());
+    EXPECT_EQ(plate.count, 2.0);
+    EXPECT_DOUBLE_EQ(plate.thickness_m, 0.005);
+    const Checked cube = checked(box_surface({{0, 0, 0}, {0.03, 0.03, 0.03}}), {ElementKind::hex8, 0.01});
+    EXPECT_NEAR(wall_layers(cube.facts()).count, 3.0, 1e-6);
+    const Checked tetrahedra = checked(thin_plate, {ElementKind::tet10, 0.005});
+    const WallLayers about = wall_layers(tetrahedra.facts());
+    EXPECT_NEAR(about.thickness_m, 0.005, 1e-6);
+    EXPECT_NEAR(about.count, 0.005 / mean_edge_length(tetrahedra.mesh.mesh), 1e-6);
 }
 
 TEST(Suitability, TellsOfRodsThatTwistTooLittle) {
