@@ -18,8 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr const NumericalDeviationPolicy& policy = numerical_deviation_policy;
-
 std::vector<TrialPrediction> residuals_of(const StudyRun& run, const std::vector<std::size_t>& trials) {
     std::vector<TrialPrediction> result;
     for (const std::size_t t : trials) {
@@ -39,8 +37,9 @@ struct Change {
 /// Fits the parameters of a calibration to the same data with another study.
 class Refit {
 public:
-    Refit(const Study& study, const Calibration& calibration, const Progress& progress)
-        : calibration_(calibration), progress_(progress), trials_(trials_with_role(study, TrialRole::fit)),
+    Refit(const Study& study, const Calibration& calibration, const Progress& progress,
+          const NumericalDeviationPolicy& policy)
+        : calibration_(calibration), progress_(progress), policy_(policy), trials_(trials_with_role(study, TrialRole::fit)),
           residuals_(weighted_residuals(study, trials_, residuals_of(calibration.after, trials_), 0).residuals) {
         const Eigen::MatrixXd& J = calibration.fit.jacobian;
         if (!ready()) return;
@@ -61,7 +60,7 @@ public:
         const Stopwatch watch;
         const VectorXd& fitted = calibration_.fit.values;
         double left = 0.0;
-        for (int run = 1; run <= policy.most_runs; ++run) {
+        for (int run = 1; run <= policy_.most_runs; ++run) {
             const VectorXd at = within_bounds(values);
             const ResidualEvaluation there = weighted_residuals(
                 other, trials_, predict_trials_with(other, with_values(at), trials_, progress_), 0);
@@ -100,7 +99,7 @@ private:
     /// Corrections up to these do not matter: beside the whole change, and beside the noise. Any, where the data do
     /// not determine the parameter.
     Eigen::ArrayXd settled_change(const VectorXd& change) const {
-        Eigen::ArrayXd most = policy.settled * (change.array().abs() + calibration_.fit.deviations.array());
+        Eigen::ArrayXd most = policy_.settled * (change.array().abs() + calibration_.fit.deviations.array());
         for (double& one : most)
             if (std::isnan(one)) one = std::numeric_limits<double>::infinity();
         return most;
@@ -108,6 +107,7 @@ private:
 
     const Calibration& calibration_;
     Progress progress_;
+    const NumericalDeviationPolicy& policy_;
     std::vector<std::size_t> trials_;
     VectorXd residuals_, scale_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
@@ -125,13 +125,14 @@ double extrapolation(double ratio, double order) { return 1.0 / std::abs(1.0 - s
 
 class Estimate {
 public:
-    Estimate(const Study& study, const Calibration& calibration, const Progress& progress)
-        : study_(study), calibration_(calibration),
+    Estimate(const Study& study, const Calibration& calibration, const Progress& progress,
+             const NumericalDeviationPolicy& policy)
+        : study_(study), calibration_(calibration), policy_(policy),
           progress_(progress.with_sink([progress](ProgressEvent event) {
               event.task = "numerical errors";
               progress.report(event);
           })),
-          refit_(study, calibration, progress_),
+          refit_(study, calibration, progress_, policy),
           most_s_(std::max(policy.always_s, policy.most_share * calibration.seconds)) {}
 
     NumericalDeviations run() {
@@ -155,27 +156,27 @@ private:
     Change of_steps() const {
         if (!refit_.ready()) return {{}, "the fit ended without derivatives"};
         Study longer = study_;
-        for (StudyTrial& trial : longer.trials) set_step(trial, policy.longer_steps * trial.options.h_s);
+        for (StudyTrial& trial : longer.trials) set_step(trial, policy_.longer_steps * trial.options.h_s);
         Change change = refit_.on(longer, calibration_.fit.values, 0.3 * left_s());
         const double order = study_.settings.integrator == Integrator::implicit_euler ? 1.0 : 2.0;
-        change.values = extrapolation(policy.longer_steps, order) * change.values.cwiseAbs();
-        change.left *= extrapolation(policy.longer_steps, order);
+        change.values = extrapolation(policy_.longer_steps, order) * change.values.cwiseAbs();
+        change.left *= extrapolation(policy_.longer_steps, order);
         return change;
     }
 
     Change of_mesh() const {
         std::string message = "no other mesh can be made";
-        for (const double edges : policy.edges) {
+        for (const double edges : policy_.edges) {
             if (progress_.cancelled()) return {{}, "stopped by the user"};
             Result<Study> other = refined_study(study_, edges, progress_.with_sink({}));
-            if (!other || std::abs(std::log(edge_ratio(*other))) < std::log(policy.another)) continue;
+            if (!other || std::abs(std::log(edge_ratio(*other))) < std::log(policy_.another)) continue;
             message = "runs on another mesh would take too long";
             if (run_s(*other) > left_s()) continue;
             for (std::size_t t = 0; t < study_.trials.size(); ++t)
                 set_step(other->trials[t], study_.trials[t].options.h_s);
             Change change = refit_.on(*other, start_on(*other), left_s());
             if (change.values.size() > 0) change.values = error_of(*other, change.values);
-            change.left *= extrapolation(edge_ratio(*other), policy.mesh_order);
+            change.left *= extrapolation(edge_ratio(*other), policy_.mesh_order);
             return change;
         }
         return {{}, message};
@@ -190,16 +191,16 @@ private:
     /// What a run of all trials will take [s].
     double run_s(const Study& other) const {
         const double larger = static_cast<double>(other.body->dofs()) / static_cast<double>(study_.body->dofs());
-        return policy.run_share * evaluation_s(calibration_) * std::pow(larger, policy.time_exponent);
+        return policy_.run_share * evaluation_s(calibration_) * std::pow(larger, policy_.time_exponent);
     }
 
     VectorXd error_of(const Study& other, const VectorXd& change) const {
-        VectorXd error = extrapolation(edge_ratio(other), policy.mesh_order) * change.cwiseAbs();
+        VectorXd error = extrapolation(edge_ratio(other), policy_.mesh_order) * change.cwiseAbs();
         const double edges =
             study_.mesh.resolution_m / automatic_resolution(study_.surface, cell_type(study_.mesh.element));
         for (Index i = 0; i < error.size(); ++i)
             if (calibration_.parameters[static_cast<std::size_t>(i)].kind == StudyParameter::Kind::youngs_modulus)
-                error(i) = std::max(error(i), policy.least_mesh_error * edges * calibration_.fit.values(i));
+                error(i) = std::max(error(i), policy_.least_mesh_error * edges * calibration_.fit.values(i));
         return error;
     }
 
@@ -218,6 +219,7 @@ private:
 
     const Study& study_;
     const Calibration& calibration_;
+    const NumericalDeviationPolicy& policy_;
     Progress progress_;
     Stopwatch watch_;
     Refit refit_;
@@ -226,8 +228,9 @@ private:
 
 }  // namespace
 
-NumericalDeviations numerical_deviations(const Study& study, const Calibration& calibration, const Progress& progress) {
-    return Estimate(study, calibration, progress).run();
+NumericalDeviations numerical_deviations(const Study& study, const Calibration& calibration, const Progress& progress,
+                                         const NumericalDeviationPolicy& policy) {
+    return Estimate(study, calibration, progress, policy).run();
 }
 
 }  // namespace myo

@@ -38,6 +38,7 @@ inline constexpr NumericalDeviationPolicy numerical_deviation_policy;
 /// @param study  with the steps that the calibration ended with
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
 NumericalDeviations numerical_deviations(const Study& study, const Calibration& calibration,
-                                         const Progress& progress = {});
+                                         const Progress& progress = {},
+                                         const NumericalDeviationPolicy& policy = numerical_deviation_policy);
 
 }  // namespace myo

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "loop/swung_beam.hpp"
 #include "project/output_json.hpp"
@@ -163,6 +164,64 @@ TEST(NumericalDeviation, CancelledIsTheNoiseAloneAndSaysSo) {
     const Json json = calibrate_json(study, found, {"test", {}, 0.0, 0, {}}).at("parameters").at("youngs_modulus_Pa");
     EXPECT_TRUE(json.at("std_mesh").is_null());
     EXPECT_TRUE(json.at("std_step").is_null());
+}
+
+/// Three layers, whose finer cells are five and whose coarser ones two; with the time of a run made by the policy, for
+/// no clock shall decide.
+class AnotherMesh : public testing::Test {
+protected:
+    AnotherMesh() : folder_("another_mesh") {
+        test::swung_beam(folder_, 0.3);
+        const Result<Experiment> experiment = read_experiment(folder_.path());
+        EXPECT_TRUE(experiment) << experiment.error().text();
+        StudySettings settings;
+        settings.mesh.resolution_m = 0.01;
+        settings.h_s = 0.005;
+        Result<Study> study = prepare_study(*experiment, settings);
+        EXPECT_TRUE(study) << study.error().text();
+        study_ = std::move(*study);
+        const StudyValues values = declared_values(study_);
+        test::record(study_, 0, values, predict_trial(study_, 0, values).trace);
+        found_ = calibrate_study(study_);
+        EXPECT_TRUE(found_.fit.converged()) << found_.fit.message;
+        policy_.always_s = 1e9;
+    }
+
+    NumericalDeviations deviations() const { return numerical_deviations(study_, found_, {}, policy_); }
+
+    test::Folder folder_;
+    Study study_;
+    Calibration found_;
+    NumericalDeviationPolicy policy_;
+};
+
+TEST_F(AnotherMesh, IsACoarserOneWhereAFinerTakesTooLong) {
+    policy_.edges = {2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0};
+    const NumericalDeviations finer = deviations();
+    policy_.edges = {1.5, 1.5, 1.5};
+    const NumericalDeviations coarser = deviations();
+    policy_.edges = numerical_deviation_policy.edges;
+    EXPECT_EQ(deviations().mesh, finer.mesh);
+    policy_.time_exponent = 1e4;   // of unknowns: more of them take for ever, fewer no time
+    const NumericalDeviations fallback = deviations();
+    EXPECT_EQ(fallback.message, "");
+    EXPECT_EQ(fallback.mesh, coarser.mesh);
+    EXPECT_NE(fallback.mesh, finer.mesh);
+    EXPECT_EQ(fallback.step, finer.step);
+}
+
+TEST_F(AnotherMesh, IsLeftOutWithAMessageWhereEveryOneTakesTooLong) {
+    policy_.run_share = std::numeric_limits<double>::infinity();
+    const NumericalDeviations parts = deviations();
+    EXPECT_EQ(parts.mesh.size(), 0);
+    EXPECT_EQ(parts.step.size(), 1);
+    EXPECT_EQ(parts.message, "the standard deviations leave out the mesh's error: "
+                             "runs on another mesh would take too long");
+    found_.numerical = parts;
+    EXPECT_DOUBLE_EQ(found_.deviation(0), std::hypot(found_.fit.deviations(0), parts.step(0)));
+    // Where all are alike, it is not for want of time.
+    policy_.edges = {1.0, 1.0, 1.0};
+    EXPECT_THAT(deviations().message, HasSubstr("no other mesh can be made"));
 }
 
 }  // namespace
