@@ -131,6 +131,26 @@ TEST(ChecksPanel, WhatIsDoubtfulHasNoTick) {
     EXPECT_TRUE(driver.state().checks_are_current());
 }
 
+/// Declared values that do not fit yet are for the fit to mend: the run itself is done.
+TEST(ChecksPanel, ValuesThatDoNotFitLeaveTheRunItsTick) {
+    Driver driver;
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+    WorkbenchState state = driver.state();
+    RunResult run = *state.run;
+    run.checks.front().state = CheckState::red;
+    const std::string own = run.checks.front().step;
+    const auto status_where = [&](const std::string& mended_in) {
+        run.checks.front().step = mended_in;
+        state.run = std::make_shared<const RunResult>(run);
+        return step_status(state, Step::run).checks;
+    };
+    EXPECT_EQ(status_where(own), CheckState::red);
+    EXPECT_EQ(status_where("fit"), CheckState::green);
+    EXPECT_EQ(step_status(state, Step::measure).checks, CheckState::green);
+}
+
 TEST(ChecksPanel, ACalibrationBringsItsOwn) {
     Driver driver;
     driver.open_beam();

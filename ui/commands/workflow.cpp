@@ -93,9 +93,15 @@ StepStatus bare_status(const WorkbenchState& state, Step step) {
     return {};
 }
 
+/// Without what a fit is to mend: a run is sound, and its recordings compared, also where its values do not fit yet.
+CheckRows checks_of_run(CheckRows rows) {
+    std::erase_if(rows, [](const CheckRow& row) { return row.step == step_id(Step::fit); });
+    return rows;
+}
+
 /// Checks of the job that a step is done by; of the others, the newest checks of what is set there.
 CheckRows checks_of(const WorkbenchState& state, Step step) {
-    if (step == Step::run || step == Step::measure) return state.run->checks;
+    if (step == Step::run || step == Step::measure) return checks_of_run(state.run->checks);
     if (step == Step::fit) return state.found->run.checks;
     if (step == Step::diagnose) return state.diagnosis->checks;
     CheckRows rows;
