@@ -5,11 +5,22 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "dynamics/statics.hpp"
 
 namespace myo {
 namespace {
+
+struct ModePolicy {
+    int most_iterations = 100;
+    double settled = 1e-7;      // residual, see NaturalModes
+    /// Rounding of the forces of nearly incompressible thin bodies ends the way down earlier. Frequencies are good to
+    /// its square.
+    double acceptable = 1e-4;
+    double least_fall = 0.7;    // of the residual by an iteration, on the way down
+};
+constexpr ModePolicy mode_policy;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -39,7 +50,7 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
     const int block = std::min(std::max(2 * count, count + 4), pattern.unknowns());
     NaturalModes result;
     MatrixXd V = start_block(pattern.unknowns(), block);
-    for (result.iterations = 1; result.iterations <= 100; ++result.iterations) {
+    for (result.iterations = 1; result.iterations <= mode_policy.most_iterations; ++result.iterations) {
         V = solver.solve_linear(K, stage, x, inertia_of(V));
         const MatrixXd KV = K.selfadjointView<Eigen::Lower>() * V, MV = inertia_of(V);
         const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz(V.transpose() * KV, V.transpose() * MV);
@@ -49,13 +60,14 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
         }
         V = (V * ritz.eigenvectors()).eval();
         const MatrixXd force = KV * ritz.eigenvectors(), inertia = MV * ritz.eigenvectors();
-        result.residual = 0.0;
+        const double before = std::exchange(result.residual, 0.0);
         for (int j = 0; j < count; ++j) {
             const double error = (force.col(j) - ritz.eigenvalues()(j) * inertia.col(j)).norm() / force.col(j).norm();
             result.residual = std::max(result.residual, error);
         }
         result.status = SolveStatus::not_converged;
-        if (result.residual > 1e-7) continue;
+        const bool stalled = result.iterations > 1 && result.residual > mode_policy.least_fall * before;
+        if (result.residual > (stalled ? mode_policy.acceptable : mode_policy.settled)) continue;
         result.status = SolveStatus::converged;
         for (int j = 0; j < count; ++j) result.modes.push_back({std::sqrt(ritz.eigenvalues()(j)), scatter(pattern, V.col(j))});
         return result;

@@ -24,7 +24,8 @@ struct NaturalModes {
 };
 
 /// The lowest `count` modes of the undamped body about the equilibrium x (3 x n) under the loads and activations and
-/// with the mass of time_s. They are solved to a residual of 1e-7; frequencies are good to its square.
+/// with the mass of time_s. They are solved to a residual of 1e-7, or to where rounding ends the way
+/// down, 1e-4 at most; frequencies are good to its square.
 ///
 /// Inverse iteration of a block of vectors with a Rayleigh-Ritz step.
 /// Errors: not_converged where the iteration does not settle; not_finite where K is singular, as for a body that is not held.
