@@ -101,7 +101,8 @@ public:
             if (trial.role == TrialRole::fit)
                 longest_s = std::max(longest_s, trial.measured.time_s.tail(1)(0) - onset_s_.back());
         }
-        if (!(doubt_rad_s_ * longest_s > policy.most_doubt_rad)) return {};
+        const double doubt_rad = doubt_rad_s_ * longest_s;
+        if (!(doubt_rad > policy.most_doubt_rad) || doubt_rad > policy.most_phase_rad) return {};
         double length_s = policy.most_doubt_rad / doubt_rad_s_;
         CalibrationSettings settings = found_.settings;
         settings.starts = 1;

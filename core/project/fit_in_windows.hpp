@@ -12,6 +12,8 @@ struct WindowPolicy {
     double unexplained = 1.5;          // rms of the residual in noise levels that a right fit stays below
     double most_doubt_rad = 3.1;       // phase that the modulus' bounds leave open at the end of a trial: beyond half a
                                        // period a fit may take one period for another
+    double most_phase_rad = 200.0;     // likewise: a body that is declared so wrongly that it vibrates much faster than
+                                       // the recording is looked for in vain
     int least_samples = 4;             // of the first window
     double seen_departure = 0.2;       // of the largest way of a marker: motion has begun
     double scan_phase_rad = 0.8;       // between the moduli that are tried on the first window

@@ -99,14 +99,14 @@ std::vector<double> frequencies_rad_s(const Model& model) {
     return found;
 }
 
-/// How much an infinitely fine mesh's modulus would have to be smaller to vibrate as the coarser one of two.
-double modulus_factor(double fine, double coarse, int fine_layers, int coarse_layers) {
+/// The factor of the modulus with which a mesh vibrates as an infinitely fine one does.
+double modulus_factor(double own, double fine, double coarse, int fine_layers, int coarse_layers) {
     const double ratio = std::pow(static_cast<double>(fine_layers) / coarse_layers, convergence_policy.mesh_order);
     const double exact = fine + (fine - coarse) / (ratio - 1.0);
-    return std::pow(exact / coarse, 2);
+    return std::pow(exact / own, 2);
 }
 
-/// The coarser of the first two meshes between which the first frequencies have settled.
+/// One of the first two meshes between which the first frequencies have settled.
 Result<Study> settled_mesh(const SyntheticCase& c, const Study& prepared, ConvergedTruth& truth,
                            const Progress& progress) {
     const ConvergencePolicy& p = convergence_policy;
@@ -121,8 +121,10 @@ Result<Study> settled_mesh(const SyntheticCase& c, const Study& prepared, Conver
         truth.frequency_Hz = now.front() / (2.0 * std::numbers::pi);
         truth.frequency_change = change_of(now, before);
         if (truth.frequency_change < p.most_change) {
-            truth.modulus_factor = modulus_factor(now.front(), before.front(), layers, layers - p.layers);
-            return std::move(*coarser);
+            const bool coarse = truth.frequency_change < p.coarse_enough;
+            truth.modulus_factor = modulus_factor(coarse ? before.front() : now.front(), now.front(), before.front(),
+                                                  layers, layers - p.layers);
+            return coarse ? std::move(*coarser) : std::move(study);
         }
         coarser = std::move(*study);
         before = now;

@@ -12,6 +12,7 @@ namespace myo {
 struct ConvergencePolicy {
     double most_change = 3e-3;       // of the first frequencies by the last refinement of the mesh, and of the path by
                                      // extrapolation over the step, as a share of the motion's rms
+    double coarse_enough = 1e-3;     // change of the frequencies, below which the coarser of the last two meshes will do
     double mesh_order = 2.0;         // of the frequencies' error
     int frequencies = 2;             // bending in both planes, or the twist of a plate
     int layers = 2;                  // across the thickness: so many, twice as many, ...
@@ -34,8 +35,8 @@ struct ConvergedTruth {
 };
 
 /// The motions of a case as it truly is, by another element than its experiment's default: tet10 in boxes, hex8 that
-/// follow the taper in fingers. Frequencies are extrapolated from the last two meshes by Richardson's rule: the coarser
-/// of them moves with the modulus that gives it the first one. Positions are extrapolated from the last two steps.
+/// follow the taper in fingers. Frequencies are extrapolated from the last two meshes by Richardson's rule: the mesh
+/// moves with the modulus that gives it the first one. Positions are extrapolated from the last two steps.
 ///
 /// @param experiment  of the folder of the true experiment, traces of the right times in it
 /// Errors: those of prepare_study; a trial that does not run; numbers that do not settle; cancelled.
