@@ -10,6 +10,7 @@
 #include "project/first_vibration.hpp"
 #include "project/predict_trials.hpp"
 #include "project/refined_study.hpp"
+#include "project/time_step.hpp"
 #include "project/weighted_residuals.hpp"
 
 namespace myo {
@@ -140,7 +141,7 @@ public:
         const Change steps = of_steps(), mesh = steps.values.size() > 0 ? of_mesh() : Change{{}, steps.message};
         result.step = steps.values;
         result.mesh = mesh.values;
-        result.motion_noise_levels = std::hypot(steps.left, mesh.left);
+        result.motion_noise_levels = std::hypot(steps.left, mesh.left, other_vibrations());
         if (steps.values.size() == 0)
             result.message = "the standard deviations are those of the markers' noise alone, without the errors of "
                              "mesh and time step: " + steps.message;
@@ -151,6 +152,20 @@ public:
     }
 
 private:
+    /// What the steps, chosen for the largest vibrations, do to the others [noise levels, rms over the fit trials].
+    double other_vibrations() const {
+        const StudyRun& run = calibration_.after;
+        double squares = 0.0;
+        int count = 0;
+        for (const std::size_t t : trials_with_role(study_, TrialRole::fit)) {
+            if (!run.predictions[t].trace.complete()) continue;
+            const double error_m = step_seen_in(study_, t, run.values, run.predictions[t].trace).other_vibrations_m;
+            squares += error_m * error_m;
+            ++count;
+        }
+        return count > 0 ? std::sqrt(squares / count) / mean_noise(study_) : 0.0;
+    }
+
     double left_s() const { return most_s_ - watch_.seconds(); }
 
     Change of_steps() const {

@@ -34,6 +34,15 @@ double step_for(const TimeScheme& scheme, double omega, double longest) {
     return low;
 }
 
+/// What the step's frequency error and numerical damping make of a vibration's part of the traces, rms: they add up as
+/// long as it lasts.
+double trace_error(const TimeScheme& scheme, const Vibration& vibration, double h_s, double end_s) {
+    const DiscreteVibration discrete = discrete_vibration(scheme, {vibration.omega_rad_s}, h_s);
+    const double lasts_s = std::min(end_s, 0.5 / (vibration.damping_ratio * vibration.omega_rad_s));
+    const double turned_rad = std::hypot(discrete.frequency_error, discrete.damping_ratio) * vibration.omega_rad_s * lasts_s;
+    return vibration.amplitude_m * std::min(1.0, turned_rad);
+}
+
 /// rms of the difference of two predictions over compared coordinates [m].
 double difference(const TrialPrediction& a, const TrialPrediction& b) {
     std::vector<Matrix3Xd> all;
@@ -118,11 +127,17 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
 TrialStep step_seen_in(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace) {
     TrialStep step;
     step.h_s = study.trials[trial].options.h_s;
-    const Vibration seen = largest_vibration(affected_trial(study, trial, values).model, study.markers, trace);
-    if (!(seen.amplitude_m > step_policy.most_noise_share * mean_noise(study))) return step;
-    step.vibration_Hz = seen.omega_rad_s / (2.0 * std::numbers::pi);
-    step.vibration_m = seen.amplitude_m;
-    step.frequency_error = frequency_error(study.trials[trial].options.integrator, seen.omega_rad_s, step.h_s);
+    const std::vector<Vibration> all =
+        vibrations_in(affected_trial(study, trial, values).model, study.markers, trace);
+    if (all.empty() || !(all.front().amplitude_m > step_policy.most_noise_share * mean_noise(study))) return step;
+    const Vibration& largest = all.front();
+    const TimeScheme scheme = study.trials[trial].options.integrator;
+    step.vibration_Hz = largest.omega_rad_s / (2.0 * std::numbers::pi);
+    step.vibration_m = largest.amplitude_m;
+    step.frequency_error = frequency_error(scheme, largest.omega_rad_s, step.h_s);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        step.other_vibrations_m =
+            std::hypot(step.other_vibrations_m, trace_error(scheme, all[i], step.h_s, trace.times_s.back()));
     return step;
 }
 

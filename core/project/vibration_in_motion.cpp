@@ -38,14 +38,14 @@ double swing(const std::vector<double>& times, const std::vector<double>& veloci
 
 }  // namespace
 
-Vibration largest_vibration(const Model& model, const MarkerSet& markers, const Trace& trace) {
+std::vector<Vibration> vibrations_in(const Model& model, const MarkerSet& markers, const Trace& trace) {
     StageSolver solver(model);
     const Matrix3Xd& pose = trace.positions.back();
     const auto free = std::count(model.body->clamped.begin(), model.body->clamped.end(), false);
     const int count = std::min(vibration_policy.modes, 3 * static_cast<int>(free));
     const NaturalModes modes = natural_modes(solver, pose, count, trace.times_s.back());
-    Vibration largest;
-    if (!modes.ok()) return largest;
+    std::vector<Vibration> seen;
+    if (!modes.ok()) return seen;
     for (const NaturalMode& mode : modes.modes) {
         const double damping = damping_ratio(damping_factor(model, pose, mode), model.damping_s, mode.omega_rad_s);
         if (damping > vibration_policy.most_damping_ratio) continue;
@@ -54,9 +54,11 @@ Vibration largest_vibration(const Model& model, const MarkerSet& markers, const 
         for (const Matrix3Xd& v : trace.velocities) velocity.push_back(momentum.cwiseProduct(v).sum());
         const double amplitude =
             at_markers(markers, mode.shape) * swing(trace.times_s, velocity, mode.omega_rad_s);
-        if (amplitude > largest.amplitude_m) largest = {mode.omega_rad_s, amplitude};
+        if (amplitude > 0.0) seen.push_back({mode.omega_rad_s, damping, amplitude});
     }
-    return largest;
+    std::sort(seen.begin(), seen.end(),
+              [](const Vibration& a, const Vibration& b) { return a.amplitude_m > b.amplitude_m; });
+    return seen;
 }
 
 }  // namespace myo

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "dynamics/simulate.hpp"
 #include "measurement/observe.hpp"
 
@@ -12,14 +14,15 @@ struct VibrationPolicy {
 
 /// A natural vibration that a motion shows.
 struct Vibration {
-    double omega_rad_s = 0.0;   // 0: none
+    double omega_rad_s = 0.0;
+    double damping_ratio = 0.0;
     double amplitude_m = 0.0;   // rms over markers and time
 };
 
-/// The natural vibration about a run's last pose that moves the markers most.
+/// The natural vibrations about a run's last pose, the one that moves the markers most first.
 ///
 /// The coordinate of each mode is judged by its third derivative over omega^3: a motion slower than the mode counts the
 /// less. None where the pose has no modes (a body that is not held) or the motion has fewer than three steps.
-Vibration largest_vibration(const Model& model, const MarkerSet& markers, const Trace& trace);
+std::vector<Vibration> vibrations_in(const Model& model, const MarkerSet& markers, const Trace& trace);
 
 }  // namespace myo
