@@ -106,13 +106,17 @@ double modulus_factor(double own, double fine, double coarse, int fine_layers, i
     return std::pow(exact / own, 2);
 }
 
+/// Even counts, see layered_mesh().
+constexpr int layers_more = 2;
+
 /// One of the first two meshes between which the first frequencies have settled.
 Result<Study> settled_mesh(const SyntheticCase& c, const Study& prepared, ConvergedTruth& truth,
                            const Progress& progress) {
     const ConvergencePolicy& p = convergence_policy;
     std::optional<Study> coarser;
     std::vector<double> before;
-    for (int layers = p.layers; layers <= p.most_layers; layers += p.layers) {
+    const int first = c.body.is_declared_box() ? p.first_layers_of_tets : p.first_layers_of_hexes;
+    for (int layers = first; layers <= p.most_layers; layers += layers_more) {
         if (progress.cancelled()) return Error{"cancelled", ""};
         Result<Study> study = on_mesh(prepared, layered_mesh(c.body, layers));
         if (!study) return study;
@@ -123,7 +127,7 @@ Result<Study> settled_mesh(const SyntheticCase& c, const Study& prepared, Conver
         if (truth.frequency_change < p.most_change) {
             const bool coarse = truth.frequency_change < p.coarse_enough;
             truth.modulus_factor = modulus_factor(coarse ? before.front() : now.front(), now.front(), before.front(),
-                                                  layers, layers - p.layers);
+                                                  layers, layers - layers_more);
             return coarse ? std::move(*coarser) : std::move(study);
         }
         coarser = std::move(*study);
@@ -156,7 +160,7 @@ Result<ConvergedTruth> converged_truth(const SyntheticCase& c, const Experiment&
         Result<Motions> fine = motions(*study, values, part, silent);
         if (!fine) return fine.error();
         truth.path_change = path_change(*fine, *coarse);
-        if (truth.path_change < p.most_change) {
+        if (truth.path_change < p.most_path_change) {
             truth.positions_m = extrapolated(std::move(*fine), *coarse);
             return truth;
         }

@@ -17,8 +17,8 @@ struct DefaultsPolicy {
     double most_column_load = 0.3;     // weight of a standing column over the one that buckles it
     double least_swing = 0.03, most_swing = 0.12;   // of the length: deflection by the force that is let go
     double least_periods = 4.0, most_periods = 8.0;   // of the first vibration, where the camera allows
-    double longest_periods = 60.0;     // for a slow camera's samples
-    int least_samples = 12, most_samples = 250;
+    double longest_periods = 30.0;     // for a slow camera's samples
+    int least_samples = 10, most_samples = 250;
     double least_noise = 0.003, most_noise = 0.02;   // of the swing
     double least_damping_ratio = 0.01, most_damping_ratio = 0.1;
     double muscles = 0.15;             // share of experiments with two antagonists
