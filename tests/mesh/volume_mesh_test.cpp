@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "mesh/boundary_surface.hpp"
 #include "mesh/face_shape.hpp"
 #include "mesh/surface_check.hpp"
@@ -80,6 +82,37 @@ TEST(BoundaryFaces, MidNodesLieBetweenTheirCorners) {
                 0.5 * (mesh.nodes.col(faces.nodes(i, f)) + mesh.nodes.col(faces.nodes((i + 1) % 3, f)));
             EXPECT_LT((mesh.nodes.col(faces.nodes(3 + i, f)) - middle).norm(), 1e-16);
         }
+    }
+}
+
+/// Mirrored cells match, and the mesh is its own mirror image in the three planes through the middle of the box.
+TEST(TetBoxMesh, OfMirroredCellsIsAsSymmetricAsTheBox) {
+    const Box box = test::unequal_box();
+    const VolumeMesh mesh = tet_box_mesh(box, {4, 2, 2}, CellType::tet4, Diagonals::mirrored);
+    EXPECT_EQ(2 * neighbouring_cells(mesh).cols() + boundary_faces(mesh).count(), 4 * mesh.cell_count());
+    const Eigen::Vector3d middle = 0.5 * (box.lowest + box.highest);
+    const auto cells_as_places = [&](const Eigen::MatrixXd& nodes) {
+        std::set<std::set<int>> cells;
+        for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+            std::set<int> corners;
+            for (const int n : mesh.cells.col(c)) {
+                Eigen::Index place = 0;
+                (mesh.nodes.colwise() - nodes.col(n)).colwise().norm().minCoeff(&place);
+                corners.insert(static_cast<int>(place));
+            }
+            cells.insert(corners);
+        }
+        return cells;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        Eigen::MatrixXd mirrored = mesh.nodes;
+        mirrored.row(axis) = 2.0 * middle(axis) - mirrored.row(axis).array();
+        EXPECT_EQ(cells_as_places(mirrored), cells_as_places(mesh.nodes)) << axis;
+    }
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        Eigen::Matrix3d edges;
+        for (int e = 0; e < 3; ++e) edges.col(e) = mesh.nodes.col(mesh.cells(e + 1, c)) - mesh.nodes.col(mesh.cells(0, c));
+        EXPECT_GT(edges.determinant(), 0.0);
     }
 }
 
