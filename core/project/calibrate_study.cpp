@@ -207,7 +207,9 @@ Calibration calibrate_study(const Study& study, const CalibrationSettings& setti
             const std::string words = settings.starts > 1 ? "start " + std::to_string(s + 1) + " of " + std::to_string(settings.starts) + "  " : "";
             progress.report({event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
         });
-        LeastSquaresReport fit = fit_least_squares(parameters, residuals, {}, inner);
+        LeastSquaresOptions options;
+        options.max_evaluations = settings.max_evaluations;
+        LeastSquaresReport fit = fit_least_squares(parameters, residuals, options, inner);
         done += static_cast<double>(fit.history.size());
         if (s == 0)
             for (const Undetermined& group : fit.undetermined)

@@ -28,6 +28,7 @@ struct CalibrationSettings {
     std::map<std::string, double> from;   // where the first start begins, by parameter; absent: as declared
     int starts = 1;                       // the others are random, see calibrate_study()
     std::uint64_t seed = 1;
+    int max_evaluations = LeastSquaresOptions{}.max_evaluations;   // of each start
     /// Gets every evaluation, on the caller's thread. May be empty.
     std::function<void(const CalibrationStep&)> evaluated = {};
 };

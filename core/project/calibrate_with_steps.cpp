@@ -42,11 +42,12 @@ Calibration fit_of_all_periods(Study& study, CalibrationSettings settings, const
     const Stopwatch watch;
     const double first_s = calibration.seconds;
     settings.from = start_from_windows(study, calibration, progress);
+    calibration.seconds = first_s + watch.seconds();
     if (settings.from.empty()) return calibration;
     settings.starts = 1;
     Study other = study;
     Calibration again = fit_with_chosen_steps(other, settings, progress);
-    if (again.usable() && again.fit.cost_after < calibration.fit.cost_after) {
+    if (again.fit.converged() && again.fit.cost_after < calibration.fit.cost_after) {
         std::swap(calibration, again);
         std::swap(study, other);
     }

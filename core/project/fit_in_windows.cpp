@@ -106,6 +106,7 @@ public:
         double length_s = policy.most_doubt_rad / doubt_rad_s_;
         CalibrationSettings settings = found_.settings;
         settings.starts = 1;
+        settings.max_evaluations = policy.max_evaluations;
         settings.evaluated = {};
         settings.from = best_of_scan(length_s, settings.from);
         for (; length_s < longest_s && !progress_.cancelled(); length_s *= policy.growth) {
@@ -115,11 +116,20 @@ public:
             for (std::size_t i = 0; i < fit.parameters.size(); ++i)
                 settings.from[fit.parameters[i].parameter.name] = fit.fit.values(static_cast<Index>(i));
         }
-        return progress_.cancelled() ? std::map<std::string, double>{} : settings.from;
+        if (progress_.cancelled() || !is_better(settings.from)) return {};
+        return settings.from;
     }
 
 private:
     bool is_unexplained() const { return found_.after.fit_rms_m > policy.unexplained * mean_noise(study_); }
+
+    /// Of the whole trials. What a fit that begins there would gain is found by the fit itself.
+    bool is_better(const std::map<std::string, double>& from) const {
+        StudyValues values = found_.after.values;
+        for (const StudyParameter& p : found_.parameters)
+            if (const auto value = from.find(p.parameter.name); value != from.end()) set_value(p, value->second, values);
+        return cost(study_, values, progress_.with_sink({})) < policy.worth * found_.fit.cost_after;
+    }
 
     double frequency_rad_s() const {
         StudyValues values = found_.after.values;

@@ -21,6 +21,8 @@ struct WindowPolicy {
     double least_share = 0.02;         // of the largest modulus: the smallest where the bounds leave 0
     double damping_shares[2] = {1.0, 0.2};   // of the declared damping, tried with each of them: what is damped away
                                              // fits anything equally badly
+    int max_evaluations = 10;          // of a window's fit: the next one goes on from it
+    double worth = 0.7;                // cost of the whole trials with what was found over that of their fit
     double growth = 3.0;               // of a window: the phase at its end is known to a tenth of a radian by then
 };
 inline constexpr WindowPolicy window_policy;
@@ -30,7 +32,7 @@ inline constexpr WindowPolicy window_policy;
 /// The phase of a vibration after many periods leaves a modulus open that begins far off: the fit of a whole trial ends
 /// where some periods are counted wrongly, or where damping takes the vibration away. Over the first periods there is
 /// one minimum: moduli within the bounds are tried there, and the fit of a growing beginning of the trials goes on from
-/// the best.
+/// the best. Where that explains the whole trials no better than their fit, there is nothing to begin anew with.
 ///
 /// @param found  a fit of the whole trials; where it leaves the noise alone, or the bounds leave less than half a
 ///               period open, nothing is looked for
