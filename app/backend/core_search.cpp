@@ -234,11 +234,11 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
 
 Result<SearchResult> optimize_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
                                     const Backend::LiveSearch& live) {
-    StudySettings chosen = study_settings(settings);
-    if (!settings.own_step) chosen.h_s.reset();   // it gives way to one that suits the signals
-    Result<Study> study = scene_study(scene, body, settings, chosen, progress);
+    Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
     if (!study) return study.error();
     check_integration(*study);
+    // A step that nobody set gives way to a shorter one that suits the signals.
+    if (!settings.own_step) study->settings.h_s.reset();
     const Result<std::size_t> trial = find_trial(study->experiment, request.trial);
     if (!trial) return trial.error();
     Study one = with_one_trial(*study, *trial);
