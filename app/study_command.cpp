@@ -10,6 +10,7 @@
 #include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "check/declared_steps.hpp"
 #include "commands.hpp"
 #include "dynamics/run_advice.hpp"
 #include "exit_status.hpp"
@@ -83,10 +84,9 @@ Result<Study> open_study(const StudyCall& call, const Experiment& experiment, Co
     if (const auto untested = untested_fit(*study); untested && call.fits) study->warnings.push_back(*untested);
     const bool choosable_steps = choosable(study->settings);
     if (call.step_choice == StepChoice::before && choosable_steps) {
-        for (const char* const unit : {"units", "time_unit"})
-            for (Finding& finding : run_check(*find_check(unit), {*study})) told.push_back(std::move(finding));
+        told = findings_on_units(*study);
         tell_findings(told, {}, console);
-        set_steps(*study, choose_steps(*study, declared_values(*study), progress));
+        choose_declared_steps(*study, told, progress);
     }
     if (const Result<void> few = check_steps(*study); !few) return few.error();
     if (call.step_choice != StepChoice::in_run || !choosable_steps) check_integration(*study);

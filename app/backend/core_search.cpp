@@ -11,6 +11,7 @@
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "check/declared_steps.hpp"
 #include "project/calibrate_study.hpp"
 #include "project/time_step.hpp"
 #include "project/optimize_study.hpp"
@@ -177,7 +178,7 @@ Result<SearchResult> calibrate_scene(const Scene& scene, const MeshedBody& body,
     if (!study) return study.error();
     const std::optional<std::string> untested = untested_fit(*study);
     if (untested) study->warnings.push_back(*untested);
-    if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
+    if (!chosen.h_s) choose_declared_steps(*study, findings_on_units(*study), progress);
     check_integration(*study);
     const std::vector<StudyParameter> parameters = study_parameters(*study);
     const StudyValues declared = declared_values(*study);

@@ -20,6 +20,7 @@
 #include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "check/declared_steps.hpp"
 #include "check/step_level.hpp"
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
@@ -262,7 +263,7 @@ public:
         Result<Study> study = scene_study(scene, body, settings, chosen, progress);
         if (!study) return study.error();
         if (const auto untested = untested_fit(*study)) study->warnings.push_back(*untested);
-        if (!chosen.h_s) set_steps(*study, choose_steps(*study, declared_values(*study), progress));
+        if (!chosen.h_s) choose_declared_steps(*study, findings_on_units(*study), progress);
         const DiagnosisSource source{*study, source_of(scene).experiment.effects.size(), settings};
         const auto show = [&](const Diagnosis& known) {
             if (live) live(std::make_shared<const DiagnosisView>(diagnosis_view(source, known)));

@@ -5,9 +5,9 @@
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "check/declared_steps.hpp"
 #include "project/calibrate_study.hpp"
 #include "project/read_experiment.hpp"
-#include "project/time_step.hpp"
 #include "trust/converged_truth.hpp"
 #include "trust/defaults_case.hpp"
 #include "trust/synthetic_folder.hpp"
@@ -102,7 +102,7 @@ void fit_with_defaults(const DefaultsCase& d, const Experiment& experiment, cons
         return;
     }
     r.dofs = study->body->dofs();
-    set_steps(*study, choose_steps(*study, declared_values(*study), progress));
+    choose_declared_steps(*study, findings_on_units(*study), progress);
     const std::vector<Finding> before = check_before(*study);
     const Calibration calibration = calibrate_with_chosen_steps(*study, {}, progress);
     r.fit_s = watch.seconds();

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "check/catalogue.hpp"
+#include "check/declared_steps.hpp"
 #include "loop/swung_beam.hpp"
 #include "project/finding_output.hpp"
 #include "project/run_study.hpp"
@@ -105,6 +106,20 @@ TEST(CheckUnits, TellsTheLimitsThatItJudgesBy) {
               "material.youngs_modulus_Pa = 0.26 Pa, below what soft robots have, 500 to 5e+09 Pa");
     EXPECT_EQ(soft->threshold, 500.0);
     EXPECT_EQ(find_check("units")->source.find_first_of("0123456789"), std::string::npos);
+}
+
+/// A body that is declared a thousand times too light swings thirty times as fast as the true one.
+TEST(DeclaredSteps, AreNotChosenForUnitsInDoubt) {
+    Study right = study_of(test::swung_beam_toml());
+    choose_declared_steps(right, findings_on_units(right));
+    EXPECT_EQ(right.steps.size(), right.trials.size());
+    EXPECT_LT(right.trials.front().options.h_s, 0.005);
+
+    Study slip = study_of(with(test::swung_beam_toml(), "1070", "1.07"));
+    choose_declared_steps(slip, findings_on_units(slip));
+    EXPECT_TRUE(slip.steps.empty());
+    EXPECT_EQ(slip.trials.front().options.h_s, 0.005);
+    EXPECT_FALSE(choosable(slip.settings)) << "nor after a fit";
 }
 
 TEST(CheckMarkers, KnowsThoseThatTheMeshTakesForOne) {
