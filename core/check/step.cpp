@@ -11,8 +11,8 @@
 namespace myo {
 namespace {
 
-/// Frequency errors: what choose_steps() aims at, with room for values that a fit has moved (ShorterStepsPolicy), and one that
-/// is seen in a fitted modulus as 2 %.
+/// Frequency errors: what choose_steps() aims at, with room for values that a fit has moved (ShorterStepsPolicy), and
+/// one that is seen in a fitted modulus as 2 %.
 constexpr double doubtful_error = 1.5 * step_policy.most_frequency_error, wrong_error = 1e-2;
 
 std::string step_words(const StudyTrial& trial) {

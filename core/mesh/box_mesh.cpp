@@ -175,13 +175,15 @@ VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType t
     mesh.nodes = hexes.nodes;
     mesh.cells.resize(4, 6 * hexes.cell_count());
     for (Eigen::Index c = 0; c < hexes.cell_count(); ++c) {
-        const std::array<bool, 3> turned = diagonals == Diagonals::mirrored ? odd_axes(c, cells) : std::array<bool, 3>{};
+        const std::array<bool, 3> turned =
+            diagonals == Diagonals::mirrored ? odd_axes(c, cells) : std::array<bool, 3>{};
+        const bool inside_out = (turned[0] + turned[1] + turned[2]) % 2 == 1;
         for (Eigen::Index p = 0; p < 6; ++p) {
             for (Eigen::Index i = 0; i < 4; ++i) {
                 const int corner = paths[static_cast<std::size_t>(p)][static_cast<std::size_t>(i)];
                 mesh.cells(i, 6 * c + p) = hexes.cells(mirrored_corner(corner, turned), c);
             }
-            if ((turned[0] + turned[1] + turned[2]) % 2 == 1) std::swap(mesh.cells(2, 6 * c + p), mesh.cells(3, 6 * c + p));
+            if (inside_out) std::swap(mesh.cells(2, 6 * c + p), mesh.cells(3, 6 * c + p));
         }
     }
     return type == CellType::tet10 ? to_tet10(mesh) : mesh;

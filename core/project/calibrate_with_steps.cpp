@@ -17,7 +17,8 @@ int all_evaluations(const Calibration& calibration) {
 Calibration fit_with_chosen_steps(Study& study, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = calibrate_study(study, settings, progress);
     if (!choosable(study.settings)) return calibration;
-    for (int fit = 1; fit < shorter_steps_policy.most_fits && calibration.fit.converged() && !progress.cancelled(); ++fit) {
+    for (int fit = 1; fit < shorter_steps_policy.most_fits; ++fit) {
+        if (!calibration.fit.converged() || progress.cancelled()) break;
         std::vector<TrialStep> steps = choose_steps(study, calibration.after.values, progress);
         if (!much_shorter(study, steps)) break;
         set_shorter_steps(study, std::move(steps));

@@ -127,7 +127,8 @@ private:
     bool is_better(const std::map<std::string, double>& from) const {
         StudyValues values = found_.after.values;
         for (const StudyParameter& p : found_.parameters)
-            if (const auto value = from.find(p.parameter.name); value != from.end()) set_value(p, value->second, values);
+            if (const auto value = from.find(p.parameter.name); value != from.end())
+                set_value(p, value->second, values);
         return cost(study_, values, progress_.with_sink({})) < policy.worth * found_.fit.cost_after;
     }
 

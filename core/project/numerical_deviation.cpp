@@ -40,7 +40,8 @@ class Refit {
 public:
     Refit(const Study& study, const Calibration& calibration, const Progress& progress,
           const NumericalDeviationPolicy& policy)
-        : calibration_(calibration), progress_(progress), policy_(policy), trials_(trials_with_role(study, TrialRole::fit)),
+        : calibration_(calibration), progress_(progress), policy_(policy),
+          trials_(trials_with_role(study, TrialRole::fit)),
           residuals_(weighted_residuals(study, trials_, residuals_of(calibration.after, trials_), 0).residuals) {
         const Eigen::MatrixXd& J = calibration.fit.jacobian;
         if (!ready()) return;

@@ -29,7 +29,8 @@ Optimization optimize_with_chosen_steps(Study& study, const ActuationProblem& pr
                                         const Eigen::MatrixXd& start, const Progress& progress) {
     Optimization found = optimize_study(study, problem, settings, start, progress);
     if (!choosable(study.settings)) return found;
-    for (int search = 1; search < shorter_steps_policy.most_fits && found.fit.converged() && !progress.cancelled(); ++search) {
+    for (int search = 1; search < shorter_steps_policy.most_fits; ++search) {
+        if (!found.fit.converged() || progress.cancelled()) break;
         const Study moved = with_signals(study, problem.sought, found.fit.values);
         std::vector<TrialStep> steps =
             choose_steps(moved, values_with(moved, found.fit.best.placement), progress);

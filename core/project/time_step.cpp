@@ -39,7 +39,8 @@ double step_for(const TimeScheme& scheme, double omega, double longest) {
 double trace_error(const TimeScheme& scheme, const Vibration& vibration, double h_s, double end_s) {
     const DiscreteVibration discrete = discrete_vibration(scheme, {vibration.omega_rad_s}, h_s);
     const double lasts_s = std::min(end_s, 0.5 / (vibration.damping_ratio * vibration.omega_rad_s));
-    const double turned_rad = std::hypot(discrete.frequency_error, discrete.damping_ratio) * vibration.omega_rad_s * lasts_s;
+    const double turned_rad =
+        std::hypot(discrete.frequency_error, discrete.damping_ratio) * vibration.omega_rad_s * lasts_s;
     return vibration.amplitude_m * std::min(1.0, turned_rad);
 }
 

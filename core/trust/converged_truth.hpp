@@ -14,7 +14,7 @@ struct ConvergencePolicy {
     /// Of the path by extrapolation over the step, as a share of the motion's rms: with phases that differ by d and d/4
     /// the extrapolated path errs by d^2/8, 0.3 % where the phase error grows evenly.
     double most_path_change = 0.03;
-    double coarse_enough = 1e-3;     // change of the frequencies, below which the coarser of the last two meshes will do
+    double coarse_enough = 1e-3;     // change of the frequencies, below which the coarser of the last two meshes does
     double mesh_order = 2.0;         // of the frequencies' error
     int frequencies = 2;             // bending in both planes, or the twist of a plate
     int first_layers_of_tets = 2;    // across the thickness: so many, and two more each time

@@ -111,7 +111,8 @@ TEST(TetBoxMesh, OfMirroredCellsIsAsSymmetricAsTheBox) {
     }
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         Eigen::Matrix3d edges;
-        for (int e = 0; e < 3; ++e) edges.col(e) = mesh.nodes.col(mesh.cells(e + 1, c)) - mesh.nodes.col(mesh.cells(0, c));
+        for (int e = 0; e < 3; ++e)
+            edges.col(e) = mesh.nodes.col(mesh.cells(e + 1, c)) - mesh.nodes.col(mesh.cells(0, c));
         EXPECT_GT(edges.determinant(), 0.0);
     }
 }
