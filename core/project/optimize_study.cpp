@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "base/stopwatch.hpp"
@@ -166,14 +167,14 @@ Result<ActuationProblem> actuation_problem(const Study& study, const OptimizeSet
     return problem;
 }
 
-Optimization optimize_study(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings, const MatrixXd& start,
-                            const Progress& progress) {
+Optimization search_signals(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
+                            const MatrixXd& start, const Progress& progress) {
     const Stopwatch watch;
     Optimization result;
     result.settings = settings;
     result.problem = problem;
     std::mt19937_64 random(settings.seed);
-    ActuationEvaluation first;
+    std::optional<ActuationEvaluation> first;   // of the first start that could be run
     double done = 0.0;
     for (int s = 0; s < settings.starts && !progress.cancelled(); ++s) {
         const Progress inner = progress.with_sink([&](const ProgressEvent& event) {
@@ -187,27 +188,32 @@ Optimization optimize_study(const Study& study, const ActuationProblem& problem,
         ActuationFit fit = fit_actuation(problem, s == 0 ? start : random_values(problem.sought, random), options, inner);
         done += static_cast<double>(fit.log.size());
         result.starts.push_back({fit.status, fit.message, fit.first.loss_m2, fit.best.loss_m2, static_cast<int>(fit.log.size())});
-        if (fit.usable() && !first.ok()) first = fit.first;
+        if (fit.usable() && !first) first = fit.first;
         const bool better = fit.usable() && (!result.usable() || fit.best.loss_m2 < result.fit.best.loss_m2);
         const bool met = fit.usable() && fit.log.size() == 1 && fit.converged();
         if (better || s == 0) result.fit = std::move(fit);
         if (met) break;
     }
+    if (first) result.fit.first = std::move(*first);
     result.stopped = progress.cancelled();
-    if (result.usable()) {
-        result.before = run_of(study, first);
-        result.after = run_of(study, result.fit.best);
-        result.miss = target_miss(study, result.after);
-        result.warnings = warnings_of(study, result);
-        if (result.stopped) result.deviations.reason = "not looked for: the search was stopped";
-        else
-            result.deviations =
-                actuation_deviations(with_placement(problem, result.fit.best.placement), result.fit.values,
-                                     mean_noise(study), in_task(progress, "deviations"));
-        result.warnings.insert(result.warnings.end(), result.deviations.warnings.begin(), result.deviations.warnings.end());
-    }
     result.seconds = watch.seconds();
     return result;
+}
+
+void judge_signals(const Study& study, Optimization& result, const Progress& progress) {
+    if (!result.usable()) return;
+    const Stopwatch watch;
+    result.before = run_of(study, result.fit.first);
+    result.after = run_of(study, result.fit.best);
+    result.miss = target_miss(study, result.after);
+    result.warnings = warnings_of(study, result);
+    if (result.stopped) result.deviations.reason = "not looked for: the search was stopped";
+    else
+        result.deviations =
+            actuation_deviations(with_placement(result.problem, result.fit.best.placement), result.fit.values,
+                                 mean_noise(study), in_task(progress, "deviations"));
+    result.warnings.insert(result.warnings.end(), result.deviations.warnings.begin(), result.deviations.warnings.end());
+    result.seconds += watch.seconds();
 }
 
 }  // namespace myo

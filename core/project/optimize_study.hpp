@@ -61,12 +61,16 @@ struct Optimization {
     bool usable() const { return fit.usable(); }
 };
 
-/// Looks for the signals from `start` (signals x knots) and from random levels, then for how well they are determined. Cancelled, it
-/// gives the best values so far, without deviations.
-Optimization optimize_study(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings, const Eigen::MatrixXd& start,
-                            const Progress& progress = {});
+/// Looks for the signals from `start` (signals x knots) and from random levels. fit.first is the evaluation of the first
+/// start that could be run. Cancelled, it gives the best values so far.
+Optimization search_signals(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
+                            const Eigen::MatrixXd& start, const Progress& progress = {});
 
-/// optimize_study() with steps that suit the motion it ends with: where half a sampling interval is too long for the
+/// What was found beside the target, how well it is determined (not of a search that was stopped), and what a person
+/// should know of it.
+void judge_signals(const Study& study, Optimization& found, const Progress& progress = {});
+
+/// Both, with steps that suit the motion that the search ends with: where half a sampling interval is too long for the
 /// vibrations that the signals excite, shorter steps are set in the study and the search goes on from where it was.
 /// Steps that are not choosable() stay. The evaluations of searches before the last count as earlier ones.
 Optimization optimize_with_chosen_steps(Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,

@@ -23,11 +23,10 @@ StudyValues values_with(const Study& study, const MarkerPlacement& placement) {
     return values;
 }
 
-}  // namespace
-
-Optimization optimize_with_chosen_steps(Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
-                                        const Eigen::MatrixXd& start, const Progress& progress) {
-    Optimization found = optimize_study(study, problem, settings, start, progress);
+/// The search, and again with shorter steps where its signals ask for them.
+Optimization search_with_chosen_steps(Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
+                                      const Eigen::MatrixXd& start, const Progress& progress) {
+    Optimization found = search_signals(study, problem, settings, start, progress);
     if (!choosable(study.settings)) return found;
     for (int search = 1; search < shorter_steps_policy.most_fits; ++search) {
         if (!found.fit.converged() || progress.cancelled()) break;
@@ -41,13 +40,24 @@ Optimization optimize_with_chosen_steps(Study& study, const ActuationProblem& pr
         finer.options.h_s = study.trials.front().options.h_s;
         OptimizeSettings once = settings;
         once.starts = 1;
-        Optimization next = optimize_study(study, finer, once, found.fit.values, progress);
+        Optimization next = search_signals(study, finer, once, found.fit.values, progress);
         if (!next.usable()) break;   // stopped at once: the signals there are were found with longer steps
         next.earlier_evaluations = found.earlier_evaluations + static_cast<int>(found.fit.log.size());
-        next.before = std::move(found.before);
+        next.fit.first = std::move(found.fit.first);
+        next.fit.start = found.fit.start;
+        next.starts.insert(next.starts.begin(), found.starts.begin(), found.starts.end());
         next.seconds += found.seconds;
         found = std::move(next);
     }
+    return found;
+}
+
+}  // namespace
+
+Optimization optimize_with_chosen_steps(Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
+                                        const Eigen::MatrixXd& start, const Progress& progress) {
+    Optimization found = search_with_chosen_steps(study, problem, settings, start, progress);
+    judge_signals(study, found, progress);
     return found;
 }
 
