@@ -15,6 +15,13 @@ bool all_right(const std::vector<FittedNumber>& numbers) {
     return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), is_right);
 }
 
+/// Right, and not for want of saying anything.
+bool all_tell_the_truth(const std::vector<FittedNumber>& numbers) {
+    return all_right(numbers) && std::all_of(numbers.begin(), numbers.end(), [](const FittedNumber& n) {
+        return n.deviation <= defaults_judgement.most_deviation * std::abs(n.truth);
+    });
+}
+
 bool counts_as_right(DefaultsAnswer answer) {
     return answer == DefaultsAnswer::right || answer == DefaultsAnswer::cause_named;
 }
@@ -95,8 +102,9 @@ DefaultsSummary defaults_summary(const std::vector<DefaultsRecord>& records) {
         if (r.fit_s > 0.0) fit_s.push_back(r.fit_s);
         if (!r.slip.empty()) continue;
         s.false_alarms.add(is_false_alarm(r));
-        s.half_interval_right.add(all_right(r.with_half_interval));
-        if (all_right(r.with_half_interval) && r.with_half_interval_s > 0.0) {
+        const bool was_right = all_tell_the_truth(r.with_half_interval);
+        s.half_interval_right.add(was_right);
+        if (was_right && r.with_half_interval_s > 0.0) {
             ratios.push_back(r.fit_s / r.with_half_interval_s);
             s.twice_the_time_at_most.add(ratios.back() <= 2.0);
         }

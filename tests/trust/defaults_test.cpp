@@ -57,7 +57,7 @@ TEST(ConvergedTruth, HasTheFrequencyOfBeamTheory) {
     ASSERT_TRUE(truth) << truth.error().text();
     EXPECT_NEAR(truth->frequency_Hz / d.frequency_Hz, 0.995, 0.006);
     EXPECT_LT(truth->frequency_change, convergence_policy.most_change);
-    EXPECT_LT(truth->path_change, convergence_policy.most_change);
+    EXPECT_LT(truth->path_change, convergence_policy.most_path_change);
     EXPECT_EQ(truth->positions_m.front().size(), d.truth.markers.size());
 }
 
@@ -125,6 +125,15 @@ TEST(DefaultsSummary, CountsWhatTheRecordsSay) {
     EXPECT_THAT(summary_text(s), HasSubstr("wrong without a word"));
     const std::string page = html(defaults_report(records, "myoloop study --defaults"));
     for (const char* text : {"false alarm", "silent", "straight_for_sagging"}) EXPECT_THAT(page, HasSubstr(text));
+}
+
+/// A damping of 0.003 s with a deviation of 0.03 is within three of anything.
+TEST(DefaultsSummary, TakesNoAnswerThatSaysNothingForRight) {
+    DefaultsRecord vague = record_with(0.01, 0.01);
+    vague.with_half_interval[1].deviation = 0.03;
+    const DefaultsSummary s = defaults_summary({record_with(0.01, 0.01), vague});
+    EXPECT_EQ(s.half_interval_right.count, 1);
+    EXPECT_EQ(s.twice_the_time_at_most.of, 1);
 }
 
 TEST(StudyFolder, KeepsRecordsAndPassesOverAnUnfinishedLine) {
