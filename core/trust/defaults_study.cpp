@@ -127,6 +127,14 @@ void fit_with_half_interval(const DefaultsCase& d, const Experiment& experiment,
     r.with_half_interval_s = watch.seconds();
 }
 
+/// What was said of a case's files, wherever its folder lies.
+std::string without_folder(std::string text, const std::filesystem::path& folder) {
+    const std::string prefix = folder.string() + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
+        text.erase(at, prefix.size());
+    return text;
+}
+
 }  // namespace
 
 DefaultsRecord run_defaults_case(std::uint64_t seed, int number, const std::filesystem::path& folder,
@@ -150,6 +158,9 @@ DefaultsRecord run_defaults_case(std::uint64_t seed, int number, const std::file
         }
     }
     if (progress.cancelled()) r.failure = cancelled_words;
+    r.failure = without_folder(r.failure, folder);
+    r.refusal = without_folder(r.refusal, folder);
+    for (Remark& remark : r.remarks) remark.sentence = without_folder(remark.sentence, folder);
     return r;
 }
 
