@@ -20,6 +20,7 @@
 #include "mesh/volume_reader.hpp"
 #include "project/read_experiment.hpp"
 #include "project/readable_parameter.hpp"
+#include "project/time_step.hpp"
 
 namespace myo {
 
@@ -103,12 +104,6 @@ void fill_from_study(const Study& study, Scene& scene) {
 }
 
 }  // namespace
-
-double shortest_step_s(const Study& study) {
-    double shortest = study.trials.front().options.h_s;
-    for (const StudyTrial& trial : study.trials) shortest = std::min(shortest, trial.options.h_s);
-    return shortest;
-}
 
 bool is_volume_file(const fs::path& path) { return has_ending(path, volume_endings); }
 bool is_mesh_file(const fs::path& path) { return has_ending(path, surface_endings) || is_volume_file(path); }

@@ -35,8 +35,6 @@ Experiment with_settings(Experiment experiment, const Settings& settings);
 /// The scene's study with these settings, on the mesh that is shown where it is theirs.
 Result<Study> scene_study(const Scene& scene, const MeshedBody& body, const Settings& settings, const StudySettings& chosen, const Progress& progress);
 
-/// The shortest of its trials.
-double shortest_step_s(const Study& study);
 
 /// Whether a path names an experiment and not a mesh.
 bool is_experiment(const std::filesystem::path& path);

@@ -136,22 +136,14 @@ private:
     RunResult with_prediction(const Study& study, TrialPrediction prediction, const MarkerPlacement& placement) const {
         std::vector<TrialPrediction> predictions(study.trials.size());
         predictions[trial_] = std::move(prediction);
-        return shown_run(study, scored_run(study, values_of(study, placement), std::move(predictions), {trial_}));
-    }
-
-    static StudyValues values_of(const Study& study, const MarkerPlacement& placement) {
-        StudyValues values = declared_values(study);
-        values.translation_m = placement.translation_m;
-        values.rotation_rad = placement.rotation_rad;
-        for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
-        return values;
+        return shown_run(study, scored_run(study, placed_values(study, placement), std::move(predictions), {trial_}));
     }
 
     /// The trial run with these signals; empty when it was cancelled.
     std::optional<RunResult> run_with(const Eigen::MatrixXd& signals, const MarkerPlacement& placement) const {
         const Study study = with_signals_of(signals);
         TrialPrediction prediction =
-            predict_trial(study, trial_, values_of(study, placement), {}, progress_.with_sink({}));
+            predict_trial(study, trial_, placed_values(study, placement), {}, progress_.with_sink({}));
         if (prediction.status == RunStatus::cancelled) return std::nullopt;
         return with_prediction(study, std::move(prediction), placement);
     }

@@ -20,7 +20,7 @@ std::vector<Finding> findings_on_units(const Study& study) {
 void choose_declared_steps(Study& study, const std::vector<Finding>& on_units, const Progress& progress) {
     const bool in_doubt = std::any_of(on_units.begin(), on_units.end(),
                                       [](const Finding& finding) { return finding.level != CheckLevel::fine; });
-    if (in_doubt) study.settings.h_s = study.trials.front().options.h_s;
+    if (in_doubt) study.settings.h_s = shortest_step_s(study);
     else set_steps(study, choose_steps(study, declared_values(study), progress));
 }
 

@@ -96,11 +96,7 @@ std::vector<std::string> bound_warnings(const SoughtSignals& sought, const Matri
 }
 
 StudyRun run_of(const Study& study, const ActuationEvaluation& evaluation) {
-    StudyValues values = declared_values(study);
-    for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
-    values.translation_m = evaluation.placement.translation_m;
-    values.rotation_rad = evaluation.placement.rotation_rad;
-    return scored_run(study, values, {prediction_of(study, 0, evaluation.motion, evaluation.placement)}, {0});
+    return scored_run(study, placed_values(study, evaluation.placement), {prediction_of(study, 0, evaluation.motion, evaluation.placement)}, {0});
 }
 
 /// What a person should know about the result, the gravest first.

@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <utility>
 
 #include "project/optimize_study.hpp"
 #include "project/shorter_steps.hpp"
+#include "project/study_target.hpp"
 #include "project/time_step.hpp"
 
 namespace myo {
@@ -15,14 +15,6 @@ Study with_signals(Study study, const SoughtSignals& sought, const Eigen::Matrix
     return study;
 }
 
-StudyValues values_with(const Study& study, const MarkerPlacement& placement) {
-    StudyValues values = declared_values(study);
-    for (auto& levels : values.levels) levels.clear();   // the signals have taken their place
-    values.translation_m = placement.translation_m;
-    values.rotation_rad = placement.rotation_rad;
-    return values;
-}
-
 /// The search, and again with shorter steps where its signals ask for them.
 Optimization search_with_chosen_steps(Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
                                       const Eigen::MatrixXd& start, const Progress& progress) {
@@ -32,7 +24,7 @@ Optimization search_with_chosen_steps(Study& study, const ActuationProblem& prob
         if (!found.fit.converged() || progress.cancelled()) break;
         const Study moved = with_signals(study, problem.sought, found.fit.values);
         std::vector<TrialStep> steps =
-            choose_steps(moved, values_with(moved, found.fit.best.placement), progress);
+            choose_steps(moved, placed_values(moved, found.fit.best.placement), progress);
         const bool shorter = much_shorter(study, steps);
         set_shorter_steps(study, std::move(steps));
         if (!shorter) break;
@@ -63,7 +55,7 @@ Optimization optimize_with_chosen_steps(Study& study, const ActuationProblem& pr
 
 StudyRun run_with_found_signals(const Study& study, const Optimization& found, const Progress& progress) {
     const Study moved = with_signals(study, found.problem.sought, found.fit.values);
-    return run_study(moved, values_with(moved, found.fit.best.placement), progress);
+    return run_study(moved, placed_values(moved, found.fit.best.placement), progress);
 }
 
 }  // namespace myo

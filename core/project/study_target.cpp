@@ -49,6 +49,14 @@ TrialPrediction prediction_of(const Study& study, std::size_t index, const NodeM
     return result;
 }
 
+StudyValues placed_values(const Study& study, const MarkerPlacement& placement) {
+    StudyValues values = declared_values(study);
+    for (auto& levels : values.levels) levels.clear();
+    values.translation_m = placement.translation_m;
+    values.rotation_rad = placement.rotation_rad;
+    return values;
+}
+
 Result<std::size_t> find_trial(const Experiment& experiment, const std::string& name) {
     std::vector<std::string> names;
     for (std::size_t t = 0; t < experiment.trials.size(); ++t) {

@@ -19,6 +19,9 @@ MarkerTarget trial_target(const Study& study, std::size_t trial, double until_s)
 TrialPrediction prediction_of(const Study& study, std::size_t trial, const NodeMotion& motion,
                               const MarkerPlacement& placement = {});
 
+/// The declared values of a study whose signals have taken the place of levels, seen with this placement.
+StudyValues placed_values(const Study& study, const MarkerPlacement& placement);
+
 /// The index of the named trial, or of the first fit trial when the name is empty.
 /// Error: no such trial; names the nearest.
 Result<std::size_t> find_trial(const Experiment& experiment, const std::string& name);

@@ -174,6 +174,12 @@ void set_steps(Study& study, std::vector<TrialStep> steps) {
     study.steps = std::move(steps);
 }
 
+double shortest_step_s(const Study& study) {
+    double shortest = study.trials.front().options.h_s;
+    for (const StudyTrial& trial : study.trials) shortest = std::min(shortest, trial.options.h_s);
+    return shortest;
+}
+
 StudyRun run_with_chosen_steps(Study& study, const StudyValues& values, const Progress& progress,
                                const std::string& only_trial) {
     if (!choosable(study.settings)) return run_study(study, values, progress, only_trial);
