@@ -136,10 +136,7 @@ TEST(CheckAfter, TakesOverWhatWasAskedBefore) {
     const test::Folder folder("taken_over");   // whose traces are compared
     const Study study = test::swung_beam(folder, 0.3);
     const std::vector<Finding> before = check_before(study);
-    StudyRun run;
-    run.values = declared_values(study);
-    for (std::size_t t = 0; t < study.trials.size(); ++t)
-        run.predictions.push_back(predict_trial(study, t, run.values));
+    StudyRun run = run_study(study, declared_values(study));
     std::vector<Finding> marked = before;
     marked.front().sentence = "asked before";
     const std::vector<Finding> taken = check_after({study, &run}, marked), asked = check_after({study, &run});
@@ -167,10 +164,7 @@ TEST(CheckStart, ComparesTheFirstSampleWithTheDeclaredStart) {
                 HasSubstr("trial swing: at the first sample the markers are 20.0 mm rms from where"));
     EXPECT_THAT(found[0].way_out, HasSubstr("start = \"equilibrium\""));
     // After a run its own start is compared, wherever that is.
-    StudyRun run;
-    run.values = declared_values(study);
-    for (std::size_t t = 0; t < study.trials.size(); ++t)
-        run.predictions.push_back(predict_trial(study, t, run.values));
+    StudyRun run = run_study(study, declared_values(study));
     EXPECT_EQ(worst(check_start({study, &run})), CheckLevel::wrong);
     test::record(study, 0, run.values, run.predictions[0].trace);
     run.predictions[0] = predict_trial(study, 0, run.values);
@@ -220,10 +214,7 @@ TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
 /// Who has looked for it hands it on: natural modes are not asked for twice.
 TEST(CheckStep, TakesOverWhatWasSeen) {
     Study study = study_of(test::swung_beam_toml());
-    StudyRun run;
-    run.values = declared_values(study);
-    for (std::size_t t = 0; t < study.trials.size(); ++t)
-        run.predictions.push_back(predict_trial(study, t, run.values));
+    StudyRun run = run_study(study, declared_values(study));
     run.predictions[1].status = RunStatus::failed;
     std::vector<TrialStep> seen = steps_seen_in(study, run);
     ASSERT_EQ(seen.size(), study.trials.size());
@@ -237,16 +228,14 @@ TEST(CheckStep, TakesOverWhatWasSeen) {
     EXPECT_EQ(check_step({.study = study, .run = &run, .seen = &seen})[0].figure, 0.5);
 }
 
-/// Of a run whose step nobody has looked for, as simulate's, every trial is judged, also one that shows no vibration.
+/// Nobody has looked for the step of a run such as simulate's: every trial is judged, also one without a vibration.
 TEST(CheckStep, JudgesTrialsWithoutAVibration) {
     Study study = study_of(test::swung_beam_toml());
-    StudyRun run;
-    run.values = declared_values(study);
-    for (std::size_t t = 0; t < study.trials.size(); ++t) {
-        study.trials[t].model.gravity_m_s2.setZero();
-        set_step(study.trials[t], 0.1);
-        run.predictions.push_back(predict_trial(study, t, run.values));
+    for (StudyTrial& trial : study.trials) {
+        trial.model.gravity_m_s2.setZero();
+        set_step(trial, 0.1);
     }
+    const StudyRun run = run_study(study, declared_values(study));
     const std::vector<Finding> found = check_step({study, &run});
     ASSERT_EQ(found.size(), study.trials.size());
     EXPECT_EQ(found[0].level, CheckLevel::fine);
@@ -284,10 +273,7 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
 /// simulate fits nothing: what it leaves is for a fit to mend, not for a diagnosis.
 TEST(CheckResidual, OfDeclaredValuesPointsToTheFit) {
     Study study = study_of(test::swung_beam_toml());
-    StudyRun run;
-    run.values = declared_values(study);
-    for (std::size_t t = 0; t < study.trials.size(); ++t)
-        run.predictions.push_back(predict_trial(study, t, run.values));
+    StudyRun run = run_study(study, declared_values(study));
     std::vector<Finding> earlier{fine_finding("", "a step")};
     earlier[0].check = "step";
     EXPECT_TRUE(check_residual({study, &run, nullptr, &earlier}).empty());   // nor of a diagnosis

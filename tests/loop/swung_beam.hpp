@@ -8,7 +8,7 @@
 
 #include "loop/diagnosis.hpp"
 #include "project/predict_trials.hpp"
-#include "project/read_experiment.hpp"
+#include "project/study_of_folder.hpp"
 #include "support/folder.hpp"
 
 namespace myo::test {
@@ -53,13 +53,9 @@ start = "straight"
 
 /// The experiment of a folder on coarse cells.
 inline Study study_in(const Folder& folder) {
-    const Result<Experiment> experiment = read_experiment(folder.path());
-    EXPECT_TRUE(experiment) << experiment.error().text();
     StudySettings settings;
     settings.mesh.resolution_m = 0.015;
-    Result<Study> study = prepare_study(*experiment, settings);
-    EXPECT_TRUE(study) << study.error().text();
-    return std::move(*study);
+    return study_of_folder(folder, settings);
 }
 
 inline Study swung_beam(const Folder& folder, double end_s = 0.6) {

@@ -22,15 +22,11 @@ constexpr double modulus_Pa = 2.5e5;
 
 /// The beam on tetrahedra of 8 mm, 20 times the cells of the coarse studies, with short steps.
 Study fine_beam(const test::Folder& folder) {
-    const Result<Experiment> experiment = read_experiment(folder.path());
-    EXPECT_TRUE(experiment) << experiment.error().text();
     StudySettings settings;
     settings.mesh.element = ElementKind::tet10;
     settings.mesh.resolution_m = 0.008;
     settings.h_s = 0.001;
-    Result<Study> study = prepare_study(*experiment, settings);
-    EXPECT_TRUE(study) << study.error().text();
-    return std::move(*study);
+    return test::study_of_folder(folder, settings);
 }
 
 /// The beam's experiment with what the fine mesh does as its data, on other cells.
@@ -62,13 +58,9 @@ public:
     }
 
     Study study(double resolution_m) const {
-        const Result<Experiment> experiment = read_experiment(folder_.path());
-        EXPECT_TRUE(experiment) << experiment.error().text();
         StudySettings settings;
         settings.mesh.resolution_m = resolution_m;
-        Result<Study> study = prepare_study(*experiment, settings);
-        EXPECT_TRUE(study) << study.error().text();
-        return std::move(*study);
+        return test::study_of_folder(folder_, settings);
     }
 
 private:
@@ -172,14 +164,10 @@ class AnotherMesh : public testing::Test {
 protected:
     AnotherMesh() : folder_("another_mesh") {
         test::swung_beam(folder_, 0.3);
-        const Result<Experiment> experiment = read_experiment(folder_.path());
-        EXPECT_TRUE(experiment) << experiment.error().text();
         StudySettings settings;
         settings.mesh.resolution_m = 0.01;
         settings.h_s = 0.005;
-        Result<Study> study = prepare_study(*experiment, settings);
-        EXPECT_TRUE(study) << study.error().text();
-        study_ = std::move(*study);
+        study_ = test::study_of_folder(folder_, settings);
         const StudyValues values = declared_values(study_);
         test::record(study_, 0, values, predict_trial(study_, 0, values).trace);
         found_ = calibrate_study(study_);

@@ -15,14 +15,10 @@ Study muscled_study(const std::string& signals) {
     folder.write("experiment.toml", test::muscled_toml());
     folder.write("signals.csv", signals);
     folder.write("wave.csv", trace);
-    const Result<Experiment> experiment = read_experiment(folder.path());
-    EXPECT_TRUE(experiment) << experiment.error().text();
     StudySettings settings;
     settings.mesh.resolution_m = 0.01;
     settings.h_s = 0.005;
-    Result<Study> study = prepare_study(*experiment, settings);
-    EXPECT_TRUE(study) << study.error().text();
-    return std::move(*study);
+    return test::study_of_folder(folder, settings);
 }
 
 /// Also of a muscle that follows another.
