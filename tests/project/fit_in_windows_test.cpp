@@ -33,9 +33,6 @@ TEST(FitInWindows, FindsTheModulusThatAFitOfTheWholeTrialMisses) {
     ASSERT_TRUE(whole.usable());
     // It has taken one period for another: otherwise there is nothing to show here.
     ASSERT_GT(std::abs(whole.fit.values(0) / true_modulus_Pa - 1.0), 0.03);
-    const std::map<std::string, double> start = start_from_windows(study, whole);
-    ASSERT_EQ(start.count("youngs_modulus_Pa"), 1u);
-    EXPECT_NEAR(start.at("youngs_modulus_Pa") / true_modulus_Pa, 1.0, 5e-3);
     study.settings.h_s = 0.0025;
     const Calibration found = calibrate_with_chosen_steps(study);
     EXPECT_NEAR(found.fit.values(0) / true_modulus_Pa, 1.0, 1e-3);
@@ -52,7 +49,7 @@ TEST(FitInWindows, LooksForNothingWhereTheFitLeavesTheNoise) {
     EXPECT_TRUE(start_from_windows(study, right).empty());
 }
 
-/// Of less than a period the bounds leave nothing open.
+/// The bounds leave nothing open of less than a period.
 TEST(FitInWindows, LooksForNothingWhereNoPeriodCanBeMistaken) {
     const test::Folder folder("fit_short");
     Study study = test::swung_beam(folder, 0.1);

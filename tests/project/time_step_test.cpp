@@ -72,6 +72,31 @@ TEST(TimeStep, OfARunSuitsTheVibrationsThatItShows) {
     EXPECT_EQ(study.trials.front().options.h_s, 0.005);
 }
 
+/// A step that is right for the first vibration turns the faster ones too slowly; the estimate of what that does to the
+/// traces is held against a run with steps of a tenth.
+TEST(TimeStep, KnowsWhatItDoesToFasterVibrations) {
+    const test::Folder folder("other_vibrations");
+    Study study = test::swung_beam(folder, 0.3);
+    study.noise_m.setConstant(1e-7);
+    StudyValues values = declared_values(study);
+    values.damping_s = 1e-6;   // they last
+    const auto run = [&](double h_s) {
+        set_step(study.trials.front(), h_s);
+        return predict_trial(study, 0, values);
+    };
+    const TrialPrediction fine = run(1.25e-4), coarse = run(1.25e-3);
+    const TrialStep seen = step_seen_in(study, 0, values, coarse.trace);
+    std::vector<Eigen::Matrix3Xd> differences;
+    for (std::size_t m = 0; m < fine.residual_m.size(); ++m)
+        differences.push_back(coarse.residual_m[m] - fine.residual_m[m]);
+    // Errors grow from 0 at the start, so that their rms over the trial is a third of what they are at its end.
+    const double first_m = seen.vibration_m * seen.frequency_error * 2.0 * M_PI * seen.vibration_Hz * 0.3;
+    const double estimate = std::hypot(seen.other_vibrations_m, first_m), actual = rms(differences);
+    EXPECT_GT(seen.other_vibrations_m, 2.0 * first_m);
+    EXPECT_GT(estimate, 0.7 * actual);
+    EXPECT_LT(estimate, 4.0 * actual);
+}
+
 /// What creeps to its rest needs no short steps, however stiff the body.
 TEST(TimeStep, IsHalfAnIntervalWhereNothingSwings) {
     const TrialStep step = chosen(30.0, 0.2);
