@@ -16,9 +16,9 @@ namespace {
 std::string step_of(const std::string& check, bool as_declared) {
     if (check == "residual" && as_declared) return "fit";
     static const std::map<std::string, std::string> steps{
-        {"units", "material"},   {"time_unit", "measure"}, {"mesh", "mesh"},          {"markers", "mesh"},      {"support", "body"},
-        {"pose", "body"},        {"signals", "fibres"},     {"recordings", "measure"}, {"start", "measure"},
-        {"bounds", "fit"},       {"influence", "fit"},      {"residual", "diagnose"}};
+        {"units", "material"}, {"time_unit", "measure"}, {"mesh", "mesh"},          {"markers", "mesh"},
+        {"support", "body"},   {"pose", "body"},         {"signals", "fibres"},     {"recordings", "measure"},
+        {"start", "measure"},  {"bounds", "fit"},        {"influence", "fit"},      {"residual", "diagnose"}};
     const auto known = steps.find(check);
     return known != steps.end() ? known->second : "run";
 }

@@ -26,7 +26,6 @@ std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
     return list;
 }
 
-
 std::string suspect_names(const std::vector<Finding>& earlier) {
     std::vector<std::string> names;
     for (const Finding& suspect : suspects(earlier)) {
@@ -46,7 +45,7 @@ Finding judged_residual(const std::string& sentence, double ratio, double expect
     return finding;
 }
 
-/// Of all trials that have run.
+/// rms of the residuals of all trials that have run [m].
 double rms_of_all(const StudyRun& run) {
     std::vector<Eigen::Matrix3Xd> all;
     for (const TrialPrediction& prediction : run.predictions)

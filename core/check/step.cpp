@@ -35,7 +35,7 @@ Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error)
     return finding;
 }
 
-/// Of a run whose step nobody has looked for, and that shows no vibration to judge it by.
+/// Judges a run whose step nobody has looked for, and that shows no vibration to judge it by.
 Finding of_nothing_seen(const StudyTrial& trial, double first_rad_s) {
     const double h = trial.options.h_s;
     const bool blind = first_rad_s * h > 1.0;

@@ -10,7 +10,8 @@ struct Model;
 /// as of a body that turns freely.
 double first_vibration_rad_s(const Model& model);
 
-/// Of the `count` slowest ones, ascending; empty where none are found.
+/// Angular frequencies [rad/s] of the `count` slowest natural vibrations about the straight, passive body, ascending;
+/// empty where none are found.
 std::vector<double> slowest_vibrations_rad_s(const Model& model, int count);
 
 }  // namespace myo

@@ -123,7 +123,7 @@ public:
 private:
     bool is_unexplained() const { return found_.after.fit_rms_m > policy.unexplained * mean_noise(study_); }
 
-    /// Of the whole trials. What a fit that begins there would gain is found by the fit itself.
+    /// Whether these values explain the whole trials much better than their fit does, before a fit begins there.
     bool is_better(const std::map<std::string, double>& from) const {
         StudyValues values = found_.after.values;
         for (const StudyParameter& p : found_.parameters)

@@ -45,7 +45,7 @@ struct WallLayers {
     double count = 0.0;         // whole where layers can be counted: hexahedra in a body of axis-aligned faces
     double thickness_m = 0.0;   // of the wall
 };
-/// Of the wall with the fewest layers; elsewhere its thickness over the mean edge.
+/// The wall with the fewest layers; where layers cannot be counted, the body's thickness over the mean edge.
 WallLayers wall_layers(const MeshFacts& body);
 
 /// All of them; what a mesh's volume misses is told by mesh_quality().

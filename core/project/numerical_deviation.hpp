@@ -18,7 +18,8 @@ struct NumericalDeviationPolicy {
     double another = 1.1;          // ratio of the edges of meshes that tell something
     double mesh_order = 2.0;       // of the values' error: thin walls have 3, corners of clamps 1
     /// Least error of the modulus on cells of the default edge length: corners of the clamp err by the first power of
-    /// the edge, which two meshes hardly show. Errors of 22 bodies that showed nothing else were 0.1 to 0.95 %, 0.7 rms.
+    /// the edge, which two meshes hardly show. Errors of 22 bodies that showed nothing else were 0.1 to 0.95 %, of rms
+    /// 0.7.
     double least_mesh_error = 0.006;
     double longer_steps = 2.0;     // times the steps
     int most_runs = 3;             // of all trials on another mesh or with other steps

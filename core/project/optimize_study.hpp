@@ -61,8 +61,8 @@ struct Optimization {
     bool usable() const { return fit.usable(); }
 };
 
-/// Looks for the signals from `start` (signals x knots) and from random levels. fit.first is the evaluation of the first
-/// start that could be run. Cancelled, it gives the best values so far.
+/// Looks for the signals from `start` (signals x knots) and from random levels. fit.first is the evaluation of the
+/// first start that could be run. Cancelled, it gives the best values so far.
 Optimization search_signals(const Study& study, const ActuationProblem& problem, const OptimizeSettings& settings,
                             const Eigen::MatrixXd& start, const Progress& progress = {});
 

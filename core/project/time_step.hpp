@@ -25,7 +25,7 @@ inline constexpr StepPolicy step_policy;
 /// frequency error in it; of the step alone where markers show no vibration of a third of the noise.
 TrialStep step_seen_in(const Study& study, std::size_t trial, const StudyValues& values, const Trace& trace);
 
-/// Of all trials of a run; without a step where a trial did not complete.
+/// step_seen_in() all trials of a run; a step of 0 where a trial did not complete.
 std::vector<TrialStep> steps_seen_in(const Study& study, const StudyRun& run);
 
 /// Whether steps are the program's to choose: nobody asked for one, and it is no published formulation, whose damping
@@ -43,6 +43,9 @@ bool choosable(const StudySettings& settings);
 std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress = {});
 
 void set_steps(Study& study, std::vector<TrialStep> steps);
+
+/// The shortest step of the trials [s].
+double shortest_step_s(const Study& study);
 
 /// run_study() with steps that suit the vibrations that it shows: trials whose steps are too long for theirs run again
 /// with shorter ones, which are set in the study. Cheaper than choose_steps(), which looks at the traces' error, too.

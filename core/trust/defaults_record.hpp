@@ -51,7 +51,7 @@ Result<DefaultsRecord> defaults_record_from_json(const Json& json);
 struct DefaultsJudgement {
     double relative = 0.02;    // and ...
     double deviations = 3.0;   // so many stated ones
-    /// Of a number, as a share of it: beyond this it says nothing that could be right.
+    /// Largest deviation, as a share of the number, of an answer that says something.
     double most_deviation = 0.1;
 };
 inline constexpr DefaultsJudgement defaults_judgement;

@@ -92,10 +92,9 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
 TEST(Optimize, HeldSignalsCanBePlayed) {
     const Folder folder("optimize_hold");
     write_muscled_experiment(folder);
-    ASSERT_EQ(run_program(optimize_call(folder, {"--hold", "--frequency", "50", "--smoothness", "0.001", "--dt", "0.005",
-                                                 "--quiet"}))
-                  .status,
-              0);
+    const ProgramRun run = run_program(optimize_call(
+        folder, {"--hold", "--frequency", "50", "--smoothness", "0.001", "--dt", "0.005", "--quiet"}));
+    ASSERT_EQ(run.status, 0) << run.err;
     const json j = json_at(folder, "out/optimize.json");
     EXPECT_EQ(j.at("interpolation"), "hold");
     EXPECT_EQ(j.at("knot_times_s").size(), 20u);

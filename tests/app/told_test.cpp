@@ -63,7 +63,7 @@ TEST(Told, WhatTheBodyIsMadeOf) {
     }
 }
 
-/// Of a run of declared values no trial is a test.
+/// A run of declared values is tested by no trial.
 TEST(Told, ByFitsAloneThatNoTrialIsLeftToTestThem) {
     const char* const warning = "so nothing is left to test the fit on";
     for (const char* command : {"simulate", "calibrate"}) {

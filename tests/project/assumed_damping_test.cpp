@@ -13,7 +13,8 @@ using testing_support::replaced;
 /// The beam of 7.3 Hz with this many times its modulus, whose damping nobody declares.
 Study beam_without_damping(const test::Folder& folder, const std::string& modulus_Pa) {
     test::swung_beam(folder, 0.1);
-    const std::string toml = replaced(test::swung_beam_toml(), "damping_s = 0.004\ncalibrate = [\"youngs_modulus\"]\n", "");
+    const std::string toml =
+        replaced(test::swung_beam_toml(), "damping_s = 0.004\ncalibrate = [\"youngs_modulus\"]\n", "");
     folder.write("experiment.toml", replaced(toml, "youngs_modulus_Pa = 2.6e5", "youngs_modulus_Pa = " + modulus_Pa));
     return test::study_in(folder);
 }
