@@ -95,7 +95,11 @@ void cancel_calibration_at(Driver& driver, double evaluations) {
     driver.click("run/calibrate");
     ASSERT_TRUE(driver.state().busy());
     driver.frame();
-    while (driver.state().busy() && driver.state().job->progress.done < evaluations) driver.frame();
+    // The choice of the time step, before it, counts trials.
+    const auto reached = [&](const ProgressEvent& at) {
+        return evaluations == 0.0 || (at.task == "fit" && at.done >= evaluations);
+    };
+    while (driver.state().busy() && !reached(driver.state().job->progress)) driver.frame();
     ASSERT_TRUE(driver.state().busy());
     driver.click("run/cancel");
     ASSERT_TRUE(driver.wait_for_job(20));
