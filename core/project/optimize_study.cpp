@@ -96,7 +96,8 @@ std::vector<std::string> bound_warnings(const SoughtSignals& sought, const Matri
 }
 
 StudyRun run_of(const Study& study, const ActuationEvaluation& evaluation) {
-    return scored_run(study, placed_values(study, evaluation.placement), {prediction_of(study, 0, evaluation.motion, evaluation.placement)}, {0});
+    return scored_run(study, placed_values(study, evaluation.placement),
+                      {prediction_of(study, 0, evaluation.motion, evaluation.placement)}, {0});
 }
 
 /// What a person should know about the result, the gravest first.

@@ -106,9 +106,9 @@ Section parameter_section(const Study& study, const Calibration& calibration) {
     Section section{"Parameters", {parameter_table(study, calibration)}};
     section.blocks.push_back(Paragraph{
         "± is one standard deviation, the root of the sum of the squares of three: by the noise of the markers, "
-        "enlarged in proportion where the model leaves more than noise; by the mesh, from the values on a finer or coarser one; "
-        "by the time step, from the values with longer steps. A dash is a part that is not known and left out. It does "
-        "not cover what the model leaves out."});
+        "enlarged in proportion where the model leaves more than noise; by the mesh, from the values on a finer or "
+        "coarser one; by the time step, from the values with longer steps. A dash is a part that is not known and left "
+        "out. It does not cover what the model leaves out."});
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
         if (const std::string reason = calibration.undetermined_reason(i); !reason.empty())
             section.blocks.push_back(Paragraph{readable_parameter(calibration.parameters[i], study).name +

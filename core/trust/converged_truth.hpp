@@ -11,8 +11,8 @@ namespace myo {
 /// When a truth is called converged.
 struct ConvergencePolicy {
     double most_change = 3e-3;       // of the first frequencies by the last refinement of the mesh
-    /// Change of the path by extrapolation over the step, as a share of the motion's rms: with phases that differ by d and d/4
-    /// the extrapolated path errs by d^2/8, 0.3 % where the phase error grows evenly.
+    /// Change of the path by extrapolation over the step, as a share of the motion's rms: with phases that differ by d
+    /// and d/4 the extrapolated path errs by d^2/8, 0.3 % where the phase error grows evenly.
     double most_path_change = 0.03;
     double coarse_enough = 1e-3;     // change of the frequencies, below which the coarser of the last two meshes does
     double mesh_order = 2.0;         // of the frequencies' error
