@@ -138,9 +138,12 @@ int optimize_command(const OptimizeCall& call) {
     }
     for (const std::string& warning : result.warnings) console.warn(warning);
     RunFacts facts = run_facts(call, setup_s);
-    const StudyRun run = run_with_found_signals(study, result, progress);
-    facts.findings = check_after({study, &run}, before);
-    tell_findings(facts.findings, before, console);
+    facts.findings = before;
+    if (!result.stopped) {
+        const StudyRun run = run_with_found_signals(study, result, progress);
+        facts.findings = check_after({study, &run}, before);
+        tell_findings(facts.findings, before, console);
+    }
     console.print("\n" + result_lines(study, result));
     if (const Result<void> written = write_results(call, study, result, facts); !written)
         return console.fail(written.error());

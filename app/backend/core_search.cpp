@@ -262,8 +262,10 @@ Result<SearchResult> optimize_scene(const Scene& scene, const MeshedBody& body, 
     result.rms_before_m = found.before.fit_rms_m;
     result.rms_after_m = found.after.fit_rms_m;
     result.run = shown.found(found.fit);
-    const StudyRun moved = run_with_found_signals(one, found, progress);
-    result.run.checks = check_rows(check_after({.study = one, .run = &moved}));
+    if (!found.stopped) {
+        const StudyRun moved = run_with_found_signals(one, found, progress);
+        result.run.checks = check_rows(check_after({.study = one, .run = &moved}));
+    }
     if (result.run.trials[*trial].frames.empty()) result.warnings.push_back("The search was stopped before the body was run with its best signals; Run shows it.");
     result.run.seconds = found.seconds;
     result.page = std::make_shared<const HtmlReport>(optimize_report(one, found, {MYOLOOP_VERSION, {"workbench"}}));
