@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "inverse/fit_evaluations.hpp"
+#include "inverse/reused_jacobian.hpp"
 
 namespace myo {
 namespace {
@@ -18,8 +19,13 @@ using Eigen::VectorXd;
 class ResidualBlock final : public ceres::CostFunction {
 public:
     ResidualBlock(const std::vector<Parameter>& parameters, const VectorXd& internal,
-                  const std::vector<Eigen::Index>& moved, FitEvaluations& evaluations, int residuals)
-        : parameters_(parameters), internal_(internal), moved_(moved), evaluations_(evaluations) {
+                  const std::vector<Eigen::Index>& moved, FitEvaluations& evaluations, ReusedJacobian& jacobian,
+                  int residuals)
+        : parameters_(parameters),
+          internal_(internal),
+          moved_(moved),
+          evaluations_(evaluations),
+          jacobian_(jacobian) {
         set_num_residuals(residuals);
         mutable_parameter_block_sizes()->push_back(static_cast<int>(moved.size()));
     }
@@ -27,14 +33,17 @@ public:
     bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
         VectorXd internal = internal_;
         internal(moved_) = Eigen::Map<const VectorXd>(blocks[0], static_cast<Eigen::Index>(moved_.size()));
-        const ResidualEvaluation& evaluation = evaluations_.at(physical_values(parameters_, internal));
+        const VectorXd values = physical_values(parameters_, internal);
+        const ResidualEvaluation& evaluation = evaluations_.at(values);
         if (!evaluation.ok || evaluation.residuals.size() != num_residuals()) return false;
         std::copy(evaluation.residuals.begin(), evaluation.residuals.end(), residuals);
         if (jacobians != nullptr && jacobians[0] != nullptr) {
             using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+            const Eigen::MatrixXd J = jacobian_.at(values, evaluation);
+            if (J.size() == 0) return false;
             const VectorXd slopes = physical_slopes(parameters_, internal);
-            Eigen::Map<RowMajor>(jacobians[0], evaluation.jacobian.rows(), static_cast<Eigen::Index>(moved_.size())) =
-                evaluation.jacobian(Eigen::all, moved_) * slopes(moved_).asDiagonal();
+            Eigen::Map<RowMajor>(jacobians[0], J.rows(), static_cast<Eigen::Index>(moved_.size())) =
+                J(Eigen::all, moved_) * slopes(moved_).asDiagonal();
         }
         return true;
     }
@@ -44,6 +53,7 @@ private:
     VectorXd internal_;
     std::vector<Eigen::Index> moved_;
     FitEvaluations& evaluations_;
+    ReusedJacobian& jacobian_;
 };
 
 /// Ends a fit that was cancelled, and one whose steps change the cost by no more than the model's own rounding: Ceres counts a step that gains
@@ -78,11 +88,11 @@ ceres::Solver::Options solver_settings(const LeastSquaresOptions& options) {
 /// Moves some of the numbers from where they are; `internal` holds where they ended.
 ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, const std::vector<Eigen::Index>& moved,
                                     int residuals, const LeastSquaresOptions& options, const Progress& progress,
-                                    FitEvaluations& evaluations, VectorXd& internal) {
+                                    FitEvaluations& evaluations, ReusedJacobian& jacobian, VectorXd& internal) {
     VectorXd block = internal(moved);
     ceres::Problem problem;
-    problem.AddResidualBlock(new ResidualBlock(parameters, internal, moved, evaluations, residuals), nullptr,
-                             block.data());
+    problem.AddResidualBlock(new ResidualBlock(parameters, internal, moved, evaluations, jacobian, residuals),
+                             nullptr, block.data());
     for (std::size_t k = 0; k < moved.size(); ++k) {
         const Parameter& parameter = parameters[static_cast<std::size_t>(moved[k])];
         if (std::isfinite(parameter.lower))
@@ -105,7 +115,13 @@ ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, co
 
 }  // namespace
 
-LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const LeastSquaresOptions& options,
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                                     const LeastSquaresOptions& options, const Progress& progress) {
+    return fit_least_squares(parameters, residuals, {}, options, progress);
+}
+
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                                     const JacobianFunction& jacobian, const LeastSquaresOptions& options,
                                      const Progress& progress) {
     LeastSquaresReport report;
     const auto n = static_cast<Eigen::Index>(parameters.size());
@@ -118,7 +134,15 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     }
     report.values = report.start;
     FitEvaluations evaluations(residuals, options, progress, report);
-    const ResidualEvaluation first = evaluations.at(physical_values(parameters, internal));
+    ReusedJacobian derivatives(parameters, jacobian, options, progress, report);
+    ResidualEvaluation first = evaluations.at(physical_values(parameters, internal));
+    if (first.ok) {
+        first.jacobian = derivatives.at(report.start, first);
+        if (n > 0 && first.jacobian.size() == 0) {
+            first.ok = false;
+            first.message = "the model could not be run beside these values";
+        }
+    }
     set_covariance(parameters, first, report);
     if (!first.ok) {
         report.status = progress.cancelled() ? FitStatus::cancelled : FitStatus::failed;
@@ -132,13 +156,17 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
         return report;
     }
     ceres::Solver::Summary summary;
+    ResidualEvaluation best;
     while (true) {
         summary = move_numbers(parameters, moved, static_cast<int>(first.residuals.size()), options, progress,
-                               evaluations, internal);
+                               evaluations, derivatives, internal);
         // Where others ended, a number that had no influence at the start may have some: the axis of a tilt that was
         // none.
-        std::vector<Eigen::Index> more = sufficient_parameters(parameters, evaluations.best().jacobian, moved);
-        if (progress.cancelled() || more.size() == moved.size()) break;
+        best = evaluations.best();
+        best.jacobian = derivatives.at(report.values, best);
+        if (progress.cancelled() || best.jacobian.size() == 0) break;
+        std::vector<Eigen::Index> more = sufficient_parameters(parameters, best.jacobian, moved);
+        if (more.size() == moved.size()) break;
         moved = std::move(more);
     }
 
@@ -151,8 +179,9 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
         report.status = FitStatus::not_converged;
         report.message = summary.message;
     }
-    report.jacobian = evaluations.best().jacobian;
-    set_covariance(parameters, evaluations.best(), report);
+    best.ok = best.jacobian.size() > 0;
+    report.jacobian = best.jacobian;
+    set_covariance(parameters, best, report);
     return report;
 }
 

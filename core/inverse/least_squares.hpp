@@ -39,8 +39,8 @@ struct ResidualEvaluation {
 /// several threads, and stops when the progress is cancelled (ok = false then).
 using ResidualFunction = std::function<ResidualEvaluation(const Eigen::VectorXd& values, const Progress& progress)>;
 
-/// J = dr/dp (m x n) at values that were evaluated, where it costs much more than the residuals: one run of the model per column. Empty: the
-/// model could not be run, or the fit was cancelled.
+/// J = dr/dp (m x n) at values that were evaluated, where it costs more than the residuals. Empty: the model could not
+/// be run, or the fit was cancelled.
 using JacobianFunction = std::function<Eigen::MatrixXd(const Eigen::VectorXd& values, const ResidualEvaluation& there, const Progress& progress)>;
 
 enum class FitStatus { not_run, converged, not_converged, cancelled, failed };
@@ -78,8 +78,11 @@ struct LeastSquaresOptions {
     int max_evaluations = 60;
     double relative_decrease = 1e-6;  // of the cost, below which it has converged
     double relative_step = 1e-6;      // of the parameters
-    Eigen::MatrixXd jacobian_guess;   // m x n at the start, about; saves asking for one there. Empty: none
-    int most_jacobians = 1000;        // asked for apart; after these secants have to do
+    /// Of the residuals' change since a Jacobian was worked out, the share that it may miss and be used on. A fit
+    /// ends with one that is wrong by twice as much, and its values off by some hundredths of a standard deviation.
+    double most_surprise = 0.02;
+    Eigen::MatrixXd jacobian_guess;   // of fit_by_secants(): m x n at the start, about; saves asking for one there
+    int most_jacobians = 1000;        // of fit_by_secants(): asked for apart; after these secants have to do
 };
 
 /// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per
@@ -99,12 +102,20 @@ struct LeastSquaresOptions {
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const LeastSquaresOptions& options = {}, const Progress& progress = {});
 
-/// The same for Jacobians that are dear: `residuals` leaves them out, and the fit asks for one at the start, and for one wherever the last,
-/// turned by the secants of the steps since, foretells a step badly; at the end, where the last one that was asked for did not foretell the
-/// way from there to a tenth.
+/// The same where derivatives take most of an evaluation: `residuals` leaves them out, and the fit asks for them at
+/// those of its points whose residuals the last Jacobian did not foretell from where it was worked out.
+LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                                     const JacobianFunction& jacobian, const LeastSquaresOptions& options,
+                                     const Progress& progress);
+
+/// For Jacobians that cost many evaluations: `residuals` leaves them out, and the fit asks for one at the start, and
+/// for one wherever the last, turned by the secants of the steps since, foretells a step badly; at the end, where the
+/// last one that was asked for did not foretell the way from there to a tenth.
 ///
-/// Source: Broyden 1965, Math. Comp. 19; Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares problems, 3.4.
-LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian,
-                                     const LeastSquaresOptions& options, const Progress& progress);
+/// Source: Broyden 1965, Math. Comp. 19; Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares
+/// problems, 3.4.
+LeastSquaresReport fit_by_secants(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                                  const JacobianFunction& jacobian, const LeastSquaresOptions& options,
+                                  const Progress& progress);
 
 }  // namespace myo

@@ -193,8 +193,9 @@ private:
 
 }  // namespace
 
-LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian,
-                                     const LeastSquaresOptions& options, const Progress& progress) {
+LeastSquaresReport fit_by_secants(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                                  const JacobianFunction& jacobian, const LeastSquaresOptions& options,
+                                  const Progress& progress) {
     return SecantDescent(parameters, residuals, jacobian, options, progress).run();
 }
 

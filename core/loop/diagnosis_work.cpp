@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/fingerprint.hpp"
+#include "project/predict_trials.hpp"
 
 namespace myo {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr double solver_tolerance = 1e-6;
 /// Of the linear systems of derivatives: a fit needs the direction, not all digits.
 constexpr double tangent_tolerance = 1e-4;
-/// Runs start their stages near those of others, where these can be kept.
-constexpr double most_path_bytes = 1e8;
 
 /// Of what fits depend on beside mesh and step: what was measured, and the declared numbers that are not fitted.
 std::uint64_t fingerprint(const Study& study) {
@@ -48,10 +47,8 @@ Study prepared(Study study) {
     for (StudyTrial& trial : study.trials) {
         trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
         trial.options.solver.tangent_tolerance = std::max(tangent_tolerance, trial.options.solver.tangent_tolerance);
-        const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
-        trial.options.keep_path = 8.0 * stages * study.body->dofs() < most_path_bytes;
     }
-    return study;
+    return with_kept_paths(std::move(study));
 }
 
 Study on_one_thread(Study study) {

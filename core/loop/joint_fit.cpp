@@ -197,7 +197,7 @@ JointFit joint_fit(const Study& study, const FitData& data, const StudyValues& s
     for (std::size_t i = 0; i < parameters.size(); ++i) origin(static_cast<Index>(i)) = parameters[i].value;
     LeastSquaresOptions informed = options;
     if (!known.names.empty()) informed.jacobian_guess = residuals.jacobian(origin, known, progress);
-    fit.report = fit_least_squares(
+    fit.report = fit_by_secants(
         parameters, [&](const VectorXd& p, const Progress& inner) { return residuals.evaluate(p, inner); },
         [&](const VectorXd& p, const ResidualEvaluation&, const Progress& inner) { return residuals.jacobian(p, {}, inner); }, informed, progress);
     if (fit.report.jacobian.rows() < fit.residual.size()) fit.residual.resize(0);   // it ran there, but nowhere beside: nothing to judge it by

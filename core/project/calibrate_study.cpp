@@ -33,28 +33,99 @@ struct KeptPredictions {
             for (const TrialPrediction& prediction : predictions) first.push_back(markers_only(prediction));
         if (!(cost < least_cost)) return false;
         least_cost = cost;
-        for (TrialPrediction& prediction : predictions) prediction.tangents.clear();
         best = std::move(predictions);
         return true;
     }
 };
-
-/// Tells whoever listens of an evaluation.
-void tell(const CalibrationSettings& settings, const std::vector<StudyParameter>& parameters, const StudyValues& values, const ResidualEvaluation& evaluation,
-          double rms_m, const std::vector<TrialPrediction>* best) {
-    if (!settings.evaluated) return;
-    constexpr double infinity = std::numeric_limits<double>::infinity(), unknown = std::numeric_limits<double>::quiet_NaN();
-    if (!evaluation.ok) return settings.evaluated({values, infinity, unknown, unknown, nullptr});
-    Eigen::VectorXd gradient = evaluation.jacobian.transpose() * evaluation.residuals;
-    for (std::size_t p = 0; p < parameters.size(); ++p) gradient(static_cast<Eigen::Index>(p)) *= parameters[p].parameter.scale;
-    settings.evaluated({values, 0.5 * evaluation.residuals.squaredNorm(), rms_m, gradient.norm(), best});
-}
 
 double rms_of(const std::vector<TrialPrediction>& predictions) {
     std::vector<Matrix3Xd> all;
     for (const TrialPrediction& prediction : predictions) all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
     return rms(all);
 }
+
+/// Runs of the fit trials for a fit.
+class FitRuns {
+public:
+    FitRuns(const Study& study, const CalibrationSettings& settings, const std::vector<StudyParameter>& parameters)
+        : study_(with_kept_paths(study)),
+          settings_(settings),
+          parameters_(parameters),
+          trials_(trials_with_role(study, TrialRole::fit)),
+          declared_(declared_values(study)) {}
+
+    StudyValues values_at(const Eigen::VectorXd& p) const {
+        StudyValues values = declared_;
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
+            set_value(parameters_[i], p(static_cast<Eigen::Index>(i)), values);
+        return values;
+    }
+
+    ResidualEvaluation residuals(const Eigen::VectorXd& p, const Progress& progress) {
+        const StudyValues values = values_at(p);
+        std::vector<TrialPrediction> predictions = run(values, {}, progress);
+        ResidualEvaluation evaluation = weighted_residuals(study_, trials_, predictions, 0);
+        const double rms_m = settings_.evaluated && evaluation.ok ? rms_of(predictions) : 0.0;
+        const bool best = evaluation.ok && kept_.offer(std::move(predictions), evaluation.residuals.squaredNorm(),
+                                                       is_declared(p));
+        tell(values, evaluation, rms_m, best);
+        return evaluation;
+    }
+
+    Eigen::MatrixXd jacobian(const Eigen::VectorXd& p, const Progress& progress) {
+        jacobian_ = weighted_residuals(study_, trials_, run(values_at(p), parameters_, progress), parameters_.size())
+                        .jacobian;
+        return jacobian_;
+    }
+
+    /// What is kept after the fit.
+    KeptPredictions take() {
+        for (TrialPrediction& prediction : kept_.best) prediction.trace.path.reset();
+        return std::move(kept_);
+    }
+
+private:
+    /// Near the best so far.
+    std::vector<TrialPrediction> run(const StudyValues& values, const std::vector<StudyParameter>& parameters,
+                                     const Progress& progress) const {
+        std::vector<PredictionTask> tasks;
+        for (std::size_t i = 0; i < trials_.size(); ++i)
+            tasks.push_back({trials_[i], &values, kept_.best.empty() ? nullptr : kept_.best[i].trace.path});
+        return predict_trials(study_, tasks, parameters, progress);
+    }
+
+    bool is_declared(const Eigen::VectorXd& p) const {
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
+            if (p(static_cast<Eigen::Index>(i)) != value_of(parameters_[i], declared_)) return false;
+        return true;
+    }
+
+    /// Whoever listens.
+    void tell(const StudyValues& values, const ResidualEvaluation& evaluation, double rms_m, bool best) const {
+        if (!settings_.evaluated) return;
+        constexpr double infinity = std::numeric_limits<double>::infinity(),
+                         unknown = std::numeric_limits<double>::quiet_NaN();
+        if (!evaluation.ok) return settings_.evaluated({values, infinity, unknown, unknown, nullptr});
+        settings_.evaluated({values, 0.5 * evaluation.residuals.squaredNorm(), rms_m, gradient(evaluation.residuals),
+                             best ? &kept_.best : nullptr});
+    }
+
+    double gradient(const Eigen::VectorXd& residuals) const {
+        if (jacobian_.rows() != residuals.size()) return std::numeric_limits<double>::quiet_NaN();
+        Eigen::VectorXd gradient = jacobian_.transpose() * residuals;
+        for (std::size_t p = 0; p < parameters_.size(); ++p)
+            gradient(static_cast<Eigen::Index>(p)) *= parameters_[p].parameter.scale;
+        return gradient.norm();
+    }
+
+    Study study_;
+    const CalibrationSettings& settings_;
+    const std::vector<StudyParameter>& parameters_;
+    std::vector<std::size_t> trials_;
+    StudyValues declared_;
+    KeptPredictions kept_;
+    Eigen::MatrixXd jacobian_;   // the last
+};
 
 /// The runs before and after: the fit trials as the fit has run them, all others run now. Cancelled, nothing is run.
 void set_runs(const Study& study, const StudyValues& declared, const StudyValues& fitted, KeptPredictions kept, const Progress& progress,
@@ -171,27 +242,10 @@ Calibration calibrate_study(const Study& study, const CalibrationSettings& setti
     Calibration result;
     result.settings = settings;
     result.parameters = study_parameters(study, settings.names);
-    const std::vector<std::size_t> fit_trials = trials_with_role(study, TrialRole::fit);
-    const auto values_at = [&](const Eigen::VectorXd& p) {
-        StudyValues values = declared_values(study);
-        for (std::size_t i = 0; i < result.parameters.size(); ++i) set_value(result.parameters[i], p(static_cast<Eigen::Index>(i)), values);
-        return values;
-    };
-    const StudyValues declared = declared_values(study);
-    const auto is_declared = [&](const Eigen::VectorXd& p) {
-        for (std::size_t i = 0; i < result.parameters.size(); ++i)
-            if (p(static_cast<Eigen::Index>(i)) != value_of(result.parameters[i], declared)) return false;
-        return true;
-    };
-    KeptPredictions kept;
-    const auto residuals = [&](const Eigen::VectorXd& p, const Progress& inner) {
-        const StudyValues values = values_at(p);
-        std::vector<TrialPrediction> predictions = predict_trials_with(study, values, fit_trials, inner, result.parameters);
-        ResidualEvaluation evaluation = weighted_residuals(study, fit_trials, predictions, result.parameters.size());
-        const double rms_m = settings.evaluated && evaluation.ok ? rms_of(predictions) : 0.0;
-        const bool best = evaluation.ok && kept.offer(std::move(predictions), evaluation.residuals.squaredNorm(), is_declared(p));
-        tell(settings, result.parameters, values, evaluation, rms_m, best ? &kept.best : nullptr);
-        return evaluation;
+    FitRuns runs(study, settings, result.parameters);
+    const auto residuals = [&](const Eigen::VectorXd& p, const Progress& inner) { return runs.residuals(p, inner); };
+    const auto jacobian = [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress& inner) {
+        return runs.jacobian(p, inner);
     };
     std::mt19937_64 random(settings.seed);
     std::vector<bool> unmoved(result.parameters.size(), false);   // by the first start, for they have no influence
@@ -209,7 +263,7 @@ Calibration calibrate_study(const Study& study, const CalibrationSettings& setti
         });
         LeastSquaresOptions options;
         options.max_evaluations = settings.max_evaluations;
-        LeastSquaresReport fit = fit_least_squares(parameters, residuals, options, inner);
+        LeastSquaresReport fit = fit_least_squares(parameters, residuals, jacobian, options, inner);
         done += static_cast<double>(fit.history.size());
         if (s == 0)
             for (const Undetermined& group : fit.undetermined)
@@ -220,8 +274,8 @@ Calibration calibrate_study(const Study& study, const CalibrationSettings& setti
     }
     result.stopped = progress.cancelled();
     if (result.usable()) {
-        set_runs(study, with_predicted_levels(study, declared), with_predicted_levels(study, values_at(result.fit.values)), std::move(kept), progress,
-                 result);
+        set_runs(study, with_predicted_levels(study, declared_values(study)),
+                 with_predicted_levels(study, runs.values_at(result.fit.values)), runs.take(), progress, result);
         result.warnings = calibration_warnings(study, result);
     }
     result.seconds = watch.seconds();

@@ -17,7 +17,8 @@ struct CalibrationStep {
     const StudyValues& values;
     double cost;                   // |r|^2 / 2, residuals in units of the noise; infinite where the model could not be run
     double rms_m;                  // over the compared coordinates of the fit trials; NaN likewise
-    double gradient_norm;          // |J'r| of the parameters, each in its scale; NaN likewise
+    /// |J'r| of the parameters, each in its scale, with the last J that was worked out; NaN before there is one.
+    double gradient_norm;
     /// Where it is the best so far: of the fit trials, in their order, with their traces. Else null.
     const std::vector<TrialPrediction>* best;
 };

@@ -54,6 +54,14 @@ std::vector<TrialPrediction> predict_trials_with(const Study& study, const Study
     return predict_trials(study, tasks, parameters, progress);
 }
 
+Study with_kept_paths(Study study) {
+    for (StudyTrial& trial : study.trials) {
+        const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
+        trial.options.keep_path = 8.0 * stages * study.body->dofs() < path_policy.most_bytes;
+    }
+    return study;
+}
+
 bool all_ok(const std::vector<TrialPrediction>& predictions) {
     return std::all_of(predictions.begin(), predictions.end(), [](const TrialPrediction& prediction) { return prediction.ok(); });
 }

@@ -24,6 +24,15 @@ std::vector<TrialPrediction> predict_trials(const Study& study, const std::vecto
 std::vector<TrialPrediction> predict_trials_with(const Study& study, const StudyValues& values, const std::vector<std::size_t>& trials, const Progress& progress = {},
                                                  const std::vector<StudyParameter>& parameters = {});
 
+struct PathPolicy {
+    double most_bytes = 1e8;   // of a trial's: 20 thousand degrees of freedom, 300 steps
+};
+inline constexpr PathPolicy path_policy;
+
+/// The study with the paths of its runs kept, for others to start their stages near to, where they take no more memory
+/// than the policy grants.
+Study with_kept_paths(Study study);
+
 bool all_ok(const std::vector<TrialPrediction>& predictions);
 
 /// The trials that are fitted, or those that are predicted.

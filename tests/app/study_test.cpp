@@ -341,8 +341,8 @@ TEST(Calibrate, LogsEveryEvaluationAndResumeGoesOnFromTheLast) {
     ASSERT_EQ(run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resume", "--quiet"})).status, 0);
     const json second = json_of(folder, "calibrate");
     for (const char* name : {"youngs_modulus_Pa", "damping_s"}) EXPECT_EQ(second["parameters"][name]["start"], first["parameters"][name]["value"]) << name;
-    EXPECT_NEAR(second["history"][0].at("cost").get<double>() / least, 1.0, 1e-9);
-    EXPECT_LE(second["starts"][0].at("cost_after").get<double>(), least * (1.0 + 1e-9));
+    EXPECT_NEAR(second["history"][0].at("cost").get<double>() / least, 1.0, 1e-7);  // another start of Newton's iterations
+    EXPECT_LE(second["starts"][0].at("cost_after").get<double>(), least * (1.0 + 1e-7));
     EXPECT_EQ(second.at("evaluations_in_all").get<int>(), first.at("evaluations").get<int>() + second.at("evaluations").get<int>());
     EXPECT_NEAR(second.at("rms_before_m").get<double>() / first.at("rms_before_m").get<double>(), 1.0, 1e-6) << "before is still with the declared values";
     run = run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resume", "--parameters", "damping"}));
@@ -399,7 +399,7 @@ TEST(Calibrate, CtrlCInTheFirstEvaluationWritesNothing) {
 TEST(Calibrate, CtrlCKeepsTheBestValuesSoFar) {
     const Folder folder("interrupt_kept");
     write_small_experiment(folder, 2.0);
-    const ProgramRun run = interrupted(folder, "calibrate", "0.004", "\"task\":\"fit\",\"done\":1.");
+    const ProgramRun run = interrupted(folder, "calibrate", "0.004", "\"task\":\"fit\",\"done\":2.");
     EXPECT_EQ(run.status, 130) << run.err;
     EXPECT_LT(run.seconds_after_signal, 5.0);   // it writes a page, and runs nothing more
     EXPECT_THAT(run.err, HasSubstr("stopped before the fit converged"));

@@ -86,6 +86,45 @@ TEST(LeastSquares, EndsWhereAStepLosesNoMoreThanTheModelRounds) {
     EXPECT_EQ(report.values(1), near[1].value);
 }
 
+/// Worked out where the last one does not foretell the residuals, Jacobians are few, and the end is the same.
+TEST(LeastSquares, UsesAJacobianAsLongAsItForetellsTheResiduals) {
+    int asked = 0, points = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const Decay decay = decay_data(seed);
+        const LeastSquaresReport all = fit_least_squares(start, decay);
+        const LeastSquaresReport report = fit_least_squares(
+            start,
+            [&](const Eigen::VectorXd& p, const Progress&) {
+                return ResidualEvaluation{true, {}, decay(p).residuals, {}};
+            },
+            [&](const Eigen::VectorXd& p, const ResidualEvaluation& there, const Progress&) {
+                EXPECT_EQ(there.residuals, decay(p).residuals);
+                return decay(p).jacobian;
+            },
+            {}, {});
+        ASSERT_TRUE(report.converged()) << report.message;
+        asked += report.jacobians;
+        points += report.evaluations;
+        EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.08);
+        EXPECT_LT((report.deviations - all.deviations).cwiseQuotient(all.deviations).norm(), 0.08);
+        EXPECT_LT((report.jacobian - decay(report.values).jacobian).norm(), 0.08 * report.jacobian.norm());
+    }
+    EXPECT_LT(asked, 0.8 * points);
+}
+
+TEST(LeastSquares, FailsWhereTheModelCannotBeRunBesideTheStart) {
+    const Decay decay = decay_data(3);
+    const auto residuals = [&](const Eigen::VectorXd& p, const Progress&) {
+        return ResidualEvaluation{true, {}, decay(p).residuals, {}};
+    };
+    const auto none = [](const Eigen::VectorXd&, const ResidualEvaluation&, const Progress&) {
+        return Eigen::MatrixXd();
+    };
+    const LeastSquaresReport report = fit_least_squares(start, residuals, none, {}, {});
+    EXPECT_EQ(report.status, FitStatus::failed);
+    EXPECT_EQ(report.message, "the model could not be run beside these values");
+}
+
 /// Asked for apart, few Jacobians are made, and the end is that of the fit with one at every point; the Jacobian there is a good secant.
 TEST(LeastSquares, AsksForFewDearJacobians) {
     int asked = 0, points = 0;
@@ -93,7 +132,7 @@ TEST(LeastSquares, AsksForFewDearJacobians) {
         const Decay decay = decay_data(seed);
         const LeastSquaresReport all = fit_least_squares(start, decay);
         int jacobians = 0;
-        const LeastSquaresReport report = fit_least_squares(
+        const LeastSquaresReport report = fit_by_secants(
             start,
             [&](const Eigen::VectorXd& p, const Progress&) {
                 ResidualEvaluation e = decay(p);
@@ -125,7 +164,7 @@ TEST(LeastSquares, AGoodGuessOfTheJacobianSavesAskingForIt) {
     std::vector<Eigen::VectorXd> asked;
     const auto fit = [&] {
         asked.clear();
-        return fit_least_squares(
+        return fit_by_secants(
             near, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
             [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
                 asked.push_back(p);
@@ -150,7 +189,7 @@ TEST(LeastSquares, SecantsHaveToDoWhereNoJacobianIsAllowed) {
     LeastSquaresOptions options;
     options.jacobian_guess = decay(Eigen::Vector2d(45.0, 0.9)).jacobian;
     options.most_jacobians = 0;
-    const LeastSquaresReport report = fit_least_squares(
+    const LeastSquaresReport report = fit_by_secants(
         near, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
         [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
             ADD_FAILURE() << "asked for";
@@ -168,7 +207,7 @@ TEST(LeastSquares, RecoversFromABadGuessOfTheJacobian) {
     const LeastSquaresReport all = fit_least_squares(start, decay);
     LeastSquaresOptions options;
     options.jacobian_guess = -decay(all.start).jacobian;
-    const LeastSquaresReport report = fit_least_squares(
+    const LeastSquaresReport report = fit_by_secants(
         start, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
         [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; }, options, {});
     ASSERT_TRUE(report.converged()) << report.message;
@@ -179,7 +218,7 @@ TEST(LeastSquares, RecoversFromABadGuessOfTheJacobian) {
 TEST(LeastSquares, SecantsTakeNoNumbersAndFewData) {
     const auto line = [](const Eigen::VectorXd& p) { return Eigen::VectorXd::Constant(1, p.size() > 0 ? 3.0 * p(0) + 4.0 * p(1) - 10.0 : 2.0); };
     const auto fit = [&](const std::vector<Parameter>& parameters) {
-        return fit_least_squares(
+        return fit_by_secants(
             parameters, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, line(p), {}}; },
             [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
                 return p.size() > 0 ? Eigen::MatrixXd(Eigen::RowVector2d(3.0, 4.0)) : Eigen::MatrixXd(1, 0);
@@ -200,7 +239,7 @@ TEST(LeastSquares, SecantsStayWithinBounds) {
     const Decay decay = decay_data(4);
     std::vector<Parameter> bounded = start;
     bounded[1].lower = 1.0;
-    const LeastSquaresReport report = fit_least_squares(
+    const LeastSquaresReport report = fit_by_secants(
         bounded,
         [&](const Eigen::VectorXd& p, const Progress&) {
             EXPECT_GE(p(1), 1.0 - 1e-12);

@@ -1,0 +1,43 @@
+#include "inverse/reused_jacobian.hpp"
+
+#include "inverse/fit_evaluations.hpp"
+
+namespace myo {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+ReusedJacobian::ReusedJacobian(const std::vector<Parameter>& parameters, const JacobianFunction& jacobian,
+                               const LeastSquaresOptions& options, const Progress& progress,
+                               LeastSquaresReport& report)
+    : parameters_(parameters), jacobian_(jacobian), options_(options), progress_(progress), report_(report) {}
+
+VectorXd ReusedJacobian::internal(const VectorXd& values) const {
+    VectorXd moved(values.size());
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        moved(i) = internal_value(parameters_[static_cast<std::size_t>(i)], values(i));
+    return moved;
+}
+
+bool ReusedJacobian::foretells(const VectorXd& internal, const VectorXd& residuals) const {
+    if (last_.size() == 0) return false;
+    if (internal == internal_) return true;
+    const VectorXd change = residuals - residuals_;
+    return (change - last_ * (internal - internal_)).norm() <= options_.most_surprise * change.norm();
+}
+
+MatrixXd ReusedJacobian::at(const VectorXd& values, const ResidualEvaluation& there) {
+    if (!jacobian_ || there.jacobian.size() > 0) return there.jacobian;
+    const VectorXd now = internal(values), slopes = physical_slopes(parameters_, now);
+    if (!foretells(now, there.residuals) && !(progress_.cancelled() && last_.size() > 0)) {
+        const MatrixXd fresh = jacobian_(values, there, progress_.with_sink({}));
+        if (fresh.rows() != there.residuals.size() || fresh.cols() != values.size() || !fresh.allFinite()) return {};
+        ++report_.jacobians;
+        internal_ = now;
+        residuals_ = there.residuals;
+        last_ = fresh * slopes.asDiagonal();
+    }
+    return last_ * slopes.cwiseInverse().asDiagonal();
+}
+
+}  // namespace myo
