@@ -136,13 +136,21 @@ public:
     std::vector<NodeTangent> take() { return std::move(kept_); }
 
 private:
-    /// Where to start the linear solves: the solutions of the last two steps, continued.
+    /// Where to start the linear solves: the polynomial through the solutions of the last four steps, of equal length
+    /// mostly.
     struct Guess {
-        MatrixXd last, before_last;
-        MatrixXd next() const { return before_last.size() > 0 ? MatrixXd(2.0 * last - before_last) : last; }
-        void add(const MatrixXd& X) {
-            before_last = std::move(last);
-            last = X;
+        std::vector<MatrixXd> last;   // the latest first
+        MatrixXd next() const {
+            constexpr std::array<std::array<double, 4>, 4> weights{
+                {{1.0}, {2.0, -1.0}, {3.0, -3.0, 1.0}, {4.0, -6.0, 4.0, -1.0}}};
+            if (last.empty()) return {};
+            MatrixXd sum = MatrixXd::Zero(last.front().rows(), last.front().cols());
+            for (std::size_t k = 0; k < last.size(); ++k) sum += weights[last.size() - 1][k] * last[k];
+            return sum;
+        }
+        void add(MatrixXd X) {
+            if (last.size() == 4) last.pop_back();
+            last.insert(last.begin(), std::move(X));
         }
     };
 
