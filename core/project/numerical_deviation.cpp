@@ -28,12 +28,30 @@ std::vector<TrialPrediction> residuals_of(const StudyRun& run, const std::vector
     return result;
 }
 
-/// Change of the fitted values on another mesh or with other steps.
-struct Change {
+/// What another mesh or other steps find from the same data.
+struct Refitted {
     VectorXd values;       // empty: not found
     std::string message;   // then: why
-    double left = 0.0;     // of the motion, where the values are changed by this much: rms in noise levels
+    VectorXd left;         // of the motion, where it differs from that of the fit with its values: in noise levels
+    double run_s = 0.0;    // of the first run of all trials
 };
+
+/// Errors of the values and of the motion.
+struct Errors {
+    VectorXd values;       // empty: not known
+    std::string message;   // then: why
+    double motion = 0.0;   // rms in noise levels
+};
+
+/// Of the fitted values; 0 but for the modulus.
+VectorXd least_mesh_error(const Study& study, const Calibration& calibration, const NumericalDeviationPolicy& policy) {
+    const double edges = study.mesh.resolution_m / automatic_resolution(study.surface, cell_type(study.mesh.element));
+    VectorXd error = VectorXd::Zero(calibration.fit.values.size());
+    for (Index i = 0; i < error.size(); ++i)
+        if (calibration.parameters[static_cast<std::size_t>(i)].kind == StudyParameter::Kind::youngs_modulus)
+            error(i) = policy.least_mesh_error * edges * calibration.fit.values(i);
+    return error;
+}
 
 /// Fits the parameters of a calibration to the same data with another study.
 class Refit {
@@ -42,7 +60,8 @@ public:
           const NumericalDeviationPolicy& policy)
         : calibration_(calibration), progress_(progress), policy_(policy),
           trials_(trials_with_role(study, TrialRole::fit)),
-          residuals_(weighted_residuals(study, trials_, residuals_of(calibration.after, trials_), 0).residuals) {
+          residuals_(weighted_residuals(study, trials_, residuals_of(calibration.after, trials_), 0).residuals),
+          least_mesh_error_(least_mesh_error(study, calibration, policy)) {
         const Eigen::MatrixXd& J = calibration.fit.jacobian;
         if (!ready()) return;
         std::vector<Parameter> parameters;
@@ -57,32 +76,39 @@ public:
     bool ready() const { return residuals_.size() > 0 && residuals_.size() == calibration_.fit.jacobian.rows(); }
 
     /// @param values  to begin with
+    /// @param beside  settled are corrections that matter as little beside the change from these
     /// @param most_s  no run but the first is begun that would end later
-    Change on(const Study& other, VectorXd values, double most_s) const {
+    Refitted on(const Study& other, VectorXd values, const VectorXd& beside, double most_s) const {
+        const Study kept = with_kept_paths(other);
         const Stopwatch watch;
-        const VectorXd& fitted = calibration_.fit.values;
-        double left = 0.0;
+        Refitted result;
+        std::vector<std::shared_ptr<const StagePath>> near(trials_.size());
         for (int run = 1; run <= policy_.most_runs; ++run) {
             const VectorXd at = within_bounds(values);
-            const ResidualEvaluation there = weighted_residuals(
-                other, trials_, predict_trials_with(other, with_values(at), trials_, progress_), 0);
-            if (!there.ok) return {{}, progress_.cancelled() ? "stopped by the user" : there.message};
+            const StudyValues all = with_values(at);
+            std::vector<PredictionTask> tasks;
+            for (std::size_t i = 0; i < trials_.size(); ++i) tasks.push_back({trials_[i], &all, near[i]});
+            const std::vector<TrialPrediction> predictions = predict_trials(kept, tasks, {}, progress_);
+            const ResidualEvaluation there = weighted_residuals(kept, trials_, predictions, 0);
+            if (!there.ok) return {{}, progress_.cancelled() ? "stopped by the user" : there.message, {}};
+            for (std::size_t i = 0; i < near.size(); ++i) near[i] = predictions[i].trace.path;
+            if (run == 1) result.run_s = watch.seconds();
             const VectorXd step = scale_.cwiseProduct(solver_.solve(residuals_ - there.residuals));
-            values = at + step;
-            left = rms(there.residuals + calibration_.fit.jacobian * step - residuals_);
-            const bool settled = (step.array().abs() <= settled_change(values - fitted)).all();
+            result.values = values = at + step;
+            result.left = there.residuals + calibration_.fit.jacobian * step - residuals_;
+            const bool settled = (step.array().abs() <= settled_change(values - beside)).all();
             if (settled || watch.seconds() * (run + 1) / run > most_s) break;
         }
-        return {values - fitted, "", left};
+        return result;
     }
 
-private:
     /// Over what is compared: occluded coordinates have a residual of 0.
     double rms(const VectorXd& change) const {
         const auto count = static_cast<double>((residuals_.array() != 0.0).count());
         return count > 0.0 ? change.norm() / std::sqrt(count) : 0.0;
     }
 
+private:
     VectorXd within_bounds(VectorXd values) const {
         for (Index i = 0; i < values.size(); ++i) {
             const Parameter& p = calibration_.parameters[static_cast<std::size_t>(i)].parameter;
@@ -98,10 +124,11 @@ private:
         return values;
     }
 
-    /// Corrections up to these do not matter: beside the whole change, and beside the noise. Any, where the data do
-    /// not determine the parameter.
+    /// Corrections up to these do not matter: beside the whole change, the noise and the least error of the mesh. Any,
+    /// where the data do not determine the parameter.
     Eigen::ArrayXd settled_change(const VectorXd& change) const {
-        Eigen::ArrayXd most = policy_.settled * (change.array().abs() + calibration_.fit.deviations.array());
+        Eigen::ArrayXd most = policy_.settled * (change.array().abs() + calibration_.fit.deviations.array() +
+                                                 least_mesh_error_.array());
         for (double& one : most)
             if (std::isnan(one)) one = std::numeric_limits<double>::infinity();
         return most;
@@ -111,16 +138,9 @@ private:
     Progress progress_;
     const NumericalDeviationPolicy& policy_;
     std::vector<std::size_t> trials_;
-    VectorXd residuals_, scale_;
+    VectorXd residuals_, least_mesh_error_, scale_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
 };
-
-/// Seconds of one evaluation of the fit.
-double evaluation_s(const Calibration& calibration) {
-    double sum = 0.0;
-    for (const FitIterate& iterate : calibration.fit.history) sum += iterate.seconds;
-    return sum / static_cast<double>(std::max<std::size_t>(1, calibration.fit.history.size()));
-}
 
 /// The error of a value that changes so much where edges or steps are `ratio` times as long.
 double extrapolation(double ratio, double order) { return 1.0 / std::abs(1.0 - std::pow(ratio, order)); }
@@ -139,10 +159,16 @@ public:
 
     NumericalDeviations run() {
         NumericalDeviations result;
-        const Change steps = of_steps(), mesh = steps.values.size() > 0 ? of_mesh() : Change{{}, steps.message};
+        const Study longer = with_longer_steps(study_);
+        const VectorXd& fitted = calibration_.fit.values;
+        const Refitted with_longer = refit_.ready()
+                                         ? refit_.on(longer, fitted, fitted, 0.3 * left_s())
+                                         : Refitted{{}, "the fit ended without derivatives", {}};
+        const Errors steps = of_steps(with_longer);
+        const Errors mesh = steps.values.size() > 0 ? of_mesh(longer, with_longer) : Errors{{}, steps.message};
         result.step = steps.values;
         result.mesh = mesh.values;
-        result.motion_noise_levels = std::hypot(steps.left, mesh.left, other_vibrations());
+        result.motion_noise_levels = std::hypot(steps.motion, mesh.motion, other_vibrations());
         if (steps.values.size() == 0)
             result.message = "the standard deviations are those of the markers' noise alone, without the errors of "
                              "mesh and time step: " + steps.message;
@@ -169,31 +195,34 @@ private:
 
     double left_s() const { return most_s_ - watch_.seconds(); }
 
-    Change of_steps() const {
-        if (!refit_.ready()) return {{}, "the fit ended without derivatives"};
-        Study longer = study_;
-        for (StudyTrial& trial : longer.trials) set_step(trial, policy_.longer_steps * trial.options.h_s);
-        Change change = refit_.on(longer, calibration_.fit.values, 0.3 * left_s());
-        const double order = study_.settings.integrator == Integrator::implicit_euler ? 1.0 : 2.0;
-        change.values = extrapolation(policy_.longer_steps, order) * change.values.cwiseAbs();
-        change.left *= extrapolation(policy_.longer_steps, order);
-        return change;
+    Study with_longer_steps(Study study) const {
+        for (std::size_t t = 0; t < study.trials.size(); ++t)
+            set_step(study.trials[t], policy_.longer_steps * study_.trials[t].options.h_s);
+        return study;
     }
 
-    Change of_mesh() const {
+    Errors of_steps(const Refitted& longer) const {
+        if (longer.values.size() == 0) return {{}, longer.message};
+        const double order = study_.settings.integrator == Integrator::implicit_euler ? 1.0 : 2.0,
+                     error = extrapolation(policy_.longer_steps, order);
+        return {error * (longer.values - calibration_.fit.values).cwiseAbs(), {}, error * refit_.rms(longer.left)};
+    }
+
+    /// From runs with the longer steps on both meshes: the mesh's error hardly depends on them.
+    Errors of_mesh(const Study& longer, const Refitted& here) const {
         std::string message = "no other mesh can be made";
         for (const double edges : policy_.edges) {
             if (progress_.cancelled()) return {{}, "stopped by the user"};
-            Result<Study> other = refined_study(study_, edges, progress_.with_sink({}));
+            Result<Study> other = refined_study(longer, edges, progress_.with_sink({}));
             if (!other || std::abs(std::log(edge_ratio(*other))) < std::log(policy_.another)) continue;
             message = "runs on another mesh would take too long";
-            if (run_s(*other) > left_s()) continue;
-            for (std::size_t t = 0; t < study_.trials.size(); ++t)
-                set_step(other->trials[t], study_.trials[t].options.h_s);
-            Change change = refit_.on(*other, start_on(*other), left_s());
-            if (change.values.size() > 0) change.values = error_of(*other, change.values);
-            change.left *= extrapolation(edge_ratio(*other), policy_.mesh_order);
-            return change;
+            const double larger = static_cast<double>(other->body->dofs()) / static_cast<double>(study_.body->dofs());
+            if (here.run_s * std::pow(larger, policy_.time_exponent) > left_s()) continue;
+            *other = with_longer_steps(std::move(*other));
+            const Refitted there = refit_.on(*other, start_on(*other, here.values), here.values, left_s());
+            if (there.values.size() == 0) return {{}, there.message};
+            return {error_of(*other, there.values - here.values), {},
+                    extrapolation(edge_ratio(*other), policy_.mesh_order) * refit_.rms(there.left - here.left)};
         }
         return {{}, message};
     }
@@ -204,25 +233,13 @@ private:
         return std::cbrt(cells(study_) / cells(other));
     }
 
-    /// What a run of all trials will take [s].
-    double run_s(const Study& other) const {
-        const double larger = static_cast<double>(other.body->dofs()) / static_cast<double>(study_.body->dofs());
-        return policy_.run_share * evaluation_s(calibration_) * std::pow(larger, policy_.time_exponent);
-    }
-
     VectorXd error_of(const Study& other, const VectorXd& change) const {
-        VectorXd error = extrapolation(edge_ratio(other), policy_.mesh_order) * change.cwiseAbs();
-        const double edges =
-            study_.mesh.resolution_m / automatic_resolution(study_.surface, cell_type(study_.mesh.element));
-        for (Index i = 0; i < error.size(); ++i)
-            if (calibration_.parameters[static_cast<std::size_t>(i)].kind == StudyParameter::Kind::youngs_modulus)
-                error(i) = std::max(error(i), policy_.least_mesh_error * edges * calibration_.fit.values(i));
-        return error;
+        const VectorXd error = extrapolation(edge_ratio(other), policy_.mesh_order) * change.cwiseAbs();
+        return error.cwiseMax(least_mesh_error(study_, calibration_, policy_));
     }
 
     /// Vibrations of another mesh would drift away from the data's: it begins with the modulus of the same frequency.
-    VectorXd start_on(const Study& other) const {
-        VectorXd start = calibration_.fit.values;
+    VectorXd start_on(const Study& other, VectorXd start) const {
         const StudyValues& values = calibration_.after.values;
         const double here = first_vibration_rad_s(trial_model(study_, 0, values)),
                      there = first_vibration_rad_s(trial_model(other, 0, values));

@@ -23,16 +23,15 @@ struct NumericalDeviationPolicy {
     double least_mesh_error = 0.006;
     double longer_steps = 2.0;     // times the steps
     int most_runs = 3;             // of all trials on another mesh or with other steps
-    double settled = 0.1;          // a correction of so small a share of the whole change ends them
+    double settled = 0.3;          // a correction of so small a share of the whole change ends them
     double most_share = 0.6;       // of the calibration's time, for all of it ...
     double always_s = 1.0;         // ... but no less than this
-    double run_share = 0.5;        // of the time of an evaluation, that a run without derivatives takes
     double time_exponent = 1.3;    // of a run's time over its unknowns
 };
 inline constexpr NumericalDeviationPolicy numerical_deviation_policy;
 
-/// What the fitted values would be on a finer mesh and with longer steps tells their numerical errors, by Richardson's
-/// rule. Those values are found by Gauss-Newton steps with the fit's own Jacobian, from runs without derivatives.
+/// What the fitted values would be with longer steps, and on a finer mesh with these, tells their numerical errors, by
+/// Richardson's rule. Those values are found by Gauss-Newton steps with the fit's own Jacobian, from runs without derivatives.
 ///
 /// Where a part cannot be found, because its runs fail, take too long or are cancelled, it is empty and the message is
 /// a sentence that says why. Progress is that of the runs.
