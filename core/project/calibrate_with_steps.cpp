@@ -19,7 +19,7 @@ Calibration fit_with_chosen_steps(Study& study, CalibrationSettings settings, co
     if (!choosable(study.settings)) return calibration;
     for (int fit = 1; fit < shorter_steps_policy.most_fits; ++fit) {
         if (!calibration.fit.converged() || progress.cancelled()) break;
-        std::vector<TrialStep> steps = choose_steps(study, calibration.after.values, progress);
+        std::vector<TrialStep> steps = choose_steps(study, calibration.after.values, progress, &calibration.after);
         if (!much_shorter(study, steps)) break;
         set_shorter_steps(study, std::move(steps));
         for (std::size_t i = 0; i < calibration.parameters.size(); ++i)

@@ -66,6 +66,18 @@ double probe_step(const Study& study, std::size_t index, const StudyValues& valu
                       std::min(half, std::max(1.0 / omega, trial.options.end_s / step_policy.most_probe_steps)));
 }
 
+/// The step for the vibration that a run shows, none longer than its own; nothing where it shows none.
+std::optional<TrialStep> step_for_seen(const Study& study, std::size_t index, const StudyValues& values,
+                                       const TrialPrediction& run) {
+    if (!run.ok() || !run.trace.complete()) return std::nullopt;
+    TrialStep step = step_seen_in(study, index, values, run.trace);
+    if (!(step.vibration_Hz > 0.0) || omega_of(step) * step.h_s > 1.0) return std::nullopt;
+    const TimeScheme scheme = study.trials[index].options.integrator;
+    step.h_s = whole_part(sampling_interval_s(study.trials[index]), step_for(scheme, omega_of(step), step.h_s));
+    step.frequency_error = frequency_error(scheme, omega_of(step), step.h_s);
+    return step;
+}
+
 TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values, const Progress& progress) {
     StudyTrial& trial = study.trials[index];
     const double interval = sampling_interval_s(trial), noise = mean_noise(study);
@@ -152,7 +164,8 @@ std::vector<TrialStep> steps_seen_in(const Study& study, const StudyRun& run) {
 
 bool choosable(const StudySettings& settings) { return !settings.h_s && !settings.as_published; }
 
-std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress) {
+std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress,
+                                    const StudyRun* known) {
     std::vector<TrialStep> steps(study.trials.size());
     const auto count = static_cast<int>(steps.size());
     double done = 0.0;
@@ -161,8 +174,9 @@ std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& value
         const auto i = static_cast<std::size_t>(index);
         steps[i].h_s = 0.5 * sampling_interval_s(study.trials[i]);
         if (progress.cancelled()) return;
+        std::optional<TrialStep> seen = known ? step_for_seen(study, i, values, known->predictions[i]) : std::nullopt;
         Study own = study;   // whose step is tried out
-        steps[i] = choose_step(own, i, values, progress.with_sink({}));
+        steps[i] = seen ? *seen : choose_step(own, i, values, progress.with_sink({}));
         const std::lock_guard<std::mutex> lock(mutex);
         progress.report({"choosing the time step", ++done, static_cast<double>(count), "trials", {}});
     });

@@ -40,7 +40,9 @@ bool choosable(const StudySettings& settings);
 /// first.
 ///
 /// Progress counts trials. Cancelled, what is not chosen yet is half a sampling interval.
-std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress = {});
+/// @param known  a run of the study with these values: vibrations that it shows need no other. May be null
+std::vector<TrialStep> choose_steps(const Study& study, const StudyValues& values, const Progress& progress = {},
+                                    const StudyRun* known = nullptr);
 
 void set_steps(Study& study, std::vector<TrialStep> steps);
 
