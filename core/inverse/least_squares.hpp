@@ -78,8 +78,9 @@ struct LeastSquaresOptions {
     int max_evaluations = 60;
     double relative_decrease = 1e-6;  // of the cost, below which it has converged
     double relative_step = 1e-6;      // of the parameters
-    /// Of the residuals' change since a Jacobian was worked out, the share that it may miss and be used on. A fit
-    /// ends with one that is wrong by twice as much, and its values off by some hundredths of a standard deviation.
+    /// A Jacobian is used again while it foretells the change of the residuals since it was worked out but for this
+    /// share. A fit may end with one that is wrong by twice as much, and its values be off by some hundredths of a
+    /// standard deviation.
     double most_surprise = 0.02;
     Eigen::MatrixXd jacobian_guess;   // of fit_by_secants(): m x n at the start, about; saves asking for one there
     int most_jacobians = 1000;        // of fit_by_secants(): asked for apart; after these secants have to do
@@ -102,8 +103,8 @@ struct LeastSquaresOptions {
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const LeastSquaresOptions& options = {}, const Progress& progress = {});
 
-/// The same where derivatives take most of an evaluation: `residuals` leaves them out, and the fit asks for them at
-/// those of its points whose residuals the last Jacobian did not foretell from where it was worked out.
+/// Least squares where derivatives take most of an evaluation: `residuals` leaves them out, and the fit asks for them
+/// at those of its points whose residuals the last Jacobian did not foretell from where it was worked out.
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const JacobianFunction& jacobian, const LeastSquaresOptions& options,
                                      const Progress& progress);

@@ -27,7 +27,7 @@ bool ReusedJacobian::foretells(const VectorXd& internal, const VectorXd& residua
 }
 
 MatrixXd ReusedJacobian::at(const VectorXd& values, const ResidualEvaluation& there) {
-    if (!jacobian_ || there.jacobian.size() > 0) return there.jacobian;
+    if (!jacobian_ || parameters_.empty() || there.jacobian.size() > 0) return there.jacobian;
     const VectorXd now = internal(values), slopes = physical_slopes(parameters_, now);
     if (!foretells(now, there.residuals) && !(progress_.cancelled() && last_.size() > 0)) {
         const MatrixXd fresh = jacobian_(values, there, progress_.with_sink({}));
