@@ -43,7 +43,7 @@ struct Errors {
     double motion = 0.0;   // rms in noise levels
 };
 
-/// Of the fitted values; 0 but for the modulus.
+/// Least mesh error of each fitted value, see the policy; 0 of all but the modulus.
 VectorXd least_mesh_error(const Study& study, const Calibration& calibration, const NumericalDeviationPolicy& policy) {
     const double edges = study.mesh.resolution_m / automatic_resolution(study.surface, cell_type(study.mesh.element));
     VectorXd error = VectorXd::Zero(calibration.fit.values.size());

@@ -31,7 +31,7 @@ struct NumericalDeviationPolicy {
 inline constexpr NumericalDeviationPolicy numerical_deviation_policy;
 
 /// What the fitted values would be with longer steps, and on a finer mesh with these, tells their numerical errors, by
-/// Richardson's rule. Those values are found by Gauss-Newton steps with the fit's own Jacobian, from runs without derivatives.
+/// Richardson's rule. They are found by Gauss-Newton steps with the fit's own Jacobian, from runs without derivatives.
 ///
 /// Where a part cannot be found, because its runs fail, take too long or are cancelled, it is empty and the message is
 /// a sentence that says why. Progress is that of the runs.

@@ -341,7 +341,7 @@ TEST(Calibrate, LogsEveryEvaluationAndResumeGoesOnFromTheLast) {
     ASSERT_EQ(run_program(call({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resume", "--quiet"})).status, 0);
     const json second = json_of(folder, "calibrate");
     for (const char* name : {"youngs_modulus_Pa", "damping_s"}) EXPECT_EQ(second["parameters"][name]["start"], first["parameters"][name]["value"]) << name;
-    EXPECT_NEAR(second["history"][0].at("cost").get<double>() / least, 1.0, 1e-7);  // another start of Newton's iterations
+    EXPECT_NEAR(second["history"][0].at("cost").get<double>() / least, 1.0, 1e-7);   // Newton starts elsewhere
     EXPECT_LE(second["starts"][0].at("cost_after").get<double>(), least * (1.0 + 1e-7));
     EXPECT_EQ(second.at("evaluations_in_all").get<int>(), first.at("evaluations").get<int>() + second.at("evaluations").get<int>());
     EXPECT_NEAR(second.at("rms_before_m").get<double>() / first.at("rms_before_m").get<double>(), 1.0, 1e-6) << "before is still with the declared values";
