@@ -32,6 +32,8 @@ constexpr double share_of_form = 0.05;
 constexpr double share_of_mesh = 1.0 / 3.0, most_of_mesh = 0.5, little_left = 0.4;
 /// A residual below this share of the mesh's whole error is faint, too, up to this [noise levels].
 constexpr double faint_share_of_mesh = 2.0 / 3.0, most_faint = 0.8;
+/// What is left is above a limit where it is so by more than so many of its deviations: by chance in one of twenty.
+constexpr double chance_left = 1.64;
 /// An effect is told from nothing where its amount is so many deviations, with all other numbers free.
 constexpr double told_deviations = 3.0;
 /// Of the squares on held-out data that noise does not make an effect has to take at least the rest away; so much is left to chance in any case.
@@ -71,6 +73,11 @@ bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before) {
 bool at_bound(const StudyParameter& p, const StudyValues& values) {
     const double value = value_of(p, values), little = 1e-6 * std::abs(value);
     return value <= p.parameter.lower + little || value >= p.parameter.upper - little;
+}
+
+/// What is left but for chance [noise levels].
+double surely_left(const SystematicRms& systematic) {
+    return std::isfinite(systematic.deviation) ? systematic.rms - chance_left * systematic.deviation : systematic.rms;
 }
 
 }  // namespace
@@ -197,7 +204,8 @@ bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& n
 bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics, Leniency leniency) {
     if (!may_explain(fit, before)) return false;
     const NumericalError& own = fit.numerics ? *fit.numerics : numerics;
-    const double doubt = numerical_doubt(data, own), left = fit.tests.systematic.rms, was = before.tests.systematic.rms;
+    const double doubt = numerical_doubt(data, own), was = before.tests.systematic.rms;
+    const double left = leniency == Leniency::generous ? surely_left(fit.tests.systematic) : fit.tests.systematic.rms;
     // An effect that went as far as it may and leaves something would have gone on: the rest is neither a matter of its form nor of a doubtful mesh.
     const bool excused = leniency == Leniency::generous && !effect_at_bound(fit.fit);
     const double of_mesh = doubt * (excused ? generous : 1.0), of_form = excused ? share_of_form * was : 0.0;

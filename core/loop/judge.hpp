@@ -56,7 +56,7 @@ double left_by(const Diagnosis& diagnosis, const std::string& effect);
 double least_left(const Diagnosis& diagnosis);
 
 /// What a fit may leave: for a verdict half as much again as was found of the mesh's error, and a share of what was there, which another form of the effect
-/// makes; to end the search neither.
+/// makes, beyond what chance may add; to end the search none of these.
 enum class Leniency { generous, strict };
 
 /// Whether a fit explains what another left: what remains is of the size of the program's own errors, or a small part of what was there.

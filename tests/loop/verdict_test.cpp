@@ -372,6 +372,17 @@ TEST(Verdict, AMeshThatIsFarOffExcusesAPartOfWhatIsLeft) {
     }
 }
 
+/// What is left is an estimate: an effect is denied where it is surely above what another form may leave.
+TEST(Verdict, ChanceMayAddToWhatIsLeft) {
+    for (const double deviation : {0.01, 0.03}) {
+        Diagnosis d = with_candidate(0.54);   // 0.5 is a twentieth of what was there
+        d.candidates[0].judged->tests.variance.p = 0.0;
+        d.candidates[0].judged->tests.systematic.deviation = deviation;
+        EXPECT_EQ(explained(d), deviation > 0.02) << "1.64 deviations";
+        EXPECT_FALSE(explained(d, Leniency::strict)) << "the search goes on";
+    }
+}
+
 /// What predicts held-out trials a little better and leaves a part unexplained comes after what explains the residual.
 TEST(Verdict, WhatExplainsTheResidualComesFirst) {
     Diagnosis d = with_candidate(0.6);
