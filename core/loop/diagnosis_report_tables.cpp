@@ -5,6 +5,7 @@
 #include "loop/confusion.hpp"
 #include "loop/diagnosis_report_parts.hpp"
 #include "loop/judge.hpp"
+#include "loop/longer_steps.hpp"
 #include "project/output_json.hpp"
 #include "project/readable_parameter.hpp"
 #include "project/study_report.hpp"
@@ -122,7 +123,7 @@ Section numerics_section(const Study& study, const Diagnosis& d) {
     const NumericalError& n = d.numerics;
     Table table{"", {{"Suspect"}, {"How it was tried"}, {"Moves the prediction", "mm", 3}, {"In units of the noise", "", 3}}, {}};
     const auto add = [&](const std::string& suspect, const std::string& how, double rms_m) { table.rows.push_back({suspect, how, 1e3 * rms_m, rms_m / d.noise_m}); };
-    const std::string step = readable_number(1e3 * d.step_factor * study.trials.front().options.h_s, 3) + " ms";
+    const std::string step = steps_in_words(study, d.step_factors);
     add("Numerical damping, time step", n.step_ratio > 0.0 ? "steps of " + step + " times " + readable_number(n.step_ratio, 2) : "steps of " + step, n.step_ratio > 0.0 ? n.step_rms_m : no_value);
     add("Discretisation", n.mesh_ratio > 0.0 ? "cells of " + readable_number(n.mesh_ratio, 2) + " times the edge" : "no finer mesh was made", n.mesh_ratio > 0.0 ? n.mesh_rms_m : no_value);
     if (n.stiffening.any()) add("What is left of both", "with cells of " + readable_number(n.stiffening.factor(), 4) + " times the body's modulus", n.rest_rms_m);

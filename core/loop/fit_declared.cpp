@@ -5,35 +5,29 @@
 
 #include "base/text.hpp"
 #include "loop/judge.hpp"
+#include "loop/longer_steps.hpp"
 #include "loop/settle.hpp"
 #include "project/predict_trials.hpp"
 
 namespace myo {
 namespace {
 
-/// The step is doubled for all that follows when that changes the predictions by less, in units of the noise.
-constexpr double step_doubt = 1.0;
 constexpr Effort declared_effort{30};
 /// A run that takes so many times the iterations of the declared fit's is given up: its numbers are absurd.
 constexpr int absurd_run = 4;
 
-/// Doubles the step where that is no matter: its error is taken off anyway.
-bool lengthen_step(DiagnosisWork& work) {
-    if (work.study.settings.h_s) return false;
-    const StudyValues values = declared_values(work.study);
-    Study longer = work.study;
-    for (StudyTrial& trial : longer.trials) trial.options.h_s *= 2.0;
-    const FitData& data = work.result.data;
-    const std::vector<TrialPrediction> fine = predict_trials_with(work.study, values, data.trials, work.progress);
-    const std::vector<TrialPrediction> coarse = predict_trials_with(longer, values, data.trials, work.progress);
-    if (!all_ok(fine) || !all_ok(coarse)) return false;
-    const Eigen::VectorXd change = flat_residual(data, coarse) - flat_residual(data, fine);
-    if (change.norm() > step_doubt * std::sqrt(static_cast<double>(change.size()))) return false;
-    work.study = std::move(longer);
-    work.result.step_factor = 2.0;
-    for (std::size_t t = 0; t < work.study.trials.size(); ++t) work.serial.trials[t].options.h_s = work.study.trials[t].options.h_s;
-    work.result.notes.push_back("steps of " + format_number(1e3 * work.study.trials.front().options.h_s, 4) + " ms, whose error is taken off");
-    return true;
+/// Takes longer steps for all that follows where that is no matter.
+void lengthen_steps(DiagnosisWork& work) {
+    if (work.study.settings.h_s) return;
+    const LongerSteps longer = work.stage("step", 0, [&] {
+        return longer_steps(work.study, declared_values(work.study), work.progress);
+    });
+    work.cost_of("step").runs += longer.runs;
+    if (std::all_of(longer.factors.begin(), longer.factors.end(), [](double factor) { return factor == 1.0; })) return;
+    work.result.step_factors = longer.factors;
+    for (Study* const study : {&work.study, &work.serial})
+        for (std::size_t t = 0; t < longer.factors.size(); ++t) study->trials[t].options.h_s *= longer.factors[t];
+    work.result.notes.push_back("steps of " + steps_in_words(work.study) + ", whose error is taken off");
 }
 
 bool fail(DiagnosisWork& work, const std::string& why) {
@@ -48,7 +42,7 @@ bool fit_declared(DiagnosisWork& work) {
     result.data = fit_data(work.study, trials_with_role(work.study, TrialRole::fit));
     result.noise_m = std::sqrt(result.data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, result.data.noise_m.size())));
     if (result.data.layout.size() == 0) return fail(work, "no sample of a fit trial can be compared");
-    work.stage("step", 2 * work.fit_count(), [&] { return lengthen_step(work); });
+    lengthen_steps(work);
     if (work.progress.cancelled()) return false;
     JointFit declared = work.fit("declared fit", declared_values(work.study), declared_effort);
     if (work.progress.cancelled()) return false;

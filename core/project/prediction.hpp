@@ -90,4 +90,7 @@ ResidualTangent residual_tangent(const Study& study, std::size_t trial, const St
 /// Root mean square over all compared coordinates [m]; NaN when there are none.
 double rms(const std::vector<Eigen::Matrix3Xd>& residual_m);
 
+/// rms of the difference of two predictions of one trial [m].
+double rms_between(const TrialPrediction& a, const TrialPrediction& b);
+
 }  // namespace myo

@@ -17,8 +17,6 @@
 namespace myo {
 namespace {
 
-using Eigen::Matrix3Xd;
-
 double frequency_error(const TimeScheme& scheme, double omega, double h_s) {
     return std::abs(discrete_vibration(scheme, {omega}, h_s).frequency_error);
 }
@@ -42,13 +40,6 @@ double trace_error(const TimeScheme& scheme, const Vibration& vibration, double 
     const double turned_rad =
         std::hypot(discrete.frequency_error, discrete.damping_ratio) * vibration.omega_rad_s * lasts_s;
     return vibration.amplitude_m * std::min(1.0, turned_rad);
-}
-
-/// rms of the difference of two predictions over compared coordinates [m].
-double difference(const TrialPrediction& a, const TrialPrediction& b) {
-    std::vector<Matrix3Xd> all;
-    for (std::size_t m = 0; m < a.residual_m.size(); ++m) all.push_back(a.residual_m[m] - b.residual_m[m]);
-    return rms(all);
 }
 
 /// The longest whole part of an interval that is no longer than h.
@@ -117,7 +108,7 @@ TrialStep choose_step(Study& study, std::size_t index, const StudyValues& values
         } else {
             const double ratio = h_before / step.h_s;
             // A coarse run that failed tells nothing, and one more is needed.
-            step.trace_error_m = before.ok() ? difference(before, now) / (ratio * ratio - 1.0) : 10.0 * noise;
+            step.trace_error_m = before.ok() ? rms_between(before, now) / (ratio * ratio - 1.0) : 10.0 * noise;
             if (step.trace_error_m > allowed_m)
                 needed = step_policy.safety * step.h_s * std::sqrt(allowed_m / step.trace_error_m);
         }

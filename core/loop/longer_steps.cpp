@@ -1,0 +1,55 @@
+#include "loop/longer_steps.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <numeric>
+
+#include "base/text.hpp"
+#include "project/predict_trials.hpp"
+
+namespace myo {
+
+LongerSteps longer_steps(const Study& study, const StudyValues& values, const Progress& progress) {
+    LongerSteps found;
+    found.factors.assign(study.trials.size(), 1.0);
+    std::vector<std::size_t> open(study.trials.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    const std::vector<TrialPrediction> fine = predict_trials_with(study, values, open, progress);
+    found.runs = static_cast<int>(open.size());
+    const double most_m = longer_steps_policy.most_change * mean_noise(study);
+    Study longer = study;
+    for (;;) {
+        std::erase_if(open, [&](std::size_t t) {
+            const double longest_s = (1.0 + 1e-9) * sampling_interval_s(study.trials[t]);
+            return !fine[t].ok() || 2.0 * longer.trials[t].options.h_s > longest_s;
+        });
+        if (open.empty() || progress.cancelled()) return found;
+        for (const std::size_t t : open) longer.trials[t].options.h_s *= 2.0;
+        const std::vector<TrialPrediction> coarse = predict_trials_with(longer, values, open, progress);
+        found.runs += static_cast<int>(open.size());
+        std::vector<std::size_t> serve;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            const std::size_t t = open[i];
+            const bool serves = coarse[i].ok() && rms_between(coarse[i], fine[t]) <= most_m;
+            if (!serves) continue;
+            found.factors[t] *= 2.0;
+            serve.push_back(t);
+        }
+        open = std::move(serve);
+    }
+}
+
+std::string steps_in_words(const Study& study, const std::vector<double>& factors) {
+    double shortest_s = std::numeric_limits<double>::infinity(), longest_s = 0.0;
+    for (std::size_t t = 0; t < study.trials.size(); ++t) {
+        const double h_s = study.trials[t].options.h_s * (factors.empty() ? 1.0 : factors[t]);
+        shortest_s = std::min(shortest_s, h_s);
+        longest_s = std::max(longest_s, h_s);
+    }
+    const std::string least = format_number(1e3 * shortest_s, 4), most = format_number(1e3 * longest_s, 4);
+    return (least == most ? least : least + " to " + most) + " ms";
+}
+
+}  // namespace myo

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "project/study.hpp"
+
+namespace myo {
+
+struct StudyValues;
+
+/// How much longer the steps of a diagnosis may be than those of a run that shall be right by itself: their error is
+/// taken off, see numerical_error().
+struct LongerStepsPolicy {
+    double most_change = 1.0;   // of predictions, rms in noise levels: so small an error follows its order
+};
+inline constexpr LongerStepsPolicy longer_steps_policy;
+
+struct LongerSteps {
+    std::vector<double> factors;   // of the steps, one per trial; powers of two
+    int runs = 0;                  // of trials, that it took
+};
+
+/// How much longer steps may be with these values, so that predictions change by no more than the policy's and no step
+/// is longer than a sampling interval.
+LongerSteps longer_steps(const Study& study, const StudyValues& values, const Progress& progress);
+
+/// The steps of all trials, such as "2.5 to 5 ms". Factors multiply them; empty: 1.
+std::string steps_in_words(const Study& study, const std::vector<double>& factors = {});
+
+}  // namespace myo
