@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "loop/error_finder.hpp"
 #include "loop/judge.hpp"
 #include "loop/longer_steps.hpp"
 #include "loop/settle.hpp"
@@ -16,18 +17,33 @@ constexpr Effort declared_effort{30};
 /// A run that takes so many times the iterations of the declared fit's is given up: its numbers are absurd.
 constexpr int absurd_run = 4;
 
-/// Takes longer steps for all that follows where that is no matter.
-void lengthen_steps(DiagnosisWork& work) {
-    if (work.study.settings.h_s) return;
+/// Takes longer steps for all that follows where predictions change by no more than this. True: some are longer.
+bool lengthen_steps(DiagnosisWork& work, double most_m) {
+    if (work.study.settings.h_s) return false;
     const LongerSteps longer = work.stage("step", 0, [&] {
-        return longer_steps(work.study, declared_values(work.study), work.progress);
+        return longer_steps(work.study, declared_values(work.study), most_m, work.progress);
     });
     work.cost_of("step").runs += longer.runs;
-    if (std::all_of(longer.factors.begin(), longer.factors.end(), [](double factor) { return factor == 1.0; })) return;
-    work.result.step_factors = longer.factors;
-    for (Study* const study : {&work.study, &work.serial})
-        for (std::size_t t = 0; t < longer.factors.size(); ++t) study->trials[t].options.h_s *= longer.factors[t];
-    work.result.notes.push_back("steps of " + steps_in_words(work.study) + ", whose error is taken off");
+    std::vector<double>& all = work.result.step_factors;
+    all.resize(longer.factors.size(), 1.0);
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        all[t] *= longer.factors[t];
+        for (Study* const study : {&work.study, &work.serial}) study->trials[t].options.h_s *= longer.factors[t];
+    }
+    return std::any_of(longer.factors.begin(), longer.factors.end(), [](double factor) { return factor > 1.0; });
+}
+
+/// Longer steps still where little of what a fit leaves changes by them.
+void lengthen_steps_for(DiagnosisWork& work, JointFit& fit) {
+    const double most_m = longer_steps_policy.share_of_left * flat_rms_m(work.result.data, fit.residual);
+    if (most_m > longer_steps_policy.most_change * mean_noise(work.study) && lengthen_steps(work, most_m))
+        forget_paths(fit.predictions);   // of other steps
+}
+
+void note_longer_steps(const DiagnosisWork& work, std::vector<std::string>& notes) {
+    const std::vector<double>& factors = work.result.step_factors;
+    if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor > 1.0; }))
+        notes.push_back("steps of " + steps_in_words(work.study) + ", whose error is taken off");
 }
 
 bool fail(DiagnosisWork& work, const std::string& why) {
@@ -42,7 +58,7 @@ bool fit_declared(DiagnosisWork& work) {
     result.data = fit_data(work.study, trials_with_role(work.study, TrialRole::fit));
     result.noise_m = std::sqrt(result.data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, result.data.noise_m.size())));
     if (result.data.layout.size() == 0) return fail(work, "no sample of a fit trial can be compared");
-    lengthen_steps(work);
+    lengthen_steps(work, longer_steps_policy.most_change * mean_noise(work.study));
     if (work.progress.cancelled()) return false;
     JointFit declared = work.fit("declared fit", declared_values(work.study), declared_effort);
     if (work.progress.cancelled()) return false;
@@ -51,6 +67,8 @@ bool fit_declared(DiagnosisWork& work) {
         const std::size_t t = result.data.trials[i];
         work.study.trials[t].options.most_iterations = work.serial.trials[t].options.most_iterations = absurd_run * declared.predictions[i].trace.newton_iterations;
     }
+    lengthen_steps_for(work, declared);
+    note_longer_steps(work, result.notes);
     result.declared = judged(result.data, std::move(declared), result.settings);
     if (!settle(work, result.declared, "declared fit", settled_declared)) return false;
     if (!result.declared.numerics) result.declared.numerics.emplace();

@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <numeric>
+#include <string>
 
 #include "base/text.hpp"
 #include "project/predict_trials.hpp"
 
 namespace myo {
 
-LongerSteps longer_steps(const Study& study, const StudyValues& values, const Progress& progress) {
+LongerSteps longer_steps(const Study& study, const StudyValues& values, double most_m, const Progress& progress) {
     LongerSteps found;
     found.factors.assign(study.trials.size(), 1.0);
     std::vector<std::size_t> open(study.trials.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     const std::vector<TrialPrediction> fine = predict_trials_with(study, values, open, progress);
     found.runs = static_cast<int>(open.size());
-    const double most_m = longer_steps_policy.most_change * mean_noise(study);
     Study longer = study;
     for (;;) {
         std::erase_if(open, [&](std::size_t t) {

@@ -13,7 +13,9 @@ struct StudyValues;
 /// How much longer the steps of a diagnosis may be than those of a run that shall be right by itself: their error is
 /// taken off, see numerical_error().
 struct LongerStepsPolicy {
-    double most_change = 1.0;   // of predictions, rms in noise levels: so small an error follows its order
+    double most_change = 1.0;     // of predictions, rms in noise levels: so small an error follows its order
+    double share_of_left = 0.03;  // of what the declared fit leaves, where that is more: a law of another form than an
+                                  // effect's leaves a twentieth
 };
 inline constexpr LongerStepsPolicy longer_steps_policy;
 
@@ -22,9 +24,9 @@ struct LongerSteps {
     int runs = 0;                  // of trials, that it took
 };
 
-/// How much longer steps may be with these values, so that predictions change by no more than the policy's and no step
-/// is longer than a sampling interval.
-LongerSteps longer_steps(const Study& study, const StudyValues& values, const Progress& progress);
+/// How much longer steps may be with these values, so that predictions of a trial change by no more than most_m (rms)
+/// and no step is longer than a sampling interval.
+LongerSteps longer_steps(const Study& study, const StudyValues& values, double most_m, const Progress& progress);
 
 /// The steps of all trials, such as "2.5 to 5 ms". Factors multiply them; empty: 1.
 std::string steps_in_words(const Study& study, const std::vector<double>& factors = {});
