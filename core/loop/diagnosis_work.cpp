@@ -15,7 +15,7 @@ constexpr double solver_tolerance = 1e-6;
 /// Of the linear systems of derivatives: a fit needs the direction, not all digits.
 constexpr double tangent_tolerance = 1e-4;
 
-/// Of what fits depend on beside mesh and step: what was measured, and the declared numbers that are not fitted.
+/// Of what fits depend on beside mesh and steps: what was measured, and the declared numbers that are not fitted.
 std::uint64_t fingerprint(const Study& study) {
     Fingerprint print;
     const MaterialDeclaration& material = study.experiment.material;
@@ -38,8 +38,7 @@ std::uint64_t fingerprint(const Study& study) {
 
 std::string study_words(const Study& study) {
     return study.experiment.name + ", " + to_string(study.body->kind) + " " +
-           std::to_string(study.mesh.mesh.node_count()) + " nodes, h " +
-           std::to_string(study.trials.front().options.h_s) + " s, " + to_string(study.settings.integrator) + ", " +
+           std::to_string(study.mesh.mesh.node_count()) + " nodes, " + to_string(study.settings.integrator) + ", " +
            std::to_string(fingerprint(study));
 }
 

@@ -30,7 +30,8 @@ JointFit stored_fit(FitStore& store, const Study& study, const FitData& data, co
     options.relative_step = 1e-5;
     const std::vector<StudyParameter> parameters = joint_parameters(study, start, freedom);
     std::string key = std::to_string(effort.evaluations) + " shift " + format_number(fingerprint(data.shift), all_digits) + " modulus factor " +
-                      format_number(study.modulus_factor, all_digits);
+                      format_number(study.modulus_factor, all_digits) + " steps";
+    for (const std::size_t t : data.trials) key += " " + format_number(study.trials[t].options.h_s, all_digits);
     for (const EffectDeclaration& effect : start.effects) key += " " + effect_words(effect);
     for (const StudyParameter& p : parameters) key += " " + p.parameter.name + " " + format_number(p.parameter.value, all_digits);
     StudyValues from = start;

@@ -59,7 +59,7 @@ TEST(JointFit, OverlooksNoMassThatIsFarHeavierThanTheBody) {
     EXPECT_LE(std::get<double>(found.values.effects[0].parameters.at("mass_kg")), 3.001 * body_kg);
 }
 
-TEST(StoredFit, IsTakenOverForTheSameShiftOnly) {
+TEST(StoredFit, IsTakenOverForTheSameShiftAndStepsOnly) {
     Recorded recorded({}, 1.05);
     FitData data = recorded.data();
     FitStore store(recorded.folder.path() / "fits.json", "beam");
@@ -68,6 +68,9 @@ TEST(StoredFit, IsTakenOverForTheSameShiftOnly) {
     EXPECT_GT(first.report.evaluations, 2);
     EXPECT_LT(again.report.evaluations, 2);
     EXPECT_NEAR(again.values.youngs_modulus_Pa, first.values.youngs_modulus_Pa, 1e-9 * first.values.youngs_modulus_Pa);
+    recorded.study.trials[0].options.h_s *= 0.5;
+    EXPECT_GT(fit(store).report.evaluations, 2);
+    recorded.study.trials[0].options.h_s *= 2.0;
     // Predictions lower by half a noise level all the time: a little softer is best.
     const Trace& trace = first.predictions.front().trace;
     data.shift = {std::vector<Eigen::Matrix3Xd>(recorded.study.marker_names.size(), Eigen::Matrix3Xd::Constant(3, recorded.study.trials[0].measured.sample_count(), 5e-5)), {}};
