@@ -74,7 +74,8 @@ Study for_candidates(Study study, const DiagnoseSettings& settings) {
 
 Study as_diagnosed(const Diagnosis& diagnosis, Study study) {
     study = for_candidates(std::move(study), diagnosis.settings);
-    for (std::size_t t = 0; t < diagnosis.step_factors.size(); ++t) study.trials[t].options.h_s *= diagnosis.step_factors[t];
+    for (std::size_t t = 0; t < diagnosis.step_factors.size(); ++t)
+        study.trials[t].options.h_s *= diagnosis.step_factors[t];
     study.modulus_factor = diagnosis.modulus_factor;
     return study;
 }

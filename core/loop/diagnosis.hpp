@@ -82,7 +82,8 @@ struct Diagnosis {
     FitData data;                                 // of the fit trials
     double noise_m = 0.0;                         // rms a right model would leave
     NumericalError numerics;
-    std::vector<double> step_factors;             // steps of all fits over the study's, per trial; empty: 1. The shift belongs to these
+    std::vector<double> step_factors;             // steps of all fits over the study's, per trial; empty: 1.
+                                                  // The shift belongs to these
     double modulus_factor = 1.0;                  // of the cells in all fits after the declared one's first
     JudgedFit declared;
     std::vector<Candidate> candidates;            // most credible first

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.hpp"
 #include "loop/error_finder.hpp"
 #include "loop/judge.hpp"
 #include "loop/longer_steps.hpp"
@@ -30,7 +29,7 @@ bool lengthen_steps(DiagnosisWork& work, double most_m) {
         all[t] *= longer.factors[t];
         for (Study* const study : {&work.study, &work.serial}) study->trials[t].options.h_s *= longer.factors[t];
     }
-    return std::any_of(longer.factors.begin(), longer.factors.end(), [](double factor) { return factor > 1.0; });
+    return any_longer(longer.factors);
 }
 
 /// Longer steps still where little of what a fit leaves changes by them.
@@ -38,12 +37,6 @@ void lengthen_steps_for(DiagnosisWork& work, JointFit& fit) {
     const double most_m = longer_steps_policy.share_of_left * flat_rms_m(work.result.data, fit.residual);
     if (most_m > longer_steps_policy.most_change * mean_noise(work.study) && lengthen_steps(work, most_m))
         forget_paths(fit.predictions);   // of other steps
-}
-
-void note_longer_steps(const DiagnosisWork& work, std::vector<std::string>& notes) {
-    const std::vector<double>& factors = work.result.step_factors;
-    if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor > 1.0; }))
-        notes.push_back("steps of " + steps_in_words(work.study) + ", whose error is taken off");
 }
 
 bool fail(DiagnosisWork& work, const std::string& why) {
@@ -68,7 +61,8 @@ bool fit_declared(DiagnosisWork& work) {
         work.study.trials[t].options.most_iterations = work.serial.trials[t].options.most_iterations = absurd_run * declared.predictions[i].trace.newton_iterations;
     }
     lengthen_steps_for(work, declared);
-    note_longer_steps(work, result.notes);
+    if (any_longer(result.step_factors))
+        result.notes.push_back("steps of " + steps_in_words(work.study) + ", whose error is taken off");
     result.declared = judged(result.data, std::move(declared), result.settings);
     if (!settle(work, result.declared, "declared fit", settled_declared)) return false;
     if (!result.declared.numerics) result.declared.numerics.emplace();

@@ -16,9 +16,10 @@ LongerSteps longer_steps(const Study& study, const StudyValues& values, double m
     found.factors.assign(study.trials.size(), 1.0);
     std::vector<std::size_t> open(study.trials.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
-    const std::vector<TrialPrediction> fine = predict_trials_with(study, values, open, progress);
-    found.runs = static_cast<int>(open.size());
     Study longer = study;
+    for (StudyTrial& trial : longer.trials) trial.options.keep_path = false;   // no run starts near to these
+    const std::vector<TrialPrediction> fine = predict_trials_with(longer, values, open, progress);
+    found.runs = static_cast<int>(open.size());
     for (;;) {
         std::erase_if(open, [&](std::size_t t) {
             const double longest_s = (1.0 + 1e-9) * sampling_interval_s(study.trials[t]);
@@ -31,13 +32,17 @@ LongerSteps longer_steps(const Study& study, const StudyValues& values, double m
         std::vector<std::size_t> serve;
         for (std::size_t i = 0; i < open.size(); ++i) {
             const std::size_t t = open[i];
-            const bool serves = coarse[i].ok() && rms_between(coarse[i], fine[t]) <= most_m;
-            if (!serves) continue;
-            found.factors[t] *= 2.0;
-            serve.push_back(t);
+            if (coarse[i].ok() && rms_between(coarse[i], fine[t]) <= most_m) {
+                found.factors[t] *= 2.0;
+                serve.push_back(t);
+            }
         }
         open = std::move(serve);
     }
+}
+
+bool any_longer(const std::vector<double>& factors) {
+    return std::any_of(factors.begin(), factors.end(), [](double factor) { return factor > 1.0; });
 }
 
 std::string steps_in_words(const Study& study, const std::vector<double>& factors) {

@@ -28,6 +28,8 @@ struct LongerSteps {
 /// and no step is longer than a sampling interval.
 LongerSteps longer_steps(const Study& study, const StudyValues& values, double most_m, const Progress& progress);
 
+bool any_longer(const std::vector<double>& factors);
+
 /// The steps of all trials, such as "2.5 to 5 ms". Factors multiply them; empty: 1.
 std::string steps_in_words(const Study& study, const std::vector<double>& factors = {});
 

@@ -86,8 +86,8 @@ TEST(LeastSquares, EndsWhereAStepLosesNoMoreThanTheModelRounds) {
     EXPECT_EQ(report.values(1), near[1].value);
 }
 
-/// Where Jacobians are asked for apart, a fit makes few, ends where one ends that has them at every point, and knows the
-/// Jacobian there: all within this distance.
+/// Where Jacobians are asked for apart, a fit makes few, ends where one ends that has them at every point, and knows
+/// the Jacobian there: all within this distance.
 template <class Fit>
 void expect_few_jacobians(const Fit& fit, double near, double most_share) {
     int asked = 0, points = 0;
