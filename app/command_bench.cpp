@@ -19,7 +19,7 @@
 #include "solver/sparse_cholesky.hpp"
 #include "standard_output.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 struct BenchCall {
@@ -28,48 +28,54 @@ struct BenchCall {
     std::string figure;
 };
 
-Json figures_json(const BenchFigures& f) {
-    Json references = Json::array();
-    for (const BenchReference& r : f.references)
-        references.push_back({{"label", r.label}, {"ms_per_step", r.ms_per_step}, {"ratio", json_number(r.ms_per_step / f.ms_per_step())}});
-    Json quantities = Json::array();
-    for (const BenchQuantity& q : f.quantities)
+report::Json figures_json(const bench::BenchFigures& f) {
+    report::Json references = report::Json::array();
+    for (const bench::BenchReference& r : f.references)
+        references.push_back({{"label", r.label},
+                              {"ms_per_step", r.ms_per_step},
+                              {"ratio", report::json_number(r.ms_per_step / f.ms_per_step())}});
+    report::Json quantities = report::Json::array();
+    for (const bench::BenchQuantity& q : f.quantities)
         quantities.push_back({{"name", q.name},
-                              {"value", json_number(q.value)},
+                              {"value", report::json_number(q.value)},
                               {"unit", q.unit},
-                              {"expected", q.expected ? json_number(*q.expected) : Json()},
-                              {"error", q.error() ? json_number(*q.error()) : Json()},
-                              {"target", q.target ? json_number(*q.target) : Json()}});
+                              {"expected", q.expected ? report::json_number(*q.expected) : report::Json()},
+                              {"error", q.error() ? report::json_number(*q.error()) : report::Json()},
+                              {"target", q.target ? report::json_number(*q.target) : report::Json()}});
     return {{"name", f.name},
             {"dofs", f.dofs},
             {"cells", f.cells},
             {"steps", f.steps},
             {"dt_s", f.h_s},
-            {"setup_s", json_number(f.setup_s)},
-            {"run_s", json_number(f.run_s)},
-            {"ms_per_step", json_number(f.ms_per_step())},
-            {"us_per_dof_and_step", json_number(f.us_per_dof_and_step())},
-            {"iterations_per_step", json_number(f.iterations_per_step)},
-            {"factorisations_per_step", json_number(f.factorisations_per_step)},
-            {"real_time_factor", json_number(f.real_time_factor())},
-            {"limit_ms_per_step", f.limit_ms > 0.0 ? Json(f.limit_ms) : Json()},
-            {"share_of_limit", f.limit_ms > 0.0 ? json_number(f.share_of_limit()) : Json()},
+            {"setup_s", report::json_number(f.setup_s)},
+            {"run_s", report::json_number(f.run_s)},
+            {"ms_per_step", report::json_number(f.ms_per_step())},
+            {"us_per_dof_and_step", report::json_number(f.us_per_dof_and_step())},
+            {"iterations_per_step", report::json_number(f.iterations_per_step)},
+            {"factorisations_per_step", report::json_number(f.factorisations_per_step)},
+            {"real_time_factor", report::json_number(f.real_time_factor())},
+            {"limit_ms_per_step", f.limit_ms > 0.0 ? report::Json(f.limit_ms) : report::Json()},
+            {"share_of_limit", f.limit_ms > 0.0 ? report::json_number(f.share_of_limit()) : report::Json()},
             {"factor_bytes", f.factor_bytes},
-            {"time_split_s", {{"forces", f.times.forces_s}, {"stiffness", f.times.stiffness_s}, {"factorisation", f.times.factorisation_s}, {"linear", f.times.linear_s}}},
-            {"goal_ms_per_step", f.goal_ms ? Json(*f.goal_ms) : Json()},
+            {"time_split_s",
+             {{"forces", f.times.forces_s},
+              {"stiffness", f.times.stiffness_s},
+              {"factorisation", f.times.factorisation_s},
+              {"linear", f.times.linear_s}}},
+            {"goal_ms_per_step", f.goal_ms ? report::Json(*f.goal_ms) : report::Json()},
             {"references", references},
             {"quantities", quantities},
             {"note", f.note}};
 }
 
-void print_heading(const BenchCase& one) {
+void print_heading(const bench::BenchCase& one) {
     print_format("\n%s: %s\n", one.id.c_str(), one.summary.c_str());
     print_format("  %9s %7s %9s %7s %7s %9s %8s %7s  %s\n", "ms/step", "goal", "us/DOF", "iter.", "factor", "real time",
                  "memory", "limit", "case");
     print_format("  %9s %7s %9s %7s %7s %9s %8s %7s\n", "", "ms", "and step", "a step", "a step", "factor", "MB", "ms");
 }
 
-std::string aimed_at(const Json& quantity) {
+std::string aimed_at(const report::Json& quantity) {
     if (quantity["target"].is_null()) return "";
     const double target = quantity["target"].get<double>();
     const bool met = std::abs(quantity["error"].get<double>()) <= target;
@@ -78,19 +84,23 @@ std::string aimed_at(const Json& quantity) {
 
 /// A physical result below its row: "tip at rest, dz  -6.74 mm (expected -6.755: -0.2 %)", with what was aimed at if
 /// that is known: "; target 2 %, MISSED".
-void print_quantity(const Json& quantity) {
-    const auto number = [&](const char* key, int digits) { return quantity[key].is_null() ? std::string("-") : format_number(quantity[key].get<double>(), digits); };
+void print_quantity(const report::Json& quantity) {
+    const auto number = [&](const char* key, int digits) {
+        return quantity[key].is_null() ? std::string("-") : format_number(quantity[key].get<double>(), digits);
+    };
     std::string text = number("value", 5) + " " + quantity["unit"].get<std::string>();
     if (!quantity["error"].is_null()) {
-        const double hundredths = std::round(1e4 * quantity["error"].get<double>()) + 0.0;   // what is less is rounding
+        const double hundredths = std::round(1e4 * quantity["error"].get<double>()) + 0.0;  // what is less is rounding
         text += " (expected " + number("expected", 5) + ": " + format_number(0.01 * hundredths, 2) + " %" +
                 aimed_at(quantity) + ")";
     }
     print_format("  %*s  %s: %s\n", 71, "", quantity["name"].get<std::string>().c_str(), text.c_str());
 }
 
-void print_figures(const Json& row) {
-    const auto optional = [&](const char* key) { return row[key].is_null() ? std::string("-") : format_number(row[key].get<double>(), 3); };
+void print_figures(const report::Json& row) {
+    const auto optional = [&](const char* key) {
+        return row[key].is_null() ? std::string("-") : format_number(row[key].get<double>(), 3);
+    };
     if (row["steps"].get<int>() == 0) {
         print_format("  %9s %7s %9s %7s %7s %9s %8.1f %7s  %s, %.2f s\n", "-", "-", "-", "-", "-", "-",
                      row["peak_memory_bytes"].get<double>() / 1e6, "-", row["name"].get<std::string>().c_str(),
@@ -102,8 +112,8 @@ void print_figures(const Json& row) {
                      row["real_time_factor"].get<double>(), row["peak_memory_bytes"].get<double>() / 1e6,
                      optional("limit_ms_per_step").c_str(), row["name"].get<std::string>().c_str());
     }
-    for (const Json& quantity : row["quantities"]) print_quantity(quantity);
-    for (const Json& reference : row["references"])
+    for (const report::Json& quantity : row["quantities"]) print_quantity(quantity);
+    for (const report::Json& reference : row["references"])
         print_format("  %9.0f %s%*s  %s: %.0f times as long\n", reference["ms_per_step"].get<double>(), "", 61, "",
                      reference["label"].get<std::string>().c_str(), reference["ratio"].get<double>());
     if (const std::string note = row["note"].get<std::string>(); !note.empty())
@@ -111,7 +121,7 @@ void print_figures(const Json& row) {
 }
 
 /// Where a run's time went, in its hundredths.
-void print_split(const Json& row) {
+void print_split(const report::Json& row) {
     const double run = row["run_s"].get<double>();
     double rest = 100.0;
     std::string text;
@@ -125,9 +135,9 @@ void print_split(const Json& row) {
 }
 
 /// The exponent of y over x by least squares on logarithms.
-double exponent(const Json& rows, const char* y, const char* x) {
+double exponent(const report::Json& rows, const char* y, const char* x) {
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
-    for (const Json& row : rows) {
+    for (const report::Json& row : rows) {
         const double lx = std::log(row[x].get<double>()), ly = std::log(row[y].get<double>());
         n += 1.0;
         sx += lx;
@@ -139,29 +149,35 @@ double exponent(const Json& rows, const char* y, const char* x) {
 }
 
 /// Time and memory over size on logarithmic axes, with their exponents.
-std::string scaling_figure(const Json& rows, double time_exponent, double memory_exponent) {
+std::string scaling_figure(const report::Json& rows, double time_exponent, double memory_exponent) {
     std::vector<double> dofs, ms, megabytes;
-    for (const Json& row : rows) {
+    for (const report::Json& row : rows) {
         dofs.push_back(row["dofs"].get<double>());
         ms.push_back(row["ms_per_step"].get<double>());
         megabytes.push_back(row["peak_memory_bytes"].get<double>() / 1e6);
     }
-    LineChart chart;
+    report::LineChart chart;
     chart.title = "Time per step and memory over degrees of freedom";
     chart.x = {.label = "degrees of freedom", .logarithmic = true};
     chart.panels = {{.y = {.label = "time per step", .unit = "ms", .logarithmic = true},
-                     .series = {{.name = "exponent " + format_number(time_exponent, 3), .x = dofs, .y = ms, .style = SeriesStyle::line_and_dots}}},
+                     .series = {{.name = "exponent " + format_number(time_exponent, 3),
+                                 .x = dofs,
+                                 .y = ms,
+                                 .style = report::SeriesStyle::line_and_dots}}},
                     {.y = {.label = "peak memory", .unit = "MB", .logarithmic = true},
-                     .series = {{.name = "exponent " + format_number(memory_exponent, 3), .x = dofs, .y = megabytes, .style = SeriesStyle::line_and_dots}}}};
-    return svg(chart);
+                     .series = {{.name = "exponent " + format_number(memory_exponent, 3),
+                                 .x = dofs,
+                                 .y = megabytes,
+                                 .style = report::SeriesStyle::line_and_dots}}}};
+    return report::svg(chart);
 }
 
 /// Exponents of a case whose rows differ in size.
-Json print_scaling(const Json& rows, const std::string& figure, Console& console, int& status) {
+report::Json print_scaling(const report::Json& rows, const std::string& figure, Console& console, int& status) {
     if (rows.size() < 2) return {};
     const double time = exponent(rows, "ms_per_step", "dofs"), memory = exponent(rows, "peak_memory_bytes", "dofs");
     print_format("  time per step ~ DOF^%.2f, peak memory ~ DOF^%.2f, at the largest %.1f kB per DOF\n", time, memory,
-                rows.back()["peak_memory_bytes"].get<double>() / 1e3 / rows.back()["dofs"].get<double>());
+                 rows.back()["peak_memory_bytes"].get<double>() / 1e3 / rows.back()["dofs"].get<double>());
     if (!figure.empty())
         if (const Result<void> written = write_file(figure, scaling_figure(rows, time, memory)); !written)
             status = console.fail(written.error());
@@ -173,22 +189,24 @@ int run_bench(const BenchCall& call) {
     for (const auto& [option, file] : {std::pair{"--json", call.json}, std::pair{"--figure", call.figure}})
         if (const Result<void> kept = check_overwrites(option, {file}, reference_files()); !kept)
             return console.refuse(kept.error());
-    Json cases = Json::array();
+    report::Json cases = report::Json::array();
     bool found = call.id.empty();
     int status = status_done;
-    for (const BenchCase& one : bench_catalogue()) {
+    for (const bench::BenchCase& one : bench::bench_catalogue()) {
         if (!call.id.empty() && one.id != call.id) continue;
         found = true;
         print_heading(one);
-        Json rows = Json::array();
-        for (const BenchRun& run : one.runs) {
+        report::Json rows = report::Json::array();
+        for (const bench::BenchRun& run : one.runs) {
             const OwnProcessResult process = run_in_own_process([&] {
-                use_one_blas_thread();
-                Result<BenchFigures> figures = Error{"did not run", run.name};
-                parallel_tasks(1, 1, [&](int) { figures = run.run(); });   // one thread, unless the run asks for more
-                return json_line(figures ? figures_json(*figures) : Json{{"error", figures.error().text()}});
+                solver::use_one_blas_thread();
+                Result<bench::BenchFigures> figures = Error{"did not run", run.name};
+                parallel_tasks(1, 1, [&](int) { figures = run.run(); });  // one thread, unless the run asks for more
+                return report::json_line(figures ? figures_json(*figures)
+                                                 : report::Json{{"error", figures.error().text()}});
             });
-            Json row = process.crashed ? Json{{"error", "the run ended before it gave a result"}} : Json::parse(process.output);
+            report::Json row = process.crashed ? report::Json{{"error", "the run ended before it gave a result"}}
+                                               : report::Json::parse(process.output);
             if (row.contains("error")) {
                 console.complain(one.id + ", " + run.name + ": " + row["error"].get<std::string>());
                 status = status_failed;
@@ -199,14 +217,15 @@ int run_bench(const BenchCall& call) {
             print_split(row);
             rows.push_back(std::move(row));
         }
-        Json entry{{"case", one.id}, {"summary", one.summary}};
+        report::Json entry{{"case", one.id}, {"summary", one.summary}};
         if (one.over_size) entry["exponents"] = print_scaling(rows, call.figure, console, status);
         entry["rows"] = std::move(rows);
         cases.push_back(std::move(entry));
     }
-    if (!found) return console.refuse({unknown_word(call.id, bench_ids()), "bench"});
+    if (!found) return console.refuse({unknown_word(call.id, bench::bench_ids()), "bench"});
     if (!call.json.empty())
-        if (const Result<void> written = write_json(call.json, {{"schema", "bench/1"}, {"cases", cases}}); !written)
+        if (const Result<void> written = report::write_json(call.json, {{"schema", "bench/1"}, {"cases", cases}});
+            !written)
             return console.fail(written.error());
     return status;
 }
@@ -215,10 +234,10 @@ int run_bench(const BenchCall& call) {
 
 std::function<int()> declare_bench(CLI::App& app) {
     auto call = std::make_shared<BenchCall>();
-    app.add_option("case", call->id, "One of: " + join(bench_ids()) + "; all of them when left out");
+    app.add_option("case", call->id, "One of: " + join(bench::bench_ids()) + "; all of them when left out");
     app.add_option("--json", call->json, "Also write the figures to this file");
     app.add_option("--figure", call->figure, "Also draw time and memory over size (case scaling) as SVG to this file");
     return [call] { return run_bench(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

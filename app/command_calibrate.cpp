@@ -7,15 +7,15 @@
 #include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
-#include "project/finding_output.hpp"
-#include "project/output_files.hpp"
-#include "project/study_report.hpp"
-#include "study_command.hpp"
+#include "experiment_command.hpp"
+#include "results/calibration_report.hpp"
+#include "results/finding_output.hpp"
+#include "results/output_files.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
-struct CalibrateCall : StudyCall {
+struct CalibrateCall : ExperimentCall {
     std::vector<std::string> parameters;
     bool resume = false;
     int starts = 1;
@@ -24,8 +24,8 @@ struct CalibrateCall : StudyCall {
 const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
 
 /// "noise 0.0004, mesh 0.011, step 0.001; " for those parts that are known; nothing where the noise is all.
-std::string deviation_parts(const Calibration& calibration, Eigen::Index row) {
-    const NumericalDeviations& numerical = calibration.numerical;
+std::string deviation_parts(const calibration::Calibration& calibration, Eigen::Index row) {
+    const calibration::NumericalDeviations& numerical = calibration.numerical;
     if (!(calibration.fit.deviations(row) > 0.0) || (numerical.mesh.size() == 0 && numerical.step.size() == 0))
         return {};
     std::string text = "noise " + format_number(calibration.fit.deviations(row), 2);
@@ -34,15 +34,16 @@ std::string deviation_parts(const Calibration& calibration, Eigen::Index row) {
     return text + "; ";
 }
 
-std::string parameter_lines(const Calibration& calibration) {
+std::string parameter_lines(const calibration::Calibration& calibration) {
     std::string text;
     char line[256];
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        const StudyParameter& p = calibration.parameters[i];
+        const prediction::ModelParameter& p = calibration.parameters[i];
         const double deviation = calibration.deviation(i);
         std::string spread = std::isfinite(deviation) ? "± " + format_number(deviation, 3) : "not determined";
-        if (std::isfinite(deviation)) spread.resize(std::max<std::size_t>(spread.size(), 15), ' ');   // the sign has two bytes
+        if (std::isfinite(deviation))
+            spread.resize(std::max<std::size_t>(spread.size(), 15), ' ');  // the sign has two bytes
         std::snprintf(line, sizeof line, "%s%-34s %12.6g %-14s %s (%sstart %.6g)", i > 0 ? "\n" : "",
                       p.parameter.name.c_str(), calibration.fit.values(row), spread.c_str(), p.unit.c_str(),
                       deviation_parts(calibration, row).c_str(), calibration.fit.start(row));
@@ -51,57 +52,68 @@ std::string parameter_lines(const Calibration& calibration) {
     return text;
 }
 
-std::string start_lines(const Calibration& calibration) {
+std::string start_lines(const calibration::Calibration& calibration) {
     std::string text;
     if (calibration.starts.size() < 2) return text;
     for (std::size_t s = 0; s < calibration.starts.size(); ++s) {
-        const CalibrationStart& start = calibration.starts[s];
-        std::string ended = ending_word(start.status);
+        const calibration::CalibrationStart& start = calibration.starts[s];
+        std::string ended = results::ending_word(start.status);
         std::replace(ended.begin(), ended.end(), '_', ' ');
-        text += "\nstart " + std::to_string(s + 1) + ": " + ended + ", cost " + format_number(start.cost_before, 5) + " to " + format_number(start.cost_after, 5) + ", " +
-                std::to_string(start.history.size()) + " evaluations;";
+        text += "\nstart " + std::to_string(s + 1) + ": " + ended + ", cost " + format_number(start.cost_before, 5) +
+                " to " + format_number(start.cost_after, 5) + ", " + std::to_string(start.history.size()) +
+                " evaluations;";
         for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
             const auto row = static_cast<Eigen::Index>(i);
-            text += (i > 0 ? ", " : " ") + calibration.parameters[i].parameter.name + " " + format_number(start.start(row), 4) + " to " + format_number(start.values(row), 5);
+            text += (i > 0 ? ", " : " ") + calibration.parameters[i].parameter.name + " " +
+                    format_number(start.start(row), 4) + " to " + format_number(start.values(row), 5);
         }
     }
     return text + "\n";
 }
 
-std::string trial_lines(const Study& study, const Calibration& calibration) {
+std::string trial_lines(const setup::Setup& setup, const calibration::Calibration& calibration) {
     std::size_t width = 5;
-    for (const StudyTrial& trial : study.trials) width = std::max(width, trial.name.size());
+    for (const setup::PreparedTrial& trial : setup.trials) width = std::max(width, trial.name.size());
     const int column = static_cast<int>(std::min<std::size_t>(width, 120));
     char line[512];
     std::snprintf(line, sizeof line, "%-*s  %-9s  %9s  %9s", column, "rms [mm]", "", "before", "after");
     std::string text = line;
-    const auto shown = [](const TrialScore* score) { return in_millimetres(score != nullptr ? score->rms_m : std::nan("")); };
-    for (const StudyTrial& trial : study.trials) {
-        std::snprintf(line, sizeof line, "\n%-*s  %-9s  %s  %s", column, trial.name.c_str(), trial.role == TrialRole::fit ? "fit" : "predicted",
-                      shown(find_score(calibration.before, trial.name)).c_str(), shown(find_score(calibration.after, trial.name)).c_str());
+    const auto shown = [](const prediction::TrialScore* score) {
+        return in_millimetres(score != nullptr ? score->rms_m : std::nan(""));
+    };
+    for (const setup::PreparedTrial& trial : setup.trials) {
+        std::snprintf(line, sizeof line, "\n%-*s  %-9s  %s  %s", column, trial.name.c_str(),
+                      trial.role == experiment::TrialRole::fit ? "fit" : "predicted",
+                      shown(results::find_score(calibration.before, trial.name)).c_str(),
+                      shown(results::find_score(calibration.after, trial.name)).c_str());
         text += line;
     }
     return text;
 }
 
-Result<void> write_results(const CalibrateCall& call, const Study& study, const Calibration& calibration,
-                           const RunFacts& facts) {
-    const Json json = calibrate_json(study, calibration, facts);
-    if (const Result<void> written = write_json(call.out / "calibrate.json", json); !written) return written.error();
-    if (const Result<void> traces = write_traces(call.out, study, calibration.after); !traces) return traces.error();
-    return write_html(call.out / "report.html", study_report(study, calibration, facts));
+Result<void> write_results(const CalibrateCall& call, const setup::Setup& setup,
+                           const calibration::Calibration& calibration, const results::RunFacts& facts) {
+    const report::Json json = results::calibrate_json(setup, calibration, facts);
+    if (const Result<void> written = report::write_json(call.out / "calibrate.json", json); !written)
+        return written.error();
+    if (const Result<void> traces = results::write_traces(call.out, setup, calibration.after); !traces)
+        return traces.error();
+    return report::write_html(call.out / "report.html", results::calibration_report(setup, calibration, facts));
 }
 
 /// What is written is said to be only a part, when it is.
-int end_status(const CalibrateCall& call, const Calibration& calibration, Console& console) {
+int end_status(const CalibrateCall& call, const calibration::Calibration& calibration, Console& console) {
     const std::string restart = " written to " + call.out.string() + ", --resume goes on from them";
     if (calibration.stopped) {
-        console.complain(calibration.fit.converged() ? "stopped before all trials were predicted; the fitted values are written to " + call.out.string()
-                                                     : "stopped before the fit converged; the best values so far are" + restart);
+        console.complain(calibration.fit.converged()
+                             ? "stopped before all trials were predicted; the fitted values are written to " +
+                                   call.out.string()
+                             : "stopped before the fit converged; the best values so far are" + restart);
         return status_stopped;
     }
     if (!calibration.fit.converged()) {
-        console.complain("the fit did not converge: " + calibration.fit.message + "; the best values so far are" + restart);
+        console.complain("the fit did not converge: " + calibration.fit.message + "; the best values so far are" +
+                         restart);
         return status_failed;
     }
     if (calibration.after.ok()) return status_done;
@@ -112,29 +124,29 @@ int end_status(const CalibrateCall& call, const Calibration& calibration, Consol
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    StudyOpening opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
-    if (!opening.study) return opening.status;
-    std::optional<Study>& study = opening.study;
-    if (study_parameters(*study, call.parameters).empty())
+    OpenedExperiment opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
+    if (!opening.setup) return opening.status;
+    std::optional<setup::Setup>& setup = opening.setup;
+    if (prediction::free_parameters(*setup, call.parameters).empty())
         return console.refuse(
             {"nothing is left to fit: material.calibrate names nothing that is not exact, and nothing else is unknown; "
              "name what to fit with --parameters, or give it a tolerance above 0",
              call.experiment.string()});
-    CalibrationSettings settings{call.parameters, {}, call.starts, call.work.seed.value_or(1)};
-    EarlierCalibration earlier;
+    calibration::CalibrationSettings settings{call.parameters, {}, call.starts, call.work.seed.value_or(1)};
+    calibration::EarlierCalibration earlier;
     if (call.resume) {
-        const Result<EarlierCalibration> read = read_calibration(call.out, *study, settings);
+        const Result<calibration::EarlierCalibration> read = calibration::read_calibration(call.out, *setup, settings);
         if (!read) return console.refuse(read.error());
         earlier = *read;
         settings.from = earlier.values;
     }
-    for (const std::string& warning : study->warnings) console.warn(warning);
-    const std::vector<Finding> before = check_before(*study);
+    for (const std::string& warning : setup->warnings) console.warn(warning);
+    const std::vector<check::Finding> before = check::check_before(*setup);
     tell_findings(before, opening.told, console);
-    const double setup_s = opening.setup.seconds();
-    console.print(study->experiment.name + "\n" + size_line(*study));
+    const double setup_s = opening.stopwatch.seconds();
+    console.print(setup->experiment.name + "\n" + size_line(*setup));
 
-    Calibration calibration = calibrate_with_chosen_steps(*study, settings, progress);
+    calibration::Calibration calibration = calibration::calibrate_with_chosen_steps(*setup, settings, progress);
     calibration.earlier_evaluations += earlier.evaluations;
     if (!calibration.usable()) {
         if (calibration.stopped) return stopped_before(first_evaluation, console);
@@ -143,12 +155,12 @@ int calibrate_command(const CalibrateCall& call) {
         return status_failed;
     }
     for (const std::string& warning : calibration.warnings) console.warn(warning);
-    RunFacts facts = run_facts(call, setup_s);
-    facts.findings = check_after({*study, &calibration.after, &calibration}, before);
+    results::RunFacts facts = run_facts(call, setup_s);
+    facts.findings = check::check_after({*setup, &calibration.after, &calibration}, before);
     tell_findings(facts.findings, before, console);
-    console.print("\n" + findings_line(facts.findings) + "\n\n" + parameter_lines(calibration) + "\n\n" +
-                  trial_lines(*study, calibration) + "\n" + start_lines(calibration));
-    if (const Result<void> written = write_results(call, *study, calibration, facts); !written)
+    console.print("\n" + results::findings_line(facts.findings) + "\n\n" + parameter_lines(calibration) + "\n\n" +
+                  trial_lines(*setup, calibration) + "\n" + start_lines(calibration));
+    if (const Result<void> written = write_results(call, *setup, calibration, facts); !written)
         return console.fail(written.error());
     console.print(std::to_string(calibration.evaluations()) +
                   (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") +
@@ -161,8 +173,8 @@ int calibrate_command(const CalibrateCall& call) {
 std::function<int()> declare_calibrate(CLI::App& app) {
     const auto call = std::make_shared<CalibrateCall>();
     call->fits = true;
-    declare_study_call(app, *call);
-    call->outputs = [own = call.get()](const Experiment& experiment) {
+    declare_experiment_call(app, *call);
+    call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
         return trace_files_and(*own, experiment, {"calibrate.json", "report.html"});
     };
     app.add_option_function<std::string>(
@@ -170,14 +182,17 @@ std::function<int()> declare_calibrate(CLI::App& app) {
            [call](const std::string& text) {
                call->parameters = split_words(text);
                for (const std::string& name : call->parameters)
-                   if (std::find(material_parameters.begin(), material_parameters.end(), name) == material_parameters.end())
+                   if (std::find(material_parameters.begin(), material_parameters.end(), name) ==
+                       material_parameters.end())
                        throw CLI::ValidationError("--parameters", unknown_word(name, material_parameters));
            },
            "material parameters to fit, instead of material.calibrate: " + join(material_parameters, ","))
         ->type_name("A,B");
-    add_count(app, "--starts", call->starts, "fits: the first from the declared values, the others from random ones around them (--seed); the best is kept");
+    add_count(
+        app, "--starts", call->starts,
+        "fits: the first from the declared values, the others from random ones around them (--seed); the best is kept");
     app.add_flag("--resume", call->resume, "go on from the calibrate.json in DIR");
     return [call] { return calibrate_command(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -6,22 +6,22 @@
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
 #include "commands.hpp"
+#include "diagnosis/augmented_experiment.hpp"
+#include "diagnosis/confusion.hpp"
+#include "diagnosis/diagnosis_json.hpp"
+#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/effect_words.hpp"
+#include "diagnosis/whole_diagnosis.hpp"
 #include "effect/catalogue.hpp"
 #include "exit_status.hpp"
-#include "loop/augmented_experiment.hpp"
-#include "loop/confusion.hpp"
-#include "loop/diagnosis_json.hpp"
-#include "loop/diagnosis_report.hpp"
-#include "loop/effect_words.hpp"
-#include "loop/whole_diagnosis.hpp"
-#include "project/finding_output.hpp"
-#include "project/output_files.hpp"
-#include "study_command.hpp"
+#include "experiment_command.hpp"
+#include "results/finding_output.hpp"
+#include "results/output_files.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
-struct DiagnoseCall : StudyCall {
+struct DiagnoseCall : ExperimentCall {
     std::vector<std::string> without;
     bool resume = false;
 };
@@ -30,100 +30,117 @@ const char* const fits_file = "diagnose_fits.json";
 const char* const augmented_file = "experiment_augmented.toml";
 
 /// The report is also kept under the name of the experiment's folder.
-std::string report_name(const Experiment& experiment) {
+std::string report_name(const experiment::Experiment& experiment) {
     return std::filesystem::weakly_canonical(experiment.folder).filename().string();
 }
 
-std::string candidate_lines(const Diagnosis& d) {
+std::string candidate_lines(const diagnosis::Diagnosis& d) {
     char line[256];
-    std::snprintf(line, sizeof line, "%-22s %10s %12s %12s %12s %8s", "candidate", "explains", "rms [mm]", "held out", "systematic", "weight");
+    std::snprintf(line, sizeof line, "%-22s %10s %12s %12s %12s %8s", "candidate", "explains", "rms [mm]", "held out",
+                  "systematic", "weight");
     std::string text = line;
-    std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f", "(declared)", "", 1e3 * d.declared.rms_m, d.declared.held_out_rms,
-                  d.declared.tests.systematic.rms, d.declared.weight);
+    std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f", "(declared)", "",
+                  1e3 * d.declared.rms_m, d.declared.held_out_rms, d.declared.tests.systematic.rms, d.declared.weight);
     text += line;
     int shown = 0;
-    for (const Candidate& c : d.candidates) {
+    for (const diagnosis::Candidate& c : d.candidates) {
         if (++shown > 12) break;
-        if (!c.judged) std::snprintf(line, sizeof line, "\n%-22s %8.1f %%", c.score.id.c_str(), 100.0 * (c.score.usable() ? c.score.test.explained : 0.0));
+        if (!c.judged)
+            std::snprintf(line, sizeof line, "\n%-22s %8.1f %%", c.score.id.c_str(),
+                          100.0 * (c.score.usable() ? c.score.test.explained : 0.0));
         else
-            std::snprintf(line, sizeof line, "\n%-22s %8.1f %% %12.4f %10.3f x %10.3f x %8.3f", c.score.id.c_str(), 100.0 * c.score.test.explained, 1e3 * c.judged->rms_m,
-                          c.judged->held_out_rms, c.judged->tests.systematic.rms, c.judged->weight);
+            std::snprintf(line, sizeof line, "\n%-22s %8.1f %% %12.4f %10.3f x %10.3f x %8.3f", c.score.id.c_str(),
+                          100.0 * c.score.test.explained, 1e3 * c.judged->rms_m, c.judged->held_out_rms,
+                          c.judged->tests.systematic.rms, c.judged->weight);
         text += line;
-        if (c.judged) text += "  " + parameter_words(c.judged->fit.effects.front().parameters);
+        if (c.judged) text += "  " + diagnosis::parameter_words(c.judged->fit.effects.front().parameters);
     }
-    for (const JudgedFit& pair : d.pairs) {
-        std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f  ", "pair", "", 1e3 * pair.rms_m, pair.held_out_rms, pair.tests.systematic.rms, pair.weight);
+    for (const diagnosis::JudgedFit& pair : d.pairs) {
+        std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f  ", "pair", "", 1e3 * pair.rms_m,
+                      pair.held_out_rms, pair.tests.systematic.rms, pair.weight);
         text += line;
-        for (const EffectDeclaration& effect : pair.fit.effects) text += effect_words(effect) + " ";
+        for (const effect::EffectDeclaration& effect : pair.fit.effects) text += diagnosis::effect_words(effect) + " ";
     }
     return text;
 }
 
-std::string verdict_lines(const Diagnosis& d) {
+std::string verdict_lines(const diagnosis::Diagnosis& d) {
     std::string text = "verdict: ";
-    if (d.verdict.kind == VerdictKind::none) text += "none";
-    if (d.verdict.kind == VerdictKind::unknown) text += "unknown";
-    for (const EffectDeclaration& effect : d.verdict.effects) text += effect_words(effect) + "  ";
+    if (d.verdict.kind == diagnosis::VerdictKind::none) text += "none";
+    if (d.verdict.kind == diagnosis::VerdictKind::unknown) text += "unknown";
+    for (const effect::EffectDeclaration& effect : d.verdict.effects) text += diagnosis::effect_words(effect) + "  ";
     text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.because;
-    for (const Confusion& c : confusions_of_verdict(d))
-        text += (is_decided(d, c) ? "\nalike here, but the fits decide: " : "\nnot to be told apart here: ") + c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment + " would tell them apart";
+    for (const diagnosis::Confusion& c : diagnosis::confusions_of_verdict(d))
+        text += (diagnosis::is_decided(d, c) ? "\nalike here, but the fits decide: "
+                                             : "\nnot to be told apart here: ") +
+                c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment +
+                " would tell them apart";
     for (const std::string& note : d.notes) text += "\nnote: " + note;
-    if (d.missing_force && !d.missing_force->failure.empty()) text += "\nno force is inferred: " + d.missing_force->failure;
+    if (d.missing_force && !d.missing_force->failure.empty())
+        text += "\nno force is inferred: " + d.missing_force->failure;
     if (d.missing_force && !d.missing_force->modes.empty())
-        text += "\na force would explain " + format_number(100.0 * d.missing_force->removed(), 3) + " % of what is left in " + d.missing_force->trial + ": up to " +
-                format_number(d.missing_force->modes.front().peak_N(), 3) + " N " + d.missing_force->modes.front().where;
+        text += "\na force would explain " + format_number(100.0 * d.missing_force->removed(), 3) +
+                " % of what is left in " + d.missing_force->trial + ": up to " +
+                format_number(d.missing_force->modes.front().peak_N(), 3) + " N " +
+                d.missing_force->modes.front().where;
     return text;
 }
 
-std::string trial_lines(const Study& study, const Diagnosis& d) {
+std::string trial_lines(const setup::Setup& setup, const diagnosis::Diagnosis& d) {
     std::string text;
     char line[256];
-    for (const StudyTrial& trial : study.trials) {
-        const TrialScore* const before = find_score(d.before, trial.name);
-        const TrialScore* const after = find_score(d.after, trial.name);
-        std::snprintf(line, sizeof line, "%s%-24.80s %-10s %s %s", text.empty() ? "" : "\n", trial.name.c_str(), trial.role == TrialRole::fit ? "fit" : "predicted",
-                      in_millimetres(before ? before->rms_m : std::nan("")).c_str(), in_millimetres(after ? after->rms_m : std::nan("")).c_str());
+    for (const setup::PreparedTrial& trial : setup.trials) {
+        const prediction::TrialScore* const before = results::find_score(d.before, trial.name);
+        const prediction::TrialScore* const after = results::find_score(d.after, trial.name);
+        std::snprintf(line, sizeof line, "%s%-24.80s %-10s %s %s", text.empty() ? "" : "\n", trial.name.c_str(),
+                      trial.role == experiment::TrialRole::fit ? "fit" : "predicted",
+                      in_millimetres(before ? before->rms_m : std::nan("")).c_str(),
+                      in_millimetres(after ? after->rms_m : std::nan("")).c_str());
         text += line;
     }
     return text;
 }
 
-std::string cost_lines(const Diagnosis& d) {
+std::string cost_lines(const diagnosis::Diagnosis& d) {
     std::string text = "time:";
-    for (const StageCost& cost : d.cost) text += " " + cost.stage + " " + format_number(cost.seconds, 3) + " s,";
+    for (const diagnosis::StageCost& cost : d.cost)
+        text += " " + cost.stage + " " + format_number(cost.seconds, 3) + " s,";
     return text + " all " + format_number(d.seconds, 3) + " s";
 }
 
-Result<void> write_results(const DiagnoseCall& call, const Experiment& experiment, const Study& study, const Diagnosis& d, const RunFacts& facts) {
-    const std::filesystem::path written = std::filesystem::is_directory(call.experiment) ? call.experiment / "experiment.toml" : call.experiment;
+Result<void> write_results(const DiagnoseCall& call, const experiment::Experiment& experiment,
+                           const setup::Setup& setup, const diagnosis::Diagnosis& d, const results::RunFacts& facts) {
+    const std::filesystem::path written = std::filesystem::is_directory(call.experiment)
+                                              ? call.experiment / "experiment.toml"
+                                              : call.experiment;
     const std::string name = report_name(experiment);
-    Json report = diagnosis_json(study, d, name);
-    report["checks"] = findings_json(facts.findings);
+    report::Json report = diagnosis::diagnosis_json(setup, d, name);
+    report["checks"] = results::findings_json(facts.findings);
     for (const std::string& file : {std::string("report.json"), name + ".json"})
-        if (const Result<void> json = write_json(call.out / file, report); !json) return json.error();
-    const Result<std::string> augmented = augmented_experiment(written, d.verdict.effects, call.out);
+        if (const Result<void> json = report::write_json(call.out / file, report); !json) return json.error();
+    const Result<std::string> augmented = diagnosis::augmented_experiment(written, d.verdict.effects, call.out);
     if (!augmented) return augmented.error();
     if (const Result<void> file = write_file(call.out / augmented_file, *augmented); !file) return file.error();
-    if (const Result<void> traces = write_traces(call.out, study, d.after); !traces) return traces.error();
-    return write_html(call.out / "report.html", diagnosis_report(study, d, facts));
+    if (const Result<void> traces = results::write_traces(call.out, setup, d.after); !traces) return traces.error();
+    return report::write_html(call.out / "report.html", diagnosis::diagnosis_report(setup, d, facts));
 }
 
 int diagnose_command(const DiagnoseCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const StudyOpening opening = open_command(call, TrialChoice::all, "the declared fit", console, progress);
-    if (!opening.study) return opening.status;
-    const Study& study = *opening.study;
-    for (const std::string& warning : study.warnings) console.warn(warning);
-    const std::vector<Finding> before = check_before(study);
+    const OpenedExperiment opening = open_command(call, TrialChoice::all, "the declared fit", console, progress);
+    if (!opening.setup) return opening.status;
+    const setup::Setup& setup = *opening.setup;
+    for (const std::string& warning : setup.warnings) console.warn(warning);
+    const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
-    console.print(study.experiment.name + "\n" + size_line(study));
-    DiagnoseSettings settings;
+    console.print(setup.experiment.name + "\n" + size_line(setup));
+    diagnosis::DiagnoseSettings settings;
     settings.without = call.without;
     settings.fits = call.out / fits_file;
     if (!call.resume) std::filesystem::remove(*settings.fits);
-    const double setup_s = opening.setup.seconds();
-    const Diagnosis d = whole_diagnosis(study, settings, progress);
+    const double setup_s = opening.stopwatch.seconds();
+    const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(setup, settings, progress);
     if (d.stopped) {
         console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume goes on from it");
         return status_stopped;
@@ -132,12 +149,12 @@ int diagnose_command(const DiagnoseCall& call) {
         console.complain(d.failure);
         return status_failed;
     }
-    RunFacts facts = run_facts(call, setup_s);
-    facts.findings = check_after({as_diagnosed(d, study), &d.after}, before);
+    results::RunFacts facts = run_facts(call, setup_s);
+    facts.findings = check::check_after({diagnosis::as_diagnosed(d, setup), &d.after}, before);
     tell_findings(facts.findings, before, console);
-    console.print("\n" + findings_line(facts.findings) + "\n\n" + candidate_lines(d) + "\n\n" + trial_lines(study, d) +
-                  "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d));
-    if (const Result<void> written = write_results(call, opening.experiment, study, d, facts); !written)
+    console.print("\n" + results::findings_line(facts.findings) + "\n\n" + candidate_lines(d) + "\n\n" +
+                  trial_lines(setup, d) + "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d));
+    if (const Result<void> written = write_results(call, opening.experiment, setup, d, facts); !written)
         return console.fail(written.error());
     console.print("report: " + (call.out / "report.html").string());
     return status_done;
@@ -148,17 +165,19 @@ int diagnose_command(const DiagnoseCall& call) {
 std::function<int()> declare_diagnose(CLI::App& app) {
     const auto call = std::make_shared<DiagnoseCall>();
     call->fits = true;
-    declare_study_call(app, *call);
-    call->outputs = [own = call.get()](const Experiment& experiment) {
-        return trace_files_and(*own, experiment, {report_name(experiment) + ".json", "report.json", "report.html",
-                                                  augmented_file, fits_file});
+    declare_experiment_call(app, *call);
+    call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
+        return trace_files_and(
+            *own, experiment,
+            {report_name(experiment) + ".json", "report.json", "report.html", augmented_file, fits_file});
     };
     app.add_option_function<std::string>(
            "--without",
            [call](const std::string& text) {
                call->without = split_words(text);
                for (const std::string& id : call->without)
-                   if (!find_effect(id)) throw CLI::ValidationError("--without", unknown_word(id, effect_ids()));
+                   if (!effect::find_effect(id))
+                       throw CLI::ValidationError("--without", unknown_word(id, effect::effect_ids()));
            },
            "effects that shall not be considered")
         ->type_name("A,B");
@@ -166,4 +185,4 @@ std::function<int()> declare_diagnose(CLI::App& app) {
     return [call] { return diagnose_command(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

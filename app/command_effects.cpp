@@ -2,19 +2,19 @@
 #include <cstdio>
 
 #include "commands.hpp"
-#include "exit_status.hpp"
 #include "effect/catalogue.hpp"
+#include "exit_status.hpp"
 #include "standard_output.hpp"
 
-namespace myo {
+namespace myo::app {
 
 std::function<int()> declare_effects(CLI::App&) {
     return [] {
         std::size_t width = 0;
-        for (const Effect& effect : effect_catalogue()) width = std::max(width, effect.id.size());
-        for (const Effect& effect : effect_catalogue()) {
+        for (const effect::Effect& effect : effect::effect_catalogue()) width = std::max(width, effect.id.size());
+        for (const effect::Effect& effect : effect::effect_catalogue()) {
             std::string parameters;
-            for (const EffectParameterEntry& p : effect.parameters)
+            for (const effect::EffectParameterEntry& p : effect.parameters)
                 parameters += (parameters.empty() ? "" : ", ") + p.name + (p.optional ? " (optional)" : "");
             print_format("%-*s  %-11s  %s\n%*s  %s\n", static_cast<int>(width), effect.id.c_str(),
                          to_string(effect.stage).c_str(), effect.summary.c_str(), static_cast<int>(width) + 13, "",
@@ -24,4 +24,4 @@ std::function<int()> declare_effects(CLI::App&) {
     };
 }
 
-}  // namespace myo
+}  // namespace myo::app

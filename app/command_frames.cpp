@@ -12,7 +12,7 @@
 #include "report/json.hpp"
 #include "standard_output.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,12 +22,21 @@ void print_times(const FrameTimes& times) {
                  times.percentile(1.0), times.goal_ms, times.name.c_str());
 }
 
-Json frames_json(const FrameBench& bench) {
-    Json rows = Json::array();
+report::Json frames_json(const FrameBench& bench) {
+    report::Json rows = report::Json::array();
     for (const FrameTimes& times : bench.situations)
-        rows.push_back({{"name", times.name}, {"frames", times.ms.size()}, {"median_ms", json_number(times.percentile(0.5))}, {"p95_ms", json_number(times.percentile(0.95))},
-                        {"longest_ms", json_number(times.percentile(1.0))}, {"goal_p95_ms", times.goal_ms}});
-    return {{"schema", "frames/1"}, {"width", 1600}, {"height", 900}, {"triangles", bench.triangles}, {"painted_cells", bench.painted_cells}, {"situations", rows}};
+        rows.push_back({{"name", times.name},
+                        {"frames", times.ms.size()},
+                        {"median_ms", report::json_number(times.percentile(0.5))},
+                        {"p95_ms", report::json_number(times.percentile(0.95))},
+                        {"longest_ms", report::json_number(times.percentile(1.0))},
+                        {"goal_p95_ms", times.goal_ms}});
+    return {{"schema", "frames/1"},
+            {"width", 1600},
+            {"height", 900},
+            {"triangles", bench.triangles},
+            {"painted_cells", bench.painted_cells},
+            {"situations", rows}};
 }
 
 int frames_command(const fs::path& json) {
@@ -59,4 +68,4 @@ std::function<int()> declare_frames(CLI::App& app) {
     return [json] { return frames_command(*json); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

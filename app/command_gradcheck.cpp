@@ -3,54 +3,57 @@
 #include <memory>
 
 #include "base/text.hpp"
+#include "calibration/gradcheck.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
-#include "project/gradcheck_study.hpp"
+#include "experiment_command.hpp"
 #include "report/json.hpp"
-#include "study_command.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 constexpr double most_relative_error = 1e-5;
 const char* const complete_check = "the check was complete";
 
-struct GradcheckCall : StudyCall {
+struct GradcheckCall : ExperimentCall {
     std::string json;
     int steps = 8;
 };
 
-std::string table_of(const GradientCheck& check) {
+std::string table_of(const sensitivity::GradientCheck& check) {
     char line[256];
     std::snprintf(line, sizeof line, "%-44s %16s %16s %14s", "parameter", "adjoint", "difference", "relative error");
     std::string text = line;
-    for (const GradientCheckRow& row : check.rows) {
-        std::snprintf(line, sizeof line, "\n%-44.44s %16.8e %16.8e %14.2e", row.name.c_str(), row.adjoint, row.difference, row.relative_error);
+    for (const sensitivity::GradientCheckRow& row : check.rows) {
+        std::snprintf(line, sizeof line, "\n%-44.44s %16.8e %16.8e %14.2e", row.name.c_str(), row.adjoint,
+                      row.difference, row.relative_error);
         text += line;
     }
-    std::snprintf(line, sizeof line, "\n\nmedian %.2e, worst %.2e, %zu parameters", check.median_error(), check.worst_error(), check.rows.size());
+    std::snprintf(line, sizeof line, "\n\nmedian %.2e, worst %.2e, %zu parameters", check.median_error(),
+                  check.worst_error(), check.rows.size());
     return text + line;
 }
 
-Json gradcheck_json(const Study& study, const StudyGradientCheck& run, const RunFacts& facts) {
-    Json rows = Json::array();
-    for (const GradientCheckRow& row : run.check.rows)
+report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialGradientCheck& run,
+                            const results::RunFacts& facts) {
+    report::Json rows = report::Json::array();
+    for (const sensitivity::GradientCheckRow& row : run.check.rows)
         rows.push_back({{"name", row.name},
-                        {"adjoint", json_number(row.adjoint)},
-                        {"difference", json_number(row.difference)},
-                        {"relative_error", json_number(row.relative_error)}});
+                        {"adjoint", report::json_number(row.adjoint)},
+                        {"difference", report::json_number(row.difference)},
+                        {"relative_error", report::json_number(row.relative_error)}});
     return {{"schema", "gradcheck/1"},
-            {"trial", study.trials.front().name},
-            {"dofs", study.body->dofs()},
-            {"element", to_string(study.body->kind)},
-            {"integrator", to_string(study.settings.integrator)},
-            {"strategy", to_string(study.settings.strategy)},
-            {"dt_s", study.trials.front().options.h_s},
+            {"trial", setup.trials.front().name},
+            {"dofs", setup.body->dofs()},
+            {"element", to_string(setup.body->kind)},
+            {"integrator", to_string(setup.settings.integrator)},
+            {"strategy", to_string(setup.settings.strategy)},
+            {"dt_s", setup.trials.front().options.h_s},
             {"steps", run.steps},
-            {"loss_m2", json_number(run.loss_m2)},
+            {"loss_m2", report::json_number(run.loss_m2)},
             {"against_trace", run.against_trace},
-            {"median_relative_error", json_number(run.check.median_error())},
-            {"worst_relative_error", json_number(run.check.worst_error())},
+            {"median_relative_error", report::json_number(run.check.median_error())},
+            {"worst_relative_error", report::json_number(run.check.worst_error())},
             {"limit", most_relative_error},
             {"seconds", run.seconds},
             {"version", facts.version},
@@ -61,32 +64,39 @@ Json gradcheck_json(const Study& study, const StudyGradientCheck& run, const Run
 int gradcheck_command(const GradcheckCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    const StudyOpening opening = open_command(call, TrialChoice::one, complete_check, console, progress);
-    if (!opening.study) return opening.status;
-    const Study& study = *opening.study;
-    for (const std::string& warning : study.warnings) console.warn(warning);
-    const StudyTrial& checked = study.trials.front();
-    console.print(study.experiment.name + ", trial " + checked.name + ": " + std::to_string(call.steps) +
-                  " steps of " + format_number(1e3 * checked.options.h_s, 4) + " ms\n" + size_line(study));
+    const OpenedExperiment opening = open_command(call, TrialChoice::one, complete_check, console, progress);
+    if (!opening.setup) return opening.status;
+    const setup::Setup& setup = *opening.setup;
+    for (const std::string& warning : setup.warnings) console.warn(warning);
+    const setup::PreparedTrial& checked = setup.trials.front();
+    console.print(setup.experiment.name + ", trial " + checked.name + ": " + std::to_string(call.steps) + " steps of " +
+                  format_number(1e3 * checked.options.h_s, 4) + " ms\n" + size_line(setup));
 
-    const double setup_s = opening.setup.seconds();
-    const StudyGradientCheck run = gradcheck_study(study, 0, call.steps, progress);
+    const double setup_s = opening.stopwatch.seconds();
+    const calibration::TrialGradientCheck run = calibration::gradcheck(setup, 0, call.steps, progress);
     if (progress.cancelled()) return stopped_before(complete_check, console);
     if (!run.check.complete()) {
-        console.complain("the gradient could not be checked: " + run.check.message + "; a smaller --dt or fewer --steps may help");
+        console.complain("the gradient could not be checked: " + run.check.message +
+                         "; a smaller --dt or fewer --steps may help");
         return status_failed;
     }
-    console.print(std::string("loss: mean square distance of the markers to ") + (run.against_trace ? "the measured trace" : "their rest positions") + ", " +
-                  format_number(1e6 * run.loss_m2, 4) + " mm2\n\n" + table_of(run.check) + ", " + format_number(run.seconds, 3) + " s");
+    console.print(std::string("loss: mean square distance of the markers to ") +
+                  (run.against_trace ? "the measured trace" : "their rest positions") + ", " +
+                  format_number(1e6 * run.loss_m2, 4) + " mm2\n\n" + table_of(run.check) + ", " +
+                  format_number(run.seconds, 3) + " s");
     if (!call.json.empty())
-        if (const Result<void> written = write_json(call.json, gradcheck_json(study, run, run_facts(call, setup_s)));
+        if (const Result<void> written = report::write_json(call.json,
+                                                            gradcheck_json(setup, run, run_facts(call, setup_s)));
             !written)
             return console.fail(written.error());
     if (run.check.worst_error() <= most_relative_error) return status_done;
-    const auto worst = std::max_element(run.check.rows.begin(), run.check.rows.end(),
-                                        [](const GradientCheckRow& a, const GradientCheckRow& b) { return a.relative_error < b.relative_error; });
-    console.complain("the gradient differs from differences by " + format_number(worst->relative_error, 2) + " for " + worst->name + ", more than " +
-                     format_number(most_relative_error, 1));
+    const auto worst = std::max_element(
+        run.check.rows.begin(), run.check.rows.end(),
+        [](const sensitivity::GradientCheckRow& a, const sensitivity::GradientCheckRow& b) {
+            return a.relative_error < b.relative_error;
+        });
+    console.complain("the gradient differs from differences by " + format_number(worst->relative_error, 2) + " for " +
+                     worst->name + ", more than " + format_number(most_relative_error, 1));
     return status_failed;
 }
 
@@ -96,12 +106,14 @@ std::function<int()> declare_gradcheck(CLI::App& app) {
     const auto call = std::make_shared<GradcheckCall>();
     call->writes_folder = false;
     call->step_choice = StepChoice::half_interval;
-    call->outputs = [own = call.get()](const Experiment&) { return std::vector<std::filesystem::path>{own->json}; };
-    declare_study_call(app, *call);
+    call->outputs = [own = call.get()](const experiment::Experiment&) {
+        return std::vector<std::filesystem::path>{own->json};
+    };
+    declare_experiment_call(app, *call);
     app.add_option("--trial", call->trial, "trial to check (default: the first with role fit)")->type_name("NAME");
     add_count(app, "--steps", call->steps, "steps of its run (default: 8)");
     app.add_option("--json", call->json, "also write the table to this file")->type_name("FILE");
     return [call] { return gradcheck_command(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "backend/library_versions.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
@@ -7,11 +8,10 @@
 #include "dynamics/solver_options.hpp"
 #include "exit_status.hpp"
 #include "fem/element_block.hpp"
-#include "library_versions.hpp"
 #include "material/catalogue.hpp"
 #include "standard_output.hpp"
 
-namespace myo {
+namespace myo::app {
 
 std::function<int()> declare_info(CLI::App&) {
     return [] {
@@ -21,15 +21,15 @@ std::function<int()> declare_info(CLI::App&) {
         line("myoloop", MYOLOOP_VERSION);
         line("compiler", "GCC " __VERSION__);
         line("threads", std::to_string(hardware_threads()));
-        line("elements", join(element_ids()));
-        line("integrators", join(integrator_ids()));
-        line("strategies", join(strategy_ids()));
-        line("materials", join(material_ids()));
+        line("elements", join(fem::element_ids()));
+        line("integrators", join(dynamics::integrator_ids()));
+        line("strategies", join(dynamics::strategy_ids()));
+        line("materials", join(material::material_ids()));
         print_text("libraries\n");
-        for (const LibraryVersion& library : library_versions)
+        for (const backend::LibraryVersion& library : backend::library_versions)
             print_format("  %-12s %s\n", library.name, library.version);
         return static_cast<int>(status_done);
     };
 }
 
-}  // namespace myo
+}  // namespace myo::app

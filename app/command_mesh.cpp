@@ -17,17 +17,17 @@
 #include "mesh/volume_reader.hpp"
 #include "mesh/vtk_writer.hpp"
 #include "options.hpp"
-#include "project/study_mesh.hpp"
 #include "report/json.hpp"
+#include "setup/body_mesh.hpp"
 #include "standard_output.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 struct MeshCall {
     std::filesystem::path file;
     std::filesystem::path out;
-    std::optional<CellType> type;
+    std::optional<mesh::CellType> type;
     std::optional<double> resolution_m;
     std::optional<double> max_volume_m3;
     std::optional<double> quality;
@@ -37,108 +37,122 @@ struct MeshCall {
 };
 
 struct MeshOutcome {
-    VolumeMesh mesh;
-    QualityReport quality;
+    mesh::VolumeMesh mesh;
+    mesh::QualityReport quality;
     std::vector<std::string> warnings;
 };
 
 std::string extension_of(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension;
 }
 
 const std::vector<std::string> surface_extensions{".stl", ".obj", ".ply", ".vtp"};
 const std::vector<std::string> volume_extensions{".vtu", ".vtk", ".msh", ".node", ".ele"};
 
-bool contains(const std::vector<std::string>& list, const std::string& word) { return std::find(list.begin(), list.end(), word) != list.end(); }
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
 
 /// The surface in metres, joined, outward and of plausible size; what was found on the way goes to the warnings.
-Result<SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::string>& warnings) {
+Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::string>& warnings) {
     if (!call.metres_per_unit) return Error{"a surface file does not say its unit; state m or mm", "--unit"};
-    const Result<SurfaceMesh> read = read_surface(call.file, *call.metres_per_unit);
+    const Result<mesh::SurfaceMesh> read = mesh::read_surface(call.file, *call.metres_per_unit);
     if (!read) return read.error();
-    SurfaceMesh surface = weld(*read);
-    const SurfaceReport report = check_surface(surface);
-    if (const Result<void> size = check_plausible_size(report.size); !size) return Error{size.error().what, call.file.string()};
+    mesh::SurfaceMesh surface = mesh::weld(*read);
+    const mesh::SurfaceReport report = mesh::check_surface(surface);
+    if (const Result<void> size = mesh::check_plausible_size(report.size); !size)
+        return Error{size.error().what, call.file.string()};
     if (!report.closed || !report.manifold)
-        return Error{"cannot be meshed: " + (report.messages.empty() ? "the surface is not closed" : join(report.messages, "; ")), call.file.string()};
+        return Error{"cannot be meshed: " +
+                         (report.messages.empty() ? "the surface is not closed" : join(report.messages, "; ")),
+                     call.file.string()};
     warnings = report.messages;
-    if (report.oriented && !report.outward) surface = flipped(std::move(surface));
+    if (report.oriented && !report.outward) surface = mesh::flipped(std::move(surface));
     return surface;
 }
 
-Result<void> check_surface_call(const MeshCall& call, const SurfaceMesh& surface) {
+Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& surface) {
     if (!call.type) return Error{"choose the element of the mesh: hex8, tet4 or tet10", "--type"};
-    const bool hexahedra = *call.type == CellType::hex8;
-    if (hexahedra && call.max_volume_m3) return Error{"only tetrahedra take a largest volume; hexahedra have --resolution", "--max-volume"};
+    const bool hexahedra = *call.type == mesh::CellType::hex8;
+    if (hexahedra && call.max_volume_m3)
+        return Error{"only tetrahedra take a largest volume; hexahedra have --resolution", "--max-volume"};
     if (hexahedra && call.quality) return Error{"only tetrahedra take a quality", "--quality"};
-    if (call.quality && *call.quality < 1.2) return Error{"a radius-edge ratio below 1.2 may never be reached", "--quality"};
+    if (call.quality && *call.quality < 1.2)
+        return Error{"a radius-edge ratio below 1.2 may never be reached", "--quality"};
     if (!call.resolution_m && !call.max_volume_m3) return Error{"state the edge length in metres", "--resolution"};
-    const double edge = call.resolution_m.value_or(tet_edge_for_volume(call.max_volume_m3.value_or(1.0)));
-    const double cells = estimate_counts(surface, *call.type, edge).cells;
-    if (cells > most_grid_cells)
-        return Error{"this would make about " + format_number(cells, 2) + " elements; the limit is 2 million", call.resolution_m ? "--resolution" : "--max-volume"};
+    const double edge = call.resolution_m.value_or(mesh::tet_edge_for_volume(call.max_volume_m3.value_or(1.0)));
+    const double cells = mesh::estimate_counts(surface, *call.type, edge).cells;
+    if (cells > mesh::most_grid_cells)
+        return Error{"this would make about " + format_number(cells, 2) + " elements; the limit is 2 million",
+                     call.resolution_m ? "--resolution" : "--max-volume"};
     return {};
 }
 
 Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress) {
     MeshOutcome outcome;
-    const Result<SurfaceMesh> surface = open_surface(call, outcome.warnings);
+    const Result<mesh::SurfaceMesh> surface = open_surface(call, outcome.warnings);
     if (!surface) return surface.error();
     if (const Result<void> fine = check_surface_call(call, *surface); !fine) return fine.error();
-    if (*call.type == CellType::hex8) {
-        Result<StudyMesh> mesh = mesh_body(*surface, {default_element(CellType::hex8), call.resolution_m}, {}, progress);
+    if (*call.type == mesh::CellType::hex8) {
+        Result<setup::BodyMesh> mesh = setup::mesh_body(
+            *surface, {fem::default_element(mesh::CellType::hex8), call.resolution_m}, {}, progress);
         if (!mesh) return mesh.error();
         outcome.mesh = std::move(mesh->mesh);
     } else {
-        TetOptions options;
+        mesh::TetOptions options;
         options.type = *call.type;
         options.edge = call.resolution_m;
         options.max_volume = call.max_volume_m3;
         if (call.quality) options.radius_edge_ratio = *call.quality;
-        Result<VolumeMesh> mesh = tetrahedralize(*surface, options, progress);
+        Result<mesh::VolumeMesh> mesh = mesh::tetrahedralize(*surface, options, progress);
         if (!mesh) return mesh.error();
         outcome.mesh = std::move(*mesh);
     }
-    outcome.quality = mesh_quality(outcome.mesh, &*surface);
+    outcome.quality = mesh::mesh_quality(outcome.mesh, &*surface);
     return outcome;
 }
 
 Result<MeshOutcome> check_volume(const MeshCall& call) {
     if (call.resolution_m || call.max_volume_m3 || call.quality)
-        return Error{"is a volume mesh already: its elements can be checked and converted, not made anew", call.file.string()};
-    Result<VolumeMesh> mesh = read_volume(call.file, call.metres_per_unit.value_or(1.0));
+        return Error{"is a volume mesh already: its elements can be checked and converted, not made anew",
+                     call.file.string()};
+    Result<mesh::VolumeMesh> mesh = mesh::read_volume(call.file, call.metres_per_unit.value_or(1.0));
     if (!mesh) return mesh.error();
     MeshOutcome outcome;
-    if (!call.metres_per_unit) outcome.warnings.push_back("the file's lengths are taken as metres; if they are not, state --unit");
-    const CellType type = call.type.value_or(mesh->type);
-    if (type == CellType::tet10 && mesh->type == CellType::tet4) *mesh = to_tet10(*mesh);
-    if (mesh->type != type) return Error{"a mesh of " + to_string(mesh->type) + " cannot become one of " + to_string(type), "--type"};
-    if (const Result<void> size = check_plausible_size(bounding_box(mesh->nodes).size()); !size) return Error{size.error().what, call.file.string()};
+    if (!call.metres_per_unit)
+        outcome.warnings.push_back("the file's lengths are taken as metres; if they are not, state --unit");
+    const mesh::CellType type = call.type.value_or(mesh->type);
+    if (type == mesh::CellType::tet10 && mesh->type == mesh::CellType::tet4) *mesh = mesh::to_tet10(*mesh);
+    if (mesh->type != type)
+        return Error{"a mesh of " + to_string(mesh->type) + " cannot become one of " + to_string(type), "--type"};
+    if (const Result<void> size = mesh::check_plausible_size(mesh::bounding_box(mesh->nodes).size()); !size)
+        return Error{size.error().what, call.file.string()};
     outcome.mesh = std::move(*mesh);
-    outcome.quality = mesh_quality(outcome.mesh);
+    outcome.quality = mesh::mesh_quality(outcome.mesh);
     return outcome;
 }
 
-Json outcome_json(const MeshCall& call, const MeshOutcome& outcome) {
-    const QualityReport& q = outcome.quality;
-    Json json{{"schema", "mesh/1"},
-              {"file", call.file.string()},
-              {"element", to_string(outcome.mesh.type)},
-              {"nodes", q.nodes},
-              {"elements", q.cells},
-              {"dofs", q.dofs},
-              {"mean_edge_m", json_number(q.mean_edge)},
-              {"volume_m3", json_number(q.volume)}};
-    if (q.volume_error) json["volume_error"] = json_number(*q.volume_error);
+report::Json outcome_json(const MeshCall& call, const MeshOutcome& outcome) {
+    const mesh::QualityReport& q = outcome.quality;
+    report::Json json{{"schema", "mesh/1"},
+                      {"file", call.file.string()},
+                      {"element", to_string(outcome.mesh.type)},
+                      {"nodes", q.nodes},
+                      {"elements", q.cells},
+                      {"dofs", q.dofs},
+                      {"mean_edge_m", report::json_number(q.mean_edge)},
+                      {"volume_m3", report::json_number(q.volume)}};
+    if (q.volume_error) json["volume_error"] = report::json_number(*q.volume_error);
     json["quality"] = {{"measure", q.measure},
-                       {"least", json_number(q.least)},
-                       {"mean", json_number(q.mean)},
+                       {"least", report::json_number(q.least)},
+                       {"mean", report::json_number(q.mean)},
                        {"worst_element", q.worst_cell},
                        {"histogram", q.histogram},
-                       {"least_dihedral_deg", json_number(q.least_dihedral_deg)},
-                       {"largest_dihedral_deg", json_number(q.largest_dihedral_deg)}};
+                       {"least_dihedral_deg", report::json_number(q.least_dihedral_deg)},
+                       {"largest_dihedral_deg", report::json_number(q.largest_dihedral_deg)}};
     json["components"] = q.components;
     json["warnings"] = outcome.warnings;
     if (!call.out.empty()) json["out"] = call.out.string();
@@ -146,9 +160,10 @@ Json outcome_json(const MeshCall& call, const MeshOutcome& outcome) {
 }
 
 std::string outcome_text(const MeshOutcome& outcome) {
-    const QualityReport& q = outcome.quality;
-    std::string text = std::to_string(q.cells) + " " + to_string(outcome.mesh.type) + " elements, " + std::to_string(q.nodes) + " nodes, " +
-                       std::to_string(q.dofs) + " degrees of freedom\nedges " + format_number(1e3 * q.mean_edge, 3) + " mm on average, volume " +
+    const mesh::QualityReport& q = outcome.quality;
+    std::string text = std::to_string(q.cells) + " " + to_string(outcome.mesh.type) + " elements, " +
+                       std::to_string(q.nodes) + " nodes, " + std::to_string(q.dofs) + " degrees of freedom\nedges " +
+                       format_number(1e3 * q.mean_edge, 3) + " mm on average, volume " +
                        format_number(1e6 * q.volume, 5) + " cm3";
     char line[128];
     if (q.volume_error) {
@@ -156,14 +171,17 @@ std::string outcome_text(const MeshOutcome& outcome) {
         // What is left of an exact fill is rounding, which would only read as noise.
         text += std::abs(*q.volume_error) < 1e-8 ? " (that of the surface)" : line;
     }
-    std::snprintf(line, sizeof line, "\ndihedral angles %.1f to %.1f degrees\n\n", q.least_dihedral_deg, q.largest_dihedral_deg);
-    text += line + q.measure + " (1 is perfect): least " + format_number(q.least, 3) + ", mean " + format_number(q.mean, 3);
+    std::snprintf(line, sizeof line, "\ndihedral angles %.1f to %.1f degrees\n\n", q.least_dihedral_deg,
+                  q.largest_dihedral_deg);
+    text += line + q.measure + " (1 is perfect): least " + format_number(q.least, 3) + ", mean " +
+            format_number(q.mean, 3);
     const int most = *std::max_element(q.histogram.begin(), q.histogram.end());
     for (std::size_t i = 0; i < q.histogram.size(); ++i) {
         const int count = q.histogram[i];
         // The smallest bar marks a single element among many.
         const int length = count == 0 ? 0 : std::max(1, static_cast<int>(std::lround(40.0 * count / most)));
-        std::snprintf(line, sizeof line, "\n%.1f-%.1f %8d  ", 0.1 * static_cast<double>(i), 0.1 * static_cast<double>(i + 1), count);
+        std::snprintf(line, sizeof line, "\n%.1f-%.1f %8d  ", 0.1 * static_cast<double>(i),
+                      0.1 * static_cast<double>(i + 1), count);
         text += line + std::string(static_cast<std::size_t>(length), '#');
     }
     return text;
@@ -172,11 +190,14 @@ std::string outcome_text(const MeshOutcome& outcome) {
 int mesh_command(const MeshCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     if (call.file.empty()) return console.refuse({"name a surface or a volume mesh", ""});
-    if (!call.out.empty() && extension_of(call.out) != ".vtu") return console.refuse({"'" + call.out.string() + "' does not end in .vtu", "--out"});
+    if (!call.out.empty() && extension_of(call.out) != ".vtu")
+        return console.refuse({"'" + call.out.string() + "' does not end in .vtu", "--out"});
     const std::string extension = extension_of(call.file);
     const bool is_surface = contains(surface_extensions, extension);
     if (!is_surface && !contains(volume_extensions, extension))
-        return console.refuse({"no mesh format is known by this extension; surfaces: " + join(surface_extensions, " ") + ", volumes: " + join(volume_extensions, " "), call.file.string()});
+        return console.refuse({"no mesh format is known by this extension; surfaces: " + join(surface_extensions, " ") +
+                                   ", volumes: " + join(volume_extensions, " "),
+                               call.file.string()});
     if (const Result<void> kept = check_overwrites("--out", {call.out}, {call.file}); !kept)
         return console.refuse(kept.error());
     const Progress progress = console.progress();
@@ -186,13 +207,16 @@ int mesh_command(const MeshCall& call) {
         return status_stopped;
     }
     if (!outcome) return console.refuse(outcome.error());
-    outcome->warnings.insert(outcome->warnings.end(), outcome->quality.messages.begin(), outcome->quality.messages.end());
+    outcome->warnings.insert(outcome->warnings.end(), outcome->quality.messages.begin(),
+                             outcome->quality.messages.end());
     for (const std::string& warning : outcome->warnings) console.warn(warning);
-    if (call.json) print_text(json_text(outcome_json(call, *outcome)));
-    else console.print(outcome_text(*outcome));
+    if (call.json)
+        print_text(report::json_text(outcome_json(call, *outcome)));
+    else
+        console.print(outcome_text(*outcome));
     if (!call.out.empty()) {
-        const Eigen::MatrixXd shapes = cell_shapes(outcome->mesh).transpose();
-        if (const Result<void> written = write_vtu(call.out, outcome->mesh, {}, {{"quality", shapes}}); !written)
+        const Eigen::MatrixXd shapes = mesh::cell_shapes(outcome->mesh).transpose();
+        if (const Result<void> written = mesh::write_vtu(call.out, outcome->mesh, {}, {{"quality", shapes}}); !written)
             return console.fail(written.error());
         if (!call.json) console.print("\nwritten to " + call.out.string());
     }
@@ -203,24 +227,29 @@ int mesh_command(const MeshCall& call) {
 
 std::function<int()> declare_mesh(CLI::App& app) {
     const auto call = std::make_shared<MeshCall>();
-    app.add_option("FILE", call->file, "surface (stl, obj, ply, vtp) or volume mesh (vtu, vtk, msh, node, ele)")->type_name("");
+    app.add_option("FILE", call->file, "surface (stl, obj, ply, vtp) or volume mesh (vtu, vtk, msh, node, ele)")
+        ->type_name("");
     app.add_option_function<std::string>(
            "--type,--element",
            [call](const std::string& name) {
-               for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10})
+               for (const mesh::CellType type : {mesh::CellType::hex8, mesh::CellType::tet4, mesh::CellType::tet10})
                    if (to_string(type) == name) call->type = type;
-               if (!call->type || to_string(*call->type) != name) throw CLI::ValidationError("--type", unknown_word(name, {"hex8", "tet4", "tet10"}));
+               if (!call->type || to_string(*call->type) != name)
+                   throw CLI::ValidationError("--type", unknown_word(name, {"hex8", "tet4", "tet10"}));
            },
            "element: hex8, tet4, tet10")
         ->type_name("NAME");
     add_positive_number(app, "--resolution", call->resolution_m, "edge length [m]")->type_name("METRES");
     add_unit(app, call->metres_per_unit);
-    add_positive_number(app, "--max-volume", call->max_volume_m3, "largest volume of a tetrahedron [m3]")->type_name("M3");
-    add_positive_number(app, "--quality", call->quality, "largest circumradius over shortest edge of a tetrahedron, from 1.2 on (default 1.414)")->type_name("RATIO");
+    add_positive_number(app, "--max-volume", call->max_volume_m3, "largest volume of a tetrahedron [m3]")
+        ->type_name("M3");
+    add_positive_number(app, "--quality", call->quality,
+                        "largest circumradius over shortest edge of a tetrahedron, from 1.2 on (default 1.414)")
+        ->type_name("RATIO");
     app.add_option("--out", call->out, "volume mesh to write")->type_name("X.vtu");
     app.add_flag("--json", call->json, "print the figures as JSON");
     add_work_options(app, call->work);
     return [call] { return mesh_command(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

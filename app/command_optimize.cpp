@@ -9,22 +9,22 @@
 #include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
-#include "project/optimize_study.hpp"
-#include "study_command.hpp"
+#include "experiment_command.hpp"
+#include "results/optimize_output.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
-struct OptimizeCall : StudyCall {
+struct OptimizeCall : ExperimentCall {
     std::optional<double> frequency_Hz, smoothness_mm_s, lowest, highest;
     bool hold = false;
     bool resume = false;
-    int max_evaluations = OptimizeSettings{}.max_evaluations;
+    int max_evaluations = calibration::OptimizeSettings{}.max_evaluations;
     int starts = 1;
 };
 
-OptimizeSettings settings_of(const OptimizeCall& call) {
-    OptimizeSettings settings;
+calibration::OptimizeSettings settings_of(const OptimizeCall& call) {
+    calibration::OptimizeSettings settings;
     settings.frequency_Hz = call.frequency_Hz.value_or(settings.frequency_Hz);
     settings.hold = call.hold;
     if (call.smoothness_mm_s) settings.smoothness_m_s = 1e-3 * *call.smoothness_mm_s;
@@ -37,7 +37,7 @@ OptimizeSettings settings_of(const OptimizeCall& call) {
 }
 
 /// ", ± 0.01" of the middle one of those that are determined.
-std::string deviation_words(const ActuationDeviations& deviations, Eigen::Index signal) {
+std::string deviation_words(const inverse::ActuationDeviations& deviations, Eigen::Index signal) {
     if (!deviations.found) return "";
     std::vector<double> known;
     for (const double deviation : deviations.deviations.row(signal))
@@ -48,25 +48,27 @@ std::string deviation_words(const ActuationDeviations& deviations, Eigen::Index 
     return ", ± " + format_number(*middle, 2) + " (median)";
 }
 
-std::string result_lines(const Study& study, const Optimization& result) {
+std::string result_lines(const setup::Setup& setup, const calibration::Optimization& result) {
     char line[256];
     std::snprintf(line, sizeof line, "%-32s %9s  %9s", "marker, rms [mm]", "before", "after");
     std::string text = line;
-    const TrialScore &before = result.before.scores.front(), &after = result.after.scores.front();
+    const prediction::TrialScore &before = result.before.scores.front(), &after = result.after.scores.front();
     for (std::size_t m = 0; m < after.markers.size(); ++m) {
-        std::snprintf(line, sizeof line, "\n%-32.32s %s  %s", after.markers[m].name.c_str(), in_millimetres(before.markers[m].rms_m).c_str(),
-                      in_millimetres(after.markers[m].rms_m).c_str());
+        std::snprintf(line, sizeof line, "\n%-32.32s %s  %s", after.markers[m].name.c_str(),
+                      in_millimetres(before.markers[m].rms_m).c_str(), in_millimetres(after.markers[m].rms_m).c_str());
         text += line;
     }
-    std::snprintf(line, sizeof line, "\n%-32s %s  %s", "all", in_millimetres(before.rms_m).c_str(), in_millimetres(after.rms_m).c_str());
+    std::snprintf(line, sizeof line, "\n%-32s %s  %s", "all", in_millimetres(before.rms_m).c_str(),
+                  in_millimetres(after.rms_m).c_str());
     text += line;
     for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
         const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
         if (result.problem.sought.seek_before)
             text += "\nsignal " + result.problem.sought.signals[s].name + ": held " + format_number(row(0), 4) +
                     " before t = 0 (sought)";
-        text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " + format_number(row.minCoeff(), 4) + " ... " +
-                format_number(row.maxCoeff(), 4) + deviation_words(result.deviations, static_cast<Eigen::Index>(s));
+        text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " +
+                format_number(row.minCoeff(), 4) + " ... " + format_number(row.maxCoeff(), 4) +
+                deviation_words(result.deviations, static_cast<Eigen::Index>(s));
     }
     if (result.problem.placement_bounds) {
         const Eigen::Vector3d moved = 1e3 * result.fit.best.placement.translation_m,
@@ -80,22 +82,24 @@ std::string result_lines(const Study& study, const Optimization& result) {
     if (!result.miss.reached)
         text += "\ntarget not reached: " + format_number(result.miss.noise_levels, 3) + " times the noise is left";
     if (result.fit.converged() && !result.fit.message.empty()) text += "\n" + result.fit.message;
-    return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " + format_number(result.seconds, 3) + " s, " +
-           std::to_string(study.body->dofs()) + " DOF, steps of " +
-           format_number(1e3 * study.trials.front().options.h_s, 4) + " ms (--dt " +
-           format_number(study.trials.front().options.h_s, 4) + ")";
+    return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " +
+           format_number(result.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) + " DOF, steps of " +
+           format_number(1e3 * setup.trials.front().options.h_s, 4) + " ms (--dt " +
+           format_number(setup.trials.front().options.h_s, 4) + ")";
 }
 
-Result<void> write_results(const OptimizeCall& call, const Study& study, const Optimization& result,
-                           const RunFacts& facts) {
-    const Json json = optimize_json(study, result, facts);
-    if (const Result<void> written = write_json(call.out / "optimize.json", json); !written) return written.error();
-    if (const Result<void> files = write_actuation(call.out, study, result); !files) return files.error();
-    return write_html(call.out / "report.html", optimize_report(study, result, facts));
+Result<void> write_results(const OptimizeCall& call, const setup::Setup& setup, const calibration::Optimization& result,
+                           const results::RunFacts& facts) {
+    const report::Json json = results::optimize_json(setup, result, facts);
+    if (const Result<void> written = report::write_json(call.out / "optimize.json", json); !written)
+        return written.error();
+    if (const Result<void> files = results::write_actuation(call.out, setup, result); !files) return files.error();
+    return report::write_html(call.out / "report.html", results::optimize_report(setup, result, facts));
 }
 
-int end_status(const OptimizeCall& call, const Optimization& result, Console& console) {
-    const std::string kept = "; the best signals so far are written to " + call.out.string() + ", --resume goes on from them";
+int end_status(const OptimizeCall& call, const calibration::Optimization& result, Console& console) {
+    const std::string kept = "; the best signals so far are written to " + call.out.string() +
+                             ", --resume goes on from them";
     if (result.stopped) {
         console.complain("stopped before the search converged" + kept);
         return status_stopped;
@@ -108,44 +112,47 @@ int end_status(const OptimizeCall& call, const Optimization& result, Console& co
 int optimize_command(const OptimizeCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
-    StudyOpening opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
-    if (!opening.study) return opening.status;
-    Study& study = *opening.study;
-    const OptimizeSettings settings = settings_of(call);
-    const Result<ActuationProblem> problem = actuation_problem(study, settings);
+    OpenedExperiment opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
+    if (!opening.setup) return opening.status;
+    setup::Setup& setup = *opening.setup;
+    const calibration::OptimizeSettings settings = settings_of(call);
+    const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings);
     if (!problem) return console.refuse(problem.error());
-    EarlierOptimization from{unmoved_values(problem->sought)};
+    results::EarlierOptimization from{inverse::unmoved_values(problem->sought)};
     if (call.resume) {
-        const Result<EarlierOptimization> earlier = read_optimization(call.out, study, *problem);
+        const Result<results::EarlierOptimization> earlier = results::read_optimization(call.out, setup, *problem);
         if (!earlier) return console.refuse(earlier.error());
         from = *earlier;
     }
-    for (const std::string& warning : study.warnings) console.warn(warning);
-    const std::vector<Finding> before = check_before(study);
+    for (const std::string& warning : setup.warnings) console.warn(warning);
+    const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
     std::vector<std::string> names;
-    for (const SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
-    console.print(study.experiment.name + ", trial " + study.trials.front().name + ": " + std::to_string(from.values.size()) + " values of " +
-                  join(names) + " at " + format_number(settings.frequency_Hz) + " Hz\n" + size_line(study));
-    const double setup_s = opening.setup.seconds();
+    for (const inverse::SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
+    console.print(setup.experiment.name + ", trial " + setup.trials.front().name + ": " +
+                  std::to_string(from.values.size()) + " values of " + join(names) + " at " +
+                  format_number(settings.frequency_Hz) + " Hz\n" + size_line(setup));
+    const double setup_s = opening.stopwatch.seconds();
 
-    Optimization result = optimize_with_chosen_steps(study, *problem, settings, from.values, progress);
+    calibration::Optimization result = calibration::optimize_with_chosen_steps(setup, *problem, settings, from.values,
+                                                                               progress);
     result.earlier_evaluations += from.evaluations;
     if (!result.usable()) {
         if (result.stopped) return stopped_before(first_evaluation, console);
-        console.complain("the trial could not be run: " + result.fit.message + "; a smaller --dt or another mesh (--element, --resolution) may help");
+        console.complain("the trial could not be run: " + result.fit.message +
+                         "; a smaller --dt or another mesh (--element, --resolution) may help");
         return status_failed;
     }
     for (const std::string& warning : result.warnings) console.warn(warning);
-    RunFacts facts = run_facts(call, setup_s);
+    results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = before;
     if (!result.stopped) {
-        const StudyRun run = run_with_found_signals(study, result, progress);
-        facts.findings = check_after({study, &run}, before);
+        const prediction::SetupRun run = calibration::run_with_found_signals(setup, result, progress);
+        facts.findings = check::check_after({setup, &run}, before);
         tell_findings(facts.findings, before, console);
     }
-    console.print("\n" + result_lines(study, result));
-    if (const Result<void> written = write_results(call, study, result, facts); !written)
+    console.print("\n" + result_lines(setup, result));
+    if (const Result<void> written = write_results(call, setup, result, facts); !written)
         return console.fail(written.error());
     console.print("report: " + (call.out / "report.html").string());
     return end_status(call, result, console);
@@ -156,31 +163,36 @@ int optimize_command(const OptimizeCall& call) {
 std::function<int()> declare_optimize(CLI::App& app) {
     const auto call = std::make_shared<OptimizeCall>();
     call->step_choice = StepChoice::half_interval;
-    declare_study_call(app, *call);
-    call->outputs = [own = call.get()](const Experiment& experiment) {
+    declare_experiment_call(app, *call);
+    call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
         std::vector<std::filesystem::path> files = trace_files_and(*own, experiment, {"optimize.json", "report.html"});
-        const std::vector<std::filesystem::path> signals = actuation_files(own->out, experiment);
+        const std::vector<std::filesystem::path> signals = results::actuation_files(own->out, experiment);
         files.insert(files.end(), signals.begin(), signals.end());
         return files;
     };
-    app.add_option("--trial", call->trial, "trial whose trace is the target (default: the first with role fit)")->type_name("NAME");
-    add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")->type_name("HZ");
+    app.add_option("--trial", call->trial, "trial whose trace is the target (default: the first with role fit)")
+        ->type_name("NAME");
+    add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")
+        ->type_name("HZ");
     app.add_flag("--hold", call->hold, "hold each value until the next instead of going there in a straight line");
     app.add_option_function<std::string>(
            "--smoothness",
            [call](const std::string& text) {
                double value = 0.0;
-               if (!parse_number(text, value) || !std::isfinite(value) || value < 0.0) throw CLI::ValidationError("--smoothness", "'" + text + "' is not a number from 0 on");
+               if (!parse_number(text, value) || !std::isfinite(value) || value < 0.0)
+                   throw CLI::ValidationError("--smoothness", "'" + text + "' is not a number from 0 on");
                call->smoothness_mm_s = value;
            },
-           "so many millimetres of rms error a signal that changes by 1 per second is worth (default: the noise of the markers)")
+           "so many millimetres of rms error a signal that changes by 1 per second is worth (default: the noise of the "
+           "markers)")
         ->type_name("MM");
     add_optional_number(app, "--lowest", call->lowest, "lowest activation of any muscle (default: 0.5)");
     add_optional_number(app, "--highest", call->highest, "highest activation of any muscle (default: 2)");
     add_count(app, "--max-evaluations", call->max_evaluations, "runs with their gradient, at most (default: 100)");
-    add_count(app, "--starts", call->starts, "searches: the first from where the signals rest, the others from random levels (--seed)");
+    add_count(app, "--starts", call->starts,
+              "searches: the first from where the signals rest, the others from random levels (--seed)");
     app.add_flag("--resume", call->resume, "go on from the optimize.json in DIR");
     return [call] { return optimize_command(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

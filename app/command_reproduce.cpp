@@ -17,7 +17,7 @@
 #include "reproduce/reproduction.hpp"
 #include "standard_output.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 struct ReproduceCall {
@@ -27,7 +27,7 @@ struct ReproduceCall {
     WorkOptions work;
 };
 
-std::string cell_text(const Cell& cell, const Column& column) {
+std::string cell_text(const report::Cell& cell, const report::Column& column) {
     if (const auto* text = std::get_if<std::string>(&cell.content)) return *text;
     const double value = std::get<double>(cell.content);
     return std::isfinite(value) ? format_number(value, column.digits) : "-";
@@ -35,17 +35,18 @@ std::string cell_text(const Cell& cell, const Column& column) {
 
 /// Characters, not bytes, of UTF-8 text.
 std::size_t width_of(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
 /// Columns of equal width, titles and units above.
-std::string table_text(const Table& table) {
+std::string table_text(const report::Table& table) {
     std::vector<std::vector<std::string>> rows(2);
-    for (const Column& column : table.columns) {
+    for (const report::Column& column : table.columns) {
         rows[0].push_back(column.title);
         rows[1].push_back(column.unit);
     }
-    for (const std::vector<Cell>& cells : table.rows) {
+    for (const std::vector<report::Cell>& cells : table.rows) {
         rows.emplace_back();
         for (std::size_t i = 0; i < cells.size(); ++i) rows.back().push_back(cell_text(cells[i], table.columns[i]));
     }
@@ -64,7 +65,7 @@ std::string table_text(const Table& table) {
 }
 
 int list_cases() {
-    for (const ReproductionCase& one : reproduction_catalogue())
+    for (const reproduce::ReproductionCase& one : reproduce::reproduction_catalogue())
         print_format("%-18s %s\n", one.id.c_str(), one.summary.c_str());
     return status_done;
 }
@@ -72,10 +73,11 @@ int list_cases() {
 int reproduce_command(const ReproduceCall& call) {
     if (call.id.empty()) return list_cases();
     Console console(call.work.quiet, call.work.json_progress);
-    const ReproductionCase* const one = find_reproduction(call.id);
-    if (one == nullptr) return console.refuse({unknown_word(call.id, reproduction_ids()), "reproduce"});
-    if (call.out.empty()) return console.refuse({"--out DIR is needed: the folder for tables, figures and report", "reproduce"});
-    const std::vector<std::filesystem::path> outputs = reproduction_files(call.out, *one);
+    const reproduce::ReproductionCase* const one = reproduce::find_reproduction(call.id);
+    if (one == nullptr) return console.refuse({unknown_word(call.id, reproduce::reproduction_ids()), "reproduce"});
+    if (call.out.empty())
+        return console.refuse({"--out DIR is needed: the folder for tables, figures and report", "reproduce"});
+    const std::vector<std::filesystem::path> outputs = reproduce::reproduction_files(call.out, *one);
     if (const Result<void> kept = check_overwrites("--out", outputs, reference_files()); !kept)
         return console.refuse(kept.error());
     std::error_code code;
@@ -84,14 +86,14 @@ int reproduce_command(const ReproduceCall& call) {
     const Result<FolderLock> lock = FolderLock::take(call.out);
     if (!lock) return console.refuse({lock.error().text(), "--out"});
 
-    ReproduceSettings settings;
-    settings.data = data_folder();
+    reproduce::ReproduceSettings settings;
+    settings.data = bench::data_folder();
     settings.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
     settings.coarse = call.coarse;
     if (call.work.seed) settings.seed = *call.work.seed;
     const Progress progress = console.progress();
     const Stopwatch watch;
-    Result<Reproduction> result = one->run(settings, progress);
+    Result<reproduce::Reproduction> result = one->run(settings, progress);
     if (progress.cancelled()) {
         console.complain("stopped; nothing was written");
         return status_stopped;
@@ -103,11 +105,13 @@ int reproduce_command(const ReproduceCall& call) {
     const double seconds = watch.seconds();
     result->values["seconds"] = seconds;
     result->values["coarse"] = call.coarse;
-    if (call.coarse) result->warnings.push_back("--coarse: these are not the paper's meshes; what is said about them holds for the full run only");
+    if (call.coarse)
+        result->warnings.push_back(
+            "--coarse: these are not the paper's meshes; what is said about them holds for the full run only");
     for (const std::string& warning : result->warnings) console.warn(warning);
-    for (const Table& table : result->tables) console.print(table_text(table) + "\n");
+    for (const report::Table& table : result->tables) console.print(table_text(table) + "\n");
     for (const std::string& finding : result->findings) console.print("- " + finding);
-    if (const Result<void> written = write_reproduction(call.out, *one, *result); !written)
+    if (const Result<void> written = reproduce::write_reproduction(call.out, *one, *result); !written)
         return console.fail(written.error());
     console.print("\n" + format_number(seconds, 3) + " s; report: " + (call.out / "report.html").string());
     return status_done;
@@ -117,11 +121,12 @@ int reproduce_command(const ReproduceCall& call) {
 
 std::function<int()> declare_reproduce(CLI::App& app) {
     const auto call = std::make_shared<ReproduceCall>();
-    app.add_option("case", call->id, "One of: " + join(reproduction_ids()) + "; lists them when left out");
+    app.add_option("case", call->id, "One of: " + join(reproduce::reproduction_ids()) + "; lists them when left out");
     app.add_option("--out", call->out, "Folder for <case>.json, the figures and report.html")->type_name("DIR");
-    app.add_flag("--coarse", call->coarse, "Few cells and steps: seconds instead of minutes, numbers good to some percent");
+    app.add_flag("--coarse", call->coarse,
+                 "Few cells and steps: seconds instead of minutes, numbers good to some percent");
     add_work_options(app, call->work);
     return [call] { return reproduce_command(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -3,22 +3,22 @@
 #include <string_view>
 
 #include "backend/project_file.hpp"
+#include "backend/workbench_backend.hpp"
 #include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "exit_status.hpp"
+#include "experiment/read_experiment.hpp"
 #include "options.hpp"
 #include "panels/screenshot.hpp"
-#include "project/output_files.hpp"
-#include "project/read_experiment.hpp"
-#include "backend/workbench_backend.hpp"
+#include "results/output_files.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 struct ScreenshotCall {
-    ScreenshotOptions picture;
+    ui::panels::ScreenshotOptions picture;
     std::filesystem::path out;
     std::string theme = "dark";
     int percent = 100;
@@ -27,7 +27,7 @@ struct ScreenshotCall {
     bool json_progress = false;
 };
 
-void parse_size(const std::string& text, ScreenshotOptions& picture) {
+void parse_size(const std::string& text, ui::panels::ScreenshotOptions& picture) {
     const auto side = [](std::string_view word, int& value) {
         const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
         return code == std::errc{} && end == word.data() + word.size() && value >= 320 && value <= 8192;
@@ -39,35 +39,39 @@ void parse_size(const std::string& text, ScreenshotOptions& picture) {
 }
 
 /// What is opened to be drawn, and what that is read from in turn.
-std::vector<std::filesystem::path> files_drawn(const ScreenshotOptions& picture) {
+std::vector<std::filesystem::path> files_drawn(const ui::panels::ScreenshotOptions& picture) {
     std::vector<std::filesystem::path> files{picture.open, picture.import};
     std::filesystem::path source = picture.open;
-    if (is_project(picture.open))
-        if (const Result<Project> project = read_project_file(picture.open)) source = project->source;
+    if (ui::commands::is_project(picture.open))
+        if (const Result<ui::commands::Project> project = backend::read_project_file(picture.open))
+            source = project->source;
     files.push_back(source);
-    if (const Result<Experiment> experiment = read_experiment(source))
-        for (const std::filesystem::path& file : files_read(source, *experiment)) files.push_back(file);
+    if (const Result<experiment::Experiment> experiment = experiment::read_experiment(source))
+        for (const std::filesystem::path& file : results::files_read(source, *experiment)) files.push_back(file);
     return files;
 }
 
 int screenshot_command(const ScreenshotCall& call) {
     Console console(call.quiet, call.json_progress);
     if (call.out.empty()) return console.refuse({"name the picture to write", "--out"});
-    if (call.out.extension() != ".png") return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
+    if (call.out.extension() != ".png")
+        return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
     const Result<void> kept = check_overwrites("--out", {call.out}, files_drawn(call.picture));
     if (!kept) return console.refuse(kept.error());
     const Progress progress = console.progress();
-    ScreenshotOptions picture = call.picture;
+    ui::panels::ScreenshotOptions picture = call.picture;
     picture.run = !call.as_opened && !call.picture.calibrate && !call.picture.optimize;
-    picture.theme = call.theme == "light" ? ThemeName::light : ThemeName::dark;
+    picture.theme = call.theme == "light" ? ui::platform::ThemeName::light : ui::platform::ThemeName::dark;
     picture.scale = 0.01f * static_cast<float>(call.percent);
-    const Result<Image> image = draw_screenshot(make_core_backend(), picture, progress);
+    const Result<ui::platform::Image> image = ui::panels::draw_screenshot(backend::make_core_backend(), picture,
+                                                                          progress);
     if (progress.cancelled()) {
         console.complain("stopped; nothing was written");
         return status_stopped;
     }
     if (!image) return console.refuse(image.error());
-    if (const Result<void> written = write_png(*image, call.out); !written) return console.fail(written.error());
+    if (const Result<void> written = ui::platform::write_png(*image, call.out); !written)
+        return console.fail(written.error());
     console.print(call.out.string());
     return status_done;
 }
@@ -76,22 +80,36 @@ int screenshot_command(const ScreenshotCall& call) {
 
 std::function<int()> declare_screenshot(CLI::App& app) {
     const auto call = std::make_shared<ScreenshotCall>();
-    app.add_option("FILE", call->picture.open, "experiment folder, mesh or project (default: the start page)")->type_name("");
+    app.add_option("FILE", call->picture.open, "experiment folder, mesh or project (default: the start page)")
+        ->type_name("");
     app.add_option("--out", call->out, "picture to write")->type_name("X.png");
-    app.add_option_function<std::string>("--size", [call](const std::string& text) { parse_size(text, call->picture); },
-                                         "width and height in pixels (default 1600x900)")
+    app.add_option_function<std::string>(
+           "--size", [call](const std::string& text) { parse_size(text, call->picture); },
+           "width and height in pixels (default 1600x900)")
         ->type_name("WxH");
-    app.add_option("--panel", call->picture.panels, "panels to bring to the front, at the side and below the view")->delimiter(',')->type_name("A,B");
-    app.add_option("--theme", call->theme, "dark or light (default: dark)")->check(CLI::IsMember({"dark", "light"}))->type_name("NAME");
-    app.add_option("--scale", call->percent, "size of text and controls, 75 to 250 (default: 100)")->check(CLI::Range(75, 250))->type_name("PERCENT");
+    app.add_option("--panel", call->picture.panels, "panels to bring to the front, at the side and below the view")
+        ->delimiter(',')
+        ->type_name("A,B");
+    app.add_option("--theme", call->theme, "dark or light (default: dark)")
+        ->check(CLI::IsMember({"dark", "light"}))
+        ->type_name("NAME");
+    app.add_option("--scale", call->percent, "size of text and controls, 75 to 250 (default: 100)")
+        ->check(CLI::Range(75, 250))
+        ->type_name("PERCENT");
     app.add_option("--trial", call->picture.trial, "trial to show")->type_name("NAME");
     app.add_option("--marker", call->picture.marker, "marker to plot")->type_name("NAME");
-    add_optional_number(app, "--time", call->picture.time_s, "time to show [s] (default: the end of the trial)")->type_name("SECONDS");
-    app.add_option("--field", call->picture.field, "quantity that colours the body: displacement, stretch, von_mises, ...")->type_name("NAME");
-    app.add_option("--import", call->picture.import, "recording of motion capture to be looked at, as before it becomes a trial")->type_name("FILE");
+    add_optional_number(app, "--time", call->picture.time_s, "time to show [s] (default: the end of the trial)")
+        ->type_name("SECONDS");
+    app.add_option("--field", call->picture.field,
+                   "quantity that colours the body: displacement, stretch, von_mises, ...")
+        ->type_name("NAME");
+    app.add_option("--import", call->picture.import,
+                   "recording of motion capture to be looked at, as before it becomes a trial")
+        ->type_name("FILE");
     add_unit(app, call->picture.metres_per_unit);
     app.add_flag("--calibrate", call->picture.calibrate, "calibrate before drawing, instead of a plain run");
-    app.add_flag("--optimize", call->picture.optimize, "look for the muscles' signals before drawing, instead of a plain run");
+    app.add_flag("--optimize", call->picture.optimize,
+                 "look for the muscles' signals before drawing, instead of a plain run");
     app.add_flag("--diagnose", call->picture.diagnose, "diagnose, too: for the panel diagnose");
     app.add_flag("--as-opened", call->as_opened, "draw without running anything");
     app.add_flag("--quiet", call->quiet, "print errors only");
@@ -99,4 +117,4 @@ std::function<int()> declare_screenshot(CLI::App& app) {
     return [call] { return screenshot_command(*call); };
 }
 
-}  // namespace myo
+}  // namespace myo::app

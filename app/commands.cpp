@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 std::vector<std::string> remembered;
@@ -14,9 +14,11 @@ const std::vector<Subcommand>& commands() {
         {"simulate", "Runs the trials of an experiment folder with its declared model", declare_simulate},
         {"calibrate", "Fits the declared unknowns of an experiment folder and reports", declare_calibrate},
         {"diagnose", "Finds the physical effect that the declared model lacks, and what it is worth", declare_diagnose},
-        {"study", "Diagnoses synthetic experiments with known answers: how far diagnose is to be trusted", declare_study},
+        {"validate", "Diagnoses synthetic experiments with known answers: how reliable diagnose is", declare_validate,
+         "study"},
         {"optimize", "Finds the actuation that makes the markers follow a trial's trace", declare_optimize},
-        {"gradcheck", "Compares the gradient of a trial's run with differences, for every parameter", declare_gradcheck},
+        {"gradcheck", "Compares the gradient of a trial's run with differences, for every parameter",
+         declare_gradcheck},
         {"mesh", "Meshes a surface, or checks a volume mesh; prints counts and quality", declare_mesh},
         {"screenshot", "Draws the workbench into a picture, without a display", declare_screenshot},
         {"reproduce", "Repeats an experiment of the paper, our numbers beside its own", declare_reproduce},
@@ -41,4 +43,4 @@ void remember_command_line(int argc, const char* const* argv) {
     if (!remembered.empty()) remembered.front() = std::filesystem::path(remembered.front()).filename().string();
 }
 
-}  // namespace myo
+}  // namespace myo::app

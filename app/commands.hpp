@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::app {
 
 /// A subcommand: a file command_<name>.cpp and a line in commands.cpp.
 struct Subcommand {
@@ -14,13 +14,14 @@ struct Subcommand {
     std::string summary;
     /// Adds the command's options and returns what it does; that returns the exit status.
     std::function<int()> (*declare)(CLI::App& app);
+    std::string former_name = {};  // still understood, with a note; empty: none
 };
 const std::vector<Subcommand>& commands();
 std::vector<std::string> command_names();
 
 std::function<int()> declare_simulate(CLI::App& app);
 std::function<int()> declare_diagnose(CLI::App& app);
-std::function<int()> declare_study(CLI::App& app);
+std::function<int()> declare_validate(CLI::App& app);
 std::function<int()> declare_calibrate(CLI::App& app);
 std::function<int()> declare_optimize(CLI::App& app);
 std::function<int()> declare_gradcheck(CLI::App& app);
@@ -36,4 +37,4 @@ std::function<int()> declare_info(CLI::App& app);
 const std::vector<std::string>& command_line();
 void remember_command_line(int argc, const char* const* argv);
 
-}  // namespace myo
+}  // namespace myo::app

@@ -12,19 +12,24 @@
 #include "report/json.hpp"
 #include "standard_output.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 std::string one_line(std::string text) {
-    std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return text;
 }
 
 std::string duration_words(double seconds) {
     char text[32];
-    if (seconds < 60.0) std::snprintf(text, sizeof text, "%.0f s", std::ceil(seconds));
-    else if (seconds < 3600.0) std::snprintf(text, sizeof text, "%d min %02d s", static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
-    else std::snprintf(text, sizeof text, "%.1f h", std::min(seconds / 3600.0, 1e6));
+    if (seconds < 60.0)
+        std::snprintf(text, sizeof text, "%.0f s", std::ceil(seconds));
+    else if (seconds < 3600.0)
+        std::snprintf(text, sizeof text, "%d min %02d s", static_cast<int>(seconds) / 60,
+                      static_cast<int>(seconds) % 60);
+    else
+        std::snprintf(text, sizeof text, "%.1f h", std::min(seconds / 3600.0, 1e6));
     return text;
 }
 
@@ -39,16 +44,20 @@ std::string bar_of(double share) {
 /// The bar is of the running evaluation: how many there will be is not known, only their greatest number.
 std::string evaluation_bar(const ProgressEvent& event, double elapsed_s) {
     const double complete = std::floor(event.done);
-    std::string text = event.task + "  evaluation " + format_number(complete + 1.0, 4) + " " + bar_of(event.done - complete) + "  " +
-                       duration_words(elapsed_s) + " so far";
-    if (event.done >= 1.0 && event.done < event.total) text += ", at most " + duration_words(elapsed_s * (event.total - event.done) / event.done) + " left";
+    std::string text = event.task + "  evaluation " + format_number(complete + 1.0, 4) + " " +
+                       bar_of(event.done - complete) + "  " + duration_words(elapsed_s) + " so far";
+    if (event.done >= 1.0 && event.done < event.total)
+        text += ", at most " + duration_words(elapsed_s * (event.total - event.done) / event.done) + " left";
     return event.message.empty() ? text : text + "  " + event.message;
 }
 
 }  // namespace
 
 Console::Console(bool quiet, bool json_progress)
-    : quiet_(quiet), json_progress_(json_progress), terminal_(::isatty(STDERR_FILENO) == 1), task_start_(Clock::now()) {}
+    : quiet_(quiet),
+      json_progress_(json_progress),
+      terminal_(::isatty(STDERR_FILENO) == 1),
+      task_start_(Clock::now()) {}
 
 Console::~Console() { clear_bar(); }
 
@@ -72,7 +81,8 @@ void Console::show(const ProgressEvent& event) {
     const bool last = event.total > 0.0 && event.done >= event.total;
     if (!last && !throttle_.ready()) return;
     bar_shown_ = true;
-    std::fprintf(stderr, "\r\033[K%s", progress_bar(event, std::chrono::duration<double>(now - task_start_).count()).c_str());
+    std::fprintf(stderr, "\r\033[K%s",
+                 progress_bar(event, std::chrono::duration<double>(now - task_start_).count()).c_str());
     std::fflush(stderr);
 }
 
@@ -111,20 +121,28 @@ int Console::fail(const Error& error) {
 }
 
 std::string progress_line(const ProgressEvent& event) {
-    Json json{{"event", "progress"}, {"task", event.task}, {"done", json_number(event.done)}, {"total", json_number(event.total)}, {"unit", event.unit}};
+    report::Json json{{"event", "progress"},
+                      {"task", event.task},
+                      {"done", report::json_number(event.done)},
+                      {"total", report::json_number(event.total)},
+                      {"unit", event.unit}};
     if (!event.message.empty()) json["message"] = event.message;
-    return json_line(json);
+    return report::json_line(json);
 }
 
 std::string progress_bar(const ProgressEvent& event, double elapsed_s) {
     if (event.unit == "evaluations") return evaluation_bar(event, elapsed_s);
     // What does not know its end tells how long it has gone on.
-    if (!(event.total > 0.0)) return event.task + "  " + duration_words(elapsed_s) + " so far" + (event.message.empty() ? "" : "  " + event.message);
+    if (!(event.total > 0.0))
+        return event.task + "  " + duration_words(elapsed_s) + " so far" +
+               (event.message.empty() ? "" : "  " + event.message);
     const double share = std::clamp(event.done / event.total, 0.0, 1.0);
-    std::string text = event.task + "  " + bar_of(share) + "  " + format_number(event.done, 4) + " of " + format_number(event.total, 4) + " " + event.unit;
+    std::string text = event.task + "  " + bar_of(share) + "  " + format_number(event.done, 4) + " of " +
+                       format_number(event.total, 4) + " " + event.unit;
     // The first moments promise nothing.
-    if (share > 0.01 && share < 1.0 && elapsed_s > 0.5) text += "  " + duration_words(elapsed_s * (1.0 - share) / share) + " left";
+    if (share > 0.01 && share < 1.0 && elapsed_s > 0.5)
+        text += "  " + duration_words(elapsed_s * (1.0 - share) / share) + " left";
     return event.message.empty() ? text : text + "  " + event.message;
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -8,7 +8,7 @@
 #include "base/result.hpp"
 #include "base/throttle.hpp"
 
-namespace myo {
+namespace myo::app {
 
 /// Where a command speaks: results to standard output, progress and problems to standard error.
 ///
@@ -57,7 +57,8 @@ private:
 /// A progress event as one line: {"event":"progress","task":...,"done":...,"total":...,"unit":...,"message":...}
 std::string progress_line(const ProgressEvent& event);
 
-/// "[#####     ]  45 %  1.20 of 2.50 s  8 s left"; of a fit "evaluation 4 [#####     ]  45 %  12 s so far, at most 3 min 02 s left".
+/// "[#####     ]  45 %  1.20 of 2.50 s  8 s left"; of a fit "evaluation 4 [#####     ]  45 %  12 s so far, at most 3
+/// min 02 s left".
 std::string progress_bar(const ProgressEvent& event, double elapsed_s);
 
-}  // namespace myo
+}  // namespace myo::app

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace myo {
+namespace myo::app {
 
 /// What the program returns to its caller.
 enum ExitStatus : int {
@@ -10,4 +10,4 @@ enum ExitStatus : int {
     status_stopped = 130,  // by the user, as a shell says it
 };
 
-}  // namespace myo
+}  // namespace myo::app

@@ -12,10 +12,10 @@
 #include "platform/gl.hpp"
 #include "platform/offscreen_context.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
-constexpr int width = 1600, height = 900;
+constexpr int picture_width = 1600, picture_height = 900;
 constexpr double goal_ms = 50.0, busy_goal_ms = 100.0, stroke_goal_ms = 100.0;
 
 // A plate of one layer of 71 x 71 cells: its outside has 20,732 triangles, and a run of it stays short.
@@ -25,10 +25,13 @@ constexpr double bar_m = 0.182, bar_side_m = 0.0594, bar_cell_m = 0.0021;
 
 std::string experiment(const std::string& name, const Eigen::Vector3d& size, const std::string& rest) {
     std::ostringstream text;
-    text << "schema = \"experiment/1\"\nname = \"" << name << "\"\n[geometry]\nkind = \"box\"\nsize_m = [" << size.x() << ", " << size.y() << ", " << size.z() << "]\n"
+    text << "schema = \"experiment/1\"\nname = \"" << name << "\"\n[geometry]\nkind = \"box\"\nsize_m = [" << size.x()
+         << ", " << size.y() << ", " << size.z() << "]\n"
          << "[clamp]\nbox_m = [[-0.001, -1, -1], [0.0005, 1, 1]]\n"
-            "[material]\nmodel = \"neo_hookean\"\nyoungs_modulus_Pa = 3e5\npoissons_ratio = 0.45\ndensity_kg_m3 = 1070\ndamping_s = 0.003\ncalibrate = []\n"
-            "[environment]\ngravity_m_s2 = [0, 0, 0]\n[registration]\nknown = true\n" << rest;
+            "[material]\nmodel = \"neo_hookean\"\nyoungs_modulus_Pa = 3e5\npoissons_ratio = 0.45\ndensity_kg_m3 = "
+            "1070\ndamping_s = 0.003\ncalibrate = []\n"
+            "[environment]\ngravity_m_s2 = [0, 0, 0]\n[registration]\nknown = true\n"
+         << rest;
     return text.str();
 }
 
@@ -46,32 +49,40 @@ Result<void> write_plate(const std::filesystem::path& folder) {
     for (int k = 0; k < samples; ++k) {
         const double t = 0.005 * k;
         trace << '\n' << t;
-        for (int m = 0; m < markers; ++m) trace << ',' << place(m) * (1.0 - 0.03 * std::sin(20.0 * t)) << ',' << 0.5 * plate_m << ',' << layer_m;
+        for (int m = 0; m < markers; ++m)
+            trace << ',' << place(m) * (1.0 - 0.03 * std::sin(20.0 * t)) << ',' << 0.5 * plate_m << ',' << layer_m;
     }
-    rest << "[[muscle]]\nname = \"middle\"\nbox_m = [[0.01, 0, -1], [" << 0.9 * plate_m << ", 1, 1]]\nfibre = [1, 0, 0]\nstiffness_Pa = 1e5\n"
-            "[[trial]]\nname = \"swing\"\nrole = \"fit\"\ntrace = \"swing.csv\"\nformat = \"csv\"\nstart = \"straight\"\n";
+    rest << "[[muscle]]\nname = \"middle\"\nbox_m = [[0.01, 0, -1], [" << 0.9 * plate_m
+         << ", 1, 1]]\nfibre = [1, 0, 0]\nstiffness_Pa = 1e5\n"
+            "[[trial]]\nname = \"swing\"\nrole = \"fit\"\ntrace = \"swing.csv\"\nformat = \"csv\"\nstart = "
+            "\"straight\"\n";
     if (const auto written = write_file(folder / "swing.csv", trace.str() + "\n"); !written) return written;
     return write_file(folder / "experiment.toml", experiment("Plate", {plate_m, plate_m, layer_m}, rest.str()));
 }
 
 /// A bar that is only painted; its one trial is there because an experiment needs one.
 Result<void> write_bar(const std::filesystem::path& folder) {
-    if (const auto written = write_file(folder / "still.csv", "time_s,end_x_m,end_y_m,end_z_m\n0,0.182,0,0\n0.01,0.182,0,0\n"); !written) return written;
+    if (const auto written = write_file(folder / "still.csv",
+                                        "time_s,end_x_m,end_y_m,end_z_m\n0,0.182,0,0\n0.01,0.182,0,0\n");
+        !written)
+        return written;
     return write_file(folder / "experiment.toml",
                       experiment("Bar", {bar_m, bar_side_m, bar_side_m},
                                  "[markers]\nnoise_m = 1e-4\n[markers.rest_m]\nend = [0.182, 0, 0]\n"
-                                 "[[trial]]\nname = \"still\"\nrole = \"fit\"\ntrace = \"still.csv\"\nformat = \"csv\"\nstart = \"straight\"\n"));
+                                 "[[trial]]\nname = \"still\"\nrole = \"fit\"\ntrace = \"still.csv\"\nformat = "
+                                 "\"csv\"\nstart = \"straight\"\n"));
 }
 
 /// The workbench off screen, with a watch.
 class Bench {
 public:
-    Bench(const Progress& progress, const std::function<void(const FrameTimes&)>& done) : progress_(progress), done_(done), workbench_(make_core_backend()) {}
+    Bench(const Progress& progress, const std::function<void(const FrameTimes&)>& done)
+        : progress_(progress), done_(done), workbench_(backend::make_core_backend()) {}
 
     Result<FrameBench> run(const std::filesystem::path& folder) {
-        auto context = OffscreenContext::make(width, height);
+        auto context = ui::platform::OffscreenContext::make(picture_width, picture_height);
         if (!context) return context.error();
-        auto window = WorkbenchWindow::make(workbench_);
+        auto window = ui::panels::WorkbenchWindow::make(workbench_);
         if (!window) return window.error();
         window_ = &*window;
         for (const auto& part : {&Bench::draw_plate, &Bench::paint_bar})
@@ -80,13 +91,14 @@ public:
     }
 
 private:
-    const WorkbenchState& state() const { return workbench_.state(); }
+    const ui::commands::WorkbenchState& state() const { return workbench_.state(); }
 
     Result<double> frame_ms(double seconds = 1.0 / 30.0) {
         if (progress_.cancelled()) return Error{"stopped", ""};
         const Stopwatch watch;
-        if (const auto drawn = window_->draw_frame(width, height, seconds); !drawn) return drawn.error();
-        gl::Finish();
+        if (const auto drawn = window_->draw_frame(picture_width, picture_height, seconds); !drawn)
+            return drawn.error();
+        ui::platform::gl::Finish();
         return 1e3 * watch.seconds();
     }
     /// Until what was asked for is seen and nothing waits.
@@ -95,20 +107,20 @@ private:
             if (const auto ms = frame_ms(); !ms) return ms.error();
         return {};
     }
-    Result<void> wait() { return wait_for_jobs(workbench_, progress_); }
+    Result<void> wait() { return ui::panels::wait_for_jobs(workbench_, progress_); }
     void finish(FrameTimes times) {
         if (done_) done_(times);
         result_.situations.push_back(std::move(times));
     }
 
     Result<void> open(const std::filesystem::path& folder, double cell_m) {
-        workbench_.execute(command::Open{folder, std::nullopt});
+        workbench_.execute(ui::commands::Open{folder, std::nullopt});
         if (const auto opened = wait(); !opened) return opened;
-        Settings settings = state().settings;
-        settings.element = CellType::hex8;
+        ui::commands::Settings settings = state().settings;
+        settings.element = mesh::CellType::hex8;
         settings.resolution_m = cell_m;
-        workbench_.execute(command::ChangeSettings{settings, "resolution"});
-        workbench_.execute(command::BuildMesh{});
+        workbench_.execute(ui::commands::ChangeSettings{settings, "resolution"});
+        workbench_.execute(ui::commands::BuildMesh{});
         return wait();
     }
 
@@ -119,17 +131,18 @@ private:
         if (!view) return Error{"the window shows no view", ""};
         // Beside the body, where no brush takes the drag.
         const ImVec2 start{view->lowest.x + 0.5f * view->width(), view->highest.y - 12.0f};
-        window_->input().push(MouseMoved{start.x, start.y});
-        window_->input().push(MouseButton{0, true, {}});
+        window_->input().push(ui::platform::MouseMoved{start.x, start.y});
+        window_->input().push(ui::platform::MouseButton{0, true, {}});
         if (const auto settled = settle(); !settled) return settled.error();
         for (int k = 0; goes_on(k); ++k) {
             const float angle = 0.1f * static_cast<float>(k);
-            window_->input().push(MouseMoved{start.x + 150.0f * std::sin(angle), start.y - 4.0f + 4.0f * std::cos(angle)});
+            window_->input().push(
+                ui::platform::MouseMoved{start.x + 150.0f * std::sin(angle), start.y - 4.0f + 4.0f * std::cos(angle)});
             const auto ms = frame_ms();
             if (!ms) return ms.error();
             times.ms.push_back(*ms);
         }
-        window_->input().push(MouseButton{0, false, {}});
+        window_->input().push(ui::platform::MouseButton{0, false, {}});
         if (const auto settled = settle(); !settled) return settled.error();
         return times;
     }
@@ -137,12 +150,13 @@ private:
     Result<void> draw_plate(const std::filesystem::path& folder) {
         if (const auto written = write_plate(folder / "plate"); !written) return written;
         if (const auto opened = open(folder / "plate", layer_m); !opened) return opened;
-        workbench_.execute(command::Run{});
+        workbench_.execute(ui::commands::Run{});
         if (const auto ran = wait(); !ran) return ran;
         if (const auto settled = settle(); !settled) return settled;
         result_.triangles = static_cast<int>(window_->scene().surface->triangle_count());
 
-        FrameTimes still{"every panel in turn, nothing moves", goal_ms, {}}, turning{"every panel in turn, the view turns", goal_ms, {}};
+        FrameTimes still{"every panel in turn, nothing moves", goal_ms, {}},
+            turning{"every panel in turn, the view turns", goal_ms, {}};
         for (const std::string& panel : window_->panel_names()) {
             window_->show_panel(panel);
             if (const auto settled = settle(); !settled) return settled;
@@ -160,29 +174,30 @@ private:
 
         window_->show_panel("markers");
         FrameTimes playing{"the run plays over the marker plots", goal_ms, {}};
-        workbench_.execute(command::SetSpeed{0.1});
-        workbench_.execute(command::Play{});
+        workbench_.execute(ui::commands::SetSpeed{0.1});
+        workbench_.execute(ui::commands::Play{});
         if (const auto settled = settle(); !settled) return settled;
         for (int k = 0; k < 120; ++k) {
             const auto ms = frame_ms();
             if (!ms) return ms.error();
             playing.ms.push_back(*ms);
         }
-        workbench_.execute(command::Play{false});
+        workbench_.execute(ui::commands::Play{false});
         finish(std::move(playing));
 
         // In the background signals are sought; the view turns while the search plays its best.
-        OptimizeRequest request = state().optimize;
+        ui::commands::OptimizeRequest request = state().optimize;
         request.max_evaluations = 100;
-        workbench_.execute(command::ChangeOptimize{request});
-        workbench_.execute(command::Optimize{});
+        workbench_.execute(ui::commands::ChangeOptimize{request});
+        workbench_.execute(ui::commands::Optimize{});
         if (!state().busy()) return Error{state().log.back().text, "optimisation"};
         window_->show_panel("search");
         const Stopwatch watch;
-        auto searching = turn("the view turns while signals are sought", busy_goal_ms, [&](int k) { return state().busy() && (k < 200 || watch.seconds() < 20.0); });
+        auto searching = turn("the view turns while signals are sought", busy_goal_ms,
+                              [&](int k) { return state().busy() && (k < 200 || watch.seconds() < 20.0); });
         if (!searching) return searching.error();
-        workbench_.execute(command::Cancel{});
-        (void)wait();   // stopped before its first evaluation, a search is a failure; here it is not
+        workbench_.execute(ui::commands::Cancel{});
+        (void)wait();  // stopped before its first evaluation, a search is a failure; here it is not
         finish(std::move(*searching));
         return {};
     }
@@ -190,29 +205,30 @@ private:
     /// From the press of the button until the body's colours have changed and are drawn.
     Result<void> paint_bar(const std::filesystem::path& folder) {
         if (const auto written = write_bar(folder / "bar"); !written) return written;
-        workbench_.execute(command::ChangeSettings{state().saved_settings, "as opened"});
+        workbench_.execute(ui::commands::ChangeSettings{state().saved_settings, "as opened"});
         if (const auto opened = open(folder / "bar", bar_cell_m); !opened) return opened;
         result_.painted_cells = static_cast<int>(state().body->mesh.cell_count());
         window_->show_panel("fibres");
-        Settings settings = state().settings;
+        ui::commands::Settings settings = state().settings;
         settings.muscles.emplace_back();
         settings.muscles.back().name = "painted";
-        settings.muscles.back().signal = Signal::constant(1.0);
-        workbench_.execute(command::ChangeSettings{settings, "add muscle"});
-        BrushSettings brush = state().brush;
-        brush.tool = BrushTool::add;
-        workbench_.execute(command::ChangeBrush{brush});
+        settings.muscles.back().signal = fibre::Signal::constant(1.0);
+        workbench_.execute(ui::commands::ChangeSettings{settings, "add muscle"});
+        ui::commands::BrushSettings brush = state().brush;
+        brush.tool = ui::commands::BrushTool::add;
+        workbench_.execute(ui::commands::ChangeBrush{brush});
         if (const auto settled = settle(); !settled) return settled;
         const auto view = window_->items().find("view");
         if (!view) return Error{"the window shows no view", ""};
-        FrameTimes strokes{"from a press of the brush to its first pixel", stroke_goal_ms, {}}, going{"a stroke goes on", goal_ms, {}};
+        FrameTimes strokes{"from a press of the brush to its first pixel", stroke_goal_ms, {}},
+            going{"a stroke goes on", goal_ms, {}};
         for (int k = 0; k < 12; ++k) {
             const float share = 0.36f + 0.025f * static_cast<float>(k);
             const ImVec2 at{view->lowest.x + share * view->width(), view->center().y};
-            window_->input().push(MouseMoved{at.x, at.y});
+            window_->input().push(ui::platform::MouseMoved{at.x, at.y});
             if (const auto settled = settle(); !settled) return settled;
             const Eigen::Matrix4Xf before = window_->scene().tints;
-            window_->input().push(MouseButton{0, true, {}});
+            window_->input().push(ui::platform::MouseButton{0, true, {}});
             double waited = 0.0;
             for (int frame = 0; frame < 10; ++frame) {
                 const auto ms = frame_ms();
@@ -222,15 +238,16 @@ private:
             }
             strokes.ms.push_back(waited);
             for (int frame = 1; frame <= 5; ++frame) {
-                window_->input().push(MouseMoved{at.x, at.y + 4.0f * static_cast<float>(frame)});
+                window_->input().push(ui::platform::MouseMoved{at.x, at.y + 4.0f * static_cast<float>(frame)});
                 const auto ms = frame_ms();
                 if (!ms) return ms.error();
                 going.ms.push_back(*ms);
             }
-            window_->input().push(MouseButton{0, false, {}});
+            window_->input().push(ui::platform::MouseButton{0, false, {}});
             if (const auto settled = settle(); !settled) return settled;
         }
-        if (!(state().chosen_paint() && state().chosen_paint()->weights.maxCoeff() > 0.0)) return Error{"the strokes painted nothing", "bar"};
+        if (!(state().chosen_paint() && state().chosen_paint()->weights.maxCoeff() > 0.0))
+            return Error{"the strokes painted nothing", "bar"};
         finish(std::move(strokes));
         finish(std::move(going));
         return {};
@@ -238,8 +255,8 @@ private:
 
     const Progress& progress_;
     const std::function<void(const FrameTimes&)>& done_;
-    Workbench workbench_;
-    WorkbenchWindow* window_ = nullptr;
+    ui::commands::Workbench workbench_;
+    ui::panels::WorkbenchWindow* window_ = nullptr;
     FrameBench result_;
 };
 
@@ -253,8 +270,9 @@ double FrameTimes::percentile(double share) const {
     return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
 }
 
-Result<FrameBench> bench_frames(const std::filesystem::path& folder, const Progress& progress, const std::function<void(const FrameTimes&)>& done) {
+Result<FrameBench> bench_frames(const std::filesystem::path& folder, const Progress& progress,
+                                const std::function<void(const FrameTimes&)>& done) {
     return Bench(progress, done).run(folder);
 }
 
-}  // namespace myo
+}  // namespace myo::app

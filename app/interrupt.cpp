@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 // Signal handlers reach nothing but globals.
@@ -23,4 +23,4 @@ void catch_interrupts() {
 
 std::atomic<bool>& interrupt_flag() { return stop; }
 
-}  // namespace myo
+}  // namespace myo::app

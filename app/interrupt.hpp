@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-namespace myo {
+namespace myo::app {
 
 /// From now on Ctrl-C (and a polite kill) sets interrupt_flag(); a second one ends the program at once.
 void catch_interrupts();
@@ -10,4 +10,4 @@ void catch_interrupts();
 /// True once the user asked to stop.
 std::atomic<bool>& interrupt_flag();
 
-}  // namespace myo
+}  // namespace myo::app

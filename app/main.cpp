@@ -13,6 +13,7 @@
 #include <string>
 #include <system_error>
 
+#include "backend/workbench_backend.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
@@ -21,9 +22,8 @@
 #include "solver/sparse_cholesky.hpp"
 #include "standard_output.hpp"
 #include "window_glfw.hpp"
-#include "backend/workbench_backend.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 int complain(std::string sentence) {
@@ -42,7 +42,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 /// What was left over is a mistake: an option that does not exist, or a word too many.
 std::string surplus(const CLI::App& app) {
     const std::vector<std::string> rest = app.remaining();
-    const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+    const auto option = std::find_if(rest.begin(), rest.end(),
+                                     [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
     if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
     const std::string name = option->substr(0, option->find('='));
     return "unknown option " + unknown_word(name, option_names(app));
@@ -59,12 +60,20 @@ int open_or_complain(const std::string& file, const CLI::App& app) {
     if (!app.remaining().empty()) return complain(surplus(app));
     WindowOptions options;
     options.open = file;
-    const Result<void> closed = run_window(make_core_backend(), options);
+    const Result<void> closed = run_window(backend::make_core_backend(), options);
     return closed ? static_cast<int>(status_done) : complain(closed.error().text());
+}
+
+/// Says so if the call uses a command's former name.
+void note_former_name(const std::string& word) {
+    for (const Subcommand& command : commands())
+        if (!word.empty() && command.former_name == word)
+            std::fprintf(stderr, "myoloop: note: '%s' is now called '%s'\n", word.c_str(), command.name.c_str());
 }
 
 int run(int argc, char** argv) {
     remember_command_line(argc, argv);
+    if (argc > 1) note_former_name(argv[1]);
     CLI::App app("Myoloop: a workbench for soft robots. Without a command it opens the window.", "myoloop");
     app.set_version_flag("--version", "myoloop " MYOLOOP_VERSION);
     app.allow_extras();
@@ -75,6 +84,7 @@ int run(int argc, char** argv) {
     for (const Subcommand& command : commands()) {
         CLI::App* sub = app.add_subcommand(command.name, command.summary);
         sub->allow_extras();
+        if (!command.former_name.empty()) sub->alias(command.former_name);
         actions[sub] = command.declare(*sub);
     }
     try {
@@ -90,7 +100,8 @@ int run(int argc, char** argv) {
     const std::vector<CLI::App*> chosen = app.get_subcommands();
     if (chosen.empty()) return open_or_complain(file, app);
     if (!file.empty()) return complain("'" + file + "' stands before the command " + chosen.front()->get_name());
-    if (chosen.size() > 1) return complain("one command at a time: " + chosen[0]->get_name() + " or " + chosen[1]->get_name());
+    if (chosen.size() > 1)
+        return complain("one command at a time: " + chosen[0]->get_name() + " or " + chosen[1]->get_name());
     if (!chosen.front()->remaining().empty()) return complain(surplus(*chosen.front()));
     catch_interrupts();
     return actions.at(chosen.front())();
@@ -105,15 +116,15 @@ int with_output(int status) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::app
 
 int main(int argc, char** argv) {
-    myo::keep_closed_streams_closed();
-    myo::use_one_blas_thread();
+    myo::app::keep_closed_streams_closed();
+    myo::solver::use_one_blas_thread();
     try {
-        return myo::with_output(myo::run(argc, argv));
+        return myo::app::with_output(myo::app::run(argc, argv));
     } catch (const std::bad_alloc&) {
         std::fputs("myoloop: out of memory; try a coarser mesh (--resolution) or a larger step (--dt)\n", stderr);
-        return myo::status_failed;
+        return myo::app::status_failed;
     }
 }

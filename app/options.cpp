@@ -10,10 +10,12 @@
 #include "fem/element_block.hpp"
 #include "material/catalogue.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
-[[noreturn]] void reject(const std::string& option, const std::string& sentence) { throw CLI::ValidationError(option, sentence); }
+[[noreturn]] void reject(const std::string& option, const std::string& sentence) {
+    throw CLI::ValidationError(option, sentence);
+}
 
 double number_of(const std::string& option, const std::string& text) {
     double value = 0.0;
@@ -34,14 +36,17 @@ Integer integer_of(const std::string& option, const std::string& text, Integer l
 
 std::string unknown_word(const std::string& word, const std::vector<std::string>& known) {
     const std::string near = closest_word(word, known);
-    return "'" + word + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") + (near.empty() ? "; known: " : " Known: ") + join(known);
+    return "'" + word + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
+           (near.empty() ? "; known: " : " Known: ") + join(known);
 }
 
 std::vector<std::string> split_words(const std::string& text) {
     std::vector<std::string> words(1);
     for (const char c : text) {
-        if (c == ',') words.emplace_back();
-        else words.back() += c;
+        if (c == ',')
+            words.emplace_back();
+        else
+            words.back() += c;
     }
     for (std::string& word : words) {
         const std::size_t first = word.find_first_not_of(" \t");
@@ -50,109 +55,132 @@ std::vector<std::string> split_words(const std::string& text) {
     return words;
 }
 
-CLI::Option* add_positive_number(CLI::App& app, const std::string& name, std::optional<double>& target, const std::string& help) {
-    return app.add_option_function<std::string>(
-                  name,
-                  [name, &target](const std::string& text) {
-                      const double value = number_of(name, text);
-                      if (!(value > 0.0)) reject(name, "'" + text + "' is not positive");
-                      target = value;
-                  },
-                  help)
+CLI::Option* add_positive_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                                 const std::string& help) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [name, &target](const std::string& text) {
+                const double value = number_of(name, text);
+                if (!(value > 0.0)) reject(name, "'" + text + "' is not positive");
+                target = value;
+            },
+            help)
         ->type_name("NUMBER");
 }
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& help) {
-    return app.add_option_function<std::string>(name, [name, &target](const std::string& text) { target = number_of(name, text); }, help)->type_name("NUMBER");
+    return app
+        .add_option_function<std::string>(
+            name, [name, &target](const std::string& text) { target = number_of(name, text); }, help)
+        ->type_name("NUMBER");
 }
 
-CLI::Option* add_optional_number(CLI::App& app, const std::string& name, std::optional<double>& target, const std::string& help) {
-    return app.add_option_function<std::string>(name, [name, &target](const std::string& text) { target = number_of(name, text); }, help)->type_name("NUMBER");
+CLI::Option* add_optional_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                                 const std::string& help) {
+    return app
+        .add_option_function<std::string>(
+            name, [name, &target](const std::string& text) { target = number_of(name, text); }, help)
+        ->type_name("NUMBER");
 }
 
 CLI::Option* add_unit(CLI::App& app, std::optional<double>& metres_per_unit) {
-    return app.add_option_function<std::string>(
-                  "--unit",
-                  [&metres_per_unit](const std::string& unit) {
-                      if (unit != "m" && unit != "mm") reject("--unit", unknown_word(unit, {"m", "mm"}));
-                      metres_per_unit = unit == "m" ? 1.0 : 1e-3;
-                  },
-                  "unit of the lengths in a mesh file: m, mm")
+    return app
+        .add_option_function<std::string>(
+            "--unit",
+            [&metres_per_unit](const std::string& unit) {
+                if (unit != "m" && unit != "mm") reject("--unit", unknown_word(unit, {"m", "mm"}));
+                metres_per_unit = unit == "m" ? 1.0 : 1e-3;
+            },
+            "unit of the lengths in a mesh file: m, mm")
         ->type_name("UNIT");
 }
 
 CLI::Option* add_count(CLI::App& app, const std::string& name, int& target, const std::string& help) {
-    return app.add_option_function<std::string>(name, [name, &target](const std::string& text) { target = integer_of<int>(name, text, 1); }, help)
+    return app
+        .add_option_function<std::string>(
+            name, [name, &target](const std::string& text) { target = integer_of<int>(name, text, 1); }, help)
         ->type_name("N");
 }
 
-CLI::Option* add_element(CLI::App& app, const std::string& name, std::optional<ElementKind>& target) {
-    return app.add_option_function<std::string>(
-                  name,
-                  [name, &target](const std::string& id) {
-                      ElementKind kind{};
-                      if (!parse_element(id, kind)) reject(name, unknown_word(id, element_ids()));
-                      target = kind;
-                  },
-                  "element: " + join(element_ids()))
+CLI::Option* add_element(CLI::App& app, const std::string& name, std::optional<fem::ElementKind>& target) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [name, &target](const std::string& id) {
+                fem::ElementKind kind{};
+                if (!fem::parse_element(id, kind)) reject(name, unknown_word(id, fem::element_ids()));
+                target = kind;
+            },
+            "element: " + join(fem::element_ids()))
         ->type_name("NAME");
 }
 
 void add_work_options(CLI::App& app, WorkOptions& options) {
     add_count(app, "--threads", options.threads, "threads to work with (default: all)");
     app.add_option_function<std::string>(
-           "--seed", [&options](const std::string& text) { options.seed = integer_of<std::uint64_t>("--seed", text, 0); },
-           "seed of random starts (calibrate, optimize, reproduce beam-modulus) and of the cases of a study, recorded with the results")
+           "--seed",
+           [&options](const std::string& text) { options.seed = integer_of<std::uint64_t>("--seed", text, 0); },
+           "seed of random starts (calibrate, optimize, reproduce beam-modulus) and of the cases of validate, recorded "
+           "with the results")
         ->type_name("N");
     app.add_flag("--quiet", options.quiet, "print errors only");
     app.add_flag("--json-progress", options.json_progress, "progress as one JSON line per event on standard error");
 }
 
-void add_study_options(CLI::App& app, StudyOptions& options) {
-    StudySettings& settings = options.settings;
+void add_setup_options(CLI::App& app, SetupOptions& options) {
+    setup::SetupSettings& settings = options.settings;
     // First of all, for the options are taken in this order: each of the others may then change what it sets.
     app.add_flag_callback(
-        "--as-published", [&settings] { settings = published_settings(); },
-        "the published formulation, for comparison: hex8_full, projective_corotational, equal vertex masses, truncated voxels, implicit_euler, no damping but "
+        "--as-published", [&settings] { settings = setup::published_settings(); },
+        "the published formulation, for comparison: hex8_full, projective_corotational, equal vertex masses, truncated "
+        "voxels, implicit_euler, no damping but "
         "the declared; other options change parts of it");
     add_element(app, "--element", settings.mesh.element);
-    add_positive_number(app, "--resolution", settings.mesh.resolution_m, "edge length of the mesh [m]")->type_name("METRES");
+    add_positive_number(app, "--resolution", settings.mesh.resolution_m, "edge length of the mesh [m]")
+        ->type_name("METRES");
     app.add_option_function<std::string>(
            "--voxels",
            [&settings](const std::string& id) {
-               if (!parse_voxels(id, settings.mesh.voxels)) reject("--voxels", unknown_word(id, voxels_ids()));
+               if (!setup::parse_voxels(id, settings.mesh.voxels))
+                   reject("--voxels", unknown_word(id, setup::voxels_ids()));
            },
-           "how hexahedra fill the body: " + join(voxels_ids()))
+           "how hexahedra fill the body: " + join(setup::voxels_ids()))
         ->type_name("NAME");
     app.add_option_function<std::string>(
            "--mass",
            [&settings](const std::string& id) {
-               if (!parse_mass_model(id, settings.mass_model)) reject("--mass", unknown_word(id, mass_model_ids()));
+               if (!model::parse_mass_model(id, settings.mass_model))
+                   reject("--mass", unknown_word(id, model::mass_model_ids()));
            },
-           "mass of the body: " + join(mass_model_ids()))
+           "mass of the body: " + join(model::mass_model_ids()))
         ->type_name("NAME");
     app.add_option_function<std::string>(
            "--integrator",
            [&settings](const std::string& id) {
-               if (!parse_integrator(id, settings.integrator)) reject("--integrator", unknown_word(id, integrator_ids()));
+               if (!dynamics::parse_integrator(id, settings.integrator))
+                   reject("--integrator", unknown_word(id, dynamics::integrator_ids()));
            },
-           "time integration: " + join(integrator_ids()))
+           "time integration: " + join(dynamics::integrator_ids()))
         ->type_name("NAME");
     app.add_option_function<std::string>(
            "--spectral-radius",
            [&options](const std::string& text) {
                const double value = number_of("--spectral-radius", text);
-               if (value < 0.0 || value > 1.0) reject("--spectral-radius", "'" + text + "' does not lie within 0 ... 1");
+               if (value < 0.0 || value > 1.0)
+                   reject("--spectral-radius", "'" + text + "' does not lie within 0 ... 1");
                options.spectral_radius = value;
            },
-           "of " + to_string(Integrator::generalized_alpha) + " at infinite frequency, 0 ... 1: less damps more (default: 0.5)")
+           "of " + to_string(dynamics::Integrator::generalized_alpha) +
+               " at infinite frequency, 0 ... 1: less damps more (default: 0.5)")
         ->type_name("NUMBER");
     app.add_option_function<std::string>(
            "--strategy",
            [&settings](const std::string& id) {
-               if (!parse_strategy(id, settings.strategy)) reject("--strategy", unknown_word(id, strategy_ids()));
+               if (!dynamics::parse_strategy(id, settings.strategy))
+                   reject("--strategy", unknown_word(id, dynamics::strategy_ids()));
            },
-           "how a step is solved: " + join(strategy_ids()))
+           "how a step is solved: " + join(dynamics::strategy_ids()))
         ->type_name("NAME");
     add_positive_number(app, "--dt", settings.h_s,
                         "time step [s] (default: what the vibrations and the sampling of each trial ask for)")
@@ -160,17 +188,18 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
     app.add_option_function<std::string>(
            "--material",
            [&settings](const std::string& id) {
-               if (!find_material(id)) reject("--material", unknown_word(id, material_ids()));
+               if (!material::find_material(id)) reject("--material", unknown_word(id, material::material_ids()));
                settings.material = id;
            },
-           "material law: " + join(material_ids()))
+           "material law: " + join(material::material_ids()))
         ->type_name("NAME");
     app.add_option_function<std::vector<std::string>>(
            "--set",
            [&options](const std::vector<std::string>& assignments) {
                for (const std::string& text : assignments) {
                    const std::size_t equals = text.find('=');
-                   if (equals == std::string::npos || equals == 0) reject("--set", "'" + text + "' is not of the form key=value");
+                   if (equals == std::string::npos || equals == 0)
+                       reject("--set", "'" + text + "' is not of the form key=value");
                    options.overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
                }
            },
@@ -181,11 +210,11 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
     add_number(app, "--velocity-force", settings.velocity_force_1_s, "velocity force Lambda M v [1/s]");
 }
 
-StudySettings study_settings(const StudyOptions& options, const WorkOptions& work) {
-    StudySettings settings = options.settings;
+setup::SetupSettings setup_settings(const SetupOptions& options, const WorkOptions& work) {
+    setup::SetupSettings settings = options.settings;
     settings.threads = work.threads > 0 ? work.threads : hardware_threads();
     settings.spectral_radius = options.spectral_radius.value_or(settings.spectral_radius);
     return settings;
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <fstream>
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 /// Memory held now [bytes], from the second number of /proc/self/statm.
@@ -67,4 +67,4 @@ OwnProcessResult run_in_own_process(const std::function<std::string()>& work) {
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-namespace myo {
+namespace myo::app {
 
 /// What a piece of work left when it ran in a process of its own.
 struct OwnProcessResult {
@@ -12,7 +12,8 @@ struct OwnProcessResult {
     bool crashed = false;
 };
 
-/// Runs `work` in a child process, so that its peak of memory is its own, and returns its text. Call before threads are started.
+/// Runs `work` in a child process, so that its peak of memory is its own, and returns its text. Call before threads are
+/// started.
 OwnProcessResult run_in_own_process(const std::function<std::string()>& work);
 
-}  // namespace myo
+}  // namespace myo::app

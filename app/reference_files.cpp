@@ -4,7 +4,7 @@
 
 #include "bench/published_beam.hpp"
 
-namespace myo {
+namespace myo::app {
 
 namespace fs = std::filesystem;
 
@@ -13,11 +13,11 @@ std::vector<fs::path> reference_files() {
     std::error_code missing;
     for (const char* const part : {"data", "design/reference"}) {
         const auto skip = fs::directory_options::skip_permission_denied;
-        fs::recursive_directory_iterator entry(data_folder() / part, skip, missing);
+        fs::recursive_directory_iterator entry(bench::data_folder() / part, skip, missing);
         for (; !missing && entry != fs::recursive_directory_iterator(); entry.increment(missing))
             if (entry->is_regular_file(missing)) files.push_back(entry->path());
     }
     return files;
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <vector>
 
-namespace myo {
+namespace myo::app {
 
 /// The published measurements and results in data_folder(), which `bench` and `reproduce` read; none where it is
 /// missing.
 std::vector<std::filesystem::path> reference_files();
 
-}  // namespace myo
+}  // namespace myo::app

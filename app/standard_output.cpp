@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <system_error>
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 // Standard output is one for the whole program, and so is what is wrong with it.
@@ -44,4 +44,4 @@ void keep_closed_streams_closed() {
     }
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace myo {
+namespace myo::app {
 
 /// Writes to standard output at once; what keeps it from being written is remembered for output_failure().
 void print_text(const std::string& text);
@@ -18,4 +18,4 @@ std::string output_failure();
 /// in their place, and would get what is printed. To be called before any file is opened.
 void keep_closed_streams_closed();
 
-}  // namespace myo
+}  // namespace myo::app

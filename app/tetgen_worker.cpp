@@ -23,7 +23,7 @@ void limit(__rlimit_resource_t resource, unsigned long long value) {
     setrlimit(resource, &bound);
 }
 
-void describe(const myo::TetgenExchange& request, tetgenio& input) {
+void describe(const myo::mesh::TetgenExchange& request, tetgenio& input) {
     input.firstnumber = 0;
     input.numberofpoints = static_cast<int>(request.points.size() / 3);
     input.pointlist = new REAL[request.points.size()];
@@ -50,30 +50,31 @@ void describe(const myo::TetgenExchange& request, tetgenio& input) {
 }
 
 int run(const std::string& request_path, const std::string& answer_path, std::string switches) {
-    myo::TetgenExchange request, answer;
-    if (!myo::read_exchange(request_path, request) || request.points.empty() || request.cells.empty()) {
-        return myo::worker_status::bad_call;
+    myo::mesh::TetgenExchange request, answer;
+    if (!myo::mesh::read_exchange(request_path, request) || request.points.empty() || request.cells.empty()) {
+        return myo::mesh::worker_status::bad_call;
     }
     tetgenio input, output;
     describe(request, input);
     try {
         tetrahedralize(switches.data(), &input, &output);
     } catch (int code) {
-        return code == 1 ? myo::worker_status::out_of_memory : myo::worker_status::tetgen_error + code;
+        return code == 1 ? myo::mesh::worker_status::out_of_memory : myo::mesh::worker_status::tetgen_error + code;
     }
     if (output.numberofpoints > 0) answer.points.assign(output.pointlist, output.pointlist + 3 * output.numberofpoints);
     if (output.numberoftetrahedra > 0) {
         answer.cells.assign(output.tetrahedronlist, output.tetrahedronlist + 4 * output.numberoftetrahedra);
     }
-    return myo::write_exchange(answer_path, answer) ? myo::worker_status::done : myo::worker_status::cannot_write;
+    return myo::mesh::write_exchange(answer_path, answer) ? myo::mesh::worker_status::done
+                                                          : myo::mesh::worker_status::cannot_write;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 6) return myo::worker_status::bad_call;
+    if (argc != 6) return myo::mesh::worker_status::bad_call;
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // no mesh is wanted when nobody waits for it
-#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer reserves terabytes of address space
+#if !defined(__SANITIZE_ADDRESS__)     // the sanitizer reserves terabytes of address space
     limit(RLIMIT_AS, std::strtoull(argv[4], nullptr, 10));
 #endif
     limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));
@@ -82,6 +83,6 @@ int main(int argc, char** argv) {
     try {
         return run(argv[1], argv[2], argv[3]);
     } catch (const std::bad_alloc&) {
-        return myo::worker_status::out_of_memory;
+        return myo::mesh::worker_status::out_of_memory;
     }
 }

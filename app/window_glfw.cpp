@@ -15,7 +15,7 @@
 #include "panels/workbench_window.hpp"
 #include "platform/gl.hpp"
 
-namespace myo {
+namespace myo::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -44,13 +44,22 @@ struct DestroyWindow {
 };
 
 int key_of(int key) {
-    static constexpr std::pair<int, int> keys[] = {
-        {GLFW_KEY_TAB, ImGuiKey_Tab},           {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},   {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
-        {GLFW_KEY_UP, ImGuiKey_UpArrow},        {GLFW_KEY_DOWN, ImGuiKey_DownArrow},   {GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
-        {GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown}, {GLFW_KEY_HOME, ImGuiKey_Home},       {GLFW_KEY_END, ImGuiKey_End},
-        {GLFW_KEY_INSERT, ImGuiKey_Insert},     {GLFW_KEY_DELETE, ImGuiKey_Delete},    {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
-        {GLFW_KEY_SPACE, ImGuiKey_Space},       {GLFW_KEY_ENTER, ImGuiKey_Enter},      {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
-        {GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter}};
+    static constexpr std::pair<int, int> keys[] = {{GLFW_KEY_TAB, ImGuiKey_Tab},
+                                                   {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+                                                   {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+                                                   {GLFW_KEY_UP, ImGuiKey_UpArrow},
+                                                   {GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+                                                   {GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+                                                   {GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
+                                                   {GLFW_KEY_HOME, ImGuiKey_Home},
+                                                   {GLFW_KEY_END, ImGuiKey_End},
+                                                   {GLFW_KEY_INSERT, ImGuiKey_Insert},
+                                                   {GLFW_KEY_DELETE, ImGuiKey_Delete},
+                                                   {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+                                                   {GLFW_KEY_SPACE, ImGuiKey_Space},
+                                                   {GLFW_KEY_ENTER, ImGuiKey_Enter},
+                                                   {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+                                                   {GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter}};
     for (const auto& [glfw, imgui] : keys) {
         if (glfw == key) return imgui;
     }
@@ -64,36 +73,38 @@ int key_of(int key) {
         case 'x': return ImGuiKey_X;
         case 'y': return ImGuiKey_Y;
         case 'z': return ImGuiKey_Z;
-        case 'b': return key_b;
-        case 'd': return key_d;
-        case 'e': return key_e;
-        case 'f': return key_f;
-        case 'k': return key_k;
-        case 'm': return key_m;
-        case 'o': return key_o;
-        case 'p': return key_p;
-        case 'q': return key_q;
-        case 'r': return key_r;
-        case 's': return key_s;
-        case '0': return key_0;
-        case '1': return key_1;
-        case '2': return key_2;
-        case '3': return key_3;
-        case '4': return key_4;
+        case 'b': return ui::platform::key_b;
+        case 'd': return ui::platform::key_d;
+        case 'e': return ui::platform::key_e;
+        case 'f': return ui::platform::key_f;
+        case 'k': return ui::platform::key_k;
+        case 'm': return ui::platform::key_m;
+        case 'o': return ui::platform::key_o;
+        case 'p': return ui::platform::key_p;
+        case 'q': return ui::platform::key_q;
+        case 'r': return ui::platform::key_r;
+        case 's': return ui::platform::key_s;
+        case '0': return ui::platform::key_0;
+        case '1': return ui::platform::key_1;
+        case '2': return ui::platform::key_2;
+        case '3': return ui::platform::key_3;
+        case '4': return ui::platform::key_4;
         case '+':
-        case '=': return key_plus;
-        case '-': return key_minus;
+        case '=': return ui::platform::key_plus;
+        case '-': return ui::platform::key_minus;
         default: return -1;
     }
 }
 
-Modifiers modifiers_of(int bits) {
+ui::platform::Modifiers modifiers_of(int bits) {
     return {(bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_ALT) != 0};
 }
 
-WorkbenchWindow& workbench_of(GLFWwindow* window) { return *static_cast<WorkbenchWindow*>(glfwGetWindowUserPointer(window)); }
+ui::panels::WorkbenchWindow& workbench_of(GLFWwindow* window) {
+    return *static_cast<ui::panels::WorkbenchWindow*>(glfwGetWindowUserPointer(window));
+}
 
-void push(GLFWwindow* window, const InputEvent& event) {
+void push(GLFWwindow* window, const ui::platform::InputEvent& event) {
     workbench_of(window).input().push(event);
     workbench_of(window).wake();
 }
@@ -105,24 +116,24 @@ void set_callbacks(GLFWwindow* window) {
         glfwGetWindowSize(w, &screen, &ignored);
         glfwGetFramebufferSize(w, &pixels, &ignored);
         const double ratio = static_cast<double>(pixels) / std::max(1, screen);
-        push(w, MouseMoved{static_cast<float>(x * ratio), static_cast<float>(y * ratio)});
+        push(w, ui::platform::MouseMoved{static_cast<float>(x * ratio), static_cast<float>(y * ratio)});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-        if (entered == GLFW_FALSE) push(w, MouseMoved{-1e6f, -1e6f});
+        if (entered == GLFW_FALSE) push(w, ui::platform::MouseMoved{-1e6f, -1e6f});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
-        push(w, MouseButton{button, action == GLFW_PRESS, modifiers_of(mods)});
+        push(w, ui::platform::MouseButton{button, action == GLFW_PRESS, modifiers_of(mods)});
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-        push(w, MouseWheel{static_cast<float>(x), static_cast<float>(y)});
+        push(w, ui::platform::MouseWheel{static_cast<float>(x), static_cast<float>(y)});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
         // A held key repeats by itself as long as frames are drawn.
         if (action == GLFW_REPEAT) return workbench_of(w).wake();
         const int known = key_of(key);
-        if (known >= 0) push(w, KeyPressed{known, action == GLFW_PRESS, modifiers_of(mods)});
+        if (known >= 0) push(w, ui::platform::KeyPressed{known, action == GLFW_PRESS, modifiers_of(mods)});
     });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { push(w, TextTyped{character}); });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { push(w, ui::platform::TextTyped{character}); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         workbench_of(w).drop({paths, paths + count});
         workbench_of(w).wake();
@@ -134,7 +145,9 @@ void set_callbacks(GLFWwindow* window) {
 void share_clipboard(GLFWwindow* window) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = window;
-    io.SetClipboardTextFn = [](void* data, const char* text) { glfwSetClipboardString(static_cast<GLFWwindow*>(data), text); };
+    io.SetClipboardTextFn = [](void* data, const char* text) {
+        glfwSetClipboardString(static_cast<GLFWwindow*>(data), text);
+    };
     io.GetClipboardTextFn = [](void* data) { return glfwGetClipboardString(static_cast<GLFWwindow*>(data)); };
 }
 
@@ -142,7 +155,8 @@ void share_clipboard(GLFWwindow* window) {
 class Pointers {
 public:
     Pointers()
-        : text_(glfwCreateStandardCursor(GLFW_IBEAM_CURSOR)), sideways_(glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR)),
+        : text_(glfwCreateStandardCursor(GLFW_IBEAM_CURSOR)),
+          sideways_(glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR)),
           upright_(glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR)) {}
     void apply(GLFWwindow* window) {
         const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
@@ -165,20 +179,21 @@ private:
 /// Keeps a copy of unsaved work for recovery, and preferences as they are now.
 class Keeper {
 public:
-    explicit Keeper(Workbench& workbench) : workbench_(workbench), preferences_(workbench.state().preferences) {}
+    explicit Keeper(ui::commands::Workbench& workbench)
+        : workbench_(workbench), preferences_(workbench.state().preferences) {}
 
     void tick(Clock::time_point now) {
         if (now - last_ < std::chrono::seconds(60)) return;
         last_ = now;
-        if (const auto file = recovery_file(); !file.empty()) workbench_.autosave(file);
+        if (const auto file = backend::recovery_file(); !file.empty()) workbench_.autosave(file);
         keep_preferences();
     }
 
     /// Before an end that nobody asked for.
     void rescue() {
         keep_preferences();
-        workbench_.finish_autosave();   // of what was a minute ago
-        if (const auto file = recovery_file(); !file.empty()) workbench_.autosave(file);
+        workbench_.finish_autosave();  // of what was a minute ago
+        if (const auto file = backend::recovery_file(); !file.empty()) workbench_.autosave(file);
         workbench_.finish_autosave();
     }
 
@@ -186,7 +201,7 @@ public:
         keep_preferences();
         workbench_.finish_autosave();
         std::error_code ignored;
-        if (const auto file = recovery_file(); !file.empty()) {
+        if (const auto file = backend::recovery_file(); !file.empty()) {
             std::filesystem::remove(file, ignored);
             std::filesystem::remove_all(std::filesystem::path(file).replace_extension(".files"), ignored);
         }
@@ -194,29 +209,35 @@ public:
 
 private:
     void keep_preferences() {
-        const Preferences& now = workbench_.state().preferences;
-        const auto file = preferences_file();
+        const ui::commands::Preferences& now = workbench_.state().preferences;
+        const auto file = backend::preferences_file();
         if (file.empty() || now == preferences_) return;
         preferences_ = now;
-        if (const Result<void> written = write_preferences(file, now); !written)
-            workbench_.execute(command::Tell{LogLevel::warning, "Preferences cannot be kept: " + written.error().text()});
+        if (const Result<void> written = backend::write_preferences(file, now); !written)
+            workbench_.execute(ui::commands::Tell{ui::commands::LogLevel::warning,
+                                                  "Preferences cannot be kept: " + written.error().text()});
     }
 
-    Workbench& workbench_;
-    Preferences preferences_;
+    ui::commands::Workbench& workbench_;
+    ui::commands::Preferences preferences_;
     Clock::time_point last_ = Clock::now();
 };
 
-void take_up(Workbench& workbench) {
-    if (const auto file = preferences_file(); !file.empty()) {
-        if (const Result<Preferences> kept = read_preferences(file)) workbench.execute(command::UsePreferences{*kept});
-        else workbench.execute(command::Tell{LogLevel::warning, "Preferences are left aside: " + kept.error().text()});
+void take_up(ui::commands::Workbench& workbench) {
+    if (const auto file = backend::preferences_file(); !file.empty()) {
+        if (const Result<ui::commands::Preferences> kept = backend::read_preferences(file))
+            workbench.execute(ui::commands::UsePreferences{*kept});
+        else
+            workbench.execute(ui::commands::Tell{ui::commands::LogLevel::warning,
+                                                 "Preferences are left aside: " + kept.error().text()});
     }
-    if (const auto file = recovery_file(); !file.empty()) workbench.execute(command::OfferRecovery{found_recoveries(file.parent_path())});
+    if (const auto file = backend::recovery_file(); !file.empty())
+        workbench.execute(ui::commands::OfferRecovery{backend::found_recoveries(file.parent_path())});
 }
 
 /// Frames until the person quits, or until none can be drawn.
-Result<void> draw_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindow& view, Keeper& keeper) {
+Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view,
+                         Keeper& keeper) {
     Pointers pointers;
     auto last = Clock::now();
     while (!workbench.state().quit) {
@@ -224,7 +245,7 @@ Result<void> draw_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWind
         if (glfwWindowShouldClose(window) == GLFW_TRUE) {
             // What is unsaved is asked for first.
             glfwSetWindowShouldClose(window, GLFW_FALSE);
-            workbench.execute(command::Quit{});
+            workbench.execute(ui::commands::Quit{});
             view.wake();
             continue;
         }
@@ -245,53 +266,61 @@ Result<void> draw_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWind
             continue;
         }
         const auto now = Clock::now();
-        if (const auto drawn = view.draw_frame(width, height, std::chrono::duration<double>(now - last).count()); !drawn) return drawn;
+        if (const auto drawn = view.draw_frame(width, height, std::chrono::duration<double>(now - last).count());
+            !drawn)
+            return drawn;
         last = now;
-        if (works && !workbench.state().works()) view.wake();   // what a job brought settles over several frames
+        if (works && !workbench.state().works()) view.wake();  // what a job brought settles over several frames
         pointers.apply(window);
         glfwSwapBuffers(window);
     }
     return {};
 }
 
-Result<void> run_frames(GLFWwindow* window, Workbench& workbench, WorkbenchWindow& view) {
+Result<void> run_frames(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view) {
     Keeper keeper(workbench);
     try {
         const Result<void> drawn = draw_frames(window, workbench, view, keeper);
-        if (drawn) keeper.end();
-        else keeper.rescue();
+        if (drawn)
+            keeper.end();
+        else
+            keeper.rescue();
         return drawn;
     } catch (...) {
-        keeper.rescue();   // out of memory, above all
+        keeper.rescue();  // out of memory, above all
         throw;
     }
 }
 
 }  // namespace
 
-Result<void> run_window(std::shared_ptr<Backend> backend, const WindowOptions& options) {
+Result<void> run_window(std::shared_ptr<ui::commands::Backend> backend, const WindowOptions& options) {
     const GlfwLibrary library;
     if (!library.ready) {
-        return Error{"cannot open a window: " + last_glfw_error() + ". Without a display, use the subcommands (myoloop --help).", ""};
+        return Error{
+            "cannot open a window: " + last_glfw_error() + ". Without a display, use the subcommands (myoloop --help).",
+            ""};
     }
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    const std::unique_ptr<GLFWwindow, DestroyWindow> window(glfwCreateWindow(options.width, options.height, "Myoloop", nullptr, nullptr));
+    const std::unique_ptr<GLFWwindow, DestroyWindow> window(
+        glfwCreateWindow(options.width, options.height, "Myoloop", nullptr, nullptr));
     if (!window) return Error{"cannot open a window: " + last_glfw_error(), ""};
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
-    if (const auto loaded = gl::load(glfwGetProcAddress); !loaded) return loaded;
+    if (const auto loaded = ui::platform::gl::load(glfwGetProcAddress); !loaded) return loaded;
 
-    Workbench workbench(std::move(backend), [] { glfwPostEmptyEvent(); });
+    ui::commands::Workbench workbench(std::move(backend), [] { glfwPostEmptyEvent(); });
     float across = 1.0f;
     float down = 1.0f;
     glfwGetWindowContentScale(window.get(), &across, &down);
     take_up(workbench);
-    if (const Preferences& kept = workbench.state().preferences; options.scale || !(kept.scale > 0.0f)) workbench.execute(command::SetTheme{kept.theme, options.scale.value_or(across)});
-    auto view = WorkbenchWindow::make(workbench);
+    if (const ui::commands::Preferences& kept = workbench.state().preferences; options.scale || !(kept.scale > 0.0f))
+        workbench.execute(ui::commands::SetTheme{kept.theme, options.scale.value_or(across)});
+    auto view = ui::panels::WorkbenchWindow::make(workbench);
     if (!view) return view.error();
     glfwSetWindowUserPointer(window.get(), &*view);
     set_callbacks(window.get());
@@ -300,4 +329,4 @@ Result<void> run_window(std::shared_ptr<Backend> backend, const WindowOptions& o
     return run_frames(window.get(), workbench, *view);
 }
 
-}  // namespace myo
+}  // namespace myo::app

@@ -7,18 +7,18 @@
 #include "base/result.hpp"
 #include "commands/backend.hpp"
 
-namespace myo {
+namespace myo::app {
 
 struct WindowOptions {
-    int width = 1600;                    // [screen units]
+    int width = 1600;  // [screen units]
     int height = 900;
-    std::filesystem::path open;          // experiment folder or mesh; empty = nothing
-    std::optional<float> scale;          // of text and controls; default: the screen's own
+    std::filesystem::path open;  // experiment folder or mesh; empty = nothing
+    std::optional<float> scale;  // of text and controls; default: the screen's own
 };
 
 /// Opens the workbench in a window and returns when it is closed.
 ///
 /// Errors: no display, or the driver lacks OpenGL 3.3.
-Result<void> run_window(std::shared_ptr<Backend> backend, const WindowOptions& options);
+Result<void> run_window(std::shared_ptr<ui::commands::Backend> backend, const WindowOptions& options);
 
-}  // namespace myo
+}  // namespace myo::app

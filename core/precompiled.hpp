@@ -1,6 +1,6 @@
 #pragma once
 
-// What nearly every file reads, parsed once. Each file still includes what it uses.
+// Library headers that nearly every file reads, parsed once. Each file still includes what it uses.
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 # Writes one C++ file that holds every shader of FOLDER as a string. Called as cmake -DOUTPUT=... -DFOLDER=... -P.
 file(GLOB files ${FOLDER}/*.vert ${FOLDER}/*.frag)
 list(SORT files)
-set(text "#include \"platform/shader_sources.hpp\"\n\nnamespace myo {\n\nstd::string_view shader_source(std::string_view name) {\n")
+set(text "#include \"platform/shader_sources.hpp\"\n\nnamespace myo::ui::platform {\n\nstd::string_view shader_source(std::string_view name) {\n")
 foreach(file ${files})
   get_filename_component(name ${file} NAME)
   file(READ ${file} content)
   string(APPEND text "    if (name == \"${name}\") {\n        return R\"shader(${content})shader\";\n    }\n")
 endforeach()
-string(APPEND text "    return {};\n}\n\n}  // namespace myo\n")
+string(APPEND text "    return {};\n}\n\n}  // namespace myo::ui::platform\n")
 file(WRITE ${OUTPUT} "${text}")

@@ -1,7 +1,7 @@
 #pragma once
 
-// What nearly every file of the workbench reads, parsed once. Each file still includes what it uses.
+// Library headers that nearly every file of the workbench reads, parsed once. Each file still includes what it uses.
 
 #include "../core/precompiled.hpp"
 
-#include "panels/panel.hpp"
+#include <imgui.h>

@@ -9,16 +9,16 @@
 #include "check/catalogue.hpp"
 #include "report/length.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 /// The step of the window where a person can mend what a check found; the run's for those that are not here.
 std::string step_of(const std::string& check, bool as_declared) {
     if (check == "residual" && as_declared) return "fit";
     static const std::map<std::string, std::string> steps{
-        {"units", "material"}, {"time_unit", "measure"}, {"mesh", "mesh"},          {"markers", "mesh"},
-        {"support", "body"},   {"pose", "body"},         {"signals", "fibres"},     {"recordings", "measure"},
-        {"start", "measure"},  {"bounds", "fit"},        {"influence", "fit"},      {"residual", "diagnose"}};
+        {"units", "material"}, {"time_unit", "measure"}, {"mesh", "mesh"},      {"markers", "mesh"},
+        {"support", "body"},   {"pose", "body"},         {"signals", "fibres"}, {"recordings", "measure"},
+        {"start", "measure"},  {"bounds", "fit"},        {"influence", "fit"},  {"residual", "diagnose"}};
     const auto known = steps.find(check);
     return known != steps.end() ? known->second : "run";
 }
@@ -35,32 +35,33 @@ std::string number_words(double figure, std::string unit) {
 }
 
 /// A frequency error is a share; other figures without unit are plain numbers.
-std::string figure_words(const Finding& finding, double figure) {
+std::string figure_words(const check::Finding& finding, double figure) {
     if (!std::isfinite(figure)) return {};
-    if (finding.unit == "m" && std::abs(figure) < 1.0) return length_words(figure);
+    if (finding.unit == "m" && std::abs(figure) < 1.0) return report::length_words(figure);
     if (finding.unit.empty() && finding.check == "step") return format_number(100.0 * figure, 2) + " %";
     return number_words(figure, finding.unit);
 }
 
 }  // namespace
 
-CheckState shown_state(CheckLevel level) {
-    if (level == CheckLevel::fine) return CheckState::green;
-    return level == CheckLevel::doubtful ? CheckState::amber : CheckState::red;
+ui::commands::CheckState shown_state(check::CheckLevel level) {
+    if (level == check::CheckLevel::fine) return ui::commands::CheckState::green;
+    return level == check::CheckLevel::doubtful ? ui::commands::CheckState::amber : ui::commands::CheckState::red;
 }
 
-CheckRows check_rows(const std::vector<Finding>& findings, bool as_declared) {
-    CheckRows rows;
-    for (const Finding& finding : findings) {
-        const Check* const check = find_check(finding.check);
+ui::commands::CheckRows check_rows(const std::vector<check::Finding>& findings, bool as_declared) {
+    ui::commands::CheckRows rows;
+    for (const check::Finding& finding : findings) {
+        const check::Check* const check = check::find_check(finding.check);
         rows.push_back({finding.check, check != nullptr ? check->question : finding.check, shown_state(finding.level),
                         finding.subject, figure_words(finding, finding.figure),
-                        figure_words(finding, finding.threshold),
-                        finding.source, finding.sentence, finding.way_out, step_of(finding.check, as_declared),
-                        finding.told});
+                        figure_words(finding, finding.threshold), finding.source, finding.sentence, finding.way_out,
+                        step_of(finding.check, as_declared), finding.told});
     }
-    std::stable_sort(rows.begin(), rows.end(), [](const CheckRow& a, const CheckRow& b) { return a.state > b.state; });
+    std::stable_sort(rows.begin(), rows.end(), [](const ui::commands::CheckRow& a, const ui::commands::CheckRow& b) {
+        return a.state > b.state;
+    });
     return rows;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

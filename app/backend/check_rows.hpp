@@ -2,15 +2,15 @@
 
 #include <vector>
 
+#include "check/finding.hpp"
 #include "commands/check_view.hpp"
-#include "project/finding.hpp"
 
-namespace myo {
+namespace myo::backend {
 
-CheckState shown_state(CheckLevel level);
+ui::commands::CheckState shown_state(check::CheckLevel level);
 
 /// Findings as the workbench shows them, the worst first.
 /// @param as_declared  see CheckedJob: what such a run leaves is for a fit to mend, not for a diagnosis
-CheckRows check_rows(const std::vector<Finding>& findings, bool as_declared = false);
+ui::commands::CheckRows check_rows(const std::vector<check::Finding>& findings, bool as_declared = false);
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -12,17 +12,17 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "experiment/read_experiment.hpp"
 #include "mesh/boundary_surface.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/surface_topology.hpp"
 #include "mesh/volume_reader.hpp"
-#include "project/read_experiment.hpp"
-#include "project/readable_parameter.hpp"
-#include "project/time_step.hpp"
+#include "prediction/time_step.hpp"
+#include "results/readable_parameter.hpp"
 
-namespace myo {
+namespace myo::backend {
 
 namespace fs = std::filesystem;
 using Eigen::Matrix3Xd;
@@ -37,28 +37,33 @@ bool has_ending(const fs::path& path, const std::vector<std::string>& endings) {
 }
 
 /// The muscles of the settings; where they leave something open, as the experiment has it.
-std::vector<MuscleDeclaration> declared_muscles(const Experiment& experiment, const Settings& settings) {
-    std::vector<MuscleDeclaration> muscles;
-    for (const Muscle& muscle : settings.muscles) {
-        MuscleDeclaration declared{muscle.name, MuscleMask{std::make_shared<const PaintedMask>(), std::nullopt}, 0.0, std::nullopt, std::nullopt};
-        for (const MuscleDeclaration& own : experiment.muscles)
+std::vector<experiment::MuscleDeclaration> declared_muscles(const experiment::Experiment& experiment,
+                                                            const ui::commands::Settings& settings) {
+    std::vector<experiment::MuscleDeclaration> muscles;
+    for (const ui::commands::Muscle& muscle : settings.muscles) {
+        experiment::MuscleDeclaration declared{
+            muscle.name, experiment::MuscleMask{std::make_shared<const fibre::PaintedMask>(), std::nullopt}, 0.0,
+            std::nullopt, std::nullopt};
+        for (const experiment::MuscleDeclaration& own : experiment.muscles)
             if (own.name == muscle.declared) declared = own;
         declared.stiffness_Pa = muscle.stiffness_Pa;
-        if (muscle.paint) declared.part = MuscleMask{muscle.paint, std::nullopt};
+        if (muscle.paint) declared.part = experiment::MuscleMask{muscle.paint, std::nullopt};
         declared.follows.reset();
         declared.signal.reset();
-        if (muscle.follows.empty()) declared.signal = muscle.signal;
-        else declared.follows = FollowsDeclaration{muscle.follows, muscle.ratio};
+        if (muscle.follows.empty())
+            declared.signal = muscle.signal;
+        else
+            declared.follows = experiment::FollowsDeclaration{muscle.follows, muscle.ratio};
         muscles.push_back(std::move(declared));
     }
     return muscles;
 }
 
 /// The experiment's own muscles, as they are shown before anything is changed.
-std::vector<Muscle> shown_muscles(const Experiment& experiment) {
-    std::vector<Muscle> muscles;
-    for (const MuscleDeclaration& declared : experiment.muscles) {
-        Muscle muscle;
+std::vector<ui::commands::Muscle> shown_muscles(const experiment::Experiment& experiment) {
+    std::vector<ui::commands::Muscle> muscles;
+    for (const experiment::MuscleDeclaration& declared : experiment.muscles) {
+        ui::commands::Muscle muscle;
         muscle.name = muscle.declared = declared.name;
         muscle.color = static_cast<int>(muscles.size());
         muscle.stiffness_Pa = declared.stiffness_Pa;
@@ -70,37 +75,42 @@ std::vector<Muscle> shown_muscles(const Experiment& experiment) {
 }
 
 /// Where displacements are compared, both curves start from the declared rest position.
-Matrix3Xd shown_measurement(const Study& study, const StudyTrial& trial, std::size_t marker) {
+Matrix3Xd shown_measurement(const setup::Setup& setup, const setup::PreparedTrial& trial, std::size_t marker) {
     Matrix3Xd shown = trial.measured.tracks[marker];
     if (!trial.reference_m.empty())
-        shown.colwise() += Eigen::Vector3d(study.experiment.markers.on_body[marker].rest_m - trial.reference_m[marker]);
+        shown.colwise() += Eigen::Vector3d(setup.experiment.markers.on_body[marker].rest_m - trial.reference_m[marker]);
     return shown;
 }
 
-void fill_from_study(const Study& study, Scene& scene) {
-    const Experiment& experiment = study.experiment;
-    for (const MarkerDeclaration& marker : experiment.markers.on_body) scene.markers.push_back({marker.name, marker.rest_m});
-    for (const StudyTrial& trial : study.trials) {
-        SceneTrial shown{trial.name, trial.role == TrialRole::fit ? "fit" : "validate", trial.measured.time_s, {}, {}};
-        for (std::size_t m = 0; m < scene.markers.size(); ++m) shown.measured.push_back(shown_measurement(study, trial, m));
-        for (std::size_t m = 0; m < experiment.muscles.size(); ++m) shown.activation[experiment.muscles[m].name] = trial.model.activation[m];
+void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
+    const experiment::Experiment& experiment = setup.experiment;
+    for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
+        scene.markers.push_back({marker.name, marker.rest_m});
+    for (const setup::PreparedTrial& trial : setup.trials) {
+        ui::commands::SceneTrial shown{
+            trial.name, trial.role == experiment::TrialRole::fit ? "fit" : "validate", trial.measured.time_s, {}, {}};
+        for (std::size_t m = 0; m < scene.markers.size(); ++m)
+            shown.measured.push_back(shown_measurement(setup, trial, m));
+        for (std::size_t m = 0; m < experiment.muscles.size(); ++m)
+            shown.activation[experiment.muscles[m].name] = trial.model.activation[m];
         scene.trials.push_back(std::move(shown));
     }
-    scene.settings.element = study.mesh.mesh.type;
-    scene.settings.resolution_m = study.mesh.resolution_m;
+    scene.settings.element = setup.mesh.mesh.type;
+    scene.settings.resolution_m = setup.mesh.resolution_m;
     scene.settings.material = experiment.material.model;
     scene.settings.youngs_modulus_Pa = experiment.material.youngs_modulus_Pa;
     scene.settings.poissons_ratio = experiment.material.poissons_ratio;
     scene.settings.density_kg_m3 = experiment.material.density_kg_m3;
-    scene.settings.damping_s = study.trials.front().model.damping_s;
-    scene.settings.integrator = to_string(study.settings.integrator);
+    scene.settings.damping_s = setup.trials.front().model.damping_s;
+    scene.settings.integrator = to_string(setup.settings.integrator);
     // One step for all trials, as a person sees it.
-    scene.settings.time_step_s = shortest_step_s(study);
+    scene.settings.time_step_s = prediction::shortest_step_s(setup);
     scene.settings.muscles = shown_muscles(experiment);
-    const MeasuredVibration vibration = dominant_vibration(study);
+    const MeasuredVibration vibration = dominant_vibration(setup);
     scene.frequency_Hz = vibration.frequency_Hz;
     scene.damping_ratio = vibration.damping_ratio;
-    for (const StudyParameter& parameter : study_parameters(study)) scene.calibrated.push_back(readable_parameter(parameter, study).name);
+    for (const prediction::ModelParameter& parameter : prediction::free_parameters(setup))
+        scene.calibrated.push_back(results::readable_parameter(parameter, setup).name);
 }
 
 }  // namespace
@@ -113,21 +123,27 @@ bool is_experiment(const fs::path& path) {
     return fs::is_directory(path, code) || path.extension() == ".toml";
 }
 
-const SceneSource& source_of(const Scene& scene) { return *std::static_pointer_cast<const SceneSource>(scene.source); }
+const SceneSource& source_of(const ui::commands::Scene& scene) {
+    return *std::static_pointer_cast<const SceneSource>(scene.source);
+}
 
-bool is_mesh_of(const StudyMesh& mesh, const Settings& settings) { return mesh.element == default_element(settings.element) && mesh.resolution_m == settings.resolution_m; }
+bool is_mesh_of(const setup::BodyMesh& mesh, const ui::commands::Settings& settings) {
+    return mesh.element == fem::default_element(settings.element) && mesh.resolution_m == settings.resolution_m;
+}
 
-const StudyMesh* shown_mesh(const MeshedBody& body, const Settings& settings) {
-    const auto* const mesh = static_cast<const StudyMesh*>(body.source.get());
+const setup::BodyMesh* shown_mesh(const ui::commands::MeshedBody& body, const ui::commands::Settings& settings) {
+    const auto* const mesh = static_cast<const setup::BodyMesh*>(body.source.get());
     return mesh && is_mesh_of(*mesh, settings) ? mesh : nullptr;
 }
 
-MeshRequest mesh_request(const Settings& settings) { return {default_element(settings.element), settings.resolution_m}; }
+setup::MeshRequest mesh_request(const ui::commands::Settings& settings) {
+    return {fem::default_element(settings.element), settings.resolution_m};
+}
 
-StudySettings study_settings(const Settings& settings) {
-    StudySettings result;
+setup::SetupSettings setup_settings(const ui::commands::Settings& settings) {
+    setup::SetupSettings result;
     result.mesh = mesh_request(settings);
-    parse_integrator(settings.integrator, result.integrator);
+    dynamics::parse_integrator(settings.integrator, result.integrator);
     result.spectral_radius = settings.spectral_radius;
     result.h_s = settings.time_step_s;
     result.material = settings.material;
@@ -136,50 +152,54 @@ StudySettings study_settings(const Settings& settings) {
     return result;
 }
 
-Experiment with_settings(Experiment experiment, const Settings& settings) {
+experiment::Experiment with_settings(experiment::Experiment experiment, const ui::commands::Settings& settings) {
     experiment.material.youngs_modulus_Pa = settings.youngs_modulus_Pa;
     experiment.material.poissons_ratio = settings.poissons_ratio;
     experiment.material.density_kg_m3 = settings.density_kg_m3;
     experiment.material.damping_s = settings.damping_s;
-    for (const AddedEffect& effect : settings.effects) experiment.effects.push_back(declaration(effect));
+    for (const ui::commands::AddedEffect& effect : settings.effects) experiment.effects.push_back(declaration(effect));
     experiment.muscles = declared_muscles(experiment, settings);
     return experiment;
 }
 
-Result<Study> scene_study(const Scene& scene, const MeshedBody& body, const Settings& settings, const StudySettings& chosen, const Progress& progress) {
-    return prepare_study(with_settings(source_of(scene).experiment, settings), chosen, progress, shown_mesh(body, settings));
+Result<setup::Setup> scene_setup(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                 const ui::commands::Settings& settings, const setup::SetupSettings& chosen,
+                                 const Progress& progress) {
+    return setup::prepare_setup(with_settings(source_of(scene).experiment, settings), chosen, progress,
+                                shown_mesh(body, settings));
 }
 
-Result<Scene> open_experiment(const fs::path& path, const Progress& progress) {
-    const Result<Experiment> experiment = read_experiment(path);
+Result<ui::commands::Scene> open_experiment(const fs::path& path, const Progress& progress) {
+    const Result<experiment::Experiment> experiment = experiment::read_experiment(path);
     if (!experiment) return experiment.error();
-    StudySettings settings;
+    setup::SetupSettings settings;
     settings.threads = hardware_threads();
-    const Result<Study> study = prepare_study(*experiment, settings, progress);
-    if (!study) return study.error();
-    Scene scene;
+    const Result<setup::Setup> setup = setup::prepare_setup(*experiment, settings, progress);
+    if (!setup) return setup.error();
+    ui::commands::Scene scene;
     scene.path = path;
     scene.name = experiment->name;
     scene.description = experiment->description;
-    scene.surface = study->surface;
+    scene.surface = setup->surface;
     scene.clamp_m = experiment->clamp_box_m;
     scene.gravity_m_s2 = experiment->gravity_m_s2;
-    scene.warnings = study->warnings;
-    scene.checks = check_rows(check_before(*study));
-    fill_from_study(*study, scene);
-    scene.source = std::make_shared<const SceneSource>(SceneSource{*experiment, study->surface, std::make_shared<const StudyMesh>(study->mesh)});
+    scene.warnings = setup->warnings;
+    scene.checks = check_rows(check::check_before(*setup));
+    fill_from_setup(*setup, scene);
+    scene.source = std::make_shared<const SceneSource>(
+        SceneSource{*experiment, setup->surface, std::make_shared<const setup::BodyMesh>(setup->mesh)});
     return scene;
 }
 
 namespace {
 
 /// A body alone, in the set-up that a mesh gets.
-Scene plain_scene(const fs::path& path, SurfaceMesh surface) {
-    Scene scene;
+ui::commands::Scene plain_scene(const fs::path& path, mesh::SurfaceMesh surface) {
+    ui::commands::Scene scene;
     scene.path = path;
     scene.name = path.stem().string();
     scene.surface = std::move(surface);
-    const Experiment experiment = mesh_scene_experiment(scene.surface, scene.name);
+    const experiment::Experiment experiment = mesh_scene_experiment(scene.surface, scene.name);
     scene.description = experiment.description;
     scene.clamp_m = experiment.clamp_box_m;
     scene.gravity_m_s2 = experiment.gravity_m_s2;
@@ -189,34 +209,40 @@ Scene plain_scene(const fs::path& path, SurfaceMesh surface) {
     return scene;
 }
 
-Result<Scene> open_volume(const fs::path& path, double metres_per_unit) {
-    Result<VolumeMesh> read = read_volume(path, metres_per_unit);
+Result<ui::commands::Scene> open_volume(const fs::path& path, double metres_per_unit) {
+    Result<mesh::VolumeMesh> read = mesh::read_volume(path, metres_per_unit);
     if (!read) return read.error();
-    if (const Result<void> size = check_plausible_size(bounding_box(read->nodes).size()); !size) return Error{size.error().what, path.string()};
-    Scene scene = plain_scene(path, boundary_surface(*read));
+    if (const Result<void> size = mesh::check_plausible_size(mesh::bounding_box(read->nodes).size()); !size)
+        return Error{size.error().what, path.string()};
+    ui::commands::Scene scene = plain_scene(path, mesh::boundary_surface(*read));
     scene.settings.element = read->type;
-    scene.settings.resolution_m = mean_edge_length(*read);
+    scene.settings.resolution_m = mesh::mean_edge_length(*read);
     SceneSource source = source_of(scene);
-    source.mesh = std::make_shared<const StudyMesh>(StudyMesh{std::move(*read), default_element(scene.settings.element), scene.settings.resolution_m, std::nullopt, {}});
+    source.mesh = std::make_shared<const setup::BodyMesh>(setup::BodyMesh{
+        std::move(*read), fem::default_element(scene.settings.element), scene.settings.resolution_m, std::nullopt, {}});
     scene.source = std::make_shared<const SceneSource>(std::move(source));
     return scene;
 }
 
 }  // namespace
 
-Result<Scene> open_mesh(const fs::path& path, std::optional<double> metres_per_unit) {
-    if (!is_mesh_file(path)) return Error{"is no experiment, project or mesh by its ending; surfaces: " + join(surface_endings, " ") + ", volumes: " + join(volume_endings, " "), path.string()};
+Result<ui::commands::Scene> open_mesh(const fs::path& path, std::optional<double> metres_per_unit) {
+    if (!is_mesh_file(path))
+        return Error{"is no experiment, project or mesh by its ending; surfaces: " + join(surface_endings, " ") +
+                         ", volumes: " + join(volume_endings, " "),
+                     path.string()};
     if (!metres_per_unit) return Error{"the file does not say its unit; choose m or mm", path.string()};
     if (is_volume_file(path)) return open_volume(path, *metres_per_unit);
-    const Result<SurfaceMesh> read = read_surface(path, *metres_per_unit);
+    const Result<mesh::SurfaceMesh> read = mesh::read_surface(path, *metres_per_unit);
     if (!read) return read.error();
-    const SurfaceMesh surface = weld(*read);
-    const SurfaceReport report = check_surface(surface);
-    if (const Result<void> size = check_plausible_size(report.size); !size) return Error{size.error().what, path.string()};
+    const mesh::SurfaceMesh surface = mesh::weld(*read);
+    const mesh::SurfaceReport report = mesh::check_surface(surface);
+    if (const Result<void> size = mesh::check_plausible_size(report.size); !size)
+        return Error{size.error().what, path.string()};
     if (!report.closed) return Error{"the surface is not closed: " + join(report.messages), path.string()};
-    Scene scene = plain_scene(path, report.outward ? surface : flipped(surface));
+    ui::commands::Scene scene = plain_scene(path, report.outward ? surface : mesh::flipped(surface));
     scene.warnings = report.messages;
     return scene;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -8,13 +8,13 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "loop/confusion.hpp"
-#include "loop/diagnosis_report_parts.hpp"
-#include "loop/effect_forces.hpp"
-#include "project/output_json.hpp"
-#include "project/readable_parameter.hpp"
+#include "diagnosis/confusion.hpp"
+#include "diagnosis/diagnosis_report_parts.hpp"
+#include "diagnosis/effect_forces.hpp"
+#include "results/output_json.hpp"
+#include "results/readable_parameter.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 using Eigen::Index;
@@ -32,18 +32,18 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-std::string key_of(const std::vector<EffectDeclaration>& effects) {
+std::string key_of(const std::vector<effect::EffectDeclaration>& effects) {
     std::vector<std::string> ids;
-    for (const EffectDeclaration& effect : effects) ids.push_back(effect.id);
-    std::sort(ids.begin(), ids.end());   // a pair is the same whichever was first
+    for (const effect::EffectDeclaration& effect : effects) ids.push_back(effect.id);
+    std::sort(ids.begin(), ids.end());  // a pair is the same whichever was first
     return join(ids, "+");
 }
 
 /// "coefficient 903 kg/m³, position 1, 2, 3 mm".
-std::string readable_words(const EffectParameters& parameters) {
+std::string readable_words(const effect::EffectParameters& parameters) {
     std::string words;
     for (const auto& [name, value] : parameters) {
-        const ReadableParameter shown = readable_quantity(name);
+        const results::ReadableParameter shown = results::readable_quantity(name);
         std::string text;
         if (const auto* const number = std::get_if<double>(&value)) text = format_number(shown.factor * *number, 4);
         if (const auto* const word = std::get_if<std::string>(&value)) text = *word;
@@ -55,62 +55,77 @@ std::string readable_words(const EffectParameters& parameters) {
     return words;
 }
 
-AddedEffect added(const EffectDeclaration& effect) {
-    AddedEffect result{effect.id, {}, effect_name(effect.id), readable_words(effect.parameters)};
+ui::commands::AddedEffect added(const effect::EffectDeclaration& effect) {
+    ui::commands::AddedEffect result{effect.id, {}, results::effect_name(effect.id), readable_words(effect.parameters)};
     for (const auto& [name, value] : effect.parameters) {
-        if (const auto* const v = std::get_if<VectorXd>(&value)) result.parameters[name] = std::vector<double>(v->begin(), v->end());
-        else if (const auto* const number = std::get_if<double>(&value)) result.parameters[name] = *number;
-        else if (const auto* const word = std::get_if<std::string>(&value)) result.parameters[name] = *word;
-        else result.parameters[name] = std::get<std::vector<std::string>>(value);
+        if (const auto* const v = std::get_if<VectorXd>(&value))
+            result.parameters[name] = std::vector<double>(v->begin(), v->end());
+        else if (const auto* const number = std::get_if<double>(&value))
+            result.parameters[name] = *number;
+        else if (const auto* const word = std::get_if<std::string>(&value))
+            result.parameters[name] = *word;
+        else
+            result.parameters[name] = std::get<std::vector<std::string>>(value);
     }
     return result;
 }
 
-/// A flat vector in metres on the samples of the trials: [trial][marker] 3 x T, NaN elsewhere; trials without a sample stay empty.
-std::vector<std::vector<Matrix3Xd>> on_samples(const Study& study, const FitData& data, const VectorXd& flat_m) {
-    std::vector<std::vector<Matrix3Xd>> result(study.trials.size());
-    for (const ResidualSeries& series : data.layout.series) {
+/// A flat vector in metres on the samples of the trials: [trial][marker] 3 x T, NaN elsewhere; trials without a sample
+/// stay empty.
+std::vector<std::vector<Matrix3Xd>> on_samples(const setup::Setup& setup, const diagnosis::FitData& data,
+                                               const VectorXd& flat_m) {
+    std::vector<std::vector<Matrix3Xd>> result(setup.trials.size());
+    for (const statistics::ResidualSeries& series : data.layout.series) {
         const auto t = static_cast<std::size_t>(series.trial);
-        if (result[t].empty()) result[t].assign(study.marker_names.size(), Matrix3Xd::Constant(3, study.trials[t].measured.sample_count(), no_number));
+        if (result[t].empty())
+            result[t].assign(setup.marker_names.size(),
+                             Matrix3Xd::Constant(3, setup.trials[t].measured.sample_count(), no_number));
         for (Index k = series.begin; k < series.end; ++k)
-            result[t][static_cast<std::size_t>(series.marker)](series.axis, data.layout.sample[static_cast<std::size_t>(k)]) = flat_m(k);
+            result[t][static_cast<std::size_t>(series.marker)](
+                series.axis, data.layout.sample[static_cast<std::size_t>(k)]) = flat_m(k);
     }
     return result;
 }
 
 /// Root mean square of a flat residual in each trial [m]; NaN for those that it has no sample of.
-std::vector<double> rms_of_trials(const Study& study, const FitData& data, const VectorXd& residual) {
-    std::vector<double> squares(study.trials.size(), 0.0), count(study.trials.size(), 0.0), result;
-    for (const ResidualSeries& series : data.layout.series) {
-        squares[static_cast<std::size_t>(series.trial)] += residual.segment(series.begin, series.size()).cwiseProduct(data.noise_m.segment(series.begin, series.size())).squaredNorm();
+std::vector<double> rms_of_trials(const setup::Setup& setup, const diagnosis::FitData& data, const VectorXd& residual) {
+    std::vector<double> squares(setup.trials.size(), 0.0), count(setup.trials.size(), 0.0), result;
+    for (const statistics::ResidualSeries& series : data.layout.series) {
+        squares[static_cast<std::size_t>(series.trial)] += residual.segment(series.begin, series.size())
+                                                               .cwiseProduct(
+                                                                   data.noise_m.segment(series.begin, series.size()))
+                                                               .squaredNorm();
         count[static_cast<std::size_t>(series.trial)] += static_cast<double>(series.size());
     }
-    for (std::size_t t = 0; t < squares.size(); ++t) result.push_back(count[t] > 0.0 ? std::sqrt(squares[t] / count[t]) : no_number);
+    for (std::size_t t = 0; t < squares.size(); ++t)
+        result.push_back(count[t] > 0.0 ? std::sqrt(squares[t] / count[t]) : no_number);
     return result;
 }
 
-bool is_predicted(const StudyRun& run, std::size_t trial) { return trial < run.predictions.size() && run.predictions[trial].ok(); }
+bool is_predicted(const prediction::SetupRun& run, std::size_t trial) {
+    return trial < run.predictions.size() && run.predictions[trial].ok();
+}
 
-double score_of(const StudyRun& run, const std::string& trial, double otherwise) {
-    const TrialScore* const score = find_score(run, trial);
+double score_of(const prediction::SetupRun& run, const std::string& trial, double otherwise) {
+    const prediction::TrialScore* const score = results::find_score(run, trial);
     return score ? score->rms_m : otherwise;
 }
 
 /// The fit that a row shows; null for those without.
-const JudgedFit* fit_of(const Diagnosis& d, const std::string& key) {
+const diagnosis::JudgedFit* fit_of(const diagnosis::Diagnosis& d, const std::string& key) {
     if (key == declared_key) return &d.declared;
-    for (const Candidate& candidate : d.candidates)
+    for (const diagnosis::Candidate& candidate : d.candidates)
         if (candidate.judged && candidate.score.id == key) return &*candidate.judged;
-    for (const JudgedFit& pair : d.pairs)
+    for (const diagnosis::JudgedFit& pair : d.pairs)
         if (key_of(pair.fit.effects) == key) return &pair;
     return nullptr;
 }
 
 class View {
 public:
-    View(const DiagnosisSource& source, const Diagnosis& d) : source_(source), study_(source.study), d_(d) {}
+    View(const DiagnosisSource& source, const diagnosis::Diagnosis& d) : source_(source), setup_(source.setup), d_(d) {}
 
-    DiagnosisView take() {
+    ui::commands::DiagnosisView take() {
         // The stages before this know nothing to show.
         if (!d_.declared.usable()) return std::move(view_);
         view_.complete = d_.complete() && !d_.verdict.because.empty();
@@ -121,32 +136,38 @@ public:
         if (view_.complete) set_verdict();
         set_trials();
         add_rows();
-        for (const Confusion& c : confusions_of_verdict(d_)) {
-            const std::string words = name_in_sentence(c.first) + " and " + name_in_sentence(c.second) + " (cosine " + format_number(c.cosine, 3) + "); " + c.next_experiment + " would separate them.";
-            if (is_decided(d_, c)) view_.alike.push_back("Alike here, but the fits decide: " + words);
-            else view_.confounded.push_back("Not to be told apart here: " + words);
+        for (const diagnosis::Confusion& c : diagnosis::confusions_of_verdict(d_)) {
+            const std::string words = diagnosis::name_in_sentence(c.first) + " and " +
+                                      diagnosis::name_in_sentence(c.second) + " (cosine " + format_number(c.cosine, 3) +
+                                      "); " + c.next_experiment + " would separate them.";
+            if (diagnosis::is_decided(d_, c))
+                view_.alike.push_back("Alike here, but the fits decide: " + words);
+            else
+                view_.confounded.push_back("Not to be told apart here: " + words);
         }
         return std::move(view_);
     }
 
 private:
     void set_verdict() {
-        const Verdict& verdict = d_.verdict;
+        const diagnosis::Verdict& verdict = d_.verdict;
         view_.confidence = verdict.confidence;
         view_.because = reason();
         switch (verdict.kind) {
-            case VerdictKind::none:
-                view_.verdict = DiagnosisVerdict::none;
+            case diagnosis::VerdictKind::none:
+                view_.verdict = ui::commands::DiagnosisVerdict::none;
                 view_.headline = "Nothing is missing";
                 chosen_ = declared_key;
                 break;
-            case VerdictKind::effects:
-                view_.verdict = DiagnosisVerdict::effects;
-                view_.headline = capitalised(names_of(verdict.effects)) + (verdict.effects.size() > 1 ? " are missing: " : " is missing: ") + fitted_words(study_, d_.augmented.fit);
+            case diagnosis::VerdictKind::effects:
+                view_.verdict = ui::commands::DiagnosisVerdict::effects;
+                view_.headline = capitalised(diagnosis::names_of(verdict.effects)) +
+                                 (verdict.effects.size() > 1 ? " are missing: " : " is missing: ") +
+                                 diagnosis::fitted_words(setup_, d_.augmented.fit);
                 chosen_ = key_of(verdict.effects);
                 break;
-            case VerdictKind::unknown:
-                view_.verdict = DiagnosisVerdict::unknown;
+            case diagnosis::VerdictKind::unknown:
+                view_.verdict = ui::commands::DiagnosisVerdict::unknown;
                 view_.headline = "Something is missing that none of the known effects explains";
                 chosen_ = d_.missing_force && !d_.missing_force->modes.empty() ? missing_force_key : "";
                 break;
@@ -156,28 +177,37 @@ private:
     /// With the names of effects as a person reads them, and what the trials say that took no part.
     std::string reason() const {
         std::string text = capitalised(d_.verdict.because);
-        if (d_.verdict.kind == VerdictKind::effects)
-            text = "With " + names_of(d_.verdict.effects) + " the systematic part of the residual falls from " + format_number(d_.declared.tests.systematic.rms, 3) + " to " +
+        if (d_.verdict.kind == diagnosis::VerdictKind::effects)
+            text = "With " + diagnosis::names_of(d_.verdict.effects) +
+                   " the systematic part of the residual falls from " +
+                   format_number(d_.declared.tests.systematic.rms, 3) + " to " +
                    format_number(d_.augmented.tests.systematic.rms, 2) + " times the noise." + d_.verdict.but;
         const double before = d_.before.validation_rms_m, after = d_.after.validation_rms_m;
-        if (d_.verdict.kind != VerdictKind::none && std::isfinite(before) && std::isfinite(after) && before > 0.0)
-            text += " On trials that took no part the error goes from " + format_number(1e3 * before, 3) + " to " + format_number(1e3 * after, 3) + " mm.";
+        if (d_.verdict.kind != diagnosis::VerdictKind::none && std::isfinite(before) && std::isfinite(after) &&
+            before > 0.0)
+            text += " On trials that took no part the error goes from " + format_number(1e3 * before, 3) + " to " +
+                    format_number(1e3 * after, 3) + " mm.";
         return text;
     }
 
     void set_trials() {
         const VectorXd flat = -d_.declared.fit.residual.cwiseProduct(d_.data.noise_m);
-        const std::vector<std::vector<Matrix3Xd>> left = on_samples(study_, d_.data, flat);
-        const std::vector<double> rms = rms_of_trials(study_, d_.data, d_.declared.fit.residual);
-        for (std::size_t t = 0; t < study_.trials.size(); ++t) {
-            DiagnosisTrial trial{study_.trials[t].name, study_.trials[t].role == TrialRole::fit, left[t], score_of(d_.before, study_.trials[t].name, rms[t])};
+        const std::vector<std::vector<Matrix3Xd>> left = on_samples(setup_, d_.data, flat);
+        const std::vector<double> rms = rms_of_trials(setup_, d_.data, d_.declared.fit.residual);
+        for (std::size_t t = 0; t < setup_.trials.size(); ++t) {
+            ui::commands::DiagnosisTrial trial{setup_.trials[t].name,
+                                               setup_.trials[t].role == experiment::TrialRole::fit, left[t],
+                                               score_of(d_.before, setup_.trials[t].name, rms[t])};
             if (trial.residual_m.empty() && is_predicted(d_.before, t))
-                for (const Matrix3Xd& residual : d_.before.predictions[t].residual_m) trial.residual_m.push_back(-residual);
+                for (const Matrix3Xd& residual : d_.before.predictions[t].residual_m)
+                    trial.residual_m.push_back(-residual);
             view_.trials.push_back(std::move(trial));
         }
         double most = -1.0;
-        for (const ResidualSeries& series : d_.data.layout.series) {
-            const double mean = series.size() > 0 ? flat.segment(series.begin, series.size()).squaredNorm() / static_cast<double>(series.size()) : 0.0;
+        for (const statistics::ResidualSeries& series : d_.data.layout.series) {
+            const double mean = series.size() > 0 ? flat.segment(series.begin, series.size()).squaredNorm() /
+                                                        static_cast<double>(series.size())
+                                                  : 0.0;
             if (mean <= most) continue;
             most = mean;
             view_.worst_trial = series.trial;
@@ -186,88 +216,100 @@ private:
         }
     }
 
-    void set_value(DiagnosisRow& row, const JointFit& fit) const {
-        row.value = fitted_words(study_, fit);
-        const std::vector<EffectEstimate> numbers = effect_estimates(study_, fit);
+    void set_value(ui::commands::DiagnosisRow& row, const diagnosis::JointFit& fit) const {
+        row.value = diagnosis::fitted_words(setup_, fit);
+        const std::vector<diagnosis::EffectEstimate> numbers = diagnosis::effect_estimates(setup_, fit);
         if (numbers.size() > 1) row.brief = std::to_string(numbers.size()) + " values";
         if (numbers.size() != 1) return;
-        row.brief = estimate_words(numbers.front());
-        row.one_number = row.value.ends_with(row.brief);   // else words follow it
+        row.brief = diagnosis::estimate_words(numbers.front());
+        row.one_number = row.value.ends_with(row.brief);  // else words follow it
     }
 
-    DiagnosisRow fitted_row(const std::string& key, const std::string& name, const JudgedFit& fit) const {
-        DiagnosisRow row;
+    ui::commands::DiagnosisRow fitted_row(const std::string& key, const std::string& name,
+                                          const diagnosis::JudgedFit& fit) const {
+        ui::commands::DiagnosisRow row;
         row.key = key;
         row.name = name;
         row.chosen = key == chosen_;
         row.fitted = true;
         // What the verdict stands on was fitted once more at the end.
-        const JudgedFit& last = row.chosen && d_.augmented.usable() ? d_.augmented : fit;
+        const diagnosis::JudgedFit& last = row.chosen && d_.augmented.usable() ? d_.augmented : fit;
         set_value(row, last.fit);
         row.rms_m = last.rms_m;
         row.held_out = fit.held_out_rms;
         row.weight = fit.weight;
-        row.predicted_m = on_samples(study_, d_.data, (fit.fit.residual - d_.declared.fit.residual).cwiseProduct(d_.data.noise_m));
-        row.after_m = rms_of_trials(study_, d_.data, fit.fit.residual);
-        for (std::size_t t = 0; t < study_.trials.size() && row.chosen; ++t) {
-            row.after_m[t] = score_of(d_.after, study_.trials[t].name, row.after_m[t]);
+        row.predicted_m = on_samples(setup_, d_.data,
+                                     (fit.fit.residual - d_.declared.fit.residual).cwiseProduct(d_.data.noise_m));
+        row.after_m = rms_of_trials(setup_, d_.data, fit.fit.residual);
+        for (std::size_t t = 0; t < setup_.trials.size() && row.chosen; ++t) {
+            row.after_m[t] = score_of(d_.after, setup_.trials[t].name, row.after_m[t]);
             if (!row.predicted_m[t].empty() || !is_predicted(d_.before, t) || !is_predicted(d_.after, t)) continue;
-            for (std::size_t m = 0; m < study_.marker_names.size(); ++m)
-                row.predicted_m[t].push_back(d_.after.predictions[t].residual_m[m] - d_.before.predictions[t].residual_m[m]);
+            for (std::size_t m = 0; m < setup_.marker_names.size(); ++m)
+                row.predicted_m[t].push_back(d_.after.predictions[t].residual_m[m] -
+                                             d_.before.predictions[t].residual_m[m]);
         }
         row.settings = source_.settings;
         row.settings.youngs_modulus_Pa = last.fit.values.youngs_modulus_Pa;
         row.settings.damping_s = last.fit.values.damping_s;
         row.settings.effects.clear();
-        for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e) row.settings.effects.push_back(added(last.fit.values.effects[e]));
+        for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e)
+            row.settings.effects.push_back(added(last.fit.values.effects[e]));
         return row;
     }
 
-    DiagnosisRow candidate_row(const Candidate& candidate) const {
+    ui::commands::DiagnosisRow candidate_row(const diagnosis::Candidate& candidate) const {
         const std::string& id = candidate.score.id;
-        DiagnosisRow row;
-        if (candidate.judged) row = fitted_row(id, effect_name(id), *candidate.judged);
+        ui::commands::DiagnosisRow row;
+        if (candidate.judged)
+            row = fitted_row(id, results::effect_name(id), *candidate.judged);
         else {
             row.key = id;
-            row.name = effect_name(id);
+            row.name = results::effect_name(id);
             row.value = "not fitted";
             // To first order, without a fit.
-            row.predicted_m = on_samples(study_, d_.data, -candidate.score.predicted.cwiseProduct(d_.data.noise_m));
+            row.predicted_m = on_samples(setup_, d_.data, -candidate.score.predicted.cwiseProduct(d_.data.noise_m));
         }
         row.explained = candidate.score.usable() ? candidate.score.test.explained : no_number;
-        for (const std::string& like : candidate.like) row.like += (row.like.empty() ? "" : ", ") + name_in_sentence(like);
+        for (const std::string& like : candidate.like)
+            row.like += (row.like.empty() ? "" : ", ") + diagnosis::name_in_sentence(like);
         return row;
     }
 
     void add_rows() {
-        DiagnosisRow declared = fitted_row(declared_key, "Declared model", d_.declared);
-        declared.kind = DiagnosisRow::Kind::declared;
+        ui::commands::DiagnosisRow declared = fitted_row(declared_key, "Declared model", d_.declared);
+        declared.kind = ui::commands::DiagnosisRow::Kind::declared;
         declared.value = "nothing added";
         declared.predicted_m.clear();
         declared.after_m.clear();
         view_.rows.push_back(std::move(declared));
         if (chosen_ == missing_force_key) view_.rows.push_back(missing_force_row());
-        std::vector<std::pair<double, DiagnosisRow>> fitted;
-        for (const Candidate& candidate : d_.candidates)
+        std::vector<std::pair<double, ui::commands::DiagnosisRow>> fitted;
+        for (const diagnosis::Candidate& candidate : d_.candidates)
             if (candidate.judged) fitted.emplace_back(candidate.judged->criterion, candidate_row(candidate));
-        for (const JudgedFit& pair : d_.pairs) fitted.emplace_back(pair.criterion, fitted_row(key_of(pair.fit.effects), effect_name(names_of(pair.fit.effects)), pair));
+        for (const diagnosis::JudgedFit& pair : d_.pairs)
+            fitted.emplace_back(pair.criterion,
+                                fitted_row(key_of(pair.fit.effects),
+                                           results::effect_name(diagnosis::names_of(pair.fit.effects)), pair));
         std::stable_sort(fitted.begin(), fitted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         // A verdict leaves out what is not needed: of equals it names the simpler one.
         std::stable_partition(fitted.begin(), fitted.end(), [](const auto& row) { return row.second.chosen; });
         for (auto& [criterion, row] : fitted) view_.rows.push_back(std::move(row));
-        for (const Candidate& candidate : d_.candidates)
-            if (!candidate.judged && candidate.score.usable() && candidate.score.predicted.size() == d_.data.layout.size()) view_.rows.push_back(candidate_row(candidate));
+        for (const diagnosis::Candidate& candidate : d_.candidates)
+            if (!candidate.judged && candidate.score.usable() &&
+                candidate.score.predicted.size() == d_.data.layout.size())
+                view_.rows.push_back(candidate_row(candidate));
     }
 
-    DiagnosisRow missing_force_row() {
-        const MissingForce& force = *d_.missing_force;
-        DiagnosisRow row;
-        row.kind = DiagnosisRow::Kind::missing_force;
+    ui::commands::DiagnosisRow missing_force_row() {
+        const diagnosis::MissingForce& force = *d_.missing_force;
+        ui::commands::DiagnosisRow row;
+        row.kind = ui::commands::DiagnosisRow::Kind::missing_force;
         row.key = missing_force_key;
         row.name = "Missing force";
         row.chosen = row.fitted = true;
         row.explained = force.removed();
-        row.value = "up to " + format_number(1e3 * force.modes.front().peak_N(), 3) + " mN " + force.modes.front().where;
+        row.value = "up to " + format_number(1e3 * force.modes.front().peak_N(), 3) + " mN " +
+                    force.modes.front().where;
         view_.missing_force.trial = force.trial;
         view_.missing_force.time_s = force.time_s;
         for (std::size_t k = 0; k < force.modes.size(); ++k) {
@@ -278,14 +320,15 @@ private:
     }
 
     const DiagnosisSource& source_;
-    const Study& study_;
-    const Diagnosis& d_;
+    const setup::Setup& setup_;
+    const diagnosis::Diagnosis& d_;
     std::string chosen_;
-    DiagnosisView view_;
+    ui::commands::DiagnosisView view_;
 };
 
-PatchForces in_patches(const BodyPatches& patches, const std::vector<double>& times, const std::vector<Matrix3Xd>& forces) {
-    PatchForces result;
+ui::commands::PatchForces in_patches(const diagnosis::BodyPatches& patches, const std::vector<double>& times,
+                                     const std::vector<Matrix3Xd>& forces) {
+    ui::commands::PatchForces result;
     result.time_s = Eigen::Map<const VectorXd>(times.data(), static_cast<Index>(times.size()));
     for (const Matrix3Xd& force : forces) {
         result.force_N.push_back(patches.sums(force));
@@ -294,62 +337,77 @@ PatchForces in_patches(const BodyPatches& patches, const std::vector<double>& ti
     return result;
 }
 
-void add_missing_force(const Study& study, const MissingForce& force, const BodyPatches& patches, DiagnosisRow& row) {
+void add_missing_force(const setup::Setup& setup, const diagnosis::MissingForce& force,
+                       const diagnosis::BodyPatches& patches, ui::commands::DiagnosisRow& row) {
     std::vector<Matrix3Xd> forces;
     for (Index k = 0; k < force.time_s.size(); ++k) {
         forces.push_back(Matrix3Xd::Zero(3, patches.patch_of_node.size()));
-        for (const ForceMode& mode : force.modes) forces.back() += mode.amplitude_N(k) * mode.pattern;
+        for (const diagnosis::ForceMode& mode : force.modes) forces.back() += mode.amplitude_N(k) * mode.pattern;
     }
-    row.force.resize(study.trials.size());
-    for (std::size_t t = 0; t < study.trials.size(); ++t)
-        if (study.trials[t].name == force.trial)
-            row.force[t] = std::make_shared<const PatchForces>(in_patches(patches, {force.time_s.begin(), force.time_s.end()}, forces));
+    row.force.resize(setup.trials.size());
+    for (std::size_t t = 0; t < setup.trials.size(); ++t)
+        if (setup.trials[t].name == force.trial)
+            row.force[t] = std::make_shared<const ui::commands::PatchForces>(
+                in_patches(patches, {force.time_s.begin(), force.time_s.end()}, forces));
 }
 
 }  // namespace
 
-DiagnosisView diagnosis_view(const DiagnosisSource& source, const Diagnosis& diagnosis) { return View(source, diagnosis).take(); }
-
-void add_forces(const DiagnosisSource& source, const Diagnosis& d, DiagnosisView& view) {
-    assert(d.complete());
-    const Study& study = source.study;
-    const BodyPatches patches = body_patches(*study.body, about_patches);
-    view.patch_of_node = patches.patch_of_node;
-    view.patches = patches.count;
-    std::vector<DiagnosisRow*> rows;
-    for (DiagnosisRow& row : view.rows) {
-        if (row.kind == DiagnosisRow::Kind::missing_force) add_missing_force(study, *d.missing_force, patches, row);
-        if (row.kind == DiagnosisRow::Kind::effects && row.fitted && rows.size() < most_with_forces) rows.push_back(&row);
-    }
-    for (DiagnosisRow* row : rows) row->force.resize(study.trials.size());
-    std::vector<std::string> why(rows.size() * study.trials.size());
-    parallel_tasks(static_cast<int>(why.size()), study.settings.threads, [&](int task) {
-        const std::size_t t = static_cast<std::size_t>(task) % study.trials.size();
-        DiagnosisRow& row = *rows[static_cast<std::size_t>(task) / study.trials.size()];
-        const bool own = row.chosen && is_predicted(d.after, t);
-        const JudgedFit* const fit = own ? &d.augmented : fit_of(d, row.key);
-        if (!fit || !is_predicted(d.before, t)) return;
-        const StudyValues values = with_predicted_levels(study, fit->fit.values);
-        const std::size_t first = values.effects.size() - fit->fit.effects.size();
-        const NodalForces forces = effect_forces(study, t, values, first, (own ? d.after : d.before).predictions[t].trace, about_moments);
-        PatchForces shown = in_patches(patches, forces.times_s, forces.force_N);
-        if (!forces.failure.empty()) why[static_cast<std::size_t>(task)] = "No force is drawn: " + forces.failure + ".";
-        else if (!(shown.largest_N > 0.0)) why[static_cast<std::size_t>(task)] = "No force is drawn: it changes where the body is held, how it starts or how it is seen.";
-        else row.force[t] = std::make_shared<const PatchForces>(std::move(shown));
-    });
-    for (std::size_t i = 0; i < why.size(); ++i)
-        if (!why[i].empty()) rows[i / study.trials.size()]->no_force = why[i];
+ui::commands::DiagnosisView diagnosis_view(const DiagnosisSource& source, const diagnosis::Diagnosis& diagnosis) {
+    return View(source, diagnosis).take();
 }
 
-EffectDeclaration declaration(const AddedEffect& effect) {
-    EffectDeclaration result{effect.id, {}, true};
+void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& d, ui::commands::DiagnosisView& view) {
+    assert(d.complete());
+    const setup::Setup& setup = source.setup;
+    const diagnosis::BodyPatches patches = diagnosis::body_patches(*setup.body, about_patches);
+    view.patch_of_node = patches.patch_of_node;
+    view.patches = patches.count;
+    std::vector<ui::commands::DiagnosisRow*> rows;
+    for (ui::commands::DiagnosisRow& row : view.rows) {
+        if (row.kind == ui::commands::DiagnosisRow::Kind::missing_force)
+            add_missing_force(setup, *d.missing_force, patches, row);
+        if (row.kind == ui::commands::DiagnosisRow::Kind::effects && row.fitted && rows.size() < most_with_forces)
+            rows.push_back(&row);
+    }
+    for (ui::commands::DiagnosisRow* row : rows) row->force.resize(setup.trials.size());
+    std::vector<std::string> why(rows.size() * setup.trials.size());
+    parallel_tasks(static_cast<int>(why.size()), setup.settings.threads, [&](int task) {
+        const std::size_t t = static_cast<std::size_t>(task) % setup.trials.size();
+        ui::commands::DiagnosisRow& row = *rows[static_cast<std::size_t>(task) / setup.trials.size()];
+        const bool own = row.chosen && is_predicted(d.after, t);
+        const diagnosis::JudgedFit* const fit = own ? &d.augmented : fit_of(d, row.key);
+        if (!fit || !is_predicted(d.before, t)) return;
+        const prediction::ParameterValues values = prediction::with_predicted_levels(setup, fit->fit.values);
+        const std::size_t first = values.effects.size() - fit->fit.effects.size();
+        const diagnosis::NodalForces forces = diagnosis::effect_forces(
+            setup, t, values, first, (own ? d.after : d.before).predictions[t].trace, about_moments);
+        ui::commands::PatchForces shown = in_patches(patches, forces.times_s, forces.force_N);
+        if (!forces.failure.empty())
+            why[static_cast<std::size_t>(task)] = "No force is drawn: " + forces.failure + ".";
+        else if (!(shown.largest_N > 0.0))
+            why[static_cast<std::size_t>(
+                task)] = "No force is drawn: it changes where the body is held, how it starts or how it is seen.";
+        else
+            row.force[t] = std::make_shared<const ui::commands::PatchForces>(std::move(shown));
+    });
+    for (std::size_t i = 0; i < why.size(); ++i)
+        if (!why[i].empty()) rows[i / setup.trials.size()]->no_force = why[i];
+}
+
+effect::EffectDeclaration declaration(const ui::commands::AddedEffect& effect) {
+    effect::EffectDeclaration result{effect.id, {}, true};
     for (const auto& [name, value] : effect.parameters) {
-        if (const auto* const v = std::get_if<std::vector<double>>(&value)) result.parameters[name] = VectorXd(Eigen::Map<const VectorXd>(v->data(), static_cast<Index>(v->size())));
-        else if (const auto* const number = std::get_if<double>(&value)) result.parameters[name] = *number;
-        else if (const auto* const word = std::get_if<std::string>(&value)) result.parameters[name] = *word;
-        else result.parameters[name] = std::get<std::vector<std::string>>(value);
+        if (const auto* const v = std::get_if<std::vector<double>>(&value))
+            result.parameters[name] = VectorXd(Eigen::Map<const VectorXd>(v->data(), static_cast<Index>(v->size())));
+        else if (const auto* const number = std::get_if<double>(&value))
+            result.parameters[name] = *number;
+        else if (const auto* const word = std::get_if<std::string>(&value))
+            result.parameters[name] = *word;
+        else
+            result.parameters[name] = std::get<std::vector<std::string>>(value);
     }
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "reproduce/damped_cosine.hpp"
+#include "inverse/damped_cosine.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 using Eigen::VectorXd;
@@ -14,8 +14,8 @@ using Eigen::VectorXd;
 /// Later crossings may be noise.
 constexpr int most_crossings = 9;
 
-/// Takes frequency and damping from a damped cosine through the longest stretch without gaps, where that is what the samples are: a short
-/// record does not come to rest, and its crossings depend on what is taken for rest.
+/// Takes frequency and damping from a damped cosine through the longest stretch without gaps, where that is what the
+/// samples are: a short record does not come to rest, and its crossings depend on what is taken for rest.
 void fit_free_vibration(const VectorXd& times_s, const VectorXd& values, MeasuredVibration& found) {
     Eigen::Index first = 0, count = 0;
     for (Eigen::Index t = 0, start = 0; t <= values.size(); ++t) {
@@ -24,11 +24,13 @@ void fit_free_vibration(const VectorXd& times_s, const VectorXd& values, Measure
         start = t + 1;
     }
     if (count < 8) return;
-    const DampedCosine fit = fit_damped_cosine(times_s.segment(first, count), values.segment(first, count));
+    const inverse::DampedCosine fit = inverse::fit_damped_cosine(times_s.segment(first, count),
+                                                                 values.segment(first, count));
     const double fitted_Hz = fit.omega_rad_s / (2.0 * std::numbers::pi);
     const VectorXd about = values.segment(first, count).array() - fit.offset;
     // A motion that is driven, or of several modes, leaves much and swings otherwise than it crosses.
-    const bool fits = fit.ok && fit.rms < 0.5 * about.norm() / std::sqrt(static_cast<double>(count)) && std::abs(fitted_Hz / found.frequency_Hz - 1.0) < 0.4;
+    const bool fits = fit.ok && fit.rms < 0.5 * about.norm() / std::sqrt(static_cast<double>(count)) &&
+                      std::abs(fitted_Hz / found.frequency_Hz - 1.0) < 0.4;
     if (!fits || !(fit.rate_1_s > 0.0)) return;
     found.frequency_Hz = fitted_Hz;
     found.damping_ratio = fit.damping_ratio();
@@ -57,17 +59,18 @@ MeasuredVibration vibration_of(const VectorXd& times_s, const VectorXd& values) 
     return found;
 }
 
-MeasuredVibration dominant_vibration(const Study& study) {
+MeasuredVibration dominant_vibration(const setup::Setup& setup) {
     MeasuredVibration dominant;
-    for (const StudyTrial& trial : study.trials)
+    for (const setup::PreparedTrial& trial : setup.trials)
         for (const Eigen::Matrix3Xd& track : trial.measured.tracks)
             for (int axis = 0; axis < 3; ++axis) {
                 const Eigen::Index samples = track.cols() - trial.first_sample;
                 if (samples < 2) continue;
-                const MeasuredVibration found = vibration_of(trial.measured.time_s.tail(samples), track.row(axis).tail(samples).transpose());
+                const MeasuredVibration found = vibration_of(trial.measured.time_s.tail(samples),
+                                                             track.row(axis).tail(samples).transpose());
                 if (found.frequency_Hz > 0.0 && found.energy_m2 > dominant.energy_m2) dominant = found;
             }
     return dominant;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

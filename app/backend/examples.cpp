@@ -4,22 +4,22 @@
 #include <map>
 #include <system_error>
 
-#include "project/read_experiment.hpp"
+#include "experiment/read_experiment.hpp"
 
-namespace myo {
+namespace myo::backend {
 
 namespace fs = std::filesystem;
 
-std::vector<Example> bundled_examples() {
+std::vector<ui::commands::Example> bundled_examples() {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    std::vector<Example> examples;
+    std::vector<ui::commands::Example> examples;
     std::map<fs::path, std::size_t> trials;
     for (const fs::path& folder : {program / "../../assets/examples", program / "../share/myoloop/examples"}) {
         for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored)) {
             const fs::path home = fs::weakly_canonical(it->path(), ignored);
             if (!fs::is_regular_file(home / "experiment.toml", ignored)) continue;
-            const Result<Experiment> experiment = read_experiment(home);
+            const Result<experiment::Experiment> experiment = experiment::read_experiment(home);
             if (!experiment) continue;
             examples.push_back({home, experiment->name, experiment->description});
             trials[home] = experiment->trials.size();
@@ -28,8 +28,10 @@ std::vector<Example> bundled_examples() {
         if (!examples.empty()) break;
     }
     // What has most to look at comes first.
-    std::sort(examples.begin(), examples.end(), [&](const Example& a, const Example& b) { return trials[a.path] != trials[b.path] ? trials[a.path] > trials[b.path] : a.path < b.path; });
+    std::sort(examples.begin(), examples.end(), [&](const ui::commands::Example& a, const ui::commands::Example& b) {
+        return trials[a.path] != trials[b.path] ? trials[a.path] > trials[b.path] : a.path < b.path;
+    });
     return examples;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -4,9 +4,9 @@
 
 #include "commands/backend.hpp"
 
-namespace myo {
+namespace myo::backend {
 
 /// The bundled examples: beside the program's sources, or where it was installed. Empty when they are in neither place.
-std::vector<Example> bundled_examples();
+std::vector<ui::commands::Example> bundled_examples();
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -10,27 +10,28 @@
 #include "effect/catalogue.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
-#include "project/muscle_groups.hpp"
-#include "project/study.hpp"
+#include "setup/muscle_groups.hpp"
+#include "setup/setup.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 constexpr double release_s = 1.0;
 
 }  // namespace
 
-Experiment mesh_scene_experiment(const SurfaceMesh& surface, const std::string& name) {
-    Experiment experiment;
+experiment::Experiment mesh_scene_experiment(const mesh::SurfaceMesh& surface, const std::string& name) {
+    experiment::Experiment experiment;
     experiment.name = name;
-    experiment.description = "Mesh without an experiment: silicone, held at the lower end of its longest axis and released under gravity.";
-    const Box bounds = bounding_box(surface.vertices);
+    experiment.description =
+        "Mesh without an experiment: silicone, held at the lower end of its longest axis and released under gravity.";
+    const Box bounds = mesh::bounding_box(surface.vertices);
     int axis = 0;
     bounds.size().maxCoeff(&axis);
     const double margin = 1e-3 * bounds.size()(axis);
     experiment.clamp_box_m = {bounds.lowest.array() - margin, bounds.highest.array() + margin};
     experiment.clamp_box_m.highest(axis) = bounds.lowest(axis) + margin;
-    experiment.material.model = neo_hookean()->id();
+    experiment.material.model = material::neo_hookean()->id();
     experiment.material.youngs_modulus_Pa = 2.6e5;
     experiment.material.poissons_ratio = 0.49;
     experiment.material.density_kg_m3 = 1070.0;
@@ -38,18 +39,20 @@ Experiment mesh_scene_experiment(const SurfaceMesh& surface, const std::string& 
     return experiment;
 }
 
-SceneTrial mesh_scene_trial() { return {"release", "", Eigen::VectorXd::LinSpaced(101, 0.0, release_s), {}}; }
+ui::commands::SceneTrial mesh_scene_trial() {
+    return {"release", "", Eigen::VectorXd::LinSpaced(101, 0.0, release_s), {}};
+}
 
-Settings mesh_scene_settings(const Experiment& experiment, const SurfaceMesh& surface) {
-    Settings settings;
-    settings.element = cell_type(automatic_element(surface));
-    settings.resolution_m = automatic_resolution(surface, settings.element);
+ui::commands::Settings mesh_scene_settings(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface) {
+    ui::commands::Settings settings;
+    settings.element = fem::cell_type(setup::automatic_element(surface));
+    settings.resolution_m = setup::automatic_resolution(surface, settings.element);
     settings.material = experiment.material.model;
     settings.youngs_modulus_Pa = experiment.material.youngs_modulus_Pa;
     settings.poissons_ratio = experiment.material.poissons_ratio;
     settings.density_kg_m3 = experiment.material.density_kg_m3;
     settings.damping_s = experiment.material.damping_s.value_or(0.0);
-    settings.integrator = to_string(Integrator::tr_bdf2);
+    settings.integrator = to_string(dynamics::Integrator::tr_bdf2);
     settings.time_step_s = 0.005;
     return settings;
 }
@@ -57,11 +60,11 @@ Settings mesh_scene_settings(const Experiment& experiment, const SurfaceMesh& su
 namespace {
 
 /// What effects may know of a run without measurement.
-EffectSite site_of(const Experiment& experiment, const BodyPointer& body) {
-    EffectSite site;
+effect::EffectSite site_of(const experiment::Experiment& experiment, const model::BodyPointer& body) {
+    effect::EffectSite site;
     site.body = body;
     site.held = experiment.clamp_box_m;
-    for (const MuscleDeclaration& muscle : experiment.muscles) site.muscle_names.push_back(muscle.name);
+    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) site.muscle_names.push_back(muscle.name);
     site.trial = mesh_scene_trial().name;
     site.end_s = release_s;
     return site;
@@ -69,47 +72,54 @@ EffectSite site_of(const Experiment& experiment, const BodyPointer& body) {
 
 }  // namespace
 
-Result<RunResult> run_mesh_scene(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) {
-    const Experiment experiment = with_settings(source_of(scene).experiment, settings);
-    const StudySettings study = study_settings(settings);
-    const StudyMesh* const mesh = shown_mesh(body, settings);
+Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                               const ui::commands::Settings& settings,
+                                               const std::optional<ui::commands::RunExtent>& only,
+                                               const Progress& progress) {
+    const experiment::Experiment experiment = with_settings(source_of(scene).experiment, settings);
+    const setup::SetupSettings setup = setup_settings(settings);
+    const setup::BodyMesh* const mesh = shown_mesh(body, settings);
     if (!mesh) return Error{"the body is not meshed with these settings", experiment.name};
-    const std::vector<int> held = nodes_in_box(mesh->mesh, held_part(experiment.clamp_box_m, bounding_box(scene.surface.vertices)));
+    const std::vector<int> held = mesh::nodes_in_box(
+        mesh->mesh, setup::held_part(experiment.clamp_box_m, mesh::bounding_box(scene.surface.vertices)));
     if (held.empty()) return Error{"no node lies at the held end; choose a finer resolution", experiment.name};
-    Model model;
-    const bool fine = any_varies_within_cells(experiment.effects);
-    model.body = make_body(mesh->mesh, fine ? fine_element(mesh->element) : mesh->element, held);
-    model.material = find_material(settings.material);
+    model::Model model;
+    const bool fine = effect::any_varies_within_cells(experiment.effects);
+    model.body = model::make_body(mesh->mesh, fine ? fem::fine_element(mesh->element) : mesh->element, held);
+    model.material = material::find_material(settings.material);
     if (!model.material) return Error{"no material law '" + settings.material + "'", "material"};
-    model.moduli = uniform_moduli(model.body->cell_count(), settings.youngs_modulus_Pa, settings.poissons_ratio);
+    model.moduli = model::uniform_moduli(model.body->cell_count(), settings.youngs_modulus_Pa, settings.poissons_ratio);
     model.damping_s = settings.damping_s;
     model.density_kg_m3 = settings.density_kg_m3;
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
-    Result<std::vector<FibreGroup>> muscles = muscle_groups(experiment, *mesh);
+    Result<std::vector<fibre::FibreGroup>> muscles = setup::muscle_groups(experiment, *mesh);
     if (!muscles) return muscles.error();
-    model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::move(*muscles));
-    model.activation.assign(experiment.muscles.size(), Signal::constant(1.0));
-    declare_activation(experiment, model.activation);
-    Affected affected{std::move(model), {}, {}};
-    affected.options.integrator = study.scheme();
+    model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
+    model.activation.assign(experiment.muscles.size(), fibre::Signal::constant(1.0));
+    setup::declare_activation(experiment, model.activation);
+    effect::Affected affected{std::move(model), {}, {}};
+    affected.options.integrator = setup.scheme();
     affected.options.h_s = settings.time_step_s;
     affected.options.end_s = release_s;
-    apply_effects(site_of(experiment, affected.model.body), experiment.effects, affected);
+    effect::apply_effects(site_of(experiment, affected.model.body), experiment.effects, affected);
     if (only) affected.options.end_s = std::min(only->end_s, release_s);
     const Stopwatch watch;
-    const Trace trace = simulate(affected.model, affected.options, progress);
+    const dynamics::Trace trace = dynamics::simulate(affected.model, affected.options, progress);
 
-    RunResult result;
+    ui::commands::RunResult result;
     result.seconds = watch.seconds();
     result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
-    if (!only) result.warnings = check_integration(affected.model, affected.options.integrator, affected.options.h_s).warnings;
+    if (!only)
+        result.warnings = setup::check_integration(affected.model, affected.options.integrator, affected.options.h_s)
+                              .warnings;
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;
-    SimulatedTrial shown;
+    ui::commands::SimulatedTrial shown;
     shown.name = mesh_scene_trial().name;
     shown.frames = trace.positions;
-    shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(), static_cast<Eigen::Index>(trace.times_s.size()));
+    shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(),
+                                                           static_cast<Eigen::Index>(trace.times_s.size()));
     shown.rms_m = std::numeric_limits<double>::quiet_NaN();
     result.trials.push_back(std::move(shown));
     auto models = std::make_shared<RunModels>();
@@ -118,4 +128,4 @@ Result<RunResult> run_mesh_scene(const Scene& scene, const MeshedBody& body, con
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

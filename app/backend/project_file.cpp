@@ -12,10 +12,10 @@
 #include "base/fingerprint.hpp"
 #include "commands/settings.hpp"
 #include "fibre/painted_mask.hpp"
-#include "project/toml_reader.hpp"
-#include "project/toml_text.hpp"
+#include "toml/toml_reader.hpp"
+#include "toml/toml_text.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,17 +24,21 @@ const std::string schema = "myoloop-project/1";
 
 struct ViewSwitch {
     const char* key;
-    bool ViewOptions::* value;
+    bool ui::commands::ViewOptions::*value;
 };
-constexpr ViewSwitch view_switches[] = {{"edges", &ViewOptions::edges},       {"grid", &ViewOptions::grid},     {"measured", &ViewOptions::measured}, {"simulated", &ViewOptions::simulated},
-                                        {"trails", &ViewOptions::trails},     {"errors", &ViewOptions::errors}, {"labels", &ViewOptions::labels},     {"clamp", &ViewOptions::clamp},
-                                        {"fibres", &ViewOptions::fibres}, {"effect_force", &ViewOptions::effect_force}};
+constexpr ViewSwitch view_switches[] = {
+    {"edges", &ui::commands::ViewOptions::edges},       {"grid", &ui::commands::ViewOptions::grid},
+    {"measured", &ui::commands::ViewOptions::measured}, {"simulated", &ui::commands::ViewOptions::simulated},
+    {"trails", &ui::commands::ViewOptions::trails},     {"errors", &ui::commands::ViewOptions::errors},
+    {"labels", &ui::commands::ViewOptions::labels},     {"clamp", &ui::commands::ViewOptions::clamp},
+    {"fibres", &ui::commands::ViewOptions::fibres},     {"effect_force", &ui::commands::ViewOptions::effect_force}};
 
-std::string effect_value(const AddedEffect::Value& value) {
-    if (const auto* const one = std::get_if<double>(&value)) return toml_number(*one);
-    if (const auto* const word = std::get_if<std::string>(&value)) return toml_text(*word);
-    if (const auto* const words = std::get_if<std::vector<std::string>>(&value)) return toml_list(*words, toml_text);
-    return toml_list(std::get<std::vector<double>>(value), toml_number);
+std::string effect_value(const ui::commands::AddedEffect::Value& value) {
+    if (const auto* const one = std::get_if<double>(&value)) return toml::toml_number(*one);
+    if (const auto* const word = std::get_if<std::string>(&value)) return toml::toml_text(*word);
+    if (const auto* const words = std::get_if<std::vector<std::string>>(&value))
+        return toml::toml_list(*words, toml::toml_text);
+    return toml::toml_list(std::get<std::vector<double>>(value), toml::toml_number);
 }
 
 /// What follows the muscle's name in a mask's: "-0123456789abcdef.csv".
@@ -45,14 +49,15 @@ std::string mask_tail(std::uint64_t hash) {
 }
 
 /// Named after its content, so that it never changes.
-std::string mask_name(const std::string& muscle, const PaintedMask& mask) {
+std::string mask_name(const std::string& muscle, const fibre::PaintedMask& mask) {
     Fingerprint print;
     print.add(mask.cell_size_m);
     print.add_all(mask.centroids_m);
     print.add_all(mask.weights);
     print.add_all(mask.directions);
     std::string name = muscle;
-    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return name + mask_tail(print.value());
 }
 
@@ -61,21 +66,27 @@ bool is_mask_name(const std::string& name) {
     const std::string form = mask_tail(0);
     if (name.size() <= form.size()) return false;
     const std::string tail = name.substr(name.size() - form.size());
-    const auto fits = [](char c, char formed) { return formed == '0' ? std::isxdigit(static_cast<unsigned char>(c)) != 0 : c == formed; };
+    const auto fits = [](char c, char formed) {
+        return formed == '0' ? std::isxdigit(static_cast<unsigned char>(c)) != 0 : c == formed;
+    };
     return std::equal(tail.begin(), tail.end(), form.begin(), fits);
 }
 
-/// Masks that a project file names and that lie in its own folder of files; none where there is no such file or it cannot be read.
+/// Masks that a project file names and that lie in its own folder of files; none where there is no such file or it
+/// cannot be read.
 std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
     std::set<std::string> names;
     std::error_code ignored;
-    const Result<TomlValue> document = fs::exists(file, ignored) ? read_toml(file) : Result<TomlValue>(Error{"not there", ""});
-    const TomlValue* const muscles = document ? document->find("muscle") : nullptr;
+    const Result<toml::TomlValue> document = fs::exists(file, ignored)
+                                                 ? toml::read_toml(file)
+                                                 : Result<toml::TomlValue>(Error{"not there", ""});
+    const toml::TomlValue* const muscles = document ? document->find("muscle") : nullptr;
     if (muscles == nullptr) return names;
-    for (const TomlValue& muscle : muscles->items) {
-        const TomlValue* const mask = muscle.find("mask");
+    for (const toml::TomlValue& muscle : muscles->items) {
+        const toml::TomlValue* const mask = muscle.find("mask");
         const fs::path path = mask != nullptr ? mask->text : "";
-        if (path.parent_path() == files.filename() && is_mask_name(path.filename().string())) names.insert(path.filename().string());
+        if (path.parent_path() == files.filename() && is_mask_name(path.filename().string()))
+            names.insert(path.filename().string());
     }
     return names;
 }
@@ -86,10 +97,11 @@ bool is_named_beside(const fs::path& file, const std::string& mask) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(fs::absolute(file, ignored).parent_path(), ignored)) {
         const bool may_be_project = entry.is_regular_file(ignored) &&
-                                    entry.path().filename().string().find(project_ending) != std::string::npos;
+                                    entry.path().filename().string().find(ui::commands::project_ending) !=
+                                        std::string::npos;
         if (!may_be_project || fs::equivalent(entry.path(), file, ignored)) continue;
         const Result<std::string> text = read_file(entry.path());
-        if (!text || text->find(mask) != std::string::npos) return true;   // one that cannot be read may name it
+        if (!text || text->find(mask) != std::string::npos) return true;  // one that cannot be read may name it
     }
     return false;
 }
@@ -102,163 +114,200 @@ std::string seen_from(const fs::path& path, const fs::path& folder) {
     return near.empty() || ups > 3 ? path.generic_string() : near.generic_string();
 }
 
-std::string settings_text(const Settings& s) {
-    std::string text = "\n[mesh]\nelement = " + toml_text(to_string(s.element)) + "\nresolution_m = " + toml_number(s.resolution_m) + "\n";
-    text += "\n[material]\nmodel = " + toml_text(s.material) + "\nyoungs_modulus_Pa = " + toml_number(s.youngs_modulus_Pa) + "\npoissons_ratio = " + toml_number(s.poissons_ratio) +
-            "\ndensity_kg_m3 = " + toml_number(s.density_kg_m3) + "\ndamping_s = " + toml_number(s.damping_s) + "\n";
-    text += "\n[time]\nintegrator = " + toml_text(s.integrator) + "\nstep_s = " + toml_number(s.time_step_s) +
-            "\nown_step = " + (s.own_step ? "true" : "false") +
-            "\nspectral_radius = " + toml_number(s.spectral_radius) +
-            "\nvelocity_force_1_s = " + toml_number(s.velocity_force_1_s) + "\n";
-    for (const AddedEffect& effect : s.effects) {
-        text += "\n[[effect]]\nid = " + toml_text(effect.id) + "\nname = " + toml_text(effect.name) + "\nvalue = " + toml_text(effect.value) + "\n[effect.parameters]\n";
-        for (const auto& [name, value] : effect.parameters) text += toml_text(name) + " = " + effect_value(value) + "\n";
+std::string settings_text(const ui::commands::Settings& s) {
+    std::string text = "\n[mesh]\nelement = " + toml::toml_text(to_string(s.element)) +
+                       "\nresolution_m = " + toml::toml_number(s.resolution_m) + "\n";
+    text += "\n[material]\nmodel = " + toml::toml_text(s.material) +
+            "\nyoungs_modulus_Pa = " + toml::toml_number(s.youngs_modulus_Pa) +
+            "\npoissons_ratio = " + toml::toml_number(s.poissons_ratio) +
+            "\ndensity_kg_m3 = " + toml::toml_number(s.density_kg_m3) +
+            "\ndamping_s = " + toml::toml_number(s.damping_s) + "\n";
+    text += "\n[time]\nintegrator = " + toml::toml_text(s.integrator) +
+            "\nstep_s = " + toml::toml_number(s.time_step_s) + "\nown_step = " + (s.own_step ? "true" : "false") +
+            "\nspectral_radius = " + toml::toml_number(s.spectral_radius) +
+            "\nvelocity_force_1_s = " + toml::toml_number(s.velocity_force_1_s) + "\n";
+    for (const ui::commands::AddedEffect& effect : s.effects) {
+        text += "\n[[effect]]\nid = " + toml::toml_text(effect.id) + "\nname = " + toml::toml_text(effect.name) +
+                "\nvalue = " + toml::toml_text(effect.value) + "\n[effect.parameters]\n";
+        for (const auto& [name, value] : effect.parameters)
+            text += toml::toml_text(name) + " = " + effect_value(value) + "\n";
     }
     return text;
 }
 
-std::string muscle_text(const Muscle& m, const std::string& mask) {
-    std::string text = "\n[[muscle]]\nname = " + toml_text(m.name) + "\n";
-    if (!m.declared.empty()) text += "declared = " + toml_text(m.declared) + "\n";
-    text += "color = " + std::to_string(m.color) + "\nstiffness_Pa = " + toml_number(m.stiffness_Pa) + "\nextends = " + (m.extends ? "true" : "false") + "\n";
-    if (!m.follows.empty()) text += "follows = { muscle = " + toml_text(m.follows) + ", ratio = " + toml_number(m.ratio) + " }\n";
-    if (!mask.empty()) text += "mask = " + toml_text(mask) + "\n";
-    if (m.signal) text += "signal = { time_s = " + toml_list(m.signal->times_s, toml_number) + ", a = " + toml_list(m.signal->values, toml_number) + " }\n";
+std::string muscle_text(const ui::commands::Muscle& m, const std::string& mask) {
+    std::string text = "\n[[muscle]]\nname = " + toml::toml_text(m.name) + "\n";
+    if (!m.declared.empty()) text += "declared = " + toml::toml_text(m.declared) + "\n";
+    text += "color = " + std::to_string(m.color) + "\nstiffness_Pa = " + toml::toml_number(m.stiffness_Pa) +
+            "\nextends = " + (m.extends ? "true" : "false") + "\n";
+    if (!m.follows.empty())
+        text += "follows = { muscle = " + toml::toml_text(m.follows) + ", ratio = " + toml::toml_number(m.ratio) +
+                " }\n";
+    if (!mask.empty()) text += "mask = " + toml::toml_text(mask) + "\n";
+    if (m.signal)
+        text += "signal = { time_s = " + toml::toml_list(m.signal->times_s, toml::toml_number) +
+                ", a = " + toml::toml_list(m.signal->values, toml::toml_number) + " }\n";
     return text;
 }
 
-std::string view_text(const ViewOptions& view) {
+std::string view_text(const ui::commands::ViewOptions& view) {
     std::string text = "\n[view]\n";
-    for (const ViewSwitch& each : view_switches) text += std::string(each.key) + " = " + (view.*each.value ? "true" : "false") + "\n";
-    text += "opacity = " + toml_number(view.opacity) + "\n";
-    if (!view.color_map.empty()) text += "color_map = " + toml_text(view.color_map) + "\n";
-    if (!view.field.empty()) text += "field = " + toml_text(view.field) + "\n";
-    if (view.clip.on) text += "cut = { normal = " + toml_vector(view.clip.normal) + ", position_m = " + toml_number(view.clip.position_m) + ", flip = " + (view.clip.flip ? "true" : "false") + " }\n";
+    for (const ViewSwitch& each : view_switches)
+        text += std::string(each.key) + " = " + (view.*each.value ? "true" : "false") + "\n";
+    text += "opacity = " + toml::toml_number(view.opacity) + "\n";
+    if (!view.color_map.empty()) text += "color_map = " + toml::toml_text(view.color_map) + "\n";
+    if (!view.field.empty()) text += "field = " + toml::toml_text(view.field) + "\n";
+    if (view.clip.on)
+        text += "cut = { normal = " + toml::toml_vector(view.clip.normal) +
+                ", position_m = " + toml::toml_number(view.clip.position_m) +
+                ", flip = " + (view.clip.flip ? "true" : "false") + " }\n";
     if (view.field_ranges.empty()) return text;
-    text += "[view.field_ranges]\n";   // SI
-    for (const auto& [field, range] : view.field_ranges) text += toml_text(field) + " = " + toml_list(range, toml_number) + "\n";
+    text += "[view.field_ranges]\n";  // SI
+    for (const auto& [field, range] : view.field_ranges)
+        text += toml::toml_text(field) + " = " + toml::toml_list(range, toml::toml_number) + "\n";
     return text;
 }
 
-std::vector<double> numbers_of(const TomlReader& table, const std::string& key, const TomlValue& holder) {
-    const TomlValue* const array = holder.find(key);
-    if (array == nullptr || array->kind != TomlValue::Kind::array) table.fail(key, "must be an array of numbers");
+std::vector<double> numbers_of(const toml::TomlReader& table, const std::string& key, const toml::TomlValue& holder) {
+    const toml::TomlValue* const array = holder.find(key);
+    if (array == nullptr || array->kind != toml::TomlValue::Kind::array) table.fail(key, "must be an array of numbers");
     std::vector<double> numbers;
-    for (const TomlValue& item : array->items) {
-        if (item.kind != TomlValue::Kind::number || !std::isfinite(item.number)) table.fail(key, "must hold finite numbers only");
+    for (const toml::TomlValue& item : array->items) {
+        if (item.kind != toml::TomlValue::Kind::number || !std::isfinite(item.number))
+            table.fail(key, "must hold finite numbers only");
         numbers.push_back(item.number);
     }
     return numbers;
 }
 
-Signal read_signal(const TomlReader& muscle, const TomlValue& value) {
-    const TomlReader table = muscle.table("signal", {"time_s", "a"});
-    const Signal signal{numbers_of(table, "time_s", value), numbers_of(table, "a", value)};
-    if (signal.times_s.empty() || signal.times_s.size() != signal.values.size()) table.fail("a", "must hold one value for each of time_s");
+fibre::Signal read_signal(const toml::TomlReader& muscle, const toml::TomlValue& value) {
+    const toml::TomlReader table = muscle.table("signal", {"time_s", "a"});
+    const fibre::Signal signal{numbers_of(table, "time_s", value), numbers_of(table, "a", value)};
+    if (signal.times_s.empty() || signal.times_s.size() != signal.values.size())
+        table.fail("a", "must hold one value for each of time_s");
     if (!std::is_sorted(signal.times_s.begin(), signal.times_s.end())) table.fail("time_s", "must ascend");
     return signal;
 }
 
 /// @param warnings  gets the masks that are not there: they are lost, the rest of the project is not
-std::vector<Muscle> read_project_muscles(const TomlReader& document, const TomlValue& root, const fs::path& folder,
-                                         std::vector<std::string>& warnings) {
-    std::vector<Muscle> muscles;
-    const TomlValue* const entries = root.find("muscle");
-    for (const TomlReader& table : document.tables("muscle", {"name", "declared", "color", "stiffness_Pa", "extends", "follows", "mask", "signal"})) {
-        Muscle muscle;
+std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& document, const toml::TomlValue& root,
+                                                       const fs::path& folder, std::vector<std::string>& warnings) {
+    std::vector<ui::commands::Muscle> muscles;
+    const toml::TomlValue* const entries = root.find("muscle");
+    for (const toml::TomlReader& table : document.tables(
+             "muscle", {"name", "declared", "color", "stiffness_Pa", "extends", "follows", "mask", "signal"})) {
+        ui::commands::Muscle muscle;
         muscle.name = table.name("name");
-        if (std::any_of(muscles.begin(), muscles.end(), [&](const Muscle& other) { return other.name == muscle.name; })) table.fail("name", "is that of another muscle, too");
+        if (std::any_of(muscles.begin(), muscles.end(),
+                        [&](const ui::commands::Muscle& other) { return other.name == muscle.name; }))
+            table.fail("name", "is that of another muscle, too");
         muscle.declared = table.text_or("declared", "");
-        muscle.color = static_cast<int>(table.number_or("color", 0.0, between(0.0, 1000.0)));
-        muscle.stiffness_Pa = table.number("stiffness_Pa", between(muscle_stiffness_limits.lowest, muscle_stiffness_limits.highest));
+        muscle.color = static_cast<int>(table.number_or("color", 0.0, toml::between(0.0, 1000.0)));
+        muscle.stiffness_Pa = table.number(
+            "stiffness_Pa",
+            toml::between(ui::commands::muscle_stiffness_limits.lowest, ui::commands::muscle_stiffness_limits.highest));
         muscle.extends = table.boolean_or("extends", false);
         if (table.has("follows")) {
-            const TomlReader follows = table.table("follows", {"muscle", "ratio"});
+            const toml::TomlReader follows = table.table("follows", {"muscle", "ratio"});
             muscle.follows = follows.text("muscle");
-            muscle.ratio = follows.number("ratio", between(muscle_ratio_limits.lowest, muscle_ratio_limits.highest));
+            muscle.ratio = follows.number("ratio", toml::between(ui::commands::muscle_ratio_limits.lowest,
+                                                                 ui::commands::muscle_ratio_limits.highest));
         }
         std::error_code ignored;
         if (table.has("mask") && !fs::exists(folder / table.text("mask"), ignored)) {
             warnings.push_back("The paint of muscle \"" + muscle.name + "\" is lost: its mask " + table.text("mask") +
                                " is not there.");
         } else if (table.has("mask")) {
-            const Result<PaintedMask> mask = read_painted_mask(table.file("mask", folder));
+            const Result<fibre::PaintedMask> mask = fibre::read_painted_mask(table.file("mask", folder));
             if (!mask) table.fail("mask", mask.error().text());
-            muscle.paint = std::make_shared<const PaintedMask>(*mask);
+            muscle.paint = std::make_shared<const fibre::PaintedMask>(*mask);
         }
         if (table.has("signal")) muscle.signal = read_signal(table, *entries->items[muscles.size()].find("signal"));
         muscles.push_back(std::move(muscle));
     }
-    for (const Muscle& muscle : muscles) {
+    for (const ui::commands::Muscle& muscle : muscles) {
         if (muscle.follows.empty()) continue;
-        const auto leads = [&](const Muscle& other) { return other.name == muscle.follows && other.follows.empty(); };
-        if (std::none_of(muscles.begin(), muscles.end(), leads)) document.fail("muscle", "\"" + muscle.name + "\" follows \"" + muscle.follows + "\", which has no signal of its own");
+        const auto leads = [&](const ui::commands::Muscle& other) {
+            return other.name == muscle.follows && other.follows.empty();
+        };
+        if (std::none_of(muscles.begin(), muscles.end(), leads))
+            document.fail("muscle",
+                          "\"" + muscle.name + "\" follows \"" + muscle.follows + "\", which has no signal of its own");
     }
     return muscles;
 }
 
-std::vector<AddedEffect> read_project_effects(const TomlReader& document, const TomlValue& root) {
-    std::vector<AddedEffect> effects;
-    const TomlValue* const entries = root.find("effect");
-    for (const TomlReader& table : document.tables("effect", {"id", "name", "value", "parameters"})) {
-        AddedEffect effect{table.text("id"), {}, table.text("name"), table.text("value")};
-        const TomlReader named = table.table_of_names("parameters");
-        const TomlValue& parameters = *entries->items[effects.size()].find("parameters");
+std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlReader& document,
+                                                            const toml::TomlValue& root) {
+    std::vector<ui::commands::AddedEffect> effects;
+    const toml::TomlValue* const entries = root.find("effect");
+    for (const toml::TomlReader& table : document.tables("effect", {"id", "name", "value", "parameters"})) {
+        ui::commands::AddedEffect effect{table.text("id"), {}, table.text("name"), table.text("value")};
+        const toml::TomlReader named = table.table_of_names("parameters");
+        const toml::TomlValue& parameters = *entries->items[effects.size()].find("parameters");
         for (std::size_t k = 0; k < parameters.keys.size(); ++k) {
-            const TomlValue& value = parameters.items[k];
-            AddedEffect::Value& slot = effect.parameters[parameters.keys[k]];
-            const bool words = value.kind == TomlValue::Kind::array && !value.items.empty() && value.items.front().kind == TomlValue::Kind::text;
-            if (value.kind == TomlValue::Kind::number) slot = value.number;
-            else if (value.kind == TomlValue::Kind::text) slot = value.text;
-            else if (words) slot = named.texts(parameters.keys[k]);
-            else slot = numbers_of(named, parameters.keys[k], parameters);
+            const toml::TomlValue& value = parameters.items[k];
+            ui::commands::AddedEffect::Value& slot = effect.parameters[parameters.keys[k]];
+            const bool words = value.kind == toml::TomlValue::Kind::array && !value.items.empty() &&
+                               value.items.front().kind == toml::TomlValue::Kind::text;
+            if (value.kind == toml::TomlValue::Kind::number)
+                slot = value.number;
+            else if (value.kind == toml::TomlValue::Kind::text)
+                slot = value.text;
+            else if (words)
+                slot = named.texts(parameters.keys[k]);
+            else
+                slot = numbers_of(named, parameters.keys[k], parameters);
         }
         effects.push_back(std::move(effect));
     }
     return effects;
 }
 
-Settings read_settings(const TomlReader& document, const TomlValue& root, const fs::path& folder,
-                       std::vector<std::string>& warnings) {
-    const auto within = [](const Limits& limits) { return between(limits.lowest, limits.highest); };
-    Settings s;
-    const TomlReader mesh = document.table("mesh", {"element", "resolution_m"});
-    s.element = mesh.choice<CellType>("element", {{"hex8", CellType::hex8}, {"tet4", CellType::tet4}, {"tet10", CellType::tet10}});
-    s.resolution_m = mesh.number("resolution_m", positive());
-    const TomlReader material = document.table("material", {"model", "youngs_modulus_Pa", "poissons_ratio", "density_kg_m3", "damping_s"});
+ui::commands::Settings read_settings(const toml::TomlReader& document, const toml::TomlValue& root,
+                                     const fs::path& folder, std::vector<std::string>& warnings) {
+    const auto within = [](const ui::commands::Limits& limits) { return toml::between(limits.lowest, limits.highest); };
+    ui::commands::Settings s;
+    const toml::TomlReader mesh = document.table("mesh", {"element", "resolution_m"});
+    s.element = mesh.choice<mesh::CellType>(
+        "element", {{"hex8", mesh::CellType::hex8}, {"tet4", mesh::CellType::tet4}, {"tet10", mesh::CellType::tet10}});
+    s.resolution_m = mesh.number("resolution_m", toml::positive());
+    const toml::TomlReader material = document.table(
+        "material", {"model", "youngs_modulus_Pa", "poissons_ratio", "density_kg_m3", "damping_s"});
     s.material = material.text("model");
-    s.youngs_modulus_Pa = material.number("youngs_modulus_Pa", within(youngs_modulus_limits));
-    s.poissons_ratio = material.number("poissons_ratio", within(poissons_ratio_limits));
-    s.density_kg_m3 = material.number("density_kg_m3", within(density_limits));
-    s.damping_s = material.number("damping_s", within(damping_limits));
-    const TomlReader time =
-        document.table("time", {"integrator", "step_s", "own_step", "spectral_radius", "velocity_force_1_s"});
+    s.youngs_modulus_Pa = material.number("youngs_modulus_Pa", within(ui::commands::youngs_modulus_limits));
+    s.poissons_ratio = material.number("poissons_ratio", within(ui::commands::poissons_ratio_limits));
+    s.density_kg_m3 = material.number("density_kg_m3", within(ui::commands::density_limits));
+    s.damping_s = material.number("damping_s", within(ui::commands::damping_limits));
+    const toml::TomlReader time = document.table(
+        "time", {"integrator", "step_s", "own_step", "spectral_radius", "velocity_force_1_s"});
     s.integrator = time.text("integrator");
-    s.time_step_s = time.number("step_s", within(time_step_limits));
-    s.own_step = time.boolean_or("own_step", true);   // as in files from before there was a choice
-    s.spectral_radius = time.number_or("spectral_radius", s.spectral_radius, within(spectral_radius_limits));
-    s.velocity_force_1_s = time.number_or("velocity_force_1_s", 0.0, within(velocity_force_limits));
+    s.time_step_s = time.number("step_s", within(ui::commands::time_step_limits));
+    s.own_step = time.boolean_or("own_step", true);  // as in files from before there was a choice
+    s.spectral_radius = time.number_or("spectral_radius", s.spectral_radius,
+                                       within(ui::commands::spectral_radius_limits));
+    s.velocity_force_1_s = time.number_or("velocity_force_1_s", 0.0, within(ui::commands::velocity_force_limits));
     s.muscles = read_project_muscles(document, root, folder, warnings);
     s.effects = read_project_effects(document, root);
     return s;
 }
 
-ViewOptions read_view(const TomlReader& document) {
-    ViewOptions result;
+ui::commands::ViewOptions read_view(const toml::TomlReader& document) {
+    ui::commands::ViewOptions result;
     std::vector<std::string> keys{"opacity", "field", "color_map", "cut", "field_ranges"};
     for (const ViewSwitch& each : view_switches) keys.emplace_back(each.key);
-    const TomlReader view = document.table("view", keys);
+    const toml::TomlReader view = document.table("view", keys);
     for (const ViewSwitch& each : view_switches) result.*each.value = view.boolean_or(each.key, result.*each.value);
-    result.opacity = view.number_or("opacity", 1.0, between(0.0, 1.0));
+    result.opacity = view.number_or("opacity", 1.0, toml::between(0.0, 1.0));
     result.field = view.text_or("field", "");
     result.color_map = view.text_or("color_map", "");
     if (view.has("cut")) {
-        const TomlReader cut = view.table("cut", {"normal", "position_m", "flip"});
+        const toml::TomlReader cut = view.table("cut", {"normal", "position_m", "flip"});
         result.clip = {true, cut.vector3("normal"), cut.number("position_m"), cut.boolean_or("flip", false)};
         if (std::abs(result.clip.normal.norm() - 1.0) > 1e-6) cut.fail("normal", "must have the length 1");
     }
     if (!view.has("field_ranges")) return result;
-    const TomlReader ranges = view.table_of_names("field_ranges");
+    const toml::TomlReader ranges = view.table_of_names("field_ranges");
     for (const std::string& field : ranges.keys()) {
         const Eigen::VectorXd range = ranges.vector(field, 2);
         if (!(range(0) < range(1))) ranges.fail(field, "must ascend");
@@ -267,17 +316,21 @@ ViewOptions read_view(const TomlReader& document) {
     return result;
 }
 
-Project read_document(const TomlValue& root, const fs::path& file) {
-    if (const TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
-        throw TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"", named ? named->where : file.string()}};
-    const TomlReader document(root, "", {"schema", "source", "metres_per_unit", "trial", "mesh", "material", "time", "view", "muscle", "effect"});
-    Project project;
+ui::commands::Project read_document(const toml::TomlValue& root, const fs::path& file) {
+    if (const toml::TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
+        throw toml::TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"",
+                                      named ? named->where : file.string()}};
+    const toml::TomlReader document(
+        root, "",
+        {"schema", "source", "metres_per_unit", "trial", "mesh", "material", "time", "view", "muscle", "effect"});
+    ui::commands::Project project;
     std::error_code ignored;
     const fs::path source = document.text("source");
     project.source = source.is_absolute() ? source : (file.parent_path() / source).lexically_normal();
-    if (!fs::exists(project.source, ignored)) document.fail("source", "\"" + project.source.string() + "\" is not there");
+    if (!fs::exists(project.source, ignored))
+        document.fail("source", "\"" + project.source.string() + "\" is not there");
     if (project.source.filename().empty()) project.source = project.source.parent_path();
-    project.metres_per_unit = document.optional_number("metres_per_unit", positive());
+    project.metres_per_unit = document.optional_number("metres_per_unit", toml::positive());
     project.trial = document.text_or("trial", "");
     project.settings = read_settings(document, root, file.parent_path(), project.warnings);
     if (document.has("view")) project.view = read_view(document);
@@ -286,21 +339,24 @@ Project read_document(const TomlValue& root, const fs::path& file) {
 
 }  // namespace
 
-Result<void> write_project_file(const fs::path& file, const Project& project) {
+Result<void> write_project_file(const fs::path& file, const ui::commands::Project& project) {
     std::error_code ignored;
     const fs::path folder = fs::absolute(file, ignored).parent_path();
     const fs::path files = fs::path(file).replace_extension(".files");
-    std::string text = "# A project of Myoloop: what was set, painted and drawn on an experiment or a mesh.\nschema = " + toml_text(schema) + "\nsource = " + toml_text(seen_from(project.source, folder)) + "\n";
-    if (project.metres_per_unit) text += "metres_per_unit = " + toml_number(*project.metres_per_unit) + "\n";
-    if (!project.trial.empty()) text += "trial = " + toml_text(project.trial) + "\n";
+    std::string
+        text = "# A project of Myoloop: what was set, painted and drawn on an experiment or a mesh.\nschema = " +
+               toml::toml_text(schema) + "\nsource = " + toml::toml_text(seen_from(project.source, folder)) + "\n";
+    if (project.metres_per_unit) text += "metres_per_unit = " + toml::toml_number(*project.metres_per_unit) + "\n";
+    if (!project.trial.empty()) text += "trial = " + toml::toml_text(project.trial) + "\n";
     text += settings_text(project.settings);
     std::set<std::string> used;
-    for (const Muscle& muscle : project.settings.muscles) {
+    for (const ui::commands::Muscle& muscle : project.settings.muscles) {
         std::string mask;
         if (muscle.paint && muscle.paint->count() > 0) {
             const std::string name = mask_name(muscle.name, *muscle.paint);
             if (!fs::exists(files / name, ignored))
-                if (const Result<void> written = write_painted_mask(files / name, *muscle.paint); !written) return written;
+                if (const Result<void> written = fibre::write_painted_mask(files / name, *muscle.paint); !written)
+                    return written;
             used.insert(name);
             mask = files.filename().string() + "/" + name;
         }
@@ -315,14 +371,14 @@ Result<void> write_project_file(const fs::path& file, const Project& project) {
     return {};
 }
 
-Result<Project> read_project_file(const fs::path& file) {
-    const Result<TomlValue> document = read_toml(file);
+Result<ui::commands::Project> read_project_file(const fs::path& file) {
+    const Result<toml::TomlValue> document = toml::read_toml(file);
     if (!document) return document.error();
     try {
         return read_document(*document, fs::absolute(file));
-    } catch (const TomlFailure& failure) {
+    } catch (const toml::TomlFailure& failure) {
         return failure.error;
     }
 }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -10,6 +10,7 @@
 
 #include "backend/core_scene.hpp"
 #include "backend/examples.hpp"
+#include "experiment/new_trial.hpp"
 #include "measurement/gaps.hpp"
 #include "measurement/marker_match.hpp"
 #include "measurement/motion_start.hpp"
@@ -19,9 +20,8 @@
 #include "measurement/time_alignment.hpp"
 #include "measurement/trace_file.hpp"
 #include "mesh/closest_point.hpp"
-#include "project/new_trial.hpp"
 
-namespace myo {
+namespace myo::backend {
 
 namespace fs = std::filesystem;
 using Eigen::Index;
@@ -36,72 +36,90 @@ constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
 std::string plain(const std::string& name) {
     std::string result;
     for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c))) result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return result;
 }
 
 Eigen::Matrix3d rotation_of(const std::array<int, 3>& axes) {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
-    for (int i = 0; i < 3; ++i) rotation(i, std::abs(axes[static_cast<std::size_t>(i)]) - 1) = axes[static_cast<std::size_t>(i)] > 0 ? 1.0 : -1.0;
+    for (int i = 0; i < 3; ++i)
+        rotation(i, std::abs(axes[static_cast<std::size_t>(i)]) - 1) = axes[static_cast<std::size_t>(i)] > 0 ? 1.0
+                                                                                                             : -1.0;
     return rotation;
 }
 
 /// Places before the start, in the cameras' frame.
-Matrix3Xd places_before(const RecordingFile& file, double start_s) {
-    const Result<RestPose> pose = rest_pose_before(*file.recording, start_s);
+Matrix3Xd places_before(const ui::commands::RecordingFile& file, double start_s) {
+    const Result<measurement::RestPose> pose = measurement::rest_pose_before(*file.recording, start_s);
     return pose ? pose->positions_m : Matrix3Xd::Constant(3, static_cast<Index>(file.recording->labels.size()), unseen);
 }
 
-const SceneMarker* declared(const std::vector<SceneMarker>& markers, const std::string& name) {
-    const auto found = std::find_if(markers.begin(), markers.end(), [&](const SceneMarker& m) { return m.name == name; });
+const ui::commands::SceneMarker* declared(const std::vector<ui::commands::SceneMarker>& markers,
+                                          const std::string& name) {
+    const auto found = std::find_if(markers.begin(), markers.end(),
+                                    [&](const ui::commands::SceneMarker& m) { return m.name == name; });
     return found != markers.end() ? &*found : nullptr;
 }
 
-bool is_bundled(const Scene& scene) {
-    static const std::vector<Example> examples = bundled_examples();   // they do not come and go
+bool is_bundled(const ui::commands::Scene& scene) {
+    static const std::vector<ui::commands::Example> examples = bundled_examples();  // they do not come and go
     std::error_code ignored;
-    return std::any_of(examples.begin(), examples.end(), [&](const Example& example) { return fs::equivalent(example.path, scene.path, ignored); });
+    return std::any_of(examples.begin(), examples.end(), [&](const ui::commands::Example& example) {
+        return fs::equivalent(example.path, scene.path, ignored);
+    });
 }
 
-bool has_trials(const Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
+bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
 
-std::string problem_of(const Scene& scene, const ImportChoices& choices, const ImportView& view) {
+std::string problem_of(const ui::commands::Scene& scene, const ui::commands::ImportChoices& choices,
+                       const ui::commands::ImportView& view) {
     if (rotation_of(choices.axes).determinant() < 0.5) return "The axes mirror the body: turn one of them round.";
     std::set<std::string> names;
     for (std::size_t i = 0; i < choices.markers.size(); ++i) {
-        const ImportedMarker& marker = choices.markers[i];
+        const ui::commands::ImportedMarker& marker = choices.markers[i];
         if (marker.name.empty()) continue;
         if (!names.insert(marker.name).second) return "Two labels are the marker " + marker.name + ".";
-        if (has_trials(scene) && !declared(declared_scene_markers(scene), marker.name)) return "The experiment has no marker " + marker.name + ".";
-        if (!view.target_m.col(static_cast<Index>(i)).allFinite()) return "The marker " + marker.name + " has no place on the body yet.";
-        if (!has_trials(scene) && !view.before_m.col(static_cast<Index>(i)).allFinite()) return "The marker " + marker.name + " is not seen before the start; leave it out.";
+        if (has_trials(scene) && !declared(declared_scene_markers(scene), marker.name))
+            return "The experiment has no marker " + marker.name + ".";
+        if (!view.target_m.col(static_cast<Index>(i)).allFinite())
+            return "The marker " + marker.name + " has no place on the body yet.";
+        if (!has_trials(scene) && !view.before_m.col(static_cast<Index>(i)).allFinite())
+            return "The marker " + marker.name + " is not seen before the start; leave it out.";
     }
     if (names.empty()) return "No label is a marker of the body yet.";
-    const Experiment& experiment = source_of(scene).experiment;
-    if (has_trials(scene) && experiment.markers.compare == Comparison::displacement)
-        for (const MarkerDeclaration& own : experiment.markers.on_body) {
-            const auto found = std::find_if(choices.markers.begin(), choices.markers.end(), [&](const ImportedMarker& m) { return m.name == own.name; });
+    const experiment::Experiment& experiment = source_of(scene).experiment;
+    if (has_trials(scene) && experiment.markers.compare == experiment::Comparison::displacement)
+        for (const experiment::MarkerDeclaration& own : experiment.markers.on_body) {
+            const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
+                                            [&](const ui::commands::ImportedMarker& m) { return m.name == own.name; });
             if (found == choices.markers.end() || !view.before_m.col(found - choices.markers.begin()).allFinite())
                 return "This experiment compares displacements, so " + own.name + " must be seen before the start.";
         }
     if (choices.trial.empty()) return "The trial has no name.";
     const auto& trials = experiment.trials;
-    if (std::any_of(trials.begin(), trials.end(), [&](const TrialDeclaration& trial) { return trial.name == choices.trial; }))
+    if (std::any_of(trials.begin(), trials.end(),
+                    [&](const experiment::TrialDeclaration& trial) { return trial.name == choices.trial; }))
         return "The experiment has a trial " + choices.trial + " already: choose another name.";
     if (!has_trials(scene) && choices.folder.empty()) return "Choose a new folder for the experiment.";
-    if (is_bundled(scene) && choices.folder.empty()) return "Bundled examples stay as they are: choose a folder for a copy of this one.";
+    if (is_bundled(scene) && choices.folder.empty())
+        return "Bundled examples stay as they are: choose a folder for a copy of this one.";
     return "";
 }
 
 }  // namespace
 
-Result<RecordingFile> read_recording_file(const fs::path& path, const ReadingOptions& options) {
-    Result<TraceSource> source = guess_trace_source(path);
+Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
+                                                        const ui::commands::ReadingOptions& options) {
+    Result<measurement::TraceSource> source = measurement::guess_trace_source(path);
     if (!source) return source.error();
-    RecordingFile file;
+    ui::commands::RecordingFile file;
     file.path = path;
     file.reading = options;
-    file.format = source->format == TraceFormat::c3d ? "C3D" : source->format == TraceFormat::qtm_tsv ? "Qualisys TSV" : source->format == TraceFormat::csv ? "CSV" : "Table without header";
+    file.format = source->format == measurement::TraceFormat::c3d       ? "C3D"
+                  : source->format == measurement::TraceFormat::qtm_tsv ? "Qualisys TSV"
+                  : source->format == measurement::TraceFormat::csv     ? "CSV"
+                                                                        : "Table without header";
     if (source->columns) {
         file.asks_unit = file.asks_rate = true;
         // As motion capture mostly has it, until a person says otherwise.
@@ -111,64 +129,70 @@ Result<RecordingFile> read_recording_file(const fs::path& path, const ReadingOpt
         source->columns->rate_Hz = file.reading.rate_Hz;
         source->columns->zero_is_occluded = options.zero_is_occluded;
     }
-    Result<Recording> read = read_trace(path, *source);
-    if (!read && source->format == TraceFormat::c3d) {
+    Result<measurement::Recording> read = measurement::read_trace(path, *source);
+    if (!read && source->format == measurement::TraceFormat::c3d) {
         // A C3D file without a unit.
         file.asks_unit = true;
         if (!file.reading.metres_per_unit) file.reading.metres_per_unit = 1e-3;
         source->metres_per_unit = file.reading.metres_per_unit;
-        read = read_trace(path, *source);
+        read = measurement::read_trace(path, *source);
     }
     if (!read) return read.error();
     if (read->labels.empty() || read->sample_count() < 2) return Error{"holds no samples of markers", path.string()};
-    for (const MarkerGaps& gaps : gap_map(*read)) file.seen.push_back(1.0 - gaps.occluded_fraction);
-    const StartOfMotion start = find_motion_start(*read);
+    for (const measurement::MarkerGaps& gaps : measurement::gap_map(*read))
+        file.seen.push_back(1.0 - gaps.occluded_fraction);
+    const measurement::StartOfMotion start = measurement::find_motion_start(*read);
     if (start.found) file.start_s = start.time_s;
     file.start_message = start.message;
-    file.recording = std::make_shared<const Recording>(std::move(*read));
+    file.recording = std::make_shared<const measurement::Recording>(std::move(*read));
     return file;
 }
 
-std::vector<SceneMarker> declared_scene_markers(const Scene& scene) {
-    std::vector<SceneMarker> markers;
-    const MarkersDeclaration& own = source_of(scene).experiment.markers;
+std::vector<ui::commands::SceneMarker> declared_scene_markers(const ui::commands::Scene& scene) {
+    std::vector<ui::commands::SceneMarker> markers;
+    const experiment::MarkersDeclaration& own = source_of(scene).experiment.markers;
     for (const auto* group : {&own.on_body, &own.fixed})
-        for (const MarkerDeclaration& marker : *group) markers.push_back({marker.name, marker.rest_m});
+        for (const experiment::MarkerDeclaration& marker : *group) markers.push_back({marker.name, marker.rest_m});
     return markers;
 }
 
-ImportView view_recording(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) {
+ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const ui::commands::RecordingFile& file,
+                                        const ui::commands::ImportChoices& choices) {
     const auto count = static_cast<Index>(file.recording->labels.size());
     const Matrix3Xd seen = places_before(file, choices.start_s);
-    const std::vector<SceneMarker> markers = declared_scene_markers(scene);
-    ImportView view;
+    const std::vector<ui::commands::SceneMarker> markers = declared_scene_markers(scene);
+    ui::commands::ImportView view;
     view.target_m = Matrix3Xd::Constant(3, count, unseen);
     std::vector<Index> pairs;
     for (Index i = 0; i < count; ++i) {
-        const ImportedMarker& marker = choices.markers[static_cast<std::size_t>(i)];
+        const ui::commands::ImportedMarker& marker = choices.markers[static_cast<std::size_t>(i)];
         if (marker.name.empty()) continue;
-        if (marker.rest_m) view.target_m.col(i) = *marker.rest_m;
-        else if (const SceneMarker* own = declared(markers, marker.name)) view.target_m.col(i) = own->rest_m;
+        if (marker.rest_m)
+            view.target_m.col(i) = *marker.rest_m;
+        else if (const ui::commands::SceneMarker* own = declared(markers, marker.name))
+            view.target_m.col(i) = own->rest_m;
         if (view.target_m.col(i).allFinite() && seen.col(i).allFinite()) pairs.push_back(i);
     }
     const Matrix3Xd from = seen(Eigen::all, pairs), to = view.target_m(Eigen::all, pairs);
     view.rotation = rotation_of(choices.axes);
     const std::string number = std::to_string(pairs.size()) + (pairs.size() == 1 ? " marker" : " markers");
-    const Result<Registration> fit = choices.turns ? rigid_registration(from, to) : Result<Registration>(Error{"", ""});
+    const Result<measurement::Registration> fit = choices.turns ? measurement::rigid_registration(from, to)
+                                                                : Result<measurement::Registration>(Error{"", ""});
     if (fit) {
         view.rotation = fit->motion.rotation;
         view.translation_m = fit->motion.translation;
         view.placed_by = "Turned and shifted by " + number + ".";
     } else if (!pairs.empty()) {
         view.translation_m = (to - view.rotation * from).rowwise().mean();
-        view.placed_by = "Shifted by " + number + (choices.turns ? "; three that are not on one line turn it, too." : ".");
+        view.placed_by = "Shifted by " + number +
+                         (choices.turns ? "; three that are not on one line turn it, too." : ".");
     } else {
         // Somewhere in sight: middle on middle.
         Vector3d sum = Vector3d::Zero();
         int finite = 0;
         for (Index i = 0; i < count; ++i)
             if (seen.col(i).allFinite()) sum += seen.col(i), ++finite;
-        const Box box = scene.surface.vertices.cols() > 0 ? bounding_box(scene.surface.vertices) : Box{};
+        const Box box = scene.surface.vertices.cols() > 0 ? mesh::bounding_box(scene.surface.vertices) : Box{};
         view.translation_m = 0.5 * (box.lowest + box.highest) - view.rotation * sum / std::max(1, finite);
         view.placed_by = "Not placed yet: its middle is put on that of the body.";
     }
@@ -181,47 +205,56 @@ ImportView view_recording(const Scene& scene, const RecordingFile& file, const I
     return view;
 }
 
-Result<ImportChoices> propose_recording_markers(const Scene& scene, const MeshedBody& body, const RecordingFile& file, const ImportChoices& choices) {
-    ImportChoices proposed = choices;
-    const std::vector<SceneMarker> markers = declared_scene_markers(scene);
+Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands::Scene& scene,
+                                                              const ui::commands::MeshedBody& body,
+                                                              const ui::commands::RecordingFile& file,
+                                                              const ui::commands::ImportChoices& choices) {
+    ui::commands::ImportChoices proposed = choices;
+    const std::vector<ui::commands::SceneMarker> markers = declared_scene_markers(scene);
     const std::vector<std::string>& labels = file.recording->labels;
-    const double size = scene.surface.vertices.cols() > 0 ? bounding_box(scene.surface.vertices).size().norm() : 0.1;
+    const double size = scene.surface.vertices.cols() > 0 ? mesh::bounding_box(scene.surface.vertices).size().norm()
+                                                          : 0.1;
     if (!markers.empty()) {
         Matrix3Xd rest(3, static_cast<Index>(markers.size()));
         for (std::size_t m = 0; m < markers.size(); ++m) rest.col(static_cast<Index>(m)) = markers[m].rest_m;
         const Matrix3Xd seen = places_before(file, choices.start_s);
-        const Result<MarkerMatch> match = match_markers(rest, seen, 0.03 * size, rotation_of(choices.axes));
+        const Result<measurement::MarkerMatch> match = measurement::match_markers(rest, seen, 0.03 * size,
+                                                                                  rotation_of(choices.axes));
         if (!match) return match.error();
-        for (ImportedMarker& marker : proposed.markers) marker = {};
+        for (ui::commands::ImportedMarker& marker : proposed.markers) marker = {};
         for (std::size_t m = 0; m < markers.size(); ++m)
-            if (const int label = match->seen[static_cast<Index>(m)]; label >= 0) proposed.markers[static_cast<std::size_t>(label)].name = markers[m].name;
+            if (const int label = match->seen[static_cast<Index>(m)]; label >= 0)
+                proposed.markers[static_cast<std::size_t>(label)].name = markers[m].name;
         // What the names say counts where places alone leave it open, or do not fit.
         Index named = 0;
-        std::vector<ImportedMarker> by_name(labels.size());
+        std::vector<ui::commands::ImportedMarker> by_name(labels.size());
         for (std::size_t i = 0; i < labels.size(); ++i)
-            for (const SceneMarker& marker : markers)
+            for (const ui::commands::SceneMarker& marker : markers)
                 if (plain(marker.name) == plain(labels[i])) by_name[i].name = marker.name, ++named;
         if (named >= 3 && (!match->unique || match->count() < named)) proposed.markers = by_name;
         return proposed;
     }
-    const ImportView view = view_recording(scene, file, choices);
-    const auto placed = std::count_if(choices.markers.begin(), choices.markers.end(), [](const ImportedMarker& m) { return m.rest_m.has_value(); });
+    const ui::commands::ImportView view = view_recording(scene, file, choices);
+    const auto placed = std::count_if(choices.markers.begin(), choices.markers.end(),
+                                      [](const ui::commands::ImportedMarker& m) { return m.rest_m.has_value(); });
     if (placed < 3) return Error{"Click where three of the markers sit on the body; the others can then be told.", ""};
-    const BoundaryLocator surface(body.mesh, body.boundary);
+    const mesh::BoundaryLocator surface(body.mesh, body.boundary);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Vector3d place = view.before_m.col(static_cast<Index>(i));
         if (proposed.markers[i].rest_m || !place.allFinite()) continue;
-        const BoundaryPoint nearest = closest_boundary_point(surface, place);
-        if (nearest.distance > 0.1 * size) continue;   // on the mount, or something else
+        const mesh::BoundaryPoint nearest = mesh::closest_boundary_point(surface, place);
+        if (nearest.distance > 0.1 * size) continue;  // on the mount, or something else
         proposed.markers[i].rest_m = nearest.point;
-        if (proposed.markers[i].name.empty()) proposed.markers[i].name = marker_name(labels[i]);
+        if (proposed.markers[i].name.empty()) proposed.markers[i].name = ui::commands::marker_name(labels[i]);
     }
     return proposed;
 }
 
-Result<double> align_recording(const Scene& scene, const SimulatedTrial& run, const Eigen::VectorXd& time_s, const RecordingFile& file, const ImportChoices& choices) {
+Result<double> align_recording(const ui::commands::Scene& scene, const ui::commands::SimulatedTrial& run,
+                               const Eigen::VectorXd& time_s, const ui::commands::RecordingFile& file,
+                               const ui::commands::ImportChoices& choices) {
     std::vector<Matrix3Xd> simulated, recorded;
-    const ImportView view = view_recording(scene, file, choices);
+    const ui::commands::ImportView view = view_recording(scene, file, choices);
     for (std::size_t i = 0; i < choices.markers.size(); ++i)
         for (std::size_t m = 0; m < scene.markers.size() && m < run.markers.size(); ++m) {
             if (choices.markers[i].name != scene.markers[m].name || run.markers[m].cols() != time_s.size()) continue;
@@ -229,23 +262,28 @@ Result<double> align_recording(const Scene& scene, const SimulatedTrial& run, co
             recorded.push_back(view.rotation * file.recording->tracks[i]);
         }
     if (simulated.empty()) return Error{"No marker of the recording has been simulated.", ""};
-    const Result<TimeAlignment> found = align_in_time(time_s, simulated, file.recording->time_s, recorded);
+    const Result<measurement::TimeAlignment> found = measurement::align_in_time(time_s, simulated,
+                                                                                file.recording->time_s, recorded);
     if (!found) return found.error();
     if (found->correlation < 0.5) return Error{"The recording does not resemble the run.", ""};
     return found->delay_s;
 }
 
-Result<fs::path> add_recording_trial(const Scene& scene, const Settings& settings, const RecordingFile& file, const ImportChoices& choices) {
-    const ImportView view = view_recording(scene, file, choices);
+Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui::commands::Settings& settings,
+                                     const ui::commands::RecordingFile& file,
+                                     const ui::commands::ImportChoices& choices) {
+    const ui::commands::ImportView view = view_recording(scene, file, choices);
     if (!view.problem.empty()) return Error{view.problem, ""};
-    const Recording placed = shift_time(transform(*file.recording, {view.rotation, view.translation_m}), -choices.start_s);
-    Experiment declared = with_settings(source_of(scene).experiment, settings);
-    NewTrial trial;
+    const measurement::Recording placed = measurement::shift_time(
+        measurement::transform(*file.recording, {view.rotation, view.translation_m}), -choices.start_s);
+    experiment::Experiment declared = with_settings(source_of(scene).experiment, settings);
+    experiment::NewTrial trial;
     trial.name = choices.trial;
-    trial.role = choices.fit ? TrialRole::fit : TrialRole::validate;
-    trial.start = choices.straight ? StartState::straight : StartState::equilibrium;
+    trial.role = choices.fit ? experiment::TrialRole::fit : experiment::TrialRole::validate;
+    trial.start = choices.straight ? experiment::StartState::straight : experiment::StartState::equilibrium;
     char about[200];
-    std::snprintf(about, sizeof about, " from %.6g s on, registered with %.3g mm rms", choices.start_s, 1e3 * view.rms_m);
+    std::snprintf(about, sizeof about, " from %.6g s on, registered with %.3g mm rms", choices.start_s,
+                  1e3 * view.rms_m);
     trial.origin = "From " + file.path.filename().string() + about + ".";
     trial.recording.time_s = placed.time_s;
     trial.recording.rate_Hz = placed.rate_Hz;
@@ -261,21 +299,26 @@ Result<fs::path> add_recording_trial(const Scene& scene, const Settings& setting
             declared.markers.on_body.push_back({name, view.target_m.col(static_cast<Index>(i)), name});
             add(name, placed.tracks[i]);
         }
-        const Result<void> written = write_experiment(choices.folder, declared, source_of(scene).surface, trial);
+        const Result<void> written = experiment::write_experiment(choices.folder, declared, source_of(scene).surface,
+                                                                  trial);
         if (!written) return written.error();
         return choices.folder;
     }
-    for (const SceneMarker& own : declared_scene_markers(scene)) {
-        const auto found = std::find_if(choices.markers.begin(), choices.markers.end(), [&](const ImportedMarker& m) { return m.name == own.name; });
+    for (const ui::commands::SceneMarker& own : declared_scene_markers(scene)) {
+        const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
+                                        [&](const ui::commands::ImportedMarker& m) { return m.name == own.name; });
         // A declared marker that nobody recorded is a gap from beginning to end.
-        add(own.name, found != choices.markers.end() ? placed.tracks[static_cast<std::size_t>(found - choices.markers.begin())] : Matrix3Xd::Constant(3, placed.sample_count(), unseen));
+        add(own.name, found != choices.markers.end()
+                          ? placed.tracks[static_cast<std::size_t>(found - choices.markers.begin())]
+                          : Matrix3Xd::Constant(3, placed.sample_count(), unseen));
     }
     fs::path folder = declared.folder;
     const bool elsewhere = !choices.folder.empty() && choices.folder != folder;
     if (elsewhere)
-        if (const Result<void> copied = copy_experiment(folder, choices.folder); !copied) return copied.error();
+        if (const Result<void> copied = experiment::copy_experiment(folder, choices.folder); !copied)
+            return copied.error();
     if (elsewhere) folder = choices.folder;
-    if (const Result<void> added = add_trial(folder, trial); !added) {
+    if (const Result<void> added = experiment::add_trial(folder, trial); !added) {
         std::error_code ignored;
         if (elsewhere) fs::remove_all(folder, ignored);
         return added.error();
@@ -283,4 +326,4 @@ Result<fs::path> add_recording_trial(const Scene& scene, const Settings& setting
     return folder;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -5,11 +5,11 @@
 
 #include "base/stopwatch.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 /// Ends a motion with its last step that is not after `end_s`.
-void cut(Trace& trace, double end_s) {
+void cut(dynamics::Trace& trace, double end_s) {
     const auto after = std::upper_bound(trace.times_s.begin(), trace.times_s.end(), end_s * (1.0 + 1e-9));
     const auto kept = static_cast<std::size_t>(after - trace.times_s.begin());
     trace.times_s.resize(kept);
@@ -19,30 +19,33 @@ void cut(Trace& trace, double end_s) {
 
 }  // namespace
 
-StudyRun short_run(const Study& study, const StudyValues& values, std::size_t trial, double end_s, const Progress& progress) {
+prediction::SetupRun short_run(const setup::Setup& setup, const prediction::ParameterValues& values, std::size_t trial,
+                               double end_s, const Progress& progress) {
     const Stopwatch watch;
-    const Eigen::VectorXd& sampled = study.trials[trial].measured.time_s;
+    const Eigen::VectorXd& sampled = setup.trials[trial].measured.time_s;
     const Eigen::Index samples = sampled.size();
     // Effects see the whole trial, and cameras what was a little later or earlier.
-    Affected affected = affected_trial(study, trial, values);
+    effect::Affected affected = prediction::affected_trial(setup, trial, values);
     const double beyond_s = samples > 0 ? std::max(0.0, affected.options.end_s - sampled(samples - 1)) : 0.0;
     affected.options.end_s = std::min(affected.options.end_s, end_s + beyond_s);
-    std::vector<TrialPrediction> predictions(study.trials.size());
-    TrialPrediction& prediction = predictions[trial];
-    Trace trace = simulate(affected.model, affected.options, progress);
+    std::vector<prediction::TrialPrediction> predictions(setup.trials.size());
+    prediction::TrialPrediction& prediction = predictions[trial];
+    dynamics::Trace trace = dynamics::simulate(affected.model, affected.options, progress);
     if (trace.complete()) {
-        prediction = observe_trial(study, trial, values, trace);
-        const Eigen::Index later = std::count_if(sampled.begin(), sampled.end(), [&](double t) { return t > end_s * (1.0 + 1e-9); });
+        prediction = prediction::observe_trial(setup, trial, values, trace);
+        const Eigen::Index later = std::count_if(sampled.begin(), sampled.end(),
+                                                 [&](double t) { return t > end_s * (1.0 + 1e-9); });
         for (std::vector<Eigen::Matrix3Xd>* tracks : {&prediction.positions_m, &prediction.residual_m})
-            for (Eigen::Matrix3Xd& track : *tracks) track.rightCols(later).setConstant(std::numeric_limits<double>::quiet_NaN());
+            for (Eigen::Matrix3Xd& track : *tracks)
+                track.rightCols(later).setConstant(std::numeric_limits<double>::quiet_NaN());
     }
     prediction.status = trace.status;
     prediction.message = trace.message;
     cut(trace, end_s);
     prediction.trace = std::move(trace);
-    StudyRun run = scored_run(study, values, std::move(predictions), {trial});
+    prediction::SetupRun run = prediction::scored_run(setup, values, std::move(predictions), {trial});
     run.seconds = watch.seconds();
     return run;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -5,18 +5,19 @@
 
 #include "backend/fields.hpp"
 #include "measurement/rigid_motion.hpp"
-#include "project/prediction.hpp"
+#include "prediction/prediction.hpp"
 
-namespace myo {
+namespace myo::backend {
 
 using Eigen::Matrix3Xd;
 
 namespace {
 
-/// Frames of a trace up to `end_s`, thinned so that a long run of a large body stays within some 200 MB. Runs go on past the data
-/// as far as the start may be shifted; body and markers are shown together.
-void add_frames(const Trace& trace, double end_s, SimulatedTrial& shown) {
-    const double bytes = 24.0 * static_cast<double>(trace.positions.front().cols() * static_cast<Eigen::Index>(trace.positions.size()));
+/// Frames of a trace up to `end_s`, thinned so that a long run of a large body stays within some 200 MB. Runs go on
+/// past the data as far as the start may be shifted; body and markers are shown together.
+void add_frames(const dynamics::Trace& trace, double end_s, ui::commands::SimulatedTrial& shown) {
+    const double bytes = 24.0 * static_cast<double>(trace.positions.front().cols() *
+                                                    static_cast<Eigen::Index>(trace.positions.size()));
     const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(bytes / 2e8)));
     std::vector<double> times;
     for (std::size_t k = 0; k < trace.positions.size(); k += stride) {
@@ -29,42 +30,44 @@ void add_frames(const Trace& trace, double end_s, SimulatedTrial& shown) {
 
 }  // namespace
 
-RunResult shown_run(const Study& study, const StudyRun& run) {
-    RunResult result;
+ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::SetupRun& run) {
+    ui::commands::RunResult result;
     result.seconds = run.seconds;
     result.problem = run.failure;
-    if (study.integration) result.warnings = study.integration->warnings;
+    if (setup.integration) result.warnings = setup.integration->warnings;
     std::vector<Matrix3Xd> all;
-    for (std::size_t t = 0; t < study.trials.size(); ++t) {
-        const TrialPrediction& prediction = run.predictions[t];
-        SimulatedTrial shown;
-        shown.name = study.trials[t].name;
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        const prediction::TrialPrediction& prediction = run.predictions[t];
+        ui::commands::SimulatedTrial shown;
+        shown.name = setup.trials[t].name;
         result.steps += std::max(0.0, static_cast<double>(prediction.trace.times_s.size()) - 1.0);
-        const Eigen::VectorXd& sampled = study.trials[t].measured.time_s;
+        const Eigen::VectorXd& sampled = setup.trials[t].measured.time_s;
         if (!prediction.trace.positions.empty())
-            add_frames(prediction.trace, sampled.size() > 0 ? sampled(sampled.size() - 1) : prediction.trace.times_s.back(), shown);
-        for (std::size_t m = 0; m < study.marker_names.size() && prediction.ok(); ++m) {
+            add_frames(prediction.trace,
+                       sampled.size() > 0 ? sampled(sampled.size() - 1) : prediction.trace.times_s.back(), shown);
+        for (std::size_t m = 0; m < setup.marker_names.size() && prediction.ok(); ++m) {
             // The prediction in the form in which it is compared: measurement plus residual, but without the gaps.
-            Matrix3Xd track = small_rotation(run.values.rotation_rad) * prediction.positions_m[m];
+            Matrix3Xd track = measurement::small_rotation(run.values.rotation_rad) * prediction.positions_m[m];
             track.colwise() += run.values.translation_m;
-            if (!study.trials[t].reference_m.empty())
-                track.colwise() += Eigen::Vector3d(study.experiment.markers.on_body[m].rest_m - prediction.start_m[m]);
+            if (!setup.trials[t].reference_m.empty())
+                track.colwise() += Eigen::Vector3d(setup.experiment.markers.on_body[m].rest_m - prediction.start_m[m]);
             shown.markers.push_back(std::move(track));
-            shown.marker_rms_m.push_back(rms({prediction.residual_m[m]}));
+            shown.marker_rms_m.push_back(prediction::rms({prediction.residual_m[m]}));
         }
-        shown.rms_m = rms(prediction.residual_m);
+        shown.rms_m = prediction::rms(prediction.residual_m);
         all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
         result.trials.push_back(std::move(shown));
     }
-    result.rms_m = rms(all);
+    result.rms_m = prediction::rms(all);
     auto models = std::make_shared<RunModels>();
-    for (std::size_t t = 0; t < study.trials.size(); ++t) models->trials.push_back(trial_model(study, t, run.values));
+    for (std::size_t t = 0; t < setup.trials.size(); ++t)
+        models->trials.push_back(prediction::trial_model(setup, t, run.values));
     result.source = std::move(models);
     return result;
 }
 
-void add_vibrations(const std::vector<TrialStep>& seen, RunResult& shown) {
+void add_vibrations(const std::vector<setup::TrialStep>& seen, ui::commands::RunResult& shown) {
     for (std::size_t t = 0; t < shown.trials.size(); ++t) shown.trials[t].vibration_Hz = seen[t].vibration_Hz;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -11,9 +11,9 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "commands/project.hpp"
-#include "project/toml_reader.hpp"
+#include "toml/toml_reader.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ std::string quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text)
         if (c != '\'') result += c;
-    return result + "'";   // a literal string of TOML; a path with that sign in it is not kept
+    return result + "'";  // a literal string of TOML; a path with that sign in it is not kept
 }
 
 std::string list(const std::vector<fs::path>& paths) {
@@ -41,28 +41,38 @@ std::string list(const std::vector<fs::path>& paths) {
     return "[" + text + (text.empty() ? "]" : "\n]");
 }
 
-std::string step_costs(const std::vector<StepCost>& costs) {
+std::string step_costs(const std::vector<ui::commands::StepCost>& costs) {
     std::string text;
-    for (const StepCost& cost : costs)
-        text += "\n[[step_cost]]\nelement = " + quoted(to_string(cost.element)) + "\ndofs = " + format_number(cost.dofs, 12) + "\nseconds = " + format_number(cost.seconds, 6) + "\n";
+    for (const ui::commands::StepCost& cost : costs)
+        text += "\n[[step_cost]]\nelement = " + quoted(to_string(cost.element)) +
+                "\ndofs = " + format_number(cost.dofs, 12) + "\nseconds = " + format_number(cost.seconds, 6) + "\n";
     return text;
 }
 
-Preferences read_document(const TomlValue& root) {
-    const TomlReader document(root, "", {"theme", "scale", "side_width", "strip_height", "recent", "bookmarks", "step_cost"});
-    Preferences p;
-    if (document.has("theme")) p.theme = document.choice<ThemeName>("theme", {{"dark", ThemeName::dark}, {"light", ThemeName::light}});
-    p.scale = static_cast<float>(document.number_or("scale", 0.0, between(0.0, static_cast<double>(greatest_scale))));
-    p.layout.rail = static_cast<float>(document.number_or("side_width", static_cast<double>(p.layout.rail), between(100.0, 4000.0)));
-    p.layout.strip = static_cast<float>(document.number_or("strip_height", static_cast<double>(p.layout.strip), between(50.0, 4000.0)));
+ui::commands::Preferences read_document(const toml::TomlValue& root) {
+    const toml::TomlReader document(
+        root, "", {"theme", "scale", "side_width", "strip_height", "recent", "bookmarks", "step_cost"});
+    ui::commands::Preferences p;
+    if (document.has("theme"))
+        p.theme = document.choice<ui::platform::ThemeName>(
+            "theme", {{"dark", ui::platform::ThemeName::dark}, {"light", ui::platform::ThemeName::light}});
+    p.scale = static_cast<float>(
+        document.number_or("scale", 0.0, toml::between(0.0, static_cast<double>(ui::commands::greatest_scale))));
+    p.layout.rail = static_cast<float>(
+        document.number_or("side_width", static_cast<double>(p.layout.rail), toml::between(100.0, 4000.0)));
+    p.layout.strip = static_cast<float>(
+        document.number_or("strip_height", static_cast<double>(p.layout.strip), toml::between(50.0, 4000.0)));
     if (document.has("recent"))
         for (const std::string& path : document.texts("recent")) p.recent.emplace_back(path);
     if (document.has("bookmarks"))
         for (const std::string& path : document.texts("bookmarks")) p.bookmarks.emplace_back(path);
     if (document.has("step_cost"))
-        for (const TomlReader& cost : document.tables("step_cost", {"element", "dofs", "seconds"}))
-            remember(p.step_costs, {cost.choice<CellType>("element", {{"hex8", CellType::hex8}, {"tet4", CellType::tet4}, {"tet10", CellType::tet10}}),
-                                    cost.number("dofs", positive()), cost.number("seconds", positive())});
+        for (const toml::TomlReader& cost : document.tables("step_cost", {"element", "dofs", "seconds"}))
+            ui::commands::remember(p.step_costs,
+                                   {cost.choice<mesh::CellType>("element", {{"hex8", mesh::CellType::hex8},
+                                                                            {"tet4", mesh::CellType::tet4},
+                                                                            {"tet10", mesh::CellType::tet10}}),
+                                    cost.number("dofs", toml::positive()), cost.number("seconds", toml::positive())});
     std::error_code ignored;
     std::erase_if(p.recent, [&](const fs::path& path) { return !fs::exists(path, ignored); });
     return p;
@@ -77,27 +87,30 @@ fs::path preferences_file() {
     return folder.empty() ? folder : folder / "preferences.toml";
 }
 
-Result<Preferences> read_preferences(const fs::path& file) {
+Result<ui::commands::Preferences> read_preferences(const fs::path& file) {
     std::error_code ignored;
-    if (!fs::exists(file, ignored)) return Preferences{};
-    const Result<TomlValue> document = read_toml(file);
+    if (!fs::exists(file, ignored)) return ui::commands::Preferences{};
+    const Result<toml::TomlValue> document = toml::read_toml(file);
     if (!document) return document.error();
     try {
         return read_document(*document);
-    } catch (const TomlFailure& failure) {
+    } catch (const toml::TomlFailure& failure) {
         return failure.error;
     }
 }
 
-Result<void> write_preferences(const fs::path& file, const Preferences& p) {
-    return write_file(file, std::string("theme = ") + (p.theme == ThemeName::dark ? "'dark'" : "'light'") + "\nscale = " + format_number(static_cast<double>(p.scale), 6) +
-                                "\nside_width = " + format_number(static_cast<double>(p.layout.rail), 6) + "\nstrip_height = " + format_number(static_cast<double>(p.layout.strip), 6) +
-                                "\nrecent = " + list(p.recent) + "\nbookmarks = " + list(p.bookmarks) + "\n" + step_costs(p.step_costs));
+Result<void> write_preferences(const fs::path& file, const ui::commands::Preferences& p) {
+    return write_file(
+        file, std::string("theme = ") + (p.theme == ui::platform::ThemeName::dark ? "'dark'" : "'light'") +
+                  "\nscale = " + format_number(static_cast<double>(p.scale), 6) +
+                  "\nside_width = " + format_number(static_cast<double>(p.layout.rail), 6) + "\nstrip_height = " +
+                  format_number(static_cast<double>(p.layout.strip), 6) + "\nrecent = " + list(p.recent) +
+                  "\nbookmarks = " + list(p.bookmarks) + "\n" + step_costs(p.step_costs));
 }
 
 fs::path recovery_file() {
     const fs::path folder = folder_of("XDG_STATE_HOME", ".local/state");
-    return folder.empty() ? folder : folder / (recovery_stem + std::to_string(getpid()) + project_ending);
+    return folder.empty() ? folder : folder / (recovery_stem + std::to_string(getpid()) + ui::commands::project_ending);
 }
 
 std::vector<fs::path> found_recoveries(const fs::path& folder) {
@@ -105,7 +118,7 @@ std::vector<fs::path> found_recoveries(const fs::path& folder) {
     std::error_code ignored;
     for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored)) {
         const std::string stem = it->path().stem().string();
-        if (!is_project(it->path()) || stem.rfind(recovery_stem, 0) != 0) continue;
+        if (!ui::commands::is_project(it->path()) || stem.rfind(recovery_stem, 0) != 0) continue;
         if (is_alive(std::atol(stem.c_str() + recovery_stem.size()))) continue;
         std::error_code other;
         found.emplace_back(fs::last_write_time(it->path(), other), it->path());
@@ -116,4 +129,4 @@ std::vector<fs::path> found_recoveries(const fs::path& folder) {
     return files;
 }
 
-}  // namespace myo
+}  // namespace myo::backend

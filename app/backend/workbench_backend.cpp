@@ -12,6 +12,7 @@
 #include "backend/examples.hpp"
 #include "backend/fields.hpp"
 #include "backend/file_preview.hpp"
+#include "backend/library_versions.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
@@ -22,22 +23,21 @@
 #include "check/catalogue.hpp"
 #include "check/declared_steps.hpp"
 #include "check/step_level.hpp"
+#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/whole_diagnosis.hpp"
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
-#include "library_versions.hpp"
-#include "loop/diagnosis_report.hpp"
-#include "loop/whole_diagnosis.hpp"
 #include "material/catalogue.hpp"
 #include "measurement/actuation_csv.hpp"
 #include "measurement/trace_csv.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
-#include "project/time_step.hpp"
-#include "project/untested_fit.hpp"
-#include "project/muscle_groups.hpp"
-#include "project/output_files.hpp"
+#include "prediction/time_step.hpp"
+#include "prediction/untested_fit.hpp"
+#include "results/output_files.hpp"
+#include "setup/muscle_groups.hpp"
 
-namespace myo {
+namespace myo::backend {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,193 +48,258 @@ std::string formatted(const char* format, double value) {
     return text;
 }
 
-class CoreBackend final : public Backend {
+class CoreBackend final : public ui::commands::Backend {
 public:
-    std::vector<Choice> materials() const override {
-        std::vector<Choice> list;
-        struct Words { std::string label, letters; };
-        const std::string mu = "μ = E / (2 (1 + ν))", lambda = "λ = E ν / ((1 + ν) (1 − 2ν))", rotation = "F = R U with the rotation R";
+    std::vector<ui::commands::Choice> materials() const override {
+        std::vector<ui::commands::Choice> list;
+        struct Words {
+            std::string label, letters;
+        };
+        const std::string mu = "μ = E / (2 (1 + ν))", lambda = "λ = E ν / ((1 + ν) (1 − 2ν))",
+                          rotation = "F = R U with the rotation R";
         const std::map<std::string, Words> words = {
-            {"neo_hookean", {"Neo-Hookean", mu + ", κ = E / (3 (1 − 2ν)), J = det F. Nearly incompressible, for large strain (Bonet & Wood 2008, sec. 6.5; Simo & Hughes 1998)."}},
-            {"corotational", {"Corotational", mu + ", " + lambda + ", " + rotation + ". Linear in strain, for large rotations (Sifakis & Barbič 2012, sec. 3.4)."}},
-            {"projective_corotational", {"Projective corotational (as published)", mu + ", " + lambda + ", " + rotation + ", D the matrix nearest to F whose determinant is 1 (Bouaziz et al. 2014)."}},
-            {"st_venant_kirchhoff", {"St. Venant–Kirchhoff", mu + ", " + lambda + ", Green's strain E = (FᵀF − I) / 2. Softens in compression: for small strain (Bonet & Wood 2008, sec. 6.4)."}}};
-        for (const MaterialPointer& law : material_catalogue()) {
+            {"neo_hookean",
+             {"Neo-Hookean", mu + ", κ = E / (3 (1 − 2ν)), J = det F. Nearly incompressible, for large strain (Bonet & "
+                                  "Wood 2008, sec. 6.5; Simo & Hughes 1998)."}},
+            {"corotational",
+             {"Corotational", mu + ", " + lambda + ", " + rotation +
+                                  ". Linear in strain, for large rotations (Sifakis & Barbič 2012, sec. 3.4)."}},
+            {"projective_corotational",
+             {"Projective corotational (as published)",
+              mu + ", " + lambda + ", " + rotation +
+                  ", D the matrix nearest to F whose determinant is 1 (Bouaziz et al. 2014)."}},
+            {"st_venant_kirchhoff",
+             {"St. Venant–Kirchhoff", mu + ", " + lambda +
+                                          ", Green's strain E = (FᵀF − I) / 2. Softens in compression: for small "
+                                          "strain (Bonet & Wood 2008, sec. 6.4)."}}};
+        for (const material::MaterialPointer& law : material::material_catalogue()) {
             const auto known = words.find(law->id());
             const std::string energy = "Energy per rest volume [J/m³]\nψ = " + law->formula();
-            if (known == words.end()) list.push_back({law->id(), law->id(), energy});
-            else list.push_back({law->id(), known->second.label, energy + "\n" + known->second.letters});
+            if (known == words.end())
+                list.push_back({law->id(), law->id(), energy});
+            else
+                list.push_back({law->id(), known->second.label, energy + "\n" + known->second.letters});
         }
         return list;
     }
 
-    std::vector<Choice> integrators() const override {
-        const auto entry = [](Integrator integrator, const char* label, const char* explanation) {
-            const auto damping = [integrator](double omega, const Settings& s) {
-                const TimeScheme scheme{integrator, s.spectral_radius};
-                return omega > 0.0 ? std::max(0.0, discrete_vibration(scheme, {omega}, s.time_step_s).damping_ratio) : 0.0;   // rounding
+    std::vector<ui::commands::Choice> integrators() const override {
+        const auto entry = [](dynamics::Integrator integrator, const char* label, const char* explanation) {
+            const auto damping = [integrator](double omega, const ui::commands::Settings& s) {
+                const dynamics::TimeScheme scheme{integrator, s.spectral_radius};
+                return omega > 0.0
+                           ? std::max(0.0, dynamics::discrete_vibration(scheme, {omega}, s.time_step_s).damping_ratio)
+                           : 0.0;  // rounding
             };
-            const auto critical = [integrator](double omega, const Settings& s) {
-                return critical_velocity_force(
+            const auto critical = [integrator](double omega, const ui::commands::Settings& s) {
+                return dynamics::critical_velocity_force(
                     {integrator, s.spectral_radius}, omega, s.time_step_s,
-                    damping_ratio(slender_damping_factor(s.poissons_ratio), s.damping_s, omega));
+                    dynamics::damping_ratio(dynamics::slender_damping_factor(s.poissons_ratio), s.damping_s, omega));
             };
-            const auto quality = [integrator](double omega, const Settings& s) {
-                const TimeScheme scheme{integrator, s.spectral_radius};
-                const double error = std::abs(discrete_vibration(scheme, {omega}, s.time_step_s).frequency_error);
-                return StepQuality{error, shown_state(step_level(error))};
+            const auto quality = [integrator](double omega, const ui::commands::Settings& s) {
+                const dynamics::TimeScheme scheme{integrator, s.spectral_radius};
+                const double error = std::abs(
+                    dynamics::discrete_vibration(scheme, {omega}, s.time_step_s).frequency_error);
+                return ui::commands::StepQuality{error, shown_state(check::step_level(error))};
             };
-            const bool has_radius = integrator == Integrator::generalized_alpha;
-            return Choice{to_string(integrator), label, explanation, damping, critical, has_radius, quality};
+            const bool has_radius = integrator == dynamics::Integrator::generalized_alpha;
+            return ui::commands::Choice{
+                to_string(integrator), label, explanation, damping, critical, has_radius, quality};
         };
-        return {entry(Integrator::tr_bdf2, "TR-BDF2", "Second order, no visible damping of its own: for data.\n"
-                                                      "The trapezoidal rule over γ h, γ = 2 − √2, then BDF2 over the whole step (Bank et al. 1985)."),
-                entry(Integrator::implicit_euler, "Implicit Euler", "First order, as in the paper: damps by itself, ζ ≈ ω h / 2.\nx₁ = x₀ + h v₁, M (v₁ − v₀) / h = f(x₁) + Λ M v₀"),
-                entry(Integrator::bdf2, "BDF2", "Second order, one solve a step, damps more than TR-BDF2.\n"
-                                                "dy/dt = (3 y₁ − 4 y₀ + y₋₁) / (2 h) at the end of the step, y = x and M v (Hairer, Nørsett & Wanner 1993, ch. III.5)."),
-                entry(Integrator::generalized_alpha, "Generalised-α", "Second order, one solve a step, damping by choice of ρ∞.\n"
-                                                                      "α_m y'₁ + (1 − α_m) y'₀ = α_f f₁ + (1 − α_f) f₀, α_m = (3 − ρ∞) / (2 (1 + ρ∞)), α_f = 1 / (1 + ρ∞) (Jansen, Whiting & Hulbert 2000)."),
-                entry(Integrator::trapezoidal, "Trapezoidal", "Second order, no damping at all: large motions may become unstable.\n"
-                                                              "(y₁ − y₀) / h = (y'₀ + y'₁) / 2, Newmark's method with β = 1/4, γ = 1/2 (Newmark 1959).")};
+        return {entry(dynamics::Integrator::tr_bdf2, "TR-BDF2",
+                      "Second order, no visible damping of its own: for data.\n"
+                      "The trapezoidal rule over γ h, γ = 2 − √2, then BDF2 over the whole step (Bank et al. 1985)."),
+                entry(dynamics::Integrator::implicit_euler, "Implicit Euler",
+                      "First order, as in the paper: damps by itself, ζ ≈ ω h / 2.\nx₁ = x₀ + h v₁, M (v₁ − v₀) / h = "
+                      "f(x₁) + Λ M v₀"),
+                entry(dynamics::Integrator::bdf2, "BDF2",
+                      "Second order, one solve a step, damps more than TR-BDF2.\n"
+                      "dy/dt = (3 y₁ − 4 y₀ + y₋₁) / (2 h) at the end of the step, y = x and M v (Hairer, Nørsett & "
+                      "Wanner 1993, ch. III.5)."),
+                entry(dynamics::Integrator::generalized_alpha, "Generalised-α",
+                      "Second order, one solve a step, damping by choice of ρ∞.\n"
+                      "α_m y'₁ + (1 − α_m) y'₀ = α_f f₁ + (1 − α_f) f₀, α_m = (3 − ρ∞) / (2 (1 + ρ∞)), α_f = 1 / (1 + "
+                      "ρ∞) (Jansen, Whiting & Hulbert 2000)."),
+                entry(dynamics::Integrator::trapezoidal, "Trapezoidal",
+                      "Second order, no damping at all: large motions may become unstable.\n"
+                      "(y₁ − y₀) / h = (y'₀ + y'₁) / 2, Newmark's method with β = 1/4, γ = 1/2 (Newmark 1959).")};
     }
 
-    std::vector<Example> examples() const override { return bundled_examples(); }
+    std::vector<ui::commands::Example> examples() const override { return bundled_examples(); }
     std::string version() const override { return MYOLOOP_VERSION; }
-    std::vector<Library> libraries() const override {
-        std::vector<Library> list;
-        for (const LibraryVersion& library : library_versions) list.push_back({library.name, library.version, library.licence});
+    std::vector<ui::commands::Library> libraries() const override {
+        std::vector<ui::commands::Library> list;
+        for (const LibraryVersion& library : library_versions)
+            list.push_back({library.name, library.version, library.licence});
         return list;
     }
-    std::vector<ReportLine> preview(const fs::path& path) const override { return preview_of(path); }
-    Result<Project> read_project(const fs::path& file) const override { return read_project_file(file); }
-    Result<void> write_project(const fs::path& file, const Project& project) const override { return write_project_file(file, project); }
+    std::vector<ui::commands::ReportLine> preview(const fs::path& path) const override { return preview_of(path); }
+    Result<ui::commands::Project> read_project(const fs::path& file) const override { return read_project_file(file); }
+    Result<void> write_project(const fs::path& file, const ui::commands::Project& project) const override {
+        return write_project_file(file, project);
+    }
 
     bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && is_mesh_file(path); }
 
-    Result<Signal> read_signal(const fs::path& path, const std::string& muscle) const override {
-        const Result<ActuationTable> table = read_actuation_csv(path);
+    Result<fibre::Signal> read_signal(const fs::path& path, const std::string& muscle) const override {
+        const Result<measurement::ActuationTable> table = measurement::read_actuation_csv(path);
         if (!table) return table.error();
         auto column = std::find(table->muscles.begin(), table->muscles.end(), muscle);
         if (column == table->muscles.end() && table->muscles.size() == 1) column = table->muscles.begin();
-        if (column == table->muscles.end()) return Error{"has no column \"" + muscle + "\", only " + join(table->muscles), path.string()};
+        if (column == table->muscles.end())
+            return Error{"has no column \"" + muscle + "\", only " + join(table->muscles), path.string()};
         const Eigen::VectorXd row = table->values.row(column - table->muscles.begin());
-        return Signal{{table->time_s.begin(), table->time_s.end()}, {row.begin(), row.end()}};
+        return fibre::Signal{{table->time_s.begin(), table->time_s.end()}, {row.begin(), row.end()}};
     }
 
-    Result<void> write_signal(const fs::path& path, const std::string& muscle, const Signal& signal) const override {
-        ActuationTable table;
+    Result<void> write_signal(const fs::path& path, const std::string& muscle,
+                              const fibre::Signal& signal) const override {
+        measurement::ActuationTable table;
         table.muscles = {muscle};
         const auto knots = static_cast<Eigen::Index>(signal.times_s.size());
         table.time_s = Eigen::Map<const Eigen::VectorXd>(signal.times_s.data(), knots);
         table.values = Eigen::Map<const Eigen::RowVectorXd>(signal.values.data(), knots);
-        return write_actuation_csv(path, table);
+        return measurement::write_actuation_csv(path, table);
     }
 
-    Result<Scene> open(const fs::path& path, std::optional<double> metres_per_unit, const Progress& progress) override {
+    Result<ui::commands::Scene> open(const fs::path& path, std::optional<double> metres_per_unit,
+                                     const Progress& progress) override {
         return is_experiment(path) ? open_experiment(path, progress) : open_mesh(path, metres_per_unit);
     }
 
-    MeshPrediction predict(const Scene& scene, const Settings& settings) const override {
+    ui::commands::MeshPrediction predict(const ui::commands::Scene& scene,
+                                         const ui::commands::Settings& settings) const override {
         if (scene.surface.triangles.cols() == 0) return {};
         if (const auto& opened = source_of(scene).mesh; opened && is_mesh_of(*opened, settings))
-            return {static_cast<double>(opened->mesh.cell_count()), 3.0 * static_cast<double>(opened->mesh.node_count()), true};
-        const CountEstimate estimate = estimate_counts(scene.surface, settings.element, settings.resolution_m);
+            return {static_cast<double>(opened->mesh.cell_count()),
+                    3.0 * static_cast<double>(opened->mesh.node_count()), true};
+        const mesh::CountEstimate estimate = mesh::estimate_counts(scene.surface, settings.element,
+                                                                   settings.resolution_m);
         return {estimate.cells, estimate.dofs, estimate.exact};
     }
 
-    Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override {
+    Result<ui::commands::MeshedBody> mesh(const ui::commands::Scene& scene, const ui::commands::Settings& settings,
+                                          const Progress& progress) override {
         const SceneSource& source = source_of(scene);
-        std::shared_ptr<const StudyMesh> made = source.mesh;
+        std::shared_ptr<const setup::BodyMesh> made = source.mesh;
         if (!made || !is_mesh_of(*made, settings)) {
-            Result<StudyMesh> fresh = mesh_body(source.surface, mesh_request(settings), {held_part(source.experiment.clamp_box_m, bounding_box(source.surface.vertices))}, progress);
+            Result<setup::BodyMesh> fresh = setup::mesh_body(
+                source.surface, mesh_request(settings),
+                {setup::held_part(source.experiment.clamp_box_m, mesh::bounding_box(source.surface.vertices))},
+                progress);
             if (!fresh) return fresh.error();
-            made = std::make_shared<const StudyMesh>(std::move(*fresh));
+            made = std::make_shared<const setup::BodyMesh>(std::move(*fresh));
         }
         const Error stopped{"meshing was stopped", ""};
         if (progress.cancelled()) return stopped;
-        const QualityReport quality = mesh_quality(made->mesh, &source.surface);
+        const mesh::QualityReport quality = mesh::mesh_quality(made->mesh, &source.surface);
         if (progress.cancelled()) return stopped;
-        MeshedBody body;
-        body.boundary = boundary_faces(made->mesh);
+        ui::commands::MeshedBody body;
+        body.boundary = mesh::boundary_faces(made->mesh);
         body.dofs = static_cast<double>(quality.dofs);
-        const std::string shape = made->mesh.type == CellType::hex8 ? "the least det(e₁, e₂, e₃) / (|e₁| |e₂| |e₃|) of the edges at its corners and in its middle (Knupp 2003)"
-                                                                    : "12 (3 V)^(2/3) / Σ of its squared edges (Liu & Joe 1994)";
+        const std::string shape = made->mesh.type == mesh::CellType::hex8
+                                      ? "the least det(e₁, e₂, e₃) / (|e₁| |e₂| |e₃|) of the edges at its corners and "
+                                        "in its middle (Knupp 2003)"
+                                      : "12 (3 V)^(2/3) / Σ of its squared edges (Liu & Joe 1994)";
         body.report = {{"Volume", formatted("%.4g cm³", 1e6 * quality.volume), false, "Of all elements together."},
-                       {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)), std::abs(quality.volume_error.value_or(0.0)) > 0.02,
+                       {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)),
+                        std::abs(quality.volume_error.value_or(0.0)) > 0.02,
                         "(V − V₀) / V₀ of the elements' volume V and the surface's V₀; orange above 2 %."},
                        {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1,
-                        "Shape of the worst element, " + shape + ": 1 is perfect, 0 flat, less turned inside out; orange below 0.1."},
-                       {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge), false, "Mean length of the edges between corners, each once."}};
-        if (is_volume_file(scene.path)) body.report.insert(body.report.begin(), {"Made from", made == source.mesh ? "the file's own elements" : "the file's surface", false,
-                                                                                 "A volume mesh keeps its own elements as long as their type and edge length are left as they were opened."});
-        const Result<std::vector<FibreGroup>> groups = muscle_groups(source.experiment, *made);
+                        "Shape of the worst element, " + shape +
+                            ": 1 is perfect, 0 flat, less turned inside out; orange below 0.1."},
+                       {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge), false,
+                        "Mean length of the edges between corners, each once."}};
+        if (is_volume_file(scene.path))
+            body.report.insert(
+                body.report.begin(),
+                {"Made from", made == source.mesh ? "the file's own elements" : "the file's surface", false,
+                 "A volume mesh keeps its own elements as long as their type and edge length are left as they were "
+                 "opened."});
+        const Result<std::vector<fibre::FibreGroup>> groups = setup::muscle_groups(source.experiment, *made);
         if (!groups) return groups.error();
-        for (const FibreGroup& group : *groups) body.muscles[group.name] = paint_of_group(made->mesh, group);
+        for (const fibre::FibreGroup& group : *groups)
+            body.muscles[group.name] = fibre::paint_of_group(made->mesh, group);
         for (const std::string& message : quality.messages) body.report.push_back({"Note", message, true});
         body.mesh = made->mesh;
         body.source = std::move(made);
         return body;
     }
 
-    const std::vector<FieldKind>& fields() const override { return field_catalogue(); }
+    const std::vector<ui::commands::FieldKind>& fields() const override { return field_catalogue(); }
 
-    Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const override { return field_values(id, body, run, trial, frame); }
+    Eigen::VectorXd field(const std::string& id, const ui::commands::MeshedBody& body,
+                          const ui::commands::RunResult& run, std::size_t trial, std::size_t frame) const override {
+        return field_values(id, body, run, trial, frame);
+    }
 
-    Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) override {
+    Result<ui::commands::RunResult> simulate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                             const ui::commands::Settings& settings,
+                                             const std::optional<ui::commands::RunExtent>& only,
+                                             const Progress& progress) override {
         if (source_of(scene).experiment.trials.empty()) return run_mesh_scene(scene, body, settings, only, progress);
-        Result<Study> study = scene_study(scene, body, settings, study_settings(settings), progress);
-        if (!study) return study.error();
-        const StudyValues values = with_predicted_levels(*study, declared_values(*study));
-        if (only) return shown_run(*study, short_run(*study, values, only->trial, only->end_s, progress));
-        check_integration(*study);
+        Result<setup::Setup> setup = scene_setup(scene, body, settings, setup_settings(settings), progress);
+        if (!setup) return setup.error();
+        const prediction::ParameterValues values = prediction::with_predicted_levels(
+            *setup, prediction::declared_values(*setup));
+        if (only) return shown_run(*setup, short_run(*setup, values, only->trial, only->end_s, progress));
+        setup::check_integration(*setup);
         // With the step that is shown, and a shorter one where nobody set it and what moves asks for that.
-        if (!settings.own_step) study->settings.h_s.reset();
-        const StudyRun run = run_with_chosen_steps(*study, values, progress);
-        RunResult shown = shown_run(*study, run);
-        if (!settings.own_step) shown.time_step_s = shortest_step_s(*study);
+        if (!settings.own_step) setup->settings.h_s.reset();
+        const prediction::SetupRun run = prediction::run_with_chosen_steps(*setup, values, progress);
+        ui::commands::RunResult shown = shown_run(*setup, run);
+        if (!settings.own_step) shown.time_step_s = prediction::shortest_step_s(*setup);
         if (progress.cancelled()) return shown;
-        const std::vector<TrialStep> seen = steps_seen_in(*study, run);
+        const std::vector<setup::TrialStep> seen = prediction::steps_seen_in(*setup, run);
         add_vibrations(seen, shown);
         const bool as_declared = true;
         shown.checks = check_rows(
-            check_after({.study = *study, .run = &run, .as_declared = as_declared, .seen = &seen}), as_declared);
+            check::check_after({.setup = *setup, .run = &run, .as_declared = as_declared, .seen = &seen}), as_declared);
         return shown;
     }
 
-    Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) override {
+    Result<ui::commands::SearchResult> calibrate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                                 const ui::commands::Settings& settings, const Progress& progress,
+                                                 const LiveSearch& live) override {
         return calibrate_scene(scene, body, settings, progress, live);
     }
 
-    Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
-                                  const LiveSearch& live) override {
+    Result<ui::commands::SearchResult> optimize(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                                const ui::commands::Settings& settings,
+                                                const ui::commands::OptimizeRequest& request, const Progress& progress,
+                                                const LiveSearch& live) override {
         return optimize_scene(scene, body, settings, request, progress, live);
     }
 
-    Result<std::vector<std::string>> write_report(const fs::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
-                                                  const DiagnosisView* diagnosis) const override {
-        const Experiment& experiment = source_of(scene).experiment;
-        std::vector<fs::path> outputs = trace_files(folder, experiment);
+    Result<std::vector<std::string>> write_report(const fs::path& folder, const ui::commands::Scene& scene,
+                                                  const ui::commands::RunResult& run,
+                                                  const ui::commands::SearchResult* found,
+                                                  const ui::commands::DiagnosisView* diagnosis) const override {
+        const experiment::Experiment& experiment = source_of(scene).experiment;
+        std::vector<fs::path> outputs = results::trace_files(folder, experiment);
         for (const char* const name : {"fit.html", "diagnosis.html"}) outputs.push_back(folder / name);
-        const Result<void> kept = check_overwrites(folder.string(), outputs, files_read(experiment.folder, experiment));
+        const Result<void> kept = check_overwrites(folder.string(), outputs,
+                                                   results::files_read(experiment.folder, experiment));
         if (!kept) return kept.error();
-        if (const Result<void> ready = prepare_output_folder(folder); !ready) return ready.error();
+        if (const Result<void> ready = results::prepare_output_folder(folder); !ready) return ready.error();
         std::vector<std::string> files, names, trials;
-        for (const SceneMarker& marker : scene.markers) names.push_back(marker.name);
-        for (const SceneTrial& trial : scene.trials) trials.push_back(trial.name);
-        trials = trial_file_names(trials);
+        for (const ui::commands::SceneMarker& marker : scene.markers) names.push_back(marker.name);
+        for (const ui::commands::SceneTrial& trial : scene.trials) trials.push_back(trial.name);
+        trials = results::trial_file_names(trials);
         for (std::size_t t = 0; t < run.trials.size() && t < scene.trials.size(); ++t) {
             if (names.empty() || run.trials[t].markers.size() != names.size()) continue;
             files.push_back(trials[t] + ".csv");
-            Recording simulated;
+            measurement::Recording simulated;
             simulated.labels = names;
             simulated.time_s = scene.trials[t].time_s;
             simulated.tracks = run.trials[t].markers;
-            if (const Result<void> written = write_trace_csv(folder / files.back(), simulated); !written) return written.error();
+            if (const Result<void> written = measurement::write_trace_csv(folder / files.back(), simulated); !written)
+                return written.error();
         }
         const auto page = [&](const char* name, const std::shared_ptr<const void>& content) -> Result<void> {
             if (!content) return {};
             files.emplace_back(name);
-            return write_html(folder / name, *std::static_pointer_cast<const HtmlReport>(content));
+            return report::write_html(folder / name, *std::static_pointer_cast<const report::HtmlReport>(content));
         };
         if (found)
             if (const Result<void> written = page("fit.html", found->page); !written) return written.error();
@@ -243,42 +308,59 @@ public:
         return files;
     }
 
-    Result<RecordingFile> read_recording(const fs::path& path, const ReadingOptions& options) const override { return read_recording_file(path, options); }
-    std::vector<SceneMarker> declared_markers(const Scene& scene) const override { return declared_scene_markers(scene); }
-    ImportView view_import(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) const override { return view_recording(scene, file, choices); }
-    Result<ImportChoices> propose_markers(const Scene& scene, const MeshedBody& body, const RecordingFile& file, const ImportChoices& choices) const override {
+    Result<ui::commands::RecordingFile> read_recording(const fs::path& path,
+                                                       const ui::commands::ReadingOptions& options) const override {
+        return read_recording_file(path, options);
+    }
+    std::vector<ui::commands::SceneMarker> declared_markers(const ui::commands::Scene& scene) const override {
+        return declared_scene_markers(scene);
+    }
+    ui::commands::ImportView view_import(const ui::commands::Scene& scene, const ui::commands::RecordingFile& file,
+                                         const ui::commands::ImportChoices& choices) const override {
+        return view_recording(scene, file, choices);
+    }
+    Result<ui::commands::ImportChoices> propose_markers(const ui::commands::Scene& scene,
+                                                        const ui::commands::MeshedBody& body,
+                                                        const ui::commands::RecordingFile& file,
+                                                        const ui::commands::ImportChoices& choices) const override {
         return propose_recording_markers(scene, body, file, choices);
     }
-    Result<double> align_import(const Scene& scene, const SimulatedTrial& run, const Eigen::VectorXd& time_s, const RecordingFile& file, const ImportChoices& choices) const override {
+    Result<double> align_import(const ui::commands::Scene& scene, const ui::commands::SimulatedTrial& run,
+                                const Eigen::VectorXd& time_s, const ui::commands::RecordingFile& file,
+                                const ui::commands::ImportChoices& choices) const override {
         return align_recording(scene, run, time_s, file, choices);
     }
-    Result<fs::path> add_recording(const Scene& scene, const Settings& settings, const RecordingFile& file, const ImportChoices& choices) const override {
+    Result<fs::path> add_recording(const ui::commands::Scene& scene, const ui::commands::Settings& settings,
+                                   const ui::commands::RecordingFile& file,
+                                   const ui::commands::ImportChoices& choices) const override {
         return add_recording_trial(scene, settings, file, choices);
     }
 
-    Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveDiagnosis& live) override {
-        StudySettings chosen = study_settings(settings);
+    Result<ui::commands::DiagnosisView> diagnose(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                                 const ui::commands::Settings& settings, const Progress& progress,
+                                                 const LiveDiagnosis& live) override {
+        setup::SetupSettings chosen = setup_settings(settings);
         // Steps that nobody set are the diagnosis' to choose.
         if (!settings.own_step) chosen.h_s.reset();
-        Result<Study> study = scene_study(scene, body, settings, chosen, progress);
-        if (!study) return study.error();
-        if (const auto untested = untested_fit(*study)) study->warnings.push_back(*untested);
-        if (!chosen.h_s) choose_declared_steps(*study, findings_on_units(*study), progress);
-        const DiagnosisSource source{*study, source_of(scene).experiment.effects.size(), settings};
-        const auto show = [&](const Diagnosis& known) {
-            if (live) live(std::make_shared<const DiagnosisView>(diagnosis_view(source, known)));
+        Result<setup::Setup> setup = scene_setup(scene, body, settings, chosen, progress);
+        if (!setup) return setup.error();
+        if (const auto untested = prediction::untested_fit(*setup)) setup->warnings.push_back(*untested);
+        if (!chosen.h_s) check::choose_declared_steps(*setup, check::findings_on_units(*setup), progress);
+        const DiagnosisSource source{*setup, source_of(scene).experiment.effects.size(), settings};
+        const auto show = [&](const diagnosis::Diagnosis& known) {
+            if (live) live(std::make_shared<const ui::commands::DiagnosisView>(diagnosis_view(source, known)));
         };
-        const Diagnosis d = whole_diagnosis(*study, {}, progress, show);
+        const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(*setup, {}, progress, show);
         if (!d.failure.empty()) return Error{d.failure, ""};
         if (!d.declared.usable()) return Error{"stopped before the declared fit", ""};
         progress.report({"forces of the effects", 0.0, 1.0, "stage", {}});
-        DiagnosisView view = diagnosis_view(source, d);
-        RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
+        ui::commands::DiagnosisView view = diagnosis_view(source, d);
+        results::RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
         if (d.complete()) {
             add_forces(source, d, view);
-            facts.findings = check_after({as_diagnosed(d, *study), &d.after});
+            facts.findings = check::check_after({diagnosis::as_diagnosed(d, *setup), &d.after});
             view.checks = check_rows(facts.findings);
-            view.page = std::make_shared<const HtmlReport>(diagnosis_report(*study, d, facts));
+            view.page = std::make_shared<const report::HtmlReport>(diagnosis::diagnosis_report(*setup, d, facts));
         }
         return view;
     }
@@ -286,6 +368,6 @@ public:
 
 }  // namespace
 
-std::shared_ptr<Backend> make_core_backend() { return std::make_shared<CoreBackend>(); }
+std::shared_ptr<ui::commands::Backend> make_core_backend() { return std::make_shared<CoreBackend>(); }
 
-}  // namespace myo
+}  // namespace myo::backend

@@ -15,7 +15,9 @@ SymmetricEigen symmetric_eigen(const MatrixXd& A) {
     return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 
-VectorXd symmetric_eigenvalues(const MatrixXd& A) { return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues(); }
+VectorXd symmetric_eigenvalues(const MatrixXd& A) {
+    return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
+}
 
 MatrixXd smaller_gram(const MatrixXd& A) {
     if (A.rows() <= A.cols()) return A * A.transpose();

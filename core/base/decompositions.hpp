@@ -26,7 +26,8 @@ struct LeadingSvd {
     Eigen::MatrixXd right;
 };
 
-/// At most so many singular values with their vectors, from the smaller Gram matrix: without those below 1e-7 of the largest, which it does not see.
+/// At most so many singular values with their vectors, from the smaller Gram matrix: without those below 1e-7 of the
+/// largest, which it does not see.
 LeadingSvd leading_svd(const Eigen::MatrixXd& A, Eigen::Index most);
 
 }  // namespace myo

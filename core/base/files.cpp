@@ -61,7 +61,7 @@ int write_opened(const fs::path& path, int flags, std::string_view content) {
 /// The standard stream that leads to this file, as after `myoloop ... > file`; -1: none.
 int standard_stream_of(const struct ::stat& file) {
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-        struct ::stat other{};
+        struct ::stat other {};
         const bool same = ::fstat(stream, &other) == 0 && other.st_dev == file.st_dev && other.st_ino == file.st_ino;
         if (same) return stream;
     }
@@ -85,7 +85,7 @@ Result<void> replace_file(const fs::path& path, std::string_view content) {
 }  // namespace
 
 Result<void> write_file(const fs::path& path, std::string_view content) {
-    struct ::stat found{};
+    struct ::stat found {};
     const int missing = ::stat(path.c_str(), &found) == 0 ? 0 : errno;
     if (missing == ELOOP) return not_written(path, missing);
     if (missing != 0) return replace_file(behind_links(path), content);

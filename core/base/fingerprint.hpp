@@ -7,8 +7,8 @@
 
 namespace myo {
 
-/// Tells lists of numbers apart, by their bits; the same in every run and on every machine of one byte order. All NaN count as the same.
-/// Source: FNV-1a (Fowler, Noll, Vo).
+/// Tells lists of numbers apart, by their bits; the same in every run and on every machine of one byte order. All NaN
+/// count as the same. Source: FNV-1a (Fowler, Noll, Vo).
 class Fingerprint {
 public:
     void add(const double* values, std::ptrdiff_t count) {
@@ -21,7 +21,9 @@ public:
     void add(double value) { add(&value, 1); }
     /// Of any dense matrix of doubles.
     template <class Matrix>
-    void add_all(const Matrix& values) { add(values.data(), values.size()); }
+    void add_all(const Matrix& values) {
+        add(values.data(), values.size());
+    }
 
     std::uint64_t value() const { return hash_; }
 

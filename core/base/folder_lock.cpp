@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 /// Whether the open file still has this name: its owner may have removed it between our opening and locking it.
 bool is_still(const fs::path& file, int descriptor) {
-    struct ::stat named{}, opened{};
+    struct ::stat named {
+    }, opened{};
     return ::stat(file.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
            named.st_ino == opened.st_ino;
 }
@@ -48,7 +49,8 @@ Result<FolderLock> FolderLock::take(const fs::path& folder) {
             const std::string owner = owner_words(file);
             ::close(descriptor);
             return Error{folder.string() + " is used by another run of myoloop" + owner +
-                             "; wait for it or choose another folder", ""};
+                             "; wait for it or choose another folder",
+                         ""};
         }
         if (is_still(file, descriptor)) {
             write_owner(descriptor);

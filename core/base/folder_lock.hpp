@@ -27,7 +27,7 @@ private:
     void release();
 
     std::filesystem::path file_;
-    int descriptor_ = -1;   // -1: holds nothing
+    int descriptor_ = -1;  // -1: holds nothing
 };
 
 }  // namespace myo

@@ -4,16 +4,16 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <experimental/simd>
 #include <limits>
 #include <numbers>
 
 namespace myo {
 
-/// As many numbers as the processor handles at once: one lane per cell. Formulas are templates over double and Pack, so that
-/// the vectorised kernel and the tests of single points run the same code.
+/// As many numbers as the processor handles at once: one lane per cell. Formulas are templates over double and Pack, so
+/// that the vectorised kernel and the tests of single points run the same code.
 using Pack = std::experimental::native_simd<double>;
 using PackMask = Pack::mask_type;
 inline constexpr int pack_width = static_cast<int>(Pack::size());
@@ -21,7 +21,9 @@ inline constexpr int pack_width = static_cast<int>(Pack::size());
 inline Pack load_pack(const double* lanes) { return Pack(lanes, std::experimental::element_aligned); }
 
 /// J^(-1/3), not a number for J <= 0.
-inline double inverse_cube_root(double J) { return J > 0.0 ? 1.0 / std::cbrt(J) : std::numeric_limits<double>::quiet_NaN(); }
+inline double inverse_cube_root(double J) {
+    return J > 0.0 ? 1.0 / std::cbrt(J) : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// The bits of every lane.
 using PackBits = std::experimental::rebind_simd_t<std::uint64_t, Pack>;
@@ -76,7 +78,15 @@ struct NumTraits<myo::Pack> : GenericNumTraits<myo::Pack> {
     using NonInteger = myo::Pack;
     using Nested = myo::Pack;
     using Literal = double;
-    enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
+    enum {
+        IsComplex = 0,
+        IsInteger = 0,
+        IsSigned = 1,
+        RequireInitialization = 0,
+        ReadCost = 1,
+        AddCost = 1,
+        MulCost = 1
+    };
 };
 
 }  // namespace Eigen

@@ -11,9 +11,9 @@
 namespace myo {
 namespace {
 
-/// Threads for the loops inside the task at hand. Two trials on two threads leave none to their steps: a loop that waited for the
-/// other trial's thread took three times as long as one that does all of its work.
-thread_local int free_threads = 0;   // 0: outside of all tasks, all of the machine's
+/// Threads for the loops inside the task at hand. Two trials on two threads leave none to their steps: a loop that
+/// waited for the other trial's thread took three times as long as one that does all of its work.
+thread_local int free_threads = 0;  // 0: outside of all tasks, all of the machine's
 
 class FreeThreads {
 public:

@@ -26,10 +26,22 @@ public:
     bool has_value() const { return content_.index() == 0; }
     explicit operator bool() const { return has_value(); }
 
-    const T& value() const& { assert(has_value()); return std::get<0>(content_); }
-    T& value() & { assert(has_value()); return std::get<0>(content_); }
-    T&& value() && { assert(has_value()); return std::get<0>(std::move(content_)); }
-    const Error& error() const { assert(!has_value()); return std::get<1>(content_); }
+    const T& value() const& {
+        assert(has_value());
+        return std::get<0>(content_);
+    }
+    T& value() & {
+        assert(has_value());
+        return std::get<0>(content_);
+    }
+    T&& value() && {
+        assert(has_value());
+        return std::get<0>(std::move(content_));
+    }
+    const Error& error() const {
+        assert(!has_value());
+        return std::get<1>(content_);
+    }
 
     const T& operator*() const& { return value(); }
     T& operator*() & { return value(); }
@@ -50,7 +62,10 @@ public:
 
     bool has_value() const { return !failed_; }
     explicit operator bool() const { return has_value(); }
-    const Error& error() const { assert(failed_); return error_; }
+    const Error& error() const {
+        assert(failed_);
+        return error_;
+    }
 
 private:
     Error error_;

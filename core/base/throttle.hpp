@@ -5,13 +5,15 @@
 
 namespace myo {
 
-/// Tells when there is something new to show: at once, then at most ten times a second, which is enough to read. Thread-safe.
+/// Tells when there is something new to show: at once, then at most ten times a second, which is enough to read.
+/// Thread-safe.
 class Throttle {
 public:
     bool ready() {
         const Clock::rep now = Clock::now().time_since_epoch().count();
         Clock::rep next = next_.load(std::memory_order_relaxed);
-        return now >= next && next_.compare_exchange_strong(next, now + Clock::duration(std::chrono::milliseconds(100)).count());
+        return now >= next &&
+               next_.compare_exchange_strong(next, now + Clock::duration(std::chrono::milliseconds(100)).count());
     }
 
 private:

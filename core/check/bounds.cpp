@@ -1,15 +1,16 @@
+#include "calibration/values_at_bounds.hpp"
 #include "check/checks.hpp"
-#include "project/values_at_bounds.hpp"
 
-namespace myo {
+namespace myo::check {
 
 std::vector<Finding> check_bounds(const CheckedJob& job) {
     std::vector<Finding> findings;
     if (job.calibration == nullptr) return findings;
-    const Calibration& calibration = *job.calibration;
-    for (const ValueAtBound& at : values_at_bounds(calibration)) {
-        const StudyParameter& parameter = calibration.parameters[at.parameter];
-        Finding finding = fine_finding(parameter.parameter.name, bound_sentence(job.study, calibration, at));
+    const calibration::Calibration& calibration = *job.calibration;
+    for (const calibration::ValueAtBound& at : calibration::values_at_bounds(calibration)) {
+        const prediction::ModelParameter& parameter = calibration.parameters[at.parameter];
+        Finding finding = fine_finding(parameter.parameter.name,
+                                       calibration::bound_sentence(job.setup, calibration, at));
         finding.level = CheckLevel::doubtful;
         finding.figure = at.value;
         finding.threshold = at.bound;
@@ -21,4 +22,4 @@ std::vector<Finding> check_bounds(const CheckedJob& job) {
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

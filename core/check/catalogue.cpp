@@ -5,7 +5,7 @@
 
 #include "check/checks.hpp"
 
-namespace myo {
+namespace myo::check {
 
 const std::vector<Check>& check_catalogue() {
     static const std::vector<Check> checks{
@@ -15,10 +15,10 @@ const std::vector<Check>& check_catalogue() {
          "no body left to itself swings slower than its first vibration; cameras", check_time_unit, true},
         {"mesh", "Is the mesh fine enough to bend and to twist?", CheckTime::before,
          "errors of coarse meshes beside fine ones", check_mesh, true},
-        {"markers", "Is the mesh fine enough for the markers?", CheckTime::before,
-         "strains are linear within a cell", check_markers},
-        {"support", "Does the support hold the body?", CheckTime::before,
-         "a body held on a line turns about it", check_support, true},
+        {"markers", "Is the mesh fine enough for the markers?", CheckTime::before, "strains are linear within a cell",
+         check_markers},
+        {"support", "Does the support hold the body?", CheckTime::before, "a body held on a line turns about it",
+         check_support, true},
         {"pose", "Is the pose under gravity stable?", CheckTime::before,
          "linear buckling: the squared frequency falls to 0 in proportion to the load", check_pose, true},
         {"signals", "Do the signals meet their trials?", CheckTime::before,
@@ -29,13 +29,13 @@ const std::vector<Check>& check_catalogue() {
          "a modulus fitted on a vibration errs by twice the error of its frequency", check_step, true},
         {"start", "Does the model begin where the recording begins?", CheckTime::both,
          "5 noise levels and a twentieth of the motion", check_start, true},
-        {"inside_out", "Do the cells keep their outside out?", CheckTime::after,
-         "a Jacobian below 0 is no deformation", check_inside_out, true},
+        {"inside_out", "Do the cells keep their outside out?", CheckTime::after, "a Jacobian below 0 is no deformation",
+         check_inside_out, true},
         {"bounds", "Did the fit end within its bounds?", CheckTime::after, "the declared ranges", check_bounds, true},
-        {"influence", "Do the data determine what is fitted?", CheckTime::after,
-         "singular values of the Jacobian", check_influence},
-        {"residual", "Does the model explain the recordings?", CheckTime::after,
-         "the noise of the markers", check_residual},
+        {"influence", "Do the data determine what is fitted?", CheckTime::after, "singular values of the Jacobian",
+         check_influence},
+        {"residual", "Does the model explain the recordings?", CheckTime::after, "the noise of the markers",
+         check_residual},
     };
     return checks;
 }
@@ -76,10 +76,10 @@ std::vector<Finding> run_check(const Check& check, const CheckedJob& job) {
     return findings;
 }
 
-std::vector<Finding> check_before(const Study& study) { return run_checks({study}, {}); }
+std::vector<Finding> check_before(const setup::Setup& setup) { return run_checks({setup}, {}); }
 
 std::vector<Finding> check_after(const CheckedJob& job, const std::vector<Finding>& before) {
     return run_checks(job, before);
 }
 
-}  // namespace myo
+}  // namespace myo::check

@@ -4,7 +4,7 @@
 
 #include "check/checked_job.hpp"
 
-namespace myo {
+namespace myo::check {
 
 // One file each; registered in catalogue.cpp.
 std::vector<Finding> check_mesh(const CheckedJob& job);
@@ -22,4 +22,4 @@ std::vector<Finding> check_bounds(const CheckedJob& job);
 std::vector<Finding> check_influence(const CheckedJob& job);
 std::vector<Finding> check_residual(const CheckedJob& job);
 
-}  // namespace myo
+}  // namespace myo::check

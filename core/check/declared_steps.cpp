@@ -4,24 +4,26 @@
 #include <iterator>
 
 #include "check/catalogue.hpp"
-#include "project/time_step.hpp"
+#include "prediction/time_step.hpp"
 
-namespace myo {
+namespace myo::check {
 
-std::vector<Finding> findings_on_units(const Study& study) {
+std::vector<Finding> findings_on_units(const setup::Setup& setup) {
     std::vector<Finding> found;
     for (const char* const check : {"units", "time_unit"}) {
-        std::vector<Finding> more = run_check(*find_check(check), {study});
+        std::vector<Finding> more = run_check(*find_check(check), {setup});
         std::move(more.begin(), more.end(), std::back_inserter(found));
     }
     return found;
 }
 
-void choose_declared_steps(Study& study, const std::vector<Finding>& on_units, const Progress& progress) {
+void choose_declared_steps(setup::Setup& setup, const std::vector<Finding>& on_units, const Progress& progress) {
     const bool in_doubt = std::any_of(on_units.begin(), on_units.end(),
                                       [](const Finding& finding) { return finding.level != CheckLevel::fine; });
-    if (in_doubt) study.settings.h_s = shortest_step_s(study);
-    else set_steps(study, choose_steps(study, declared_values(study), progress));
+    if (in_doubt)
+        setup.settings.h_s = prediction::shortest_step_s(setup);
+    else
+        prediction::set_steps(setup, prediction::choose_steps(setup, prediction::declared_values(setup), progress));
 }
 
-}  // namespace myo
+}  // namespace myo::check

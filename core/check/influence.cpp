@@ -1,11 +1,11 @@
 #include "check/checks.hpp"
 
-namespace myo {
+namespace myo::check {
 
 std::vector<Finding> check_influence(const CheckedJob& job) {
     std::vector<Finding> findings;
     if (job.calibration == nullptr) return findings;
-    const Calibration& calibration = *job.calibration;
+    const calibration::Calibration& calibration = *job.calibration;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const std::string reason = calibration.undetermined_reason(i);
         if (reason.empty()) continue;
@@ -20,4 +20,4 @@ std::vector<Finding> check_influence(const CheckedJob& job) {
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

@@ -7,7 +7,7 @@
 #include "check/checks.hpp"
 #include "fem/shape_functions.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -16,7 +16,7 @@ using Eigen::Matrix3Xd;
 constexpr std::size_t most_states = 100;
 
 template <class Shape>
-bool turned(const VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x, const Matrix3Xd& corners) {
+bool turned(const mesh::VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x, const Matrix3Xd& corners) {
     Eigen::Matrix<double, 3, Shape::nodes> X;
     for (int a = 0; a < Shape::nodes; ++a) X.col(a) = x.col(mesh.cells(a, cell));
     for (const Eigen::Vector3d xi : corners.colwise())
@@ -25,16 +25,15 @@ bool turned(const VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x, const
 }
 
 /// Cells with a Jacobian of 0 or less at a corner.
-int turned_cells(const VolumeMesh& mesh, const Matrix3Xd& x) {
+int turned_cells(const mesh::VolumeMesh& mesh, const Matrix3Xd& x) {
     Matrix3Xd tetrahedron(3, 4);
     tetrahedron << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
-    const Matrix3Xd hexahedron = Hex8::corners().transpose();
+    const Matrix3Xd hexahedron = fem::Hex8::corners().transpose();
     int count = 0;
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
-        switch (mesh.type) {
-            case CellType::hex8: count += turned<Hex8>(mesh, c, x, hexahedron); break;
-            case CellType::tet4: count += turned<Tet4>(mesh, c, x, tetrahedron.leftCols(1)); break;
-            case CellType::tet10: count += turned<Tet10>(mesh, c, x, tetrahedron); break;
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) switch (mesh.type) {
+            case mesh::CellType::hex8: count += turned<fem::Hex8>(mesh, c, x, hexahedron); break;
+            case mesh::CellType::tet4: count += turned<fem::Tet4>(mesh, c, x, tetrahedron.leftCols(1)); break;
+            case mesh::CellType::tet10: count += turned<fem::Tet10>(mesh, c, x, tetrahedron); break;
         }
     return count;
 }
@@ -42,10 +41,10 @@ int turned_cells(const VolumeMesh& mesh, const Matrix3Xd& x) {
 }  // namespace
 
 std::vector<Finding> check_inside_out(const CheckedJob& job) {
-    const VolumeMesh& mesh = job.study.mesh.mesh;
+    const mesh::VolumeMesh& mesh = job.setup.mesh.mesh;
     std::vector<Finding> findings;
-    for (std::size_t t = 0; t < job.study.trials.size(); ++t) {
-        const Trace& trace = job.run->predictions[t].trace;
+    for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
+        const dynamics::Trace& trace = job.run->predictions[t].trace;
         if (trace.positions.empty()) continue;
         const std::size_t last = trace.positions.size() - 1, stride = last / most_states + 1;
         int most = 0;
@@ -55,7 +54,7 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
             if (count > 0 && most == 0) since_s = trace.times_s[i];
             most = std::max(most, count);
         }
-        const std::string& name = job.study.trials[t].name;
+        const std::string& name = job.setup.trials[t].name;
         Finding finding = fine_finding(name, "trial " + name + ": no cell is inside out");
         finding.figure = most;
         finding.threshold = 0.0;
@@ -71,4 +70,4 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

@@ -2,10 +2,10 @@
 
 #include "check/checks.hpp"
 #include "mesh/quality.hpp"
-#include "project/setting_words.hpp"
 #include "report/length.hpp"
+#include "setup/setting_words.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 /// Two markers nearer than this part of an edge lie in one cell and show nothing but its linear strain.
@@ -14,8 +14,8 @@ constexpr double least_edge_share = 0.25;
 }  // namespace
 
 std::vector<Finding> check_markers(const CheckedJob& job) {
-    const std::vector<MarkerDeclaration>& markers = job.study.experiment.markers.on_body;
-    const double edge = mean_edge_length(job.study.mesh.mesh);
+    const std::vector<experiment::MarkerDeclaration>& markers = job.setup.experiment.markers.on_body;
+    const double edge = mesh::mean_edge_length(job.setup.mesh.mesh);
     std::size_t first = 0, second = 0;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < markers.size(); ++a)
@@ -27,17 +27,17 @@ std::vector<Finding> check_markers(const CheckedJob& job) {
             }
     if (markers.size() < 2) return {fine_finding("", "one marker, which any mesh holds")};
     const std::string pair = "markers " + markers[first].name + " and " + markers[second].name + " are " +
-                             length_words(nearest) + " apart";
-    Finding finding = fine_finding("", pair + ", the nearest ones, beside edges of " + length_words(edge));
+                             report::length_words(nearest) + " apart";
+    Finding finding = fine_finding("", pair + ", the nearest ones, beside edges of " + report::length_words(edge));
     finding.figure = nearest;
     finding.threshold = least_edge_share * edge;
     finding.unit = "m";
     if (nearest >= finding.threshold) return {finding};
     finding.level = CheckLevel::doubtful;
-    finding.sentence =
-        pair + " and the mesh's edges " + length_words(edge) + " long: what strains between them is lost";
-    finding.way_out = std::string("choose shorter edges (") + edge_setting + "), or compare one of them";
+    finding.sentence = pair + " and the mesh's edges " + report::length_words(edge) +
+                       " long: what strains between them is lost";
+    finding.way_out = std::string("choose shorter edges (") + setup::edge_setting + "), or compare one of them";
     return {finding};
 }
 
-}  // namespace myo
+}  // namespace myo::check

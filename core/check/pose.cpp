@@ -7,31 +7,32 @@
 #include "dynamics/natural_modes.hpp"
 #include "dynamics/statics.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 struct PosePolicy {
     /// Part of the loads under which the change of frequency is taken: far from a critical load the squared frequency
     /// falls in proportion, and 1e-7 is the accuracy of frequencies.
     double load_share = 0.02;
-    double doubtful_share = 1.2;   // of the critical load over the load: a margin of a fifth
-    int modes = 2;                 // a square column has two equal ones
+    double doubtful_share = 1.2;  // of the critical load over the load: a margin of a fifth
+    int modes = 2;                // a square column has two equal ones
 };
 constexpr PosePolicy pose_policy;
 
-Model under_part_of_loads(Model model, double share) {
+model::Model under_part_of_loads(model::Model model, double share) {
     model.gravity_m_s2 *= share;
-    for (DeadForce& force : model.forces) force.force_N *= share;
+    for (model::DeadForce& force : model.forces) force.force_N *= share;
     return model;
 }
 
 /// Squared angular frequency of the slowest mode under a part of the loads.
-std::optional<double> slowest(const Model& model, double share, double time_s) {
-    const Model loaded = under_part_of_loads(model, share);
-    StageSolver solver(loaded);
+std::optional<double> slowest(const model::Model& model, double share, double time_s) {
+    const model::Model loaded = under_part_of_loads(model, share);
+    dynamics::StageSolver solver(loaded);
     Eigen::Matrix3Xd x = loaded.body->mesh.nodes;
-    if (share > 0.0 && solve_equilibrium(solver, time_s, x).status != SolveStatus::converged) return std::nullopt;
-    const NaturalModes modes = natural_modes(solver, x, pose_policy.modes, time_s);
+    if (share > 0.0 && dynamics::solve_equilibrium(solver, time_s, x).status != dynamics::SolveStatus::converged)
+        return std::nullopt;
+    const dynamics::NaturalModes modes = dynamics::natural_modes(solver, x, pose_policy.modes, time_s);
     if (!modes.ok()) return std::nullopt;
     return modes.modes.front().omega_rad_s * modes.modes.front().omega_rad_s;
 }
@@ -41,12 +42,12 @@ std::optional<double> slowest(const Model& model, double share, double time_s) {
 /// A column that stands loses stiffness in proportion to its load and buckles where none is left; a beam that lies does
 /// not. Muscles are passive here.
 std::vector<Finding> check_pose(const CheckedJob& job) {
-    const StudyTrial& trial = job.study.trials.front();
-    Model model = trial_model(job.study, 0, declared_values(job.study));
-    model.activation.assign(model.activation.size(), Signal::constant(1.0));
+    const setup::PreparedTrial& trial = job.setup.trials.front();
+    model::Model model = prediction::trial_model(job.setup, 0, prediction::declared_values(job.setup));
+    model.activation.assign(model.activation.size(), fibre::Signal::constant(1.0));
     const std::optional<double> free = slowest(model, 0.0, 0.0), loaded = slowest(model, pose_policy.load_share, 0.0);
     if (!free || !loaded || !(*free > 0.0)) return {};
-    const double lost = (1.0 - *loaded / *free) / pose_policy.load_share;   // of the stiffness, by the whole load
+    const double lost = (1.0 - *loaded / *free) / pose_policy.load_share;  // of the stiffness, by the whole load
     Finding finding = fine_finding(trial.name, "the pose at rest is stable under its loads");
     finding.figure = lost;
     finding.threshold = 1.0 / pose_policy.doubtful_share;
@@ -57,9 +58,10 @@ std::vector<Finding> check_pose(const CheckedJob& job) {
                                      " of its loads, to a side that a model without flaws chooses by rounding"
                                : "the pose is near buckling: its loads take " + format_number(100.0 * lost, 2) +
                                      " % of the stiffness of the undeformed body";
-    finding.way_out = "a modulus, density or gravity of another size may be meant; else declare what decides the side "
-                      "(a small force, an initial bend)";
+    finding.way_out =
+        "a modulus, density or gravity of another size may be meant; else declare what decides the side "
+        "(a small force, an initial bend)";
     return {finding};
 }
 
-}  // namespace myo
+}  // namespace myo::check

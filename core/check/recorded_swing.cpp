@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 using Eigen::Index;
 
 struct SwingPolicy {
-    int least_turns = 3;              // a period and a half: a step has one turn where it overshoots, drift none
-    double noise_levels = 10.0;       // that a turn goes back at least: not reached by white noise ...
-    double travel_share = 0.05;       // ... nor, with this part of the travel, by a tripod that is touched
+    int least_turns = 3;         // a period and a half: a step has one turn where it overshoots, drift none
+    double noise_levels = 10.0;  // that a turn goes back at least: not reached by white noise ...
+    double travel_share = 0.05;  // ... nor, with this part of the travel, by a tripod that is touched
     double least_signal_change = 0.05;
 };
 constexpr SwingPolicy swing_policy;
 
 /// The last knot at which a signal is still away from its end.
-double last_change_s(const Signal& signal) {
+double last_change_s(const fibre::Signal& signal) {
     const auto [least, most] = std::minmax_element(signal.values.begin(), signal.values.end());
     const double off = swing_policy.least_signal_change * (*most - *least);
     for (std::size_t k = signal.values.size(); k-- > 1;)
@@ -27,16 +27,16 @@ double last_change_s(const Signal& signal) {
 
 }  // namespace
 
-double last_change_s(const Model& model) {
+double last_change_s(const model::Model& model) {
     double last = 0.0;
-    for (const double jump : jump_times(model)) last = std::max(last, jump);
-    for (const Signal& signal : model.activation) last = std::max(last, last_change_s(signal));
+    for (const double jump : model::jump_times(model)) last = std::max(last, jump);
+    for (const fibre::Signal& signal : model.activation) last = std::max(last, last_change_s(signal));
     return last;
 }
 
 std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double least_m) {
     std::vector<double> turns;
-    Index low = -1, high = -1;   // extremes since the last turn
+    Index low = -1, high = -1;  // extremes since the last turn
     int direction = 0;
     for (Index k = 0; k < x_m.size(); ++k) {
         if (!std::isfinite(x_m(k))) continue;
@@ -55,7 +55,7 @@ std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::Ve
     return turns;
 }
 
-RecordedSwing recorded_swing(const StudyTrial& trial, double from_s, double noise_m) {
+RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, double noise_m) {
     const Eigen::VectorXd& time = trial.measured.time_s;
     const auto after = std::lower_bound(time.begin(), time.end(), from_s) - time.begin();
     const Index first = std::max(trial.first_sample, static_cast<Index>(after));
@@ -85,4 +85,4 @@ RecordedSwing recorded_swing(const StudyTrial& trial, double from_s, double nois
     return swing;
 }
 
-}  // namespace myo
+}  // namespace myo::check

@@ -1,14 +1,14 @@
 #include "check/checks.hpp"
-#include "project/shared_recordings.hpp"
+#include "experiment/shared_recordings.hpp"
 
-namespace myo {
+namespace myo::check {
 
 std::vector<Finding> check_recordings(const CheckedJob& job) {
-    const Experiment& experiment = job.study.experiment;
+    const experiment::Experiment& experiment = job.setup.experiment;
     std::vector<Finding> findings;
-    for (const SharedRecording& shared : shared_recordings(experiment)) {
-        Finding finding =
-            fine_finding(experiment.trials[shared.validate].name, shared_recording_sentence(experiment, shared));
+    for (const experiment::SharedRecording& shared : experiment::shared_recordings(experiment)) {
+        Finding finding = fine_finding(experiment.trials[shared.validate].name,
+                                       experiment::shared_recording_sentence(experiment, shared));
         finding.level = CheckLevel::doubtful;
         findings.push_back(std::move(finding));
     }
@@ -16,4 +16,4 @@ std::vector<Finding> check_recordings(const CheckedJob& job) {
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

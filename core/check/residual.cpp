@@ -6,7 +6,7 @@
 #include "check/checks.hpp"
 #include "report/length.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 /// A model that lacks nothing leaves 1, beside its numerical errors; the noise itself is known to some tens of percent.
@@ -18,11 +18,10 @@ constexpr double least_told_rise = 1.1;
 std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
     std::vector<Finding> list;
     for (const CheckLevel level : {CheckLevel::wrong, CheckLevel::doubtful})
-        std::copy_if(earlier.begin(), earlier.end(), std::back_inserter(list),
-                     [&](const Finding& finding) {
-                         const Check* const check = find_check(finding.check);
-                         return finding.level == level && check != nullptr && check->explains_residual;
-                     });
+        std::copy_if(earlier.begin(), earlier.end(), std::back_inserter(list), [&](const Finding& finding) {
+            const Check* const check = find_check(finding.check);
+            return finding.level == level && check != nullptr && check->explains_residual;
+        });
     return list;
 }
 
@@ -46,43 +45,45 @@ Finding judged_residual(const std::string& sentence, double ratio, double expect
 }
 
 /// rms of the residuals of all trials that have run [m].
-double rms_of_all(const StudyRun& run) {
+double rms_of_all(const prediction::SetupRun& run) {
     std::vector<Eigen::Matrix3Xd> all;
-    for (const TrialPrediction& prediction : run.predictions)
+    for (const prediction::TrialPrediction& prediction : run.predictions)
         if (prediction.ok()) all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
-    return rms(all);
+    return prediction::rms(all);
 }
 
 std::string beside_noise(double rms_m, double ratio) {
-    return length_words(rms_m) + " rms, is " + format_number(ratio, 3) + " times the noise";
+    return report::length_words(rms_m) + " rms, is " + format_number(ratio, 3) + " times the noise";
 }
 
 std::vector<Finding> of_declared_values(const CheckedJob& job) {
     const double left = rms_of_all(*job.run);
     if (!std::isfinite(left)) return {};
-    const double ratio = left / mean_noise(job.study);
+    const double ratio = left / setup::mean_noise(job.setup);
     Finding finding = judged_residual(
         "what the model leaves of the recordings with the declared values, " + beside_noise(left, ratio), ratio, 1.0);
     if (finding.level == CheckLevel::fine) return {finding};
     finding.sentence += ": nothing was fitted";
     const std::string names = suspect_names(*job.earlier);
     finding.way_out = (names.empty() ? "" : "suspected, in this order: " + names + "; once these are settled, ") +
-                      (study_parameters(job.study).empty() ? "name what is unknown in material.calibrate, and " : "") +
+                      (prediction::free_parameters(job.setup).empty()
+                           ? "name what is unknown in material.calibrate, and "
+                           : "") +
                       "calibrate finds the values that fit (myoloop calibrate, or Fit in the window)";
     return {finding};
 }
 
 std::vector<Finding> of_fit(const CheckedJob& job) {
     if (!std::isfinite(job.run->fit_rms_m)) return {};
-    const double ratio = job.run->fit_rms_m / mean_noise(job.study);
+    const double ratio = job.run->fit_rms_m / setup::mean_noise(job.setup);
     const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
     std::string sentence = "what the model leaves of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio);
     if (expected > least_told_rise) sentence += ", of which mesh and step make about " + format_number(numerical, 2);
     Finding finding = judged_residual(sentence, ratio, expected);
     if (finding.level == CheckLevel::fine) return {finding};
     const std::string names = suspect_names(*job.earlier);
-    const std::string diagnose =
-        "diagnose names the effect that is missing (myoloop diagnose, or Diagnose in the window)";
+    const std::string
+        diagnose = "diagnose names the effect that is missing (myoloop diagnose, or Diagnose in the window)";
     finding.way_out = names.empty() ? "nothing that is checked explains it: " + diagnose
                                     : "suspected, in this order: " + names + "; once these are settled, " + diagnose;
     return {finding};
@@ -95,4 +96,4 @@ std::vector<Finding> check_residual(const CheckedJob& job) {
     return job.as_declared ? of_declared_values(job) : std::vector<Finding>{};
 }
 
-}  // namespace myo
+}  // namespace myo::check

@@ -1,21 +1,21 @@
 #include <algorithm>
 
 #include "check/checks.hpp"
-#include "project/signal_span.hpp"
+#include "setup/signal_span.hpp"
 
-namespace myo {
+namespace myo::check {
 
 std::vector<Finding> check_signals(const CheckedJob& job) {
-    const Study& study = job.study;
+    const setup::Setup& setup = job.setup;
     std::vector<Finding> findings;
-    for (const MissedSignal& missed : missed_signals(study)) {
-        Finding finding = fine_finding(study.trials[missed.trial].name, missed_signal_sentence(study, missed));
+    for (const setup::MissedSignal& missed : setup::missed_signals(setup)) {
+        Finding finding = fine_finding(setup.trials[missed.trial].name, setup::missed_signal_sentence(setup, missed));
         finding.level = CheckLevel::wrong;
         findings.push_back(std::move(finding));
     }
-    if (findings.empty() && !study.experiment.muscles.empty())
+    if (findings.empty() && !setup.experiment.muscles.empty())
         findings.push_back(fine_finding("", "every signal acts within its trial"));
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

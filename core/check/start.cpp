@@ -6,14 +6,14 @@
 #include "check/checks.hpp"
 #include "report/length.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 /// Distances at the first sample: noise and glue of markers are not meant, nor a registration's few tenths.
 struct StartPolicy {
     double noise_levels = 5.0;
-    double doubtful_share = 0.05, wrong_share = 0.2;   // of the motion
-    double first_interval = 0.1;                       // a first sample so near to t = 0 shows where the body begins
+    double doubtful_share = 0.05, wrong_share = 0.2;  // of the motion
+    double first_interval = 0.1;                      // a first sample so near to t = 0 shows where the body begins
 };
 constexpr StartPolicy start_policy;
 
@@ -24,7 +24,7 @@ double rms_of(const std::vector<Eigen::Vector3d>& distances) {
 }
 
 /// How far the markers travel within a trial, rms over them [m].
-double travel(const StudyTrial& trial) {
+double travel(const setup::PreparedTrial& trial) {
     std::vector<Eigen::Vector3d> ranges;
     for (const Eigen::Matrix3Xd& track : trial.measured.tracks) {
         Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
@@ -37,13 +37,14 @@ double travel(const StudyTrial& trial) {
 
 /// Model less recording at the first sample, where that shows the start.
 std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
-    const Study& study = job.study;
-    const StudyTrial& trial = study.trials[t];
+    const setup::Setup& setup = job.setup;
+    const setup::PreparedTrial& trial = setup.trials[t];
     std::vector<Eigen::Vector3d> distances;
     const Eigen::Index first = trial.first_sample;
-    if (trial.measured.time_s(first) > start_policy.first_interval * sampling_interval_s(trial)) return distances;
-    const bool known = study.experiment.registration.known && trial.reference_m.empty();
-    const bool straight = trial.options.start == StartKind::straight;
+    if (trial.measured.time_s(first) > start_policy.first_interval * setup::sampling_interval_s(trial))
+        return distances;
+    const bool known = setup.experiment.registration.known && trial.reference_m.empty();
+    const bool straight = trial.options.start == dynamics::StartKind::straight;
     // Where a body rests follows from its modulus: only a fitted one says where that is.
     if (job.run == nullptr ? !straight || !known : !straight && job.calibration == nullptr) return distances;
     for (std::size_t m = 0; m < trial.measured.tracks.size(); ++m) {
@@ -52,7 +53,7 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
             if (!job.run->predictions[t].ok()) return {};
             distance = job.run->predictions[t].residual_m[m].col(first);
         } else {
-            distance = study.experiment.markers.on_body[m].rest_m - trial.measured.tracks[m].col(first);
+            distance = setup.experiment.markers.on_body[m].rest_m - trial.measured.tracks[m].col(first);
         }
         if (distance.allFinite()) distances.push_back(distance);
     }
@@ -63,31 +64,32 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
 
 std::vector<Finding> check_start(const CheckedJob& job) {
     std::vector<Finding> findings;
-    const double noise = std::sqrt(3.0) * mean_noise(job.study);   // of a distance
-    for (std::size_t t = 0; t < job.study.trials.size(); ++t) {
-        const StudyTrial& trial = job.study.trials[t];
+    const double noise = std::sqrt(3.0) * setup::mean_noise(job.setup);  // of a distance
+    for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
+        const setup::PreparedTrial& trial = job.setup.trials[t];
         const std::vector<Eigen::Vector3d> distances = at_start(job, t);
         if (distances.empty()) continue;
         const double off = rms_of(distances), moved = travel(trial);
-        const bool straight = trial.options.start == StartKind::straight;
-        Finding finding = fine_finding(
-            trial.name, "trial " + trial.name + ": at the first sample the markers are " + length_words(off) +
-                            " rms from where the model begins (start = \"" +
-                            (straight ? "straight" : "equilibrium") + "\")");
+        const bool straight = trial.options.start == dynamics::StartKind::straight;
+        Finding finding = fine_finding(trial.name, "trial " + trial.name + ": at the first sample the markers are " +
+                                                       report::length_words(off) +
+                                                       " rms from where the model begins (start = \"" +
+                                                       (straight ? "straight" : "equilibrium") + "\")");
         finding.figure = off;
         finding.threshold = std::max(start_policy.noise_levels * noise, start_policy.doubtful_share * moved);
         finding.unit = "m";
         if (off > finding.threshold) {
             finding.level = off > start_policy.wrong_share * moved ? CheckLevel::wrong : CheckLevel::doubtful;
-            finding.sentence += ", while they move by " + length_words(moved) + " in the trial";
-            finding.way_out =
-                straight ? "if the body rested under gravity and loads, state start = \"equilibrium\"; if it was "
-                           "held or moving, declare what held it (a load until t = 0)"
-                         : "was the body at rest at t = 0, under the loads and levels that are declared?";
+            finding.sentence += ", while they move by " + report::length_words(moved) + " in the trial";
+            finding
+                .way_out = straight
+                               ? "if the body rested under gravity and loads, state start = \"equilibrium\"; if it was "
+                                 "held or moving, declare what held it (a load until t = 0)"
+                               : "was the body at rest at t = 0, under the loads and levels that are declared?";
         }
         findings.push_back(std::move(finding));
     }
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

@@ -4,22 +4,22 @@
 #include "base/text.hpp"
 #include "check/checks.hpp"
 #include "check/step_level.hpp"
-#include "project/first_vibration.hpp"
-#include "project/setting_words.hpp"
-#include "project/time_step.hpp"
+#include "prediction/time_step.hpp"
+#include "setup/first_vibration.hpp"
+#include "setup/setting_words.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 /// Frequency errors: what choose_steps() aims at, with room for values that a fit has moved (ShorterStepsPolicy), and
 /// one that is seen in a fitted modulus as 2 %.
-constexpr double doubtful_error = 1.5 * step_policy.most_frequency_error, wrong_error = 1e-2;
+constexpr double doubtful_error = 1.5 * prediction::step_policy.most_frequency_error, wrong_error = 1e-2;
 
-std::string step_words(const StudyTrial& trial) {
+std::string step_words(const setup::PreparedTrial& trial) {
     return "trial " + trial.name + ": steps of " + format_number(1e3 * trial.options.h_s, 3) + " ms";
 }
 
-Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error) {
+Finding of_vibration(const setup::PreparedTrial& trial, double frequency_Hz, double error) {
     Finding finding = fine_finding(trial.name, step_words(trial) + " make the vibration of " +
                                                    format_number(frequency_Hz, 3) + " Hz " +
                                                    format_number(100.0 * error, 2) + " % too slow");
@@ -29,14 +29,14 @@ Finding of_vibration(const StudyTrial& trial, double frequency_Hz, double error)
     if (finding.level == CheckLevel::fine) return finding;
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
     // The error grows with the square of the step.
-    const double better = trial.options.h_s * std::sqrt(step_policy.most_frequency_error / error);
-    finding.way_out =
-        "choose a step of " + format_number(better, 2) + " s (" + step_setting + "), or leave it to the program";
+    const double better = trial.options.h_s * std::sqrt(prediction::step_policy.most_frequency_error / error);
+    finding.way_out = "choose a step of " + format_number(better, 2) + " s (" + setup::step_setting +
+                      "), or leave it to the program";
     return finding;
 }
 
 /// Judges a run whose step nobody has looked for, and that shows no vibration to judge it by.
-Finding of_nothing_seen(const StudyTrial& trial, double first_rad_s) {
+Finding of_nothing_seen(const setup::PreparedTrial& trial, double first_rad_s) {
     const double h = trial.options.h_s;
     const bool blind = first_rad_s * h > 1.0;
     return fine_finding(trial.name, step_words(trial) + ", and no vibration is seen that they could make too slow" +
@@ -46,24 +46,25 @@ Finding of_nothing_seen(const StudyTrial& trial, double first_rad_s) {
                                                : ""));
 }
 
-Finding of_choice(const StudyTrial& trial, const TrialStep& step) {
+Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& step) {
     if (!step.failure.empty()) {
         Finding finding = fine_finding(
-            trial.name, step_words(trial) + " are half a sampling interval, for with the declared values " +
-                            step.failure);
+            trial.name,
+            step_words(trial) + " are half a sampling interval, for with the declared values " + step.failure);
         finding.level = CheckLevel::doubtful;
-        finding.way_out = std::string("choose a step (") + step_setting + "), or declare values nearer the truth";
+        finding.way_out = std::string("choose a step (") + setup::step_setting +
+                          "), or declare values nearer the truth";
         return finding;
     }
     if (step.vibration_Hz > 0.0) return of_vibration(trial, step.vibration_Hz, step.frequency_error);
-    Finding finding = fine_finding(trial.name, step_words(trial) + " err by " +
-                                                   format_number(1e3 * step.trace_error_m, 2) + " mm in the traces");
+    Finding finding = fine_finding(
+        trial.name, step_words(trial) + " err by " + format_number(1e3 * step.trace_error_m, 2) + " mm in the traces");
     finding.figure = step.trace_error_m;
     finding.unit = "m";
     if (!step.settled) {
         finding.level = CheckLevel::doubtful;
         finding.sentence += ", and no shorter ones were tried";
-        finding.way_out = std::string("choose a step (") + step_setting + ")";
+        finding.way_out = std::string("choose a step (") + setup::step_setting + ")";
     }
     return finding;
 }
@@ -76,22 +77,22 @@ CheckLevel step_level(double frequency_error) {
 }
 
 std::vector<Finding> check_step(const CheckedJob& job) {
-    const Study& study = job.study;
+    const setup::Setup& setup = job.setup;
     std::vector<Finding> findings;
-    std::vector<TrialStep> seen;
-    if (job.run != nullptr) seen = job.seen != nullptr ? *job.seen : steps_seen_in(study, *job.run);
-    for (std::size_t t = 0; t < study.trials.size(); ++t) {
-        const StudyTrial& trial = study.trials[t];
+    std::vector<setup::TrialStep> seen;
+    if (job.run != nullptr) seen = job.seen != nullptr ? *job.seen : prediction::steps_seen_in(setup, *job.run);
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        const setup::PreparedTrial& trial = setup.trials[t];
         const bool has_run = job.run != nullptr && seen[t].h_s > 0.0;
         if (has_run && seen[t].vibration_Hz > 0.0)
             findings.push_back(of_vibration(trial, seen[t].vibration_Hz, seen[t].frequency_error));
-        else if (t < study.steps.size())
-            findings.push_back(of_choice(trial, study.steps[t]));
+        else if (t < setup.steps.size())
+            findings.push_back(of_choice(trial, setup.steps[t]));
         else if (has_run)
             findings.push_back(of_nothing_seen(
-                trial, first_vibration_rad_s(affected_trial(study, t, job.run->values).model)));
+                trial, setup::first_vibration_rad_s(prediction::affected_trial(setup, t, job.run->values).model)));
     }
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

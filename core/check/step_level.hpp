@@ -1,10 +1,10 @@
 #pragma once
 
-#include "project/finding.hpp"
+#include "check/finding.hpp"
 
-namespace myo {
+namespace myo::check {
 
 /// What a step's relative frequency error means for a modulus that is fitted on that vibration.
 CheckLevel step_level(double frequency_error);
 
-}  // namespace myo
+}  // namespace myo::check

@@ -8,7 +8,7 @@
 #include "model/held_nodes.hpp"
 #include "report/length.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 /// Width of the held part, over the body's size, below which it is a line or a point: rounding of mesh files.
@@ -17,16 +17,16 @@ constexpr double least_width = 1e-5;
 }  // namespace
 
 std::vector<Finding> check_support(const CheckedJob& job) {
-    const Body& body = *job.study.body;
-    const std::vector<int> held = held_nodes(body);
+    const model::Body& body = *job.setup.body;
+    const std::vector<int> held = model::held_nodes(body);
     const Eigen::Matrix3Xd points = body.mesh.nodes(Eigen::all, held);
     const Eigen::Matrix3Xd apart = points.colwise() - points.rowwise().mean();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(apart * apart.transpose());
     // Extents along the main axes, the widest last.
     const Eigen::Vector3d extents = (axes.eigenvectors().transpose() * apart).cwiseAbs().rowwise().maxCoeff();
-    const double size = bounding_box(body.mesh.nodes).size().maxCoeff();
+    const double size = mesh::bounding_box(body.mesh.nodes).size().maxCoeff();
     Finding finding = fine_finding("", std::to_string(held.size()) + " of " + std::to_string(body.node_count()) +
-                                           " nodes are held, across " + length_words(2.0 * extents(1)));
+                                           " nodes are held, across " + report::length_words(2.0 * extents(1)));
     finding.figure = extents(1) / size;
     finding.threshold = least_width;
     if (finding.figure > least_width) return {finding};
@@ -38,4 +38,4 @@ std::vector<Finding> check_support(const CheckedJob& job) {
     return {finding};
 }
 
-}  // namespace myo
+}  // namespace myo::check

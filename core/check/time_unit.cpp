@@ -6,9 +6,9 @@
 #include "base/text.hpp"
 #include "check/checks.hpp"
 #include "check/recorded_swing.hpp"
-#include "project/first_vibration.hpp"
+#include "setup/first_vibration.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 struct TimeUnitPolicy {
@@ -16,14 +16,14 @@ struct TimeUnitPolicy {
     /// and faster than its sixth bending vibration (90 times the first, of a cantilever) without the first being seen
     /// it does not. 30 leaves room for a modulus a thousand times off, which says what else is wrong.
     double doubtful_ratio = 30.0;
-    double wrong_ratio = 300.0;             // a modulus 1e5 times off
-    double most_samples_per_s = 1e5;        // high-speed cameras at a tenth of their picture
-    double same = 3.0;                      // ratios within this factor are taken for that of a unit
+    double wrong_ratio = 300.0;       // a modulus 1e5 times off
+    double most_samples_per_s = 1e5;  // high-speed cameras at a tenth of their picture
+    double same = 3.0;                // ratios within this factor are taken for that of a unit
 };
 constexpr TimeUnitPolicy time_unit_policy;
 
 struct Slip {
-    double ratio;        // of the first vibration's frequency over that in the recording
+    double ratio;  // of the first vibration's frequency over that in the recording
     const char* words;
 };
 constexpr std::array slips{Slip{1e3, "milliseconds"}, Slip{1e6, "microseconds"}, Slip{1.0 / 60.0, "minutes"}};
@@ -39,10 +39,10 @@ std::string guess(double interval_s, double ratio) {
 
 std::string hertz(double frequency) { return format_number(frequency, 3) + " Hz"; }
 
-Finding of_swing(const StudyTrial& trial, double swing_Hz, double first_Hz) {
+Finding of_swing(const setup::PreparedTrial& trial, double swing_Hz, double first_Hz) {
     const double ratio = first_Hz / swing_Hz, off = std::max(ratio, 1.0 / ratio);
-    const std::string swings =
-        "trial " + trial.name + ": left to itself the body swings at " + hertz(swing_Hz) + " in the recording";
+    const std::string swings = "trial " + trial.name + ": left to itself the body swings at " + hertz(swing_Hz) +
+                               " in the recording";
     Finding finding = fine_finding(trial.name, swings + ", and the first vibration is " + hertz(first_Hz));
     finding.figure = swing_Hz;
     const double most = time_unit_policy.doubtful_ratio;
@@ -52,7 +52,7 @@ Finding of_swing(const StudyTrial& trial, double swing_Hz, double first_Hz) {
     finding.level = off > time_unit_policy.wrong_ratio ? CheckLevel::wrong : CheckLevel::doubtful;
     finding.sentence = swings + ", " + format_number(off, 3) + " times " + (ratio > 1.0 ? "slower" : "faster") +
                        " than its first vibration of " + hertz(first_Hz);
-    finding.way_out = "give the times of the recording in seconds" + guess(sampling_interval_s(trial), ratio) +
+    finding.way_out = "give the times of the recording in seconds" + guess(setup::sampling_interval_s(trial), ratio) +
                       ". If they are seconds, " +
                       (ratio > 1.0 ? "the camera is too slow for the vibration, what moves the body is not declared, "
                                      "or "
@@ -62,16 +62,16 @@ Finding of_swing(const StudyTrial& trial, double swing_Hz, double first_Hz) {
 }
 
 /// A body whose muscles are declared without any signal moves by those that are sought.
-bool signals_are_known(const StudyTrial& trial) {
-    const auto changes = [](const Signal& signal) {
+bool signals_are_known(const setup::PreparedTrial& trial) {
+    const auto changes = [](const fibre::Signal& signal) {
         return std::any_of(signal.values.begin(), signal.values.end(),
                            [&](double value) { return value != signal.values.front(); });
     };
-    const std::vector<Signal>& signals = trial.model.activation;
+    const std::vector<fibre::Signal>& signals = trial.model.activation;
     return signals.empty() || !trial.free_levels.empty() || std::any_of(signals.begin(), signals.end(), changes);
 }
 
-Finding of_rate(const StudyTrial& trial, double rate_Hz) {
+Finding of_rate(const setup::PreparedTrial& trial, double rate_Hz) {
     const std::string sentence = "trial " + trial.name + ": " + format_number(rate_Hz, 3) + " samples per second";
     Finding finding = fine_finding(trial.name, sentence + ", and nothing in the motion contradicts its times");
     finding.figure = rate_Hz;
@@ -89,15 +89,16 @@ Finding of_rate(const StudyTrial& trial, double rate_Hz) {
 /// Slow recordings are no slip: of a body that creeps, or whose loads and signals change, any time may be true. So may
 /// that of a motion whose signals are still to be found.
 std::vector<Finding> check_time_unit(const CheckedJob& job) {
-    const Study& study = job.study;
+    const setup::Setup& setup = job.setup;
     std::vector<Finding> findings;
-    for (std::size_t t = 0; t < study.trials.size(); ++t) {
-        const StudyTrial& trial = study.trials[t];
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        const setup::PreparedTrial& trial = setup.trials[t];
         if (trial.measured.sample_count() < 2) continue;
-        const double rate_Hz = 1.0 / sampling_interval_s(trial);
-        const RecordedSwing swing = recorded_swing(trial, last_change_s(trial.model), mean_noise(study));
+        const double rate_Hz = 1.0 / setup::sampling_interval_s(trial);
+        const RecordedSwing swing = recorded_swing(trial, last_change_s(trial.model), setup::mean_noise(setup));
         if (rate_Hz <= time_unit_policy.most_samples_per_s && swing.frequency_Hz > 0.0 && signals_are_known(trial)) {
-            const double omega = first_vibration_rad_s(affected_trial(study, t, declared_values(study)).model);
+            const double omega = setup::first_vibration_rad_s(
+                prediction::affected_trial(setup, t, prediction::declared_values(setup)).model);
             if (omega > 0.0) {
                 findings.push_back(of_swing(trial, swing.frequency_Hz, omega / (2.0 * std::numbers::pi)));
                 continue;
@@ -108,4 +109,4 @@ std::vector<Finding> check_time_unit(const CheckedJob& job) {
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

@@ -4,7 +4,7 @@
 #include "base/text.hpp"
 #include "check/checks.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 /// A range beyond which a number is likelier in another unit than meant.
@@ -12,7 +12,7 @@ struct PlausibleRange {
     const char* key;
     const char* unit;
     double low, high;
-    const char* slip;   // what was likely written
+    const char* slip;  // what was likely written
 };
 
 /// The only limits of these quantities: what is said of them is made from here.
@@ -38,7 +38,7 @@ Finding judged(const PlausibleRange& range, double value) {
     Finding finding = fine_finding(range.key, std::string(range.key) + " = " + format_number(value) + " " + range.unit);
     finding.figure = value;
     finding.unit = range.unit;
-    const bool low = value < range.low, high = value > range.high;
+    const bool low = value<range.low, high = value> range.high;
     finding.threshold = low ? range.low : range.high;
     if (!low && !high) return finding;
     finding.level = CheckLevel::doubtful;
@@ -50,9 +50,9 @@ Finding judged(const PlausibleRange& range, double value) {
 }  // namespace
 
 std::vector<Finding> check_units(const CheckedJob& job) {
-    const Experiment& experiment = job.study.experiment;
+    const experiment::Experiment& experiment = job.setup.experiment;
     std::vector<Finding> findings{
-        judged(unit_policy.extent, bounding_box(job.study.surface.vertices).size().maxCoeff()),
+        judged(unit_policy.extent, mesh::bounding_box(job.setup.surface.vertices).size().maxCoeff()),
         judged(unit_policy.modulus, experiment.material.youngs_modulus_Pa),
         judged(unit_policy.density, experiment.material.density_kg_m3),
         judged(unit_policy.gravity, experiment.gravity_m_s2.norm()),
@@ -62,4 +62,4 @@ std::vector<Finding> check_units(const CheckedJob& job) {
     return findings;
 }
 
-}  // namespace myo
+}  // namespace myo::check

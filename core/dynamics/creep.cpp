@@ -4,12 +4,13 @@
 
 #include "model/internal_forces.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd with_dashpots(const MaxwellBranch& branch, double f, const Eigen::Ref<const MatrixXd>& strain, const Eigen::Ref<const MatrixXd>& history) {
+MatrixXd with_dashpots(const material::MaxwellBranch& branch, double f, const Eigen::Ref<const MatrixXd>& strain,
+                       const Eigen::Ref<const MatrixXd>& history) {
     assert(history.rows() == 2 * strain.rows() && history.cols() == strain.cols());
     const double tau = branch.relaxation_time_s;
     assert(tau > 0.0);
@@ -19,27 +20,27 @@ MatrixXd with_dashpots(const MaxwellBranch& branch, double f, const Eigen::Ref<c
     return result;
 }
 
-double viscous_factor(const Model& model, double f) {
+double viscous_factor(const model::Model& model, double f) {
     const auto [g, tau] = *model.creep;
     return model.damping_s * f + g * tau * f / (1.0 + tau * f);
 }
 
-MatrixXd viscous_history(const Model& model, double f, const Eigen::Ref<const MatrixXd>& history) {
+MatrixXd viscous_history(const model::Model& model, double f, const Eigen::Ref<const MatrixXd>& history) {
     const auto [g, tau] = *model.creep;
     const Eigen::Index count = history.rows() / 2;
     return model.damping_s * history.topRows(count) + g * tau / (1.0 + tau * f) * history.bottomRows(count);
 }
 
-double branch_energy(const Model& model, const Eigen::Matrix3Xd& x, const VectorXd& strain) {
-    Stiffness branch;
+double branch_energy(const model::Model& model, const Eigen::Matrix3Xd& x, const VectorXd& strain) {
+    model::Stiffness branch;
     branch.fibres = false;
     branch.viscous_factors = model.point_factors;
-    for (const Moduli& m : model.moduli) branch.viscous.push_back({model.creep->modulus_ratio * m.mu, 0.0});
+    for (const material::Moduli& m : model.moduli) branch.viscous.push_back({model.creep->modulus_ratio * m.mu, 0.0});
     const VectorXd dashpots = -strain.tail(strain.size() / 2);
-    InternalInput input;   // a rate that is E - E_v, whose potential is the energy
+    model::InternalInput input;  // a rate that is E - E_v, whose potential is the energy
     input.stiffness = &branch;
     input.rate = {1.0, &dashpots};
-    return internal_energy(model, x, input, HessianKind::none).energy;
+    return model::internal_energy(model, x, input, model::HessianKind::none).energy;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

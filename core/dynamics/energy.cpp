@@ -4,26 +4,27 @@
 
 #include "model/force_element.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
-Energy energy(const Model& model, const MassMatrix& mass, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s, bool before) {
-    return energy(model, stiffness(model), mass, x, v, time_s, before);
+Energy energy(const model::Model& model, const model::MassMatrix& mass, const Eigen::Matrix3Xd& x,
+              const Eigen::Matrix3Xd& v, double time_s, bool before) {
+    return energy(model, model::stiffness(model), mass, x, v, time_s, before);
 }
 
-Energy energy(const Model& model, const Stiffness& moduli, const MassMatrix& mass, const Eigen::Matrix3Xd& x,
-              const Eigen::Matrix3Xd& v, double time_s, bool before) {
+Energy energy(const model::Model& model, const model::Stiffness& moduli, const model::MassMatrix& mass,
+              const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, double time_s, bool before) {
     assert(x.cols() == model.body->node_count() && v.cols() == x.cols());
-    const std::vector<double> levels = activations(model, time_s, before);
-    InternalInput input;   // without a strain rate: nothing viscous
+    const std::vector<double> levels = model::activations(model, time_s, before);
+    model::InternalInput input;  // without a strain rate: nothing viscous
     input.stiffness = &moduli;
     input.activation = &levels;
     Energy result;
-    result.kinetic_J = 0.5 * times_mass(v, mass).cwiseProduct(v).sum();
-    InternalEnergy internal = internal_energy(model, x, input, HessianKind::none);
-    add_force_elements(model, {x, nullptr, 0.0, time_s, before}, HessianKind::none, internal);
+    result.kinetic_J = 0.5 * model::times_mass(v, mass).cwiseProduct(v).sum();
+    model::InternalEnergy internal = model::internal_energy(model, x, input, model::HessianKind::none);
+    model::add_force_elements(model, {x, nullptr, 0.0, time_s, before}, model::HessianKind::none, internal);
     result.internal_J = internal.energy;
-    result.work_J = external_forces(model, mass, time_s, before).cwiseProduct(x - model.body->mesh.nodes).sum();
+    result.work_J = model::external_forces(model, mass, time_s, before).cwiseProduct(x - model.body->mesh.nodes).sum();
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

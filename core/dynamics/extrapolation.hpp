@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
-namespace myo {
+namespace myo::dynamics {
 
-/// Where a smooth motion goes next: the parabola through its last three positions. Starts anew where loads jump, and holds its
-/// tongue where the velocity changes by two fifths of itself between the positions: the steps do not resolve the motion.
+/// Where a smooth motion goes next: the parabola through its last three positions. Starts anew where loads jump, and
+/// holds its tongue where the velocity changes by two fifths of itself between the positions: the steps do not resolve
+/// the motion.
 class Extrapolation {
 public:
     void restart(double time_s, const Eigen::Matrix3Xd& x) {
@@ -37,7 +38,8 @@ public:
         return parabola_at(time_s);
     }
 
-    /// The parabola through the last three, whatever the motion does; the straight line or the position where fewer are known.
+    /// The parabola through the last three, whatever the motion does; the straight line or the position where fewer are
+    /// known.
     Eigen::Matrix3Xd parabola_at(double time_s) const {
         Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, points_.back().second.cols());
         for (const auto& [t, position] : points_) {
@@ -53,4 +55,4 @@ private:
     std::vector<std::pair<double, Eigen::Matrix3Xd>> points_;
 };
 
-}  // namespace myo
+}  // namespace myo::dynamics

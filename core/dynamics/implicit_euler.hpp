@@ -5,27 +5,28 @@
 #include "dynamics/kinematics.hpp"
 #include "model/model.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
-/// x1 = x0 + h v1, M (v1 - v0)/h = F(x1) + Lambda M v0, as in the paper (eqs. 3 and 10: the velocity force is the previous step's).
+/// x1 = x0 + h v1, M (v1 - v0)/h = F(x1) + Lambda M v0, as in the paper (eqs. 3 and 10: the velocity force is the
+/// previous step's).
 template <class Solve>
 bool implicit_euler_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& next) {
     Stage stage;
     stage.time_s = p.time_s + p.h;
     stage.inertia_at_s = p.middle_s();
     stage.inertia_1_s2 = 1.0 / (p.h * p.h);
-    stage.constant = times_mass(stage.inertia_1_s2 * s.x + (1.0 / p.h + p.velocity_force_1_s) * s.v, p.mass);
+    stage.constant = model::times_mass(stage.inertia_1_s2 * s.x + (1.0 / p.h + p.velocity_force_1_s) * s.v, p.mass);
     stage.rate_factor_1_s = 1.0 / p.h;
     stage.rate_history = -s.strain / p.h;
     stage.velocity_history = -s.x / p.h;
     StageSolution end;
     if (!p.solve(stage, end)) return false;
     next.v = (end.x - s.x) / p.h;
-    next.force = times_mass((next.v - s.v) / p.h, p.mass);
+    next.force = model::times_mass((next.v - s.v) / p.h, p.mass);
     next.rate = (end.strain - s.strain) / p.h;
     next.x = std::move(end.x);
     next.strain = std::move(end.strain);
     return true;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

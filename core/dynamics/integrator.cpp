@@ -2,7 +2,7 @@
 
 #include "base/name_table.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 constexpr NameTable<Integrator, 5> integrators{{{
@@ -19,4 +19,4 @@ std::string to_string(Integrator integrator) { return integrators.name(integrato
 std::vector<std::string> integrator_ids() { return integrators.names(); }
 bool parse_integrator(const std::string& id, Integrator& integrator) { return integrators.find(id, integrator); }
 
-}  // namespace myo
+}  // namespace myo::dynamics

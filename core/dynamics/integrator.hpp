@@ -10,7 +10,7 @@
 #include "dynamics/tr_bdf2.hpp"
 #include "dynamics/trapezoidal.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 enum class Integrator { tr_bdf2, implicit_euler, bdf2, trapezoidal, generalized_alpha };
 
@@ -21,10 +21,11 @@ bool parse_integrator(const std::string& id, Integrator& integrator);
 /// An integrator with its parameter. Converts from the integrator alone, as most have none.
 struct TimeScheme {
     Integrator integrator = Integrator::tr_bdf2;
-    double rho_inf = 0.5;   // of generalized_alpha, 0 ... 1
+    double rho_inf = 0.5;  // of generalized_alpha, 0 ... 1
 
     TimeScheme() = default;
-    TimeScheme(Integrator which, double spectral_radius_at_infinity = 0.5) : integrator(which), rho_inf(spectral_radius_at_infinity) {}
+    TimeScheme(Integrator which, double spectral_radius_at_infinity = 0.5)
+        : integrator(which), rho_inf(spectral_radius_at_infinity) {}
     friend bool operator==(const TimeScheme&, const TimeScheme&) = default;
 };
 
@@ -36,9 +37,10 @@ bool take_step(const TimeScheme& scheme, const StepProblem<Solve>& p, const Kine
         case Integrator::implicit_euler: return implicit_euler_step(p, start, next);
         case Integrator::bdf2: return single_stage_step(p, bdf2_formula(p.h, start.step_before_s), start, next);
         case Integrator::trapezoidal: return single_stage_step(p, trapezoidal_formula(p.h), start, next);
-        case Integrator::generalized_alpha: return single_stage_step(p, generalized_alpha_formula(p.h, scheme.rho_inf), start, next);
+        case Integrator::generalized_alpha:
+            return single_stage_step(p, generalized_alpha_formula(p.h, scheme.rho_inf), start, next);
     }
     return false;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

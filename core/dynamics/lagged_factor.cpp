@@ -7,28 +7,31 @@
 #include "base/stopwatch.hpp"
 #include "model/nodal_rotations.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using ConstMatrix3 = Eigen::Map<const Eigen::Matrix3d>;
 
 /// B with every node's vectors turned by W (or W').
-Eigen::MatrixXd turned(const BlockPattern& pattern, const Eigen::Matrix<double, 9, Eigen::Dynamic>& warp, const Eigen::MatrixXd& B, bool transposed) {
+Eigen::MatrixXd turned(const model::BlockPattern& pattern, const Eigen::Matrix<double, 9, Eigen::Dynamic>& warp,
+                       const Eigen::MatrixXd& B, bool transposed) {
     Eigen::MatrixXd result(B.rows(), B.cols());
     parallel_ranges(pattern.free_count, 2000, [&](int first, int end) {
         for (Eigen::Index k = 0; k < B.cols(); ++k)
             for (int i = first; i < end; ++i) {
                 const ConstMatrix3 W(warp.col(pattern.free_nodes[static_cast<std::size_t>(i)]).data());
                 const Eigen::Vector3d b = B.col(k).segment<3>(3 * i);
-                if (transposed) result.col(k).segment<3>(3 * i) = W.transpose() * b;
-                else result.col(k).segment<3>(3 * i) = W * b;
+                if (transposed)
+                    result.col(k).segment<3>(3 * i) = W.transpose() * b;
+                else
+                    result.col(k).segment<3>(3 * i) = W * b;
             }
     });
     return result;
 }
 
 /// Translations and uniform deformations, turned and stretched bodies' rotations among them: unknowns x 12.
-Eigen::MatrixXd smooth_motions(const BlockPattern& pattern, const Eigen::Matrix3Xd& x) {
+Eigen::MatrixXd smooth_motions(const model::BlockPattern& pattern, const Eigen::Matrix3Xd& x) {
     const Eigen::Vector3d middle = x.rowwise().mean();
     const double size = (x.colwise() - middle).cwiseAbs().maxCoeff();
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(pattern.unknowns(), 12);
@@ -44,42 +47,46 @@ Eigen::MatrixXd smooth_motions(const BlockPattern& pattern, const Eigen::Matrix3
 
 }  // namespace
 
-bool LaggedFactor::is_whole(const BlockPattern& pattern) {
+bool LaggedFactor::is_whole(const model::BlockPattern& pattern) {
     if (whole_.factor_entries() == 0.0) whole_.analyse(pattern.zero);
     return whole_.factor_entries() <= most_entries_;
 }
 
-bool LaggedFactor::factorize(const SymmetricSparse& H, const Body& body, const Eigen::Matrix3Xd& x) {
+bool LaggedFactor::factorize(const solver::SymmetricSparse& H, const model::Body& body, const Eigen::Matrix3Xd& x) {
     return is_whole(body.pattern) ? whole_.factorize(H) : parts_.factorize(H, smooth_motions(body.pattern, x));
 }
 
 bool LaggedFactor::renew(const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {
-    for (const HessianKind kind : {HessianKind::exact, HessianKind::positive_fibres, HessianKind::positive}) {
-        if (kind == HessianKind::positive_fibres && problem.model().fibres->empty()) continue;
+    for (const model::HessianKind kind :
+         {model::HessianKind::exact, model::HessianKind::positive_fibres, model::HessianKind::positive}) {
+        if (kind == model::HessianKind::positive_fibres && problem.model().fibres->empty()) continue;
         if (renew_with(problem.evaluate(x, kind).hessian, problem, x, report)) return true;
     }
     return false;
 }
 
-bool LaggedFactor::renew_with(const SymmetricSparse& H, const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {
+bool LaggedFactor::renew_with(const solver::SymmetricSparse& H, const StageProblem& problem, const Eigen::Matrix3Xd& x,
+                              StageReport& report) {
     ++report.factorisations;
     extra_iterations_ = 0;
     usual_iterations_.reset();
     const TimedScope scope(report.times.factorisation_s);
     stale_ = !factorize(H, *problem.model().body, x);
     inertia_1_s2_ = problem.stage().inertia_1_s2;
-    factored_rotations_ = nodal_rotations(*problem.model().body, x);
-    warp_ = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(Eigen::Matrix3d::Identity().eval().data()).replicate(1, factored_rotations_.cols());
+    factored_rotations_ = model::nodal_rotations(*problem.model().body, x);
+    warp_ = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(Eigen::Matrix3d::Identity().eval().data())
+                .replicate(1, factored_rotations_.cols());
     return !stale_;
 }
 
-void LaggedFactor::turn_to(const Body& body, const Eigen::Matrix3Xd& x) {
-    const Eigen::Matrix<double, 9, Eigen::Dynamic> now = nodal_rotations(body, x);
+void LaggedFactor::turn_to(const model::Body& body, const Eigen::Matrix3Xd& x) {
+    const Eigen::Matrix<double, 9, Eigen::Dynamic> now = model::nodal_rotations(body, x);
     for (Eigen::Index i = 0; i < now.cols(); ++i)
-        Eigen::Map<Eigen::Matrix3d>(warp_.col(i).data()) = ConstMatrix3(now.col(i).data()) * ConstMatrix3(factored_rotations_.col(i).data()).transpose();
+        Eigen::Map<Eigen::Matrix3d>(warp_.col(i).data()) = ConstMatrix3(now.col(i).data()) *
+                                                           ConstMatrix3(factored_rotations_.col(i).data()).transpose();
 }
 
-Eigen::MatrixXd LaggedFactor::solve(const BlockPattern& pattern, const Eigen::MatrixXd& b) const {
+Eigen::MatrixXd LaggedFactor::solve(const model::BlockPattern& pattern, const Eigen::MatrixXd& b) const {
     const Eigen::MatrixXd back = turned(pattern, warp_, b, true);
     return turned(pattern, warp_, whole_.has_factor() ? whole_.solve(back) : parts_.solve(back), false);
 }
@@ -89,15 +96,15 @@ bool LaggedFactor::is_stale(double inertia_1_s2) const {
     return stale_ || std::abs(inertia_1_s2 - inertia_1_s2_) > 1e-3 * std::abs(inertia_1_s2_);
 }
 
-void LaggedFactor::charge(int iterations, const Body& body) {
+void LaggedFactor::charge(int iterations, const model::Body& body) {
     if (!usual_iterations_) usual_iterations_ = whole_.has_factor() ? 2 : iterations;
     extra_iterations_ += std::max(0, iterations - *usual_iterations_);
     if (extra_iterations_ > iterations_per_factorisation(body)) stale_ = true;
 }
 
-/// Measured on one core with 4,608 unknowns: factorisation 30 Gflop/s and 3 us per cell to assemble, a solve in single precision
-/// 0.2 ns per entry of the factor, forces 0.3 us per cell.
-int LaggedFactor::iterations_per_factorisation(const Body& body) const {
+/// Measured on one core with 4,608 unknowns: factorisation 30 Gflop/s and 3 us per cell to assemble, a solve in single
+/// precision 0.2 ns per entry of the factor, forces 0.3 us per cell.
+int LaggedFactor::iterations_per_factorisation(const model::Body& body) const {
     const double cells = body.cell_count();
     const double flops = whole_.has_factor() ? whole_.factor_flops() : parts_.factor_flops();
     const double factorisation = flops / 30e9 + 3e-6 * cells;
@@ -105,4 +112,4 @@ int LaggedFactor::iterations_per_factorisation(const Body& body) const {
     return std::clamp(static_cast<int>(factorisation / iteration), 4, 1000);
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

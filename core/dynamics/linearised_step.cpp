@@ -9,7 +9,7 @@
 #include "dynamics/natural_modes.hpp"
 #include "dynamics/statics.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -24,15 +24,21 @@ void scale(Kinematics& s, double factor) {
 
 LinearisedStep::LinearisedStep(StageSolver& solver, Matrix3Xd x, double time_s, const TimeScheme& scheme, double h_s,
                                double velocity_force_1_s)
-    : solver_(&solver), x_(std::move(x)), time_s_(time_s), scheme_(scheme), h_s_(h_s), velocity_force_1_s_(velocity_force_1_s) {}
+    : solver_(&solver),
+      x_(std::move(x)),
+      time_s_(time_s),
+      scheme_(scheme),
+      h_s_(h_s),
+      velocity_force_1_s_(velocity_force_1_s) {}
 
 const LinearisedStep::LinearStage& LinearisedStep::linear_stage(const Stage& stage) {
     for (const LinearStage& known : stages_)
-        if (known.stage.inertia_1_s2 == stage.inertia_1_s2 && known.stage.rate_factor_1_s == stage.rate_factor_1_s) return known;
+        if (known.stage.inertia_1_s2 == stage.inertia_1_s2 && known.stage.rate_factor_1_s == stage.rate_factor_1_s)
+            return known;
     Stage at_rest = static_stage(*solver_->model().body, time_s_);
     at_rest.inertia_1_s2 = stage.inertia_1_s2;
     at_rest.rate_factor_1_s = stage.rate_factor_1_s;
-    at_rest.rate_history = -stage.rate_factor_1_s * strains(solver_->model(), x_);
+    at_rest.rate_history = -stage.rate_factor_1_s * model::strains(solver_->model(), x_);
     if (solver_->model().creep) at_rest.rate_history = at_rest.rate_history.replicate(2, 1).eval();
     at_rest.velocity_history = -stage.rate_factor_1_s * x_;
     stages_.push_back({at_rest, solver_->hessian(at_rest, x_)});
@@ -40,33 +46,38 @@ const LinearisedStep::LinearStage& LinearisedStep::linear_stage(const Stage& sta
 }
 
 Kinematics LinearisedStep::displaced(const Matrix3Xd& u) {
-    const Body& body = *solver_->model().body;
+    const model::Body& body = *solver_->model().body;
     Kinematics s;
     s.x = u;
     s.v = Matrix3Xd::Zero(3, u.cols());
-    const SymmetricSparse K = solver_->hessian(static_stage(body, time_s_), x_);
-    s.force = scatter(body.pattern, -(K.selfadjointView<Eigen::Lower>() * gather(body.pattern, u)));
-    s.strain = strain_tangent(solver_->model(), x_, u);
+    const solver::SymmetricSparse K = solver_->hessian(static_stage(body, time_s_), x_);
+    s.force = model::scatter(body.pattern, -(K.selfadjointView<Eigen::Lower>() * model::gather(body.pattern, u)));
+    s.strain = model::strain_tangent(solver_->model(), x_, u);
     if (solver_->model().creep) s.strain = s.strain.replicate(2, 1).eval();
     s.rate = VectorXd::Zero(s.strain.size());
     return s;
 }
 
 Kinematics LinearisedStep::apply(const Kinematics& deviation) {
-    const Model& model = solver_->model();
-    const BlockPattern& pattern = model.body->pattern;
+    const model::Model& model = solver_->model();
+    const model::BlockPattern& pattern = model.body->pattern;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {
         Matrix3Xd load = stage.constant;
-        if (model.creep) load -= viscous_gradient(model, x_, viscous_history(model, stage.rate_factor_1_s, stage.rate_history));
-        else if (model.damping_s > 0.0) load -= viscous_gradient(model, x_, stage.rate_history);
+        if (model.creep)
+            load -= model::viscous_gradient(model, x_,
+                                            viscous_history(model, stage.rate_factor_1_s, stage.rate_history));
+        else if (model.damping_s > 0.0)
+            load -= model::viscous_gradient(model, x_, stage.rate_history);
         const LinearStage& linear = linear_stage(stage);
-        if (depends_on_velocity(model)) {
+        if (model::depends_on_velocity(model)) {
             const Matrix3Xd v = stage_velocities(linear.stage, x_);
-            load -= velocity_tangent(model, force_state(linear.stage, x_, v), stage.velocity_history);
+            load -= model::velocity_tangent(model, force_state(linear.stage, x_, v), stage.velocity_history);
         }
-        solution.x = scatter(pattern, solver_->solve_linear(linear.hessian, linear.stage, x_, gather(pattern, load)));
-        solution.strain = strain_tangent(model, x_, solution.x);
-        if (model.creep) solution.strain = with_dashpots(*model.creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
+        solution.x = model::scatter(
+            pattern, solver_->solve_linear(linear.hessian, linear.stage, x_, model::gather(pattern, load)));
+        solution.strain = model::strain_tangent(model, x_, solution.x);
+        if (model.creep)
+            solution.strain = with_dashpots(*model.creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         return true;
     };
     const StepProblem<decltype(solve)> problem{solver_->mass(time_s_), time_s_, h_s_, velocity_force_1_s_, solve};
@@ -76,13 +87,14 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
 }
 
 GrowthPerStep growth_per_step(LinearisedStep& step, const Matrix3Xd& start, int max_steps) {
-    const BlockPattern& pattern = step.solver().model().body->pattern;
-    // Of a single mode the displacements alone are all parallel, and two parts obey some recurrence from the first step on, also
-    // while a two-step scheme's parasitic roots still die away.
+    const model::BlockPattern& pattern = step.solver().model().body->pattern;
+    // Of a single mode the displacements alone are all parallel, and two parts obey some recurrence from the first step
+    // on, also while a two-step scheme's parasitic roots still die away.
     const auto observed = [&](const Kinematics& s) {
         const Matrix3Xd lag = s.v_lag.size() > 0 ? s.v_lag : Matrix3Xd::Zero(3, s.v.cols());
         VectorXd y(3 * pattern.unknowns());
-        y << gather(pattern, s.x), step.h_s() * gather(pattern, s.v), step.h_s() * gather(pattern, lag);
+        y << model::gather(pattern, s.x), step.h_s() * model::gather(pattern, s.v),
+            step.h_s() * model::gather(pattern, lag);
         return y;
     };
     GrowthPerStep result;
@@ -114,8 +126,8 @@ GrowthPerStep growth_per_step(LinearisedStep& step, const Matrix3Xd& start, int 
     return result;
 }
 
-CriticalVelocityForce critical_velocity_force(StageSolver& solver, const Matrix3Xd& x, double time_s, const TimeScheme& scheme,
-                                              double h_s) {
+CriticalVelocityForce critical_velocity_force(StageSolver& solver, const Matrix3Xd& x, double time_s,
+                                              const TimeScheme& scheme, double h_s) {
     CriticalVelocityForce result;
     const NaturalModes modes = natural_modes(solver, x, 1, time_s);
     result.status = modes.status;
@@ -142,4 +154,4 @@ CriticalVelocityForce critical_velocity_force(StageSolver& solver, const Matrix3
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -9,16 +9,16 @@
 
 #include "dynamics/statics.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 struct ModePolicy {
     int most_iterations = 100;
-    double settled = 1e-7;      // residual, see NaturalModes
+    double settled = 1e-7;  // residual, see NaturalModes
     /// Rounding of the forces of nearly incompressible thin bodies ends the way down earlier. Frequencies are good to
     /// its square.
     double acceptable = 1e-4;
-    double least_fall = 0.7;    // of the residual by an iteration, on the way down
+    double least_fall = 0.7;  // of the residual by an iteration, on the way down
 };
 constexpr ModePolicy mode_policy;
 
@@ -36,14 +36,15 @@ MatrixXd start_block(int rows, int columns) {
 }  // namespace
 
 NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int count, double time_s) {
-    const BlockPattern& pattern = solver.model().body->pattern;
+    const model::BlockPattern& pattern = solver.model().body->pattern;
     assert(count > 0 && count <= pattern.unknowns());
     const Stage stage = static_stage(*solver.model().body, time_s);
-    const SymmetricSparse K = solver.hessian(stage, x);
+    const solver::SymmetricSparse K = solver.hessian(stage, x);
     const auto inertia_of = [&](const MatrixXd& V) {
         MatrixXd result(V.rows(), V.cols());
         for (Eigen::Index j = 0; j < V.cols(); ++j)
-            result.col(j) = gather(pattern, times_mass(scatter(pattern, V.col(j)), solver.mass(time_s)));
+            result.col(j) = model::gather(pattern,
+                                          model::times_mass(model::scatter(pattern, V.col(j)), solver.mass(time_s)));
         return result;
     };
     // The error of mode i falls by (omega_i / omega_(block + 1))^2 per iteration: some more vectors than modes.
@@ -69,10 +70,11 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
         const bool stalled = result.iterations > 1 && result.residual > mode_policy.least_fall * before;
         if (result.residual > (stalled ? mode_policy.acceptable : mode_policy.settled)) continue;
         result.status = SolveStatus::converged;
-        for (int j = 0; j < count; ++j) result.modes.push_back({std::sqrt(ritz.eigenvalues()(j)), scatter(pattern, V.col(j))});
+        for (int j = 0; j < count; ++j)
+            result.modes.push_back({std::sqrt(ritz.eigenvalues()(j)), model::scatter(pattern, V.col(j))});
         return result;
     }
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -7,18 +7,19 @@
 #include "base/stopwatch.hpp"
 #include "solver/conjugate_gradient.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double tolerance, const StageProblem& problem, const Matrix3Xd& x,
-                            LaggedFactor& factor, StageReport& report, MatrixXd& solution, const MatrixXd& guess) {
-    const Body& body = *problem.model().body;
+bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const MatrixXd& B, double tolerance,
+                            const StageProblem& problem, const Matrix3Xd& x, LaggedFactor& factor, StageReport& report,
+                            MatrixXd& solution, const MatrixXd& guess) {
+    const model::Body& body = *problem.model().body;
     const auto product = [&](const MatrixXd& V) {
         const TimedScope scope(report.times.linear_s);
-        return symmetric_product(H, V);
+        return solver::symmetric_product(H, V);
     };
     const auto metric = [&](const MatrixXd& V) {
         const TimedScope scope(report.times.linear_s);
@@ -35,8 +36,8 @@ bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double 
     }
     while (true) {
         const int limit = std::max(factor.is_whole(body.pattern) ? 30 : 500, factor.iterations_per_factorisation(body));
-        const ConjugateGradientReport cg =
-            conjugate_gradient(product, metric, B, tolerance, limit, guess);
+        const solver::ConjugateGradientReport cg = solver::conjugate_gradient(product, metric, B, tolerance, limit,
+                                                                              guess);
         report.linear_iterations += cg.iterations;
         if (cg.converged) {
             factor.charge(cg.iterations, body);
@@ -48,20 +49,23 @@ bool solve_by_lagged_factor(const SymmetricSparse& H, const MatrixXd& B, double 
     }
 }
 
-bool mixed_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor, Matrix3Xd& x, StageReport& report) {
-    const Model& model = problem.model();
-    const Stiffness& stiffness = problem.constants().stiffness;
-    VectorXd pressure = pressures(model, stiffness, x);
+bool mixed_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor,
+                  Matrix3Xd& x, StageReport& report) {
+    const model::Model& model = problem.model();
+    const model::Stiffness& stiffness = problem.constants().stiffness;
+    VectorXd pressure = model::pressures(model, stiffness, x);
     Matrix3Xd best = x;
     double best_residual = std::numeric_limits<double>::infinity();
     int without_progress = 0;
-    HessianKind kind = HessianKind::exact;
+    model::HessianKind kind = model::HessianKind::exact;
     for (int iteration = 0; iteration < options.max_newton_iterations; ++iteration, ++report.newton_iterations) {
         const StageProblem::Evaluation now = problem.evaluate(x, kind, &pressure);
         const double residual = now.residual.norm() / scale;
         if (!std::isfinite(residual)) break;
-        if (residual < 0.5 * best_residual) without_progress = 0;
-        else ++without_progress;
+        if (residual < 0.5 * best_residual)
+            without_progress = 0;
+        else
+            ++without_progress;
         if (residual < best_residual) {
             best_residual = residual;
             best = x;
@@ -77,12 +81,12 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
         MatrixXd step;
         const double accuracy = std::clamp(0.1 * residual, 1e-6, 1e-2);
         if (!solve_by_lagged_factor(now.hessian, -now.residual, accuracy, problem, x, factor, report, step)) {
-            if (kind != HessianKind::exact || model.fibres->empty()) break;
-            kind = HessianKind::positive_fibres;   // muscles that push make the exact one indefinite
+            if (kind != model::HessianKind::exact || model.fibres->empty()) break;
+            kind = model::HessianKind::positive_fibres;  // muscles that push make the exact one indefinite
             continue;
         }
-        const Matrix3Xd dx = scatter(problem.pattern(), step);
-        pressure = predicted_pressures(model, stiffness, x, dx);
+        const Matrix3Xd dx = model::scatter(problem.pattern(), step);
+        pressure = model::predicted_pressures(model, stiffness, x, dx);
         if (!pressure.allFinite()) break;
         x += dx;
     }
@@ -91,27 +95,32 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
     return false;
 }
 
-/// Factors the exact Hessian or, where it is not definite or lately was not, that of positive fibres or of positive cells. `hessian`: the
-/// exact one, on return the one that was factored. `indefinite`: steps still to be taken without the exact one.
-static bool factor_definite(const StageProblem& problem, const Matrix3Xd& x, int& indefinite, LaggedFactor& factor, SymmetricSparse& hessian, StageReport& report) {
+/// Factors the exact Hessian or, where it is not definite or lately was not, that of positive fibres or of positive
+/// cells. `hessian`: the exact one, on return the one that was factored. `indefinite`: steps still to be taken without
+/// the exact one.
+static bool factor_definite(const StageProblem& problem, const Matrix3Xd& x, int& indefinite, LaggedFactor& factor,
+                            solver::SymmetricSparse& hessian, StageReport& report) {
     if (indefinite == 0 && factor.renew_with(hessian, problem, x, report)) return true;
-    indefinite = indefinite > 0 ? indefinite - 1 : 1;   // where one Hessian was indefinite the next one mostly is
+    indefinite = indefinite > 0 ? indefinite - 1 : 1;  // where one Hessian was indefinite the next one mostly is
     if (!problem.model().fibres->empty()) {
-        hessian = problem.evaluate(x, HessianKind::positive_fibres).hessian;
+        hessian = problem.evaluate(x, model::HessianKind::positive_fibres).hessian;
         if (factor.renew_with(hessian, problem, x, report)) return true;
     }
-    hessian = problem.evaluate(x, HessianKind::positive).hessian;
-    // Positive cells leave motions without any stiffness, along which a step would know no end: a small shift along the mass.
-    const SymmetricSparse& inertia = problem.inertia();
+    hessian = problem.evaluate(x, model::HessianKind::positive).hessian;
+    // Positive cells leave motions without any stiffness, along which a step would know no end: a small shift along the
+    // mass.
+    const solver::SymmetricSparse& inertia = problem.inertia();
     hessian.coeffs() += 1e-6 * hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
     return factor.renew_with(hessian, problem, x, report);
 }
 
-bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor, Matrix3Xd& x, StageReport& report) {
-    int indefinite = 0;   // steps still to be taken with positive cells
-    int crawling = 0;     // steps in a row of less than a thousandth of what was asked for
-    for (int iteration = 0; iteration < 5 * options.max_newton_iterations && crawling < 25; ++iteration, ++report.newton_iterations) {
-        StageProblem::Evaluation now = problem.evaluate(x, HessianKind::exact);
+bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor,
+                   Matrix3Xd& x, StageReport& report) {
+    int indefinite = 0;  // steps still to be taken with positive cells
+    int crawling = 0;    // steps in a row of less than a thousandth of what was asked for
+    for (int iteration = 0; iteration < 5 * options.max_newton_iterations && crawling < 25;
+         ++iteration, ++report.newton_iterations) {
+        StageProblem::Evaluation now = problem.evaluate(x, model::HessianKind::exact);
         const double residual = now.residual.norm() / scale;
         report.residual = residual;
         if (!std::isfinite(residual)) {
@@ -121,14 +130,16 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
         if (residual <= options.tolerance) return true;
         if (!factor_definite(problem, x, indefinite, factor, now.hessian, report)) return false;
         MatrixXd step = -factor.solve(problem.pattern(), now.residual);
-        if (!factor.is_whole(problem.pattern()) && !solve_by_lagged_factor(now.hessian, -now.residual, 1e-3, problem, x, factor, report, step)) return false;
+        if (!factor.is_whole(problem.pattern()) &&
+            !solve_by_lagged_factor(now.hessian, -now.residual, 1e-3, problem, x, factor, report, step))
+            return false;
         const double slope = now.residual.dot(step.col(0));
         if (!(slope < 0.0)) return false;
-        const Matrix3Xd dx = scatter(problem.pattern(), step);
+        const Matrix3Xd dx = model::scatter(problem.pattern(), step);
         double length = 1.0;
         bool accepted = false;
         for (int halving = 0; halving < 40 && !accepted; ++halving, length *= 0.5) {
-            const StageProblem::Evaluation trial = problem.evaluate(x + length * dx, HessianKind::none);
+            const StageProblem::Evaluation trial = problem.evaluate(x + length * dx, model::HessianKind::none);
             // Below rounding of the potential the residual decides; above it, it would lead round in circles.
             const bool rounding = -slope < 1e-9 * std::abs(now.potential) || residual < 1e-3;
             accepted = trial.residual.allFinite() && (trial.potential <= now.potential + 1e-4 * length * slope ||
@@ -141,4 +152,4 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
     return false;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

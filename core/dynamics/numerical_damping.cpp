@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,7 +23,8 @@ Kinematics kinematics(const Vector4d& y, const Oscillator& o) {
     Kinematics s;
     s.x = node(y(0));
     s.v = node(y(1));
-    s.force = node((o.velocity_force_1_s - 2.0 * o.damping_ratio * o.omega_rad_s) * y(1) - o.omega_rad_s * o.omega_rad_s * y(0));
+    s.force = node((o.velocity_force_1_s - 2.0 * o.damping_ratio * o.omega_rad_s) * y(1) -
+                   o.omega_rad_s * o.omega_rad_s * y(0));
     s.strain = VectorXd::Constant(1, y(0));
     s.rate = VectorXd::Constant(1, y(1));
     s.step_before_s = 1.0;
@@ -41,7 +42,7 @@ double spectral_radius(const Matrix4d& A) { return A.eigenvalues().cwiseAbs().ma
 
 Matrix4d amplification(const TimeScheme& scheme, const Oscillator& oscillator, double h_s) {
     const Oscillator o{oscillator.omega_rad_s * h_s, oscillator.damping_ratio, oscillator.velocity_force_1_s * h_s};
-    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}, {}};
+    model::MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}, {}};
     mass.isotropic.insert(0, 0) = 1.0;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {
         const double stiffness = o.omega_rad_s * o.omega_rad_s, viscosity = 2.0 * o.damping_ratio * o.omega_rad_s;
@@ -65,7 +66,8 @@ DiscreteVibration discrete_vibration(const TimeScheme& scheme, const Oscillator&
     assert(o.omega_rad_s > 0.0 && h_s > 0.0 && std::abs(damping) < 1.0);
     std::complex<double> root = 1.0;
     Matrix4d A;
-    constexpr int parts = 32;   // a thirty-second of the step: the roots of two-step schemes are still far from the principal one
+    constexpr int
+        parts = 32;  // a thirty-second of the step: the roots of two-step schemes are still far from the principal one
     for (int k = 1; k <= parts; ++k) {
         A = amplification(scheme, o, h_s * k / parts);
         const Eigen::Vector4cd roots = A.eigenvalues();
@@ -114,4 +116,4 @@ double critical_velocity_force(const TimeScheme& scheme, double omega_rad_s, dou
     return 0.5 * (stable + unstable);
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <vector>
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 /// Integral of the product of two nodes' shape gradients over the cell in a lane.
 template <int N, int Q>
-double gradient_product(const PackGeometry<N, Q>& geometry, std::size_t lane, int a, int b) {
+double gradient_product(const model::PackGeometry<N, Q>& geometry, std::size_t lane, int a, int b) {
     double sum = 0.0;
     for (std::size_t q = 0; q < Q; ++q)
         for (int j = 0; j < 3; ++j)
@@ -19,7 +19,7 @@ double gradient_product(const PackGeometry<N, Q>& geometry, std::size_t lane, in
 }
 
 /// The mean gradient leaves four motions free; they get a stiffness of the same size.
-double gradient_product(const PackAssumedStrain& geometry, std::size_t lane, int a, int b) {
+double gradient_product(const model::PackAssumedStrain& geometry, std::size_t lane, int a, int b) {
     double sum = 0.0, half_edge_squared = 0.0;
     for (int j = 0; j < 3; ++j) {
         sum += static_cast<double>(geometry.gradient(a, j)[lane]) * static_cast<double>(geometry.gradient(b, j)[lane]);
@@ -33,14 +33,17 @@ double gradient_product(const PackAssumedStrain& geometry, std::size_t lane, int
 
 /// Adds the Laplacian of a block's cells, weighted with their stiffness.
 template <class Geometry>
-void add_laplacian(const PackedCells<Geometry>& cells, const Model& model,
+void add_laplacian(const model::PackedCells<Geometry>& cells, const model::Model& model,
                    std::vector<Eigen::Triplet<double>>& entries) {
     const std::vector<int>& free = model.body->pattern.free_index;
     for (int cell = 0; cell < cells.cell_count; ++cell) {
-        const auto pack = static_cast<std::size_t>(cell / pack_width), lane = static_cast<std::size_t>(cell % pack_width);
-        const Moduli& m = model.moduli[static_cast<std::size_t>(cell)];
+        const auto pack = static_cast<std::size_t>(cell / pack_width),
+                   lane = static_cast<std::size_t>(cell % pack_width);
+        const material::Moduli& m = model.moduli[static_cast<std::size_t>(cell)];
         const double stiffness = 2.0 * m.mu + (m.kappa - 2.0 / 3.0 * m.mu);
-        const auto node = [&](int a) { return free[static_cast<std::size_t>(cells.lane_nodes[pack][static_cast<std::size_t>(a)][lane])]; };
+        const auto node = [&](int a) {
+            return free[static_cast<std::size_t>(cells.lane_nodes[pack][static_cast<std::size_t>(a)][lane])];
+        };
         for (int b = 0; b < Geometry::nodes; ++b)
             for (int a = 0; a < Geometry::nodes; ++a)
                 if (node(a) >= 0 && node(b) >= 0 && node(a) >= node(b))
@@ -54,9 +57,9 @@ void add_laplacian(const PackedCells<Geometry>& cells, const Model& model,
 
 bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report) {
     const double inertia = problem.stage().inertia_1_s2;
-    const MassSpan& span = problem.mass_span();
+    const model::MassSpan& span = problem.mass_span();
     if (factor_.has_factor() && inertia == inertia_1_s2_ && span.until_s == until_s_) return true;
-    const Model& model = problem.model();
+    const model::Model& model = problem.model();
     const std::vector<int>& free = model.body->pattern.free_index;
     std::vector<Eigen::Triplet<double>> entries;
     std::visit([&](const auto& cells) { add_laplacian(cells, model, entries); }, model.body->cells);
@@ -64,14 +67,15 @@ bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report)
         const int i = free[static_cast<std::size_t>(row)], j = free[static_cast<std::size_t>(column)];
         if (j >= 0 && i >= j) entries.emplace_back(i, j, inertia * mass);
     };
-    const MassMatrix& mass = span.mass;
+    const model::MassMatrix& mass = span.mass;
     for (int column = 0; column < mass.isotropic.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry) add_mass(entry.row(), column, entry.value());
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry)
+            add_mass(entry.row(), column, entry.value());
     // One coordinate serves all: the traces of the blocks, no less than N N n n' along any direction.
     for (int column = 0; column < mass.directional.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.directional, column); entry; ++entry)
             if (entry.row() % 3 == column % 3) add_mass(entry.row() / 3, column / 3, entry.value());
-    SymmetricSparse matrix(model.body->pattern.free_count, model.body->pattern.free_count);
+    solver::SymmetricSparse matrix(model.body->pattern.free_count, model.body->pattern.free_count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     inertia_1_s2_ = inertia;
     until_s_ = span.until_s;
@@ -86,4 +90,4 @@ Eigen::VectorXd ProjectiveMetric::solve(const Eigen::VectorXd& b) const {
     return Eigen::Map<const Eigen::VectorXd>(solution.data(), solution.size());
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

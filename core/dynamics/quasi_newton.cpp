@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace myo {
+namespace myo::dynamics {
 
 using Eigen::VectorXd;
 
@@ -21,7 +21,8 @@ VectorXd CurvaturePairs::direction(const VectorXd& g, const std::function<Vector
         q -= alpha[i] * pairs_[i].y;
     }
     VectorXd p = metric(q);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) p += (alpha[i] - pairs_[i].inverse_sy * pairs_[i].y.dot(p)) * pairs_[i].s;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+        p += (alpha[i] - pairs_[i].inverse_sy * pairs_[i].y.dot(p)) * pairs_[i].s;
     return p;
 }
 
@@ -29,16 +30,18 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
                                const std::function<VectorXd(const VectorXd&)>& metric, Eigen::Matrix3Xd& x) {
     QuasiNewtonResult result;
     CurvaturePairs pairs(options.pairs);
-    StageProblem::Evaluation now = problem.evaluate(x, HessianKind::none);
+    StageProblem::Evaluation now = problem.evaluate(x, model::HessianKind::none);
     int slow = 0;
     while (true) {
         result.residual = now.residual.norm() / options.scale;
         if (!std::isfinite(result.residual)) return result;
         if (result.residual <= options.tolerance) {
-            // A guess that is within the tolerance is tried to be corrected all the same, lest what guesses miss adds up from step to step.
+            // A guess that is within the tolerance is tried to be corrected all the same, lest what guesses miss adds
+            // up from step to step.
             if (result.iterations == 0) {
-                const Eigen::Matrix3Xd corrected = x + scatter(problem.pattern(), metric(-now.residual));
-                const double left = problem.evaluate(corrected, HessianKind::none).residual.norm() / options.scale;
+                const Eigen::Matrix3Xd corrected = x + model::scatter(problem.pattern(), metric(-now.residual));
+                const double left = problem.evaluate(corrected, model::HessianKind::none).residual.norm() /
+                                    options.scale;
                 ++result.iterations;
                 if (left < result.residual) {
                     result.residual = left;
@@ -53,7 +56,7 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
         VectorXd p = pairs.direction(now.residual, metric);
         double slope = now.residual.dot(p);
         if (!(slope < 0.0)) {
-            if (pairs.empty()) return result;   // the metric is of no use here
+            if (pairs.empty()) return result;  // the metric is of no use here
             pairs.clear();
             p = pairs.direction(now.residual, metric);
             slope = now.residual.dot(p);
@@ -64,10 +67,11 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
         Eigen::Matrix3Xd trial;
         bool accepted = false;
         for (int shortening = 0; shortening < 4; ++shortening, length *= 0.3) {
-            trial = x + scatter(problem.pattern(), length * p);
-            next = problem.evaluate(trial, HessianKind::none);
+            trial = x + model::scatter(problem.pattern(), length * p);
+            next = problem.evaluate(trial, model::HessianKind::none);
             // Near the end rounding hides the potential's decrease, and the residual decides.
-            accepted = next.residual.allFinite() && (next.residual.norm() < 0.9 * now.residual.norm() || next.potential <= now.potential + 1e-4 * length * slope);
+            accepted = next.residual.allFinite() && (next.residual.norm() < 0.9 * now.residual.norm() ||
+                                                     next.potential <= now.potential + 1e-4 * length * slope);
             if (accepted) break;
         }
         if (!accepted) return result;
@@ -78,4 +82,4 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
     }
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -14,7 +14,7 @@
 #include "dynamics/step_grid.hpp"
 #include "dynamics/undeformed.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -27,12 +27,14 @@ std::string where_it_failed(double t, double h, const std::string& reason) {
 /// Steps are halved until they are this part of what they were.
 constexpr double most_parts = 4.0;
 
-/// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what moves. Softening
-/// takes energy between steps, so that the stiffness of the step counts.
+/// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what
+/// moves. Softening takes energy between steps, so that the stiffness of the step counts.
 bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
-    const Model& model = solver.model();
-    if (model.velocity_force_1_s > 0.0 || activations(model, 0.5 * (from_s + to_s)) != activations(model, to_s, true)) return false;
-    for (const ForceElementPointer& element : model.force_elements)
+    const model::Model& model = solver.model();
+    if (model.velocity_force_1_s > 0.0 ||
+        model::activations(model, 0.5 * (from_s + to_s)) != model::activations(model, to_s, true))
+        return false;
+    for (const model::ForceElementPointer& element : model.force_elements)
         if (!element->steady(from_s, to_s)) return false;
     const auto energy_at = [&](const Kinematics& s) {
         Energy result = energy(model, solver.stiffness(), solver.mass(0.5 * (from_s + to_s)), s.x, s.v, to_s, true);
@@ -43,36 +45,48 @@ bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinem
     const double moved = before.kinetic_J + after.kinetic_J + std::abs(after.internal_J - before.internal_J);
     // A body at rest moves by the solver's tolerance, and that is no gain.
     const double noise = 1e-9 * (std::abs(before.internal_J) + std::abs(before.work_J));
-    return after.total_J() - before.total_J() > 0.02 * moved + noise;   // false where there was none before
+    return after.total_J() - before.total_J() > 0.02 * moved + noise;  // false where there was none before
 }
 
 /// A run on its way: where it stands, and what it keeps from step to step.
 class Run {
 public:
     Run(StageSolver& solver, const SimulationOptions& options, const RunPart& part, const RunObserver& observer)
-        : solver_(solver), options_(options), part_(part), observer_(observer), jumps_(jump_times(solver.model())) {
+        : solver_(solver),
+          options_(options),
+          part_(part),
+          observer_(observer),
+          jumps_(model::jump_times(solver.model())) {
         if (options.keep_path) trace_.path = std::make_shared<StagePath>();
     }
 
     Trace take(const Progress& progress) {
         const std::vector<double> ends = step_ends(model(), options_.h_s, options_.end_s);
         solver_.heed(progress);
-        if (!stand_at_start(ends)) return progress.cancelled() ? ended(RunStatus::cancelled, "stopped at the start") : std::move(trace_);
+        if (!stand_at_start(ends))
+            return progress.cancelled() ? ended(RunStatus::cancelled, "stopped at the start") : std::move(trace_);
         while (point_.step < std::min(ends.size(), part_.until_step)) {
             const double end = ends[point_.step];
-            std::vector<double> goals{end};   // the next one last: a step that fails is halved
+            std::vector<double> goals{end};  // the next one last: a step that fails is halved
             for (const double least = (end - point_.time_s) / most_parts; !goals.empty();) {
-                if (progress.cancelled()) return ended(RunStatus::cancelled, "stopped at t = " + std::to_string(point_.time_s) + " s");
+                if (progress.cancelled())
+                    return ended(RunStatus::cancelled, "stopped at t = " + std::to_string(point_.time_s) + " s");
                 if (trace_.newton_iterations > options_.most_iterations)
-                    return ended(RunStatus::failed, "at t = " + std::to_string(point_.time_s) + " s the run has taken more than " + std::to_string(options_.most_iterations) + " iterations");
+                    return ended(RunStatus::failed, "at t = " + std::to_string(point_.time_s) +
+                                                        " s the run has taken more than " +
+                                                        std::to_string(options_.most_iterations) + " iterations");
                 Step step = take_step_to(goals.back(), goals.back() == end && is_jump(jumps_, end, options_.h_s));
                 const double h = goals.back() - point_.time_s;
-                if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(solver_, point_.state, step.next, point_.time_s, goals.back())))) {
+                if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(solver_, point_.state, step.next,
+                                                                                       point_.time_s, goals.back())))) {
                     goals.push_back(point_.time_s + 0.5 * h);
                     start_anew();
                     continue;
                 }
-                if (!step.taken) return ended(RunStatus::failed, where_it_failed(point_.time_s, h, step.last.ok() ? "the motion is no longer finite" : step.last.message));
+                if (!step.taken)
+                    return ended(RunStatus::failed, where_it_failed(point_.time_s, h,
+                                                                    step.last.ok() ? "the motion is no longer finite"
+                                                                                   : step.last.message));
                 goals.pop_back();
                 stand_after(step, goals.empty());
                 progress.report({"simulate", point_.time_s, options_.end_s, "s", {}});
@@ -90,12 +104,12 @@ private:
         bool jump_at_end = false;
         std::vector<SolvedStage> solved;
         StageReport last;
-        bool resolved = true;   // every stage lay near where the motion so far pointed
+        bool resolved = true;  // every stage lay near where the motion so far pointed
         bool taken = false;
         Kinematics next;
     };
 
-    const Model& model() const { return solver_.model(); }
+    const model::Model& model() const { return solver_.model(); }
 
     Trace ended(RunStatus status, const std::string& message) {
         trace_.status = status;
@@ -123,7 +137,9 @@ private:
         if (const Matrix3Xd* beside = near_at(point_.time_s)) aside_.add(point_.time_s, point_.state.x - *beside);
     }
 
-    const Matrix3Xd* near_at(double time_s) const { return options_.near ? options_.near->at(time_s, options_.h_s) : nullptr; }
+    const Matrix3Xd* near_at(double time_s) const {
+        return options_.near ? options_.near->at(time_s, options_.h_s) : nullptr;
+    }
 
     void set_force(double time_s) {
         set_jump_force(solver_, time_s, point_.state);
@@ -174,7 +190,7 @@ private:
     }
 
     bool solve_stage(const Stage& stage, Step& step, StageSolution& solution) {
-        const Body& body = *model().body;
+        const model::Body& body = *model().body;
         const std::optional<Matrix3Xd> continued = past_.at(stage.time_s);
         const Matrix3Xd* beside = near_at(stage.time_s);
         const auto guess = [&](int attempt) -> Matrix3Xd {
@@ -182,31 +198,37 @@ private:
             if (attempt == 2) return undeformed_near(body, point_.state.x);
             if (beside && aside_.known()) return *beside + aside_.parabola_at(stage.time_s);
             if (continued) return *continued;
-            return step.solved.empty() ? Matrix3Xd(point_.state.x + (stage.time_s - point_.time_s) * point_.state.v) : step.solved.back().solution.x;
+            return step.solved.empty() ? Matrix3Xd(point_.state.x + (stage.time_s - point_.time_s) * point_.state.v)
+                                       : step.solved.back().solution.x;
         };
         const auto solve = [&]() {
             step.last = solver_.solve(stage, solution.x);
             count(step.last, trace_);
             return step.last.ok();
         };
-        // A guess that leads nowhere may have turned cells inside out: then from where the body was, and from no strain at all. Forces
-        // are measured against those at the guess, and one that is far off makes little of what is left of them: it is solved twice.
+        // A guess that leads nowhere may have turned cells inside out: then from where the body was, and from no strain
+        // at all. Forces are measured against those at the guess, and one that is far off makes little of what is left
+        // of them: it is solved twice.
         bool found = false;
         for (int attempt = 0; attempt < 3 && !found; ++attempt) {
             solution.x = held_by(body, guess(attempt));
             found = solve() && (attempt < 2 || solve());
         }
         if (!found) return false;
-        step.resolved = step.resolved && continued && (solution.x - *continued).norm() < 0.1 * (solution.x - point_.state.x).norm();
-        solution.strain = strains(model(), solution.x);
-        if (model().creep) solution.strain = with_dashpots(*model().creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
+        step.resolved = step.resolved && continued &&
+                        (solution.x - *continued).norm() < 0.1 * (solution.x - point_.state.x).norm();
+        solution.strain = model::strains(model(), solution.x);
+        if (model().creep)
+            solution.strain = with_dashpots(*model().creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         past_.add(stage.time_s, solution.x);
-        if (beside) aside_.add(stage.time_s, solution.x - *beside);
-        else aside_.clear();
+        if (beside)
+            aside_.add(stage.time_s, solution.x - *beside);
+        else
+            aside_.clear();
         SolvedStage& solved = step.solved.emplace_back();
         if (observer_.stepped) {
             solved = {stage, solution};
-        } else {   // the run itself needs no more of it, and strains and histories of all points are long
+        } else {  // the run itself needs no more of it, and strains and histories of all points are long
             solved.stage.time_s = stage.time_s;
             solved.solution.x = solution.x;
         }
@@ -215,7 +237,8 @@ private:
 
     /// Moves on to the end of a step; `grid`: it is one of step_ends().
     void stand_after(Step& step, bool grid) {
-        if (observer_.stepped) observer_.stepped(solver_, step.scheme, point_.time_s, step.end_s - point_.time_s, step.solved);
+        if (observer_.stepped)
+            observer_.stepped(solver_, step.scheme, point_.time_s, step.end_s - point_.time_s, step.solved);
         for (const SolvedStage& solved : step.solved) keep_path(solved.stage.time_s, solved.solution.x);
         const bool was_euler = std::exchange(euler_first_, false);
         point_.state = std::move(step.next);
@@ -239,7 +262,7 @@ private:
     Trace trace_;
     RunPoint point_;
     Extrapolation past_;
-    Extrapolation aside_;   // of the difference to the run that is near
+    Extrapolation aside_;  // of the difference to the run that is near
     bool euler_first_ = false;
 };
 
@@ -256,16 +279,18 @@ Stage jump_stage(const Kinematics& state, double time_s) {
 
 void set_jump_force(StageSolver& solver, double time_s, Kinematics& state) {
     state.force = solver.total_forces(jump_stage(state, time_s), state.x) +
-                  solver.model().velocity_force_1_s * times_mass(state.v, solver.mass(time_s));
+                  solver.model().velocity_force_1_s * model::times_mass(state.v, solver.mass(time_s));
 }
 
-Trace simulate(const Model& model, const SimulationOptions& options, const Progress& progress, const RunObserver& observer) {
+Trace simulate(const model::Model& model, const SimulationOptions& options, const Progress& progress,
+               const RunObserver& observer) {
     StageSolver solver(model, options.solver);
     return simulate_part(solver, options, {}, progress, observer);
 }
 
-Trace simulate_part(StageSolver& solver, const SimulationOptions& options, const RunPart& part, const Progress& progress, const RunObserver& observer) {
+Trace simulate_part(StageSolver& solver, const SimulationOptions& options, const RunPart& part,
+                    const Progress& progress, const RunObserver& observer) {
     return Run(solver, options, part, observer).take(progress);
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -6,10 +6,10 @@
 #include "dynamics/kinematics.hpp"
 #include "model/model.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
-/// How a scheme with one stage gets derivatives at the end of a step from values there. It treats positions, momenta and strains
-/// alike: for y with derivative D and remembered slope y',
+/// How a scheme with one stage gets derivatives at the end of a step from values there. It treats positions, momenta
+/// and strains alike: for y with derivative D and remembered slope y',
 ///   D1  = change (y1 - y0) - slope y'0 - derivative D0,
 ///   y'1 = next_change (y1 - y0) - next_slope y'0.
 struct StepFormula {
@@ -29,15 +29,17 @@ bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const 
     };
     const Eigen::Matrix3Xd x_slope = slope_of(s.v, s.v_lag), momentum_slope = slope_of(s.force, s.force_lag);
     const Eigen::VectorXd strain_slope = slope_of(s.rate, s.rate_lag);
-    const Eigen::Matrix3Xd v_history = f.slope * x_slope + f.derivative * s.v;                  // v1 = q (x1 - x0) - v_history
-    const Eigen::Matrix3Xd force_history = f.slope * momentum_slope + f.derivative * s.force;   // M a1 = q M (v1 - v0) - force_history
+    const Eigen::Matrix3Xd v_history = f.slope * x_slope + f.derivative * s.v;  // v1 = q (x1 - x0) - v_history
+    const Eigen::Matrix3Xd force_history = f.slope * momentum_slope +
+                                           f.derivative * s.force;  // M a1 = q M (v1 - v0) - force_history
     const Eigen::VectorXd rate_history = f.slope * strain_slope + f.derivative * s.rate;
 
     Stage stage;
     stage.time_s = p.time_s + p.h;
     stage.inertia_at_s = p.middle_s();
     stage.inertia_1_s2 = q * q - lambda * q;
-    stage.constant = times_mass(stage.inertia_1_s2 * s.x + (q - lambda) * v_history + q * s.v, p.mass) + force_history;
+    stage.constant = model::times_mass(stage.inertia_1_s2 * s.x + (q - lambda) * v_history + q * s.v, p.mass) +
+                     force_history;
     stage.rate_factor_1_s = q;
     stage.rate_history = -q * s.strain - rate_history;
     stage.velocity_history = -q * s.x - v_history;
@@ -47,7 +49,7 @@ bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const 
     const Eigen::Matrix3Xd moved = end.x - s.x;
     const Eigen::VectorXd strained = end.strain - s.strain;
     next.v = q * moved - v_history;
-    const Eigen::Matrix3Xd gained = times_mass(next.v - s.v, p.mass);
+    const Eigen::Matrix3Xd gained = model::times_mass(next.v - s.v, p.mass);
     next.force = q * gained - force_history;
     next.rate = q * strained - rate_history;
     next.v_lag = f.next_change_1_s * moved - f.next_slope * x_slope - next.v;
@@ -59,4 +61,4 @@ bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const 
     return true;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

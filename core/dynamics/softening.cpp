@@ -5,19 +5,19 @@
 
 #include "model/point_energy.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 using Eigen::VectorXd;
 
-void raise_peaks(const Model& model, const Eigen::Matrix3Xd& x, VectorXd& peak) {
-    const VectorXd now = isochoric_energy_densities(model, x);
+void raise_peaks(const model::Model& model, const Eigen::Matrix3Xd& x, VectorXd& peak) {
+    const VectorXd now = model::isochoric_energy_densities(model, x);
     if (peak.size() == 0) peak = VectorXd::Zero(now.size());
     for (Eigen::Index c = 0; c < now.size(); ++c)
         if (std::isfinite(now(c))) peak(c) = std::max(peak(c), now(c));
 }
 
-VectorXd softening_factors(const StressSoftening& softening, const VectorXd& peak) {
+VectorXd softening_factors(const material::StressSoftening& softening, const VectorXd& peak) {
     return peak.unaryExpr([&](double energy) { return softening.factor(energy); });
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -2,7 +2,7 @@
 
 #include "base/name_table.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 constexpr NameTable<Strategy, 4> strategies{{{
@@ -18,4 +18,4 @@ std::string to_string(Strategy strategy) { return strategies.name(strategy); }
 std::vector<std::string> strategy_ids() { return strategies.names(); }
 bool parse_strategy(const std::string& id, Strategy& strategy) { return strategies.find(id, strategy); }
 
-}  // namespace myo
+}  // namespace myo::dynamics

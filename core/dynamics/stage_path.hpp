@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <vector>
 
-namespace myo {
+namespace myo::dynamics {
 
 /// Where the stages of a run ended, for another run that moves nearly alike to start its own stages from.
 struct StagePath {
-    std::vector<double> times_s;                // rising
-    std::vector<Eigen::Matrix3Xd> positions;    // 3 x n [m]
+    std::vector<double> times_s;              // rising
+    std::vector<Eigen::Matrix3Xd> positions;  // 3 x n [m]
 
     /// Those of a stage that ended within a millionth of `step_s` of the time; null where there is none.
     const Eigen::Matrix3Xd* at(double time_s, double step_s) const {
@@ -21,4 +21,4 @@ struct StagePath {
     }
 };
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -9,15 +9,15 @@
 #include "dynamics/creep.hpp"
 #include "model/fibre_forces.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 /// The mass over the free unknowns, stored in the body's pattern.
-SymmetricSparse inertia_in_pattern(const Body& body, const MassMatrix& mass) {
-    SymmetricSparse inertia = body.pattern.zero;
+solver::SymmetricSparse inertia_in_pattern(const model::Body& body, const model::MassMatrix& mass) {
+    solver::SymmetricSparse inertia = body.pattern.zero;
     for (int column = 0; column < mass.isotropic.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry) {
             const int i = body.pattern.free_index[static_cast<std::size_t>(entry.row())];
@@ -33,7 +33,7 @@ SymmetricSparse inertia_in_pattern(const Body& body, const MassMatrix& mass) {
             if (i < 0 || j < 0 || 3 * i + row % 3 < 3 * j + column % 3) continue;
             inertia.coeffRef(3 * i + row % 3, 3 * j + column % 3) += entry.value();
         }
-    assert(inertia.nonZeros() == body.pattern.zero.nonZeros());   // nothing couples nodes of different cells
+    assert(inertia.nonZeros() == body.pattern.zero.nonZeros());  // nothing couples nodes of different cells
     return inertia;
 }
 
@@ -44,13 +44,13 @@ Matrix3Xd stage_velocities(const Stage& stage, const Matrix3Xd& x) {
     return stage.rate_factor_1_s * x + stage.velocity_history;
 }
 
-ForceState force_state(const Stage& stage, const Matrix3Xd& x, const Matrix3Xd& v) {
+model::ForceState force_state(const Stage& stage, const Matrix3Xd& x, const Matrix3Xd& v) {
     return {x, v.size() > 0 ? &v : nullptr, stage.rate_factor_1_s, stage.time_s, stage.before_jump};
 }
 
-StageConstants stage_constants(const Model& model) {
-    StageConstants constants{&model, mass_spans(model), {}, stiffness(model)};
-    for (const MassSpan& span : constants.masses)
+StageConstants stage_constants(const model::Model& model) {
+    StageConstants constants{&model, model::mass_spans(model), {}, model::stiffness(model)};
+    for (const model::MassSpan& span : constants.masses)
         constants.inertia.push_back(inertia_in_pattern(*model.body, span.mass));
     return constants;
 }
@@ -61,78 +61,89 @@ StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, 
       stage_(stage),
       times_(times),
       heeded_(heeded),
-      span_(span_at(constants.masses, stage.inertia_at_s)),
-      activation_(activations(*constants.model, stage.time_s, stage.before_jump)),
+      span_(model::span_at(constants.masses, stage.inertia_at_s)),
+      activation_(model::activations(*constants.model, stage.time_s, stage.before_jump)),
       dead_(stage.constant +
-            external_forces(*constants.model, constants.masses[span_].mass, stage.time_s, stage.before_jump)) {
-    if (model().creep && stage.rate_history.size() > 0) viscous_history_ = viscous_history(model(), stage.rate_factor_1_s, stage.rate_history);
+            model::external_forces(*constants.model, constants.masses[span_].mass, stage.time_s, stage.before_jump)) {
+    if (model().creep && stage.rate_history.size() > 0)
+        viscous_history_ = viscous_history(model(), stage.rate_factor_1_s, stage.rate_history);
 }
 
-StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, HessianKind kind, const VectorXd* pressure) const {
+StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::HessianKind kind,
+                                                const VectorXd* pressure) const {
     if (heeded_ && heeded_->cancelled()) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         return {none, VectorXd::Constant(inertia().cols(), none), inertia()};
     }
     double untimed = 0.0;
-    const TimedScope scope(!times_ ? untimed : kind == HessianKind::none ? times_->forces_s : times_->stiffness_s);
-    InternalInput input;
+    const TimedScope scope(!times_                            ? untimed
+                           : kind == model::HessianKind::none ? times_->forces_s
+                                                              : times_->stiffness_s);
+    model::InternalInput input;
     input.stiffness = &constants_.stiffness;
     input.activation = &activation_;
-    if (viscous_history_.size() > 0) input.rate = {viscous_factor(model(), stage_.rate_factor_1_s), &viscous_history_};
-    else if (stage_.rate_history.size() > 0) input.rate = {stage_.rate_factor_1_s, &stage_.rate_history};
+    if (viscous_history_.size() > 0)
+        input.rate = {viscous_factor(model(), stage_.rate_factor_1_s), &viscous_history_};
+    else if (stage_.rate_history.size() > 0)
+        input.rate = {stage_.rate_factor_1_s, &stage_.rate_history};
     input.pressure = pressure;
-    InternalEnergy internal = internal_energy(model(), x, input, kind);
+    model::InternalEnergy internal = model::internal_energy(model(), x, input, kind);
     if (!model().force_elements.empty()) {
-        const Matrix3Xd v = depends_on_velocity(model()) ? stage_velocities(stage_, x) : Matrix3Xd();
-        add_force_elements(model(), force_state(stage_, x, v), kind, internal);
+        const Matrix3Xd v = model::depends_on_velocity(model()) ? stage_velocities(stage_, x) : Matrix3Xd();
+        model::add_force_elements(model(), force_state(stage_, x, v), kind, internal);
     }
 
     Evaluation result;
     result.potential = internal.energy - dead_.cwiseProduct(x).sum();
     internal.gradient -= dead_;
     if (stage_.inertia_1_s2 != 0.0) {
-        const Matrix3Xd momentum = stage_.inertia_1_s2 * times_mass(x, mass_span().mass);
+        const Matrix3Xd momentum = stage_.inertia_1_s2 * model::times_mass(x, mass_span().mass);
         result.potential += 0.5 * momentum.cwiseProduct(x).sum();
         internal.gradient += momentum;
     }
-    result.residual = gather(pattern(), internal.gradient);
-    if (kind != HessianKind::none) {
-        result.hessian.swap(internal.hessian);   // Eigen's sparse matrices cannot be moved
+    result.residual = model::gather(pattern(), internal.gradient);
+    if (kind != model::HessianKind::none) {
+        result.hessian.swap(internal.hessian);  // Eigen's sparse matrices cannot be moved
         result.hessian.coeffs() += stage_.inertia_1_s2 * inertia().coeffs();
     }
     return result;
 }
 
 double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const {
-    const double external = gather(pattern(), dead_ - stage_.constant).norm();
-    const double inertial =
-        gather(pattern(), stage_.constant - stage_.inertia_1_s2 * times_mass(start, mass_span().mass)).norm();
+    const double external = model::gather(pattern(), dead_ - stage_.constant).norm();
+    const double inertial = model::gather(pattern(), stage_.constant - stage_.inertia_1_s2 *
+                                                                           model::times_mass(start, mass_span().mass))
+                                .norm();
     // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
     const double volume = model().body->volume_m3;
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
-    InternalEnergy at_rest;   // of muscles and force elements: a guess that strains them would make little of what is left of them
+    model::InternalEnergy
+        at_rest;  // of muscles and force elements: a guess that strains them would make little of what is left of them
     at_rest.gradient = Matrix3Xd::Zero(3, start.cols());
     const Matrix3Xd& X = model().body->mesh.nodes;
-    add_fibres(model(), X, activation_, HessianKind::none, at_rest);
-    add_force_elements(model(), {X, nullptr, 0.0, stage_.time_s, stage_.before_jump}, HessianKind::none, at_rest);
-    const double active = gather(pattern(), at_rest.gradient).norm();
+    model::add_fibres(model(), X, activation_, model::HessianKind::none, at_rest);
+    model::add_force_elements(model(), {X, nullptr, 0.0, stage_.time_s, stage_.before_jump}, model::HessianKind::none,
+                              at_rest);
+    const double active = model::gather(pattern(), at_rest.gradient).norm();
     return std::max({external + inertial + active, elastic, rounding_of_forces(start) / tolerance, 1e-30});
 }
 
-/// Norm below which the residual is noise: F is known to eps |x| / edge, which the bulk modulus turns into a nodal force over
-/// edge^2, and the inertia of a short step multiplies eps |x| too; n nodes add as sqrt(n). Without it free vibrations at
-/// nu = 0.499 stall at tolerances of 1e-8 (implicit Euler, whose first force after a release is small) and 1e-9.
+/// Norm below which the residual is noise: F is known to eps |x| / edge, which the bulk modulus turns into a nodal
+/// force over edge^2, and the inertia of a short step multiplies eps |x| too; n nodes add as sqrt(n). Without it free
+/// vibrations at nu = 0.499 stall at tolerances of 1e-8 (implicit Euler, whose first force after a release is small)
+/// and 1e-9.
 double StageProblem::rounding_of_forces(const Matrix3Xd& x) const {
-    const Body& body = *model().body;
+    const model::Body& body = *model().body;
     const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff() + x.rowwise().mean().norm();
     const double edge = std::cbrt(body.volume_m3 / body.cell_count());
     double stiffest = 0.0;
-    for (const Moduli& m : model().moduli) stiffest = std::max({stiffest, m.kappa, m.mu});
-    const MassMatrix& mass = mass_span().mass;
-    const double largest_mass =
-        mass.nodal_kg.sum() + (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
+    for (const material::Moduli& m : model().moduli) stiffest = std::max({stiffest, m.kappa, m.mu});
+    const model::MassMatrix& mass = mass_span().mass;
+    const double largest_mass = mass.nodal_kg.sum() +
+                                (mass.has_directional() ? mass.directional.diagonal().sum() : 0.0);
     const double inertia = std::abs(stage_.inertia_1_s2) * largest_mass / body.node_count();
-    return std::numeric_limits<double>::epsilon() * extent * (stiffest * edge + inertia) * std::sqrt(static_cast<double>(body.node_count()));
+    return std::numeric_limits<double>::epsilon() * extent * (stiffest * edge + inertia) *
+           std::sqrt(static_cast<double>(body.node_count()));
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -11,47 +11,50 @@
 #include "model/model.hpp"
 #include "solver/sparse_cholesky.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 /// What the stages of one model share.
 struct StageConstants {
-    const Model* model = nullptr;
-    std::vector<MassSpan> masses;
-    std::vector<SymmetricSparse> inertia;   // of each span: its mass over the free unknowns, in the body's pattern
-    Stiffness stiffness;                    // of the cells as they are: softened ones have less
+    const model::Model* model = nullptr;
+    std::vector<model::MassSpan> masses;
+    std::vector<solver::SymmetricSparse>
+        inertia;                 // of each span: its mass over the free unknowns, in the body's pattern
+    model::Stiffness stiffness;  // of the cells as they are: softened ones have less
 };
-StageConstants stage_constants(const Model& model);
+StageConstants stage_constants(const model::Model& model);
 
 /// Nodal velocities of a stage at x, 3 x n; empty where the stage knows none.
 Eigen::Matrix3Xd stage_velocities(const Stage& stage, const Eigen::Matrix3Xd& x);
 
 /// Where the force elements of a stage at x stand; v: its stage_velocities(), which the state refers to.
-ForceState force_state(const Stage& stage, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v);
+model::ForceState force_state(const Stage& stage, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v);
 
 /// A stage as a minimisation over the free unknowns.
 class StageProblem {
 public:
-    /// times: where evaluations are entered. heeded: once it is cancelled, evaluations are done at once and not finite, so that whoever iterates on
-    /// them ends. Both may be null.
-    StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times = nullptr, const Progress* heeded = nullptr);
+    /// times: where evaluations are entered. heeded: once it is cancelled, evaluations are done at once and not finite,
+    /// so that whoever iterates on them ends. Both may be null.
+    StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times = nullptr,
+                 const Progress* heeded = nullptr);
 
     struct Evaluation {
-        double potential = 0.0;         // [J], up to a constant
-        Eigen::VectorXd residual;       // its gradient [N]
-        SymmetricSparse hessian;        // empty unless asked for
+        double potential = 0.0;           // [J], up to a constant
+        Eigen::VectorXd residual;         // its gradient [N]
+        solver::SymmetricSparse hessian;  // empty unless asked for
     };
     /// pressure: of the geometric stiffness, see InternalInput; null = the current one.
-    Evaluation evaluate(const Eigen::Matrix3Xd& x, HessianKind kind, const Eigen::VectorXd* pressure = nullptr) const;
+    Evaluation evaluate(const Eigen::Matrix3Xd& x, model::HessianKind kind,
+                        const Eigen::VectorXd* pressure = nullptr) const;
 
-    const Model& model() const { return *constants_.model; }
-    const BlockPattern& pattern() const { return model().body->pattern; }
+    const model::Model& model() const { return *constants_.model; }
+    const model::BlockPattern& pattern() const { return model().body->pattern; }
     const StageConstants& constants() const { return constants_; }
     const Stage& stage() const { return stage_; }
-    const MassSpan& mass_span() const { return constants_.masses[span_]; }
-    const SymmetricSparse& inertia() const { return constants_.inertia[span_]; }   // mass over the free unknowns
+    const model::MassSpan& mass_span() const { return constants_.masses[span_]; }
+    const solver::SymmetricSparse& inertia() const { return constants_.inertia[span_]; }  // mass over the free unknowns
 
-    /// The forces that act on the body, its inertia at the start and what its muscles and force elements do to it at rest among them [N]: what a
-    /// residual is measured against.
+    /// The forces that act on the body, its inertia at the start and what its muscles and force elements do to it at
+    /// rest among them [N]: what a residual is measured against.
     double force_scale(const Eigen::Matrix3Xd& start, double tolerance) const;
 
 private:
@@ -61,10 +64,10 @@ private:
     const Stage& stage_;
     SolverTimes* times_;
     const Progress* heeded_;
-    std::size_t span_;                   // of the masses
+    std::size_t span_;  // of the masses
     std::vector<double> activation_;
-    Eigen::VectorXd viscous_history_;    // of a creeping body
-    Eigen::Matrix3Xd dead_;              // constant + f_ext
+    Eigen::VectorXd viscous_history_;  // of a creeping body
+    Eigen::Matrix3Xd dead_;            // constant + f_ext
 };
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -8,22 +8,23 @@
 #include "dynamics/newton.hpp"
 #include "dynamics/quasi_newton.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-StageSolver::StageSolver(const Model& model, SolverOptions options) : options_(options), constants_(stage_constants(model)), factor_(options.most_factor_entries) {}
+StageSolver::StageSolver(const model::Model& model, SolverOptions options)
+    : options_(options), constants_(stage_constants(model)), factor_(options.most_factor_entries) {}
 
 // The factor of earlier moduli stays: it is a metric and is renewed where it serves badly.
 void StageSolver::soften(const VectorXd& factors) {
     softening_ = factors;
-    constants_.stiffness.elastic_factors = times_factors(model().point_factors, factors);
+    constants_.stiffness.elastic_factors = model::times_factors(model().point_factors, factors);
 }
 
 bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matrix3Xd& x, StageReport& report) {
-    const Body& body = *model().body;
+    const model::Body& body = *model().body;
     QuasiNewtonOptions options;
     options.tolerance = options_.tolerance;
     options.scale = scale;
@@ -35,7 +36,7 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
     if (fresh && !factor_.renew(problem, x, report)) return false;
     if (!fresh) factor_.turn_to(body, x);
     while (true) {
-        if (fresh) {   // nothing better is at hand than slow progress
+        if (fresh) {  // nothing better is at hand than slow progress
             options.max_iterations = 60;
             options.slow_contraction = 0.9;
         }
@@ -82,9 +83,10 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
         if (lagged_newton(problem, scale, x, report)) return converged();
     }
     if (!x.allFinite()) x = start;
-    if (factor_.is_whole(problem.pattern())) factor_.mark_stale();   // parts serve conjugate gradients for long
+    if (factor_.is_whole(problem.pattern())) factor_.mark_stale();  // parts serve conjugate gradients for long
     if (mixed_newton(problem, options_, scale, factor_, x, report)) return converged();
-    // A long way of small descents may end where cells are squeezed and the Hessian is indefinite: Newton does better from afar.
+    // A long way of small descents may end where cells are squeezed and the Hessian is indefinite: Newton does better
+    // from afar.
     Matrix3Xd afresh = start;
     if (mixed_newton(problem, options_, scale, factor_, afresh, report)) {
         x = afresh;
@@ -96,7 +98,9 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     if (report.status == SolveStatus::not_run) report.status = SolveStatus::not_converged;
     if (!std::isfinite(report.residual)) {
         report.status = SolveStatus::not_finite;
-        report.message = "the step did not converge: the forces on the body are not finite, it is torn or turned inside out; check the units of modulus, density, gravity and loads";
+        report.message =
+            "the step did not converge: the forces on the body are not finite, it is torn or turned inside out; check "
+            "the units of modulus, density, gravity and loads";
         return report;
     }
     report.message = "the step did not converge: after " + std::to_string(report.newton_iterations) +
@@ -104,20 +108,23 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     return report;
 }
 
-SymmetricSparse StageSolver::hessian(const Stage& stage, const Matrix3Xd& x) {
-    StageProblem::Evaluation evaluation = StageProblem(constants_, stage).evaluate(x, HessianKind::exact);
-    SymmetricSparse H;
-    H.swap(evaluation.hessian);   // Eigen's sparse matrices cannot be moved
+solver::SymmetricSparse StageSolver::hessian(const Stage& stage, const Matrix3Xd& x) {
+    StageProblem::Evaluation evaluation = StageProblem(constants_, stage).evaluate(x, model::HessianKind::exact);
+    solver::SymmetricSparse H;
+    H.swap(evaluation.hessian);  // Eigen's sparse matrices cannot be moved
     return H;
 }
 
-MatrixXd StageSolver::solve_linear(const SymmetricSparse& H, const Stage& stage, const Matrix3Xd& x, const MatrixXd& B, const MatrixXd& guess) {
+MatrixXd StageSolver::solve_linear(const solver::SymmetricSparse& H, const Stage& stage, const Matrix3Xd& x,
+                                   const MatrixXd& B, const MatrixXd& guess) {
     if (B.isZero(0.0)) return MatrixXd::Zero(B.rows(), B.cols());
     StageReport unused;
     MatrixXd solution;
-    if (solve_by_lagged_factor(H, B, options_.tangent_tolerance, StageProblem(constants_, stage), x, factor_, unused, solution, guess)) return solution;
+    if (solve_by_lagged_factor(H, B, options_.tangent_tolerance, StageProblem(constants_, stage), x, factor_, unused,
+                               solution, guess))
+        return solution;
     // An indefinite Hessian at a converged state (a buckling body): solved with the fresh factor as far as it goes.
-    SparseCholesky exact;
+    solver::SparseCholesky exact;
     if (exact.factorize(H)) return exact.solve(B);
     return MatrixXd::Constant(B.rows(), B.cols(), std::numeric_limits<double>::quiet_NaN());
 }
@@ -126,7 +133,8 @@ Matrix3Xd StageSolver::total_forces(const Stage& stage, const Matrix3Xd& x) {
     Stage without_inertia = stage;
     without_inertia.inertia_1_s2 = 0.0;
     without_inertia.constant = Matrix3Xd::Zero(3, x.cols());
-    return scatter(model().body->pattern, -StageProblem(constants_, without_inertia).evaluate(x, HessianKind::none).residual);
+    return model::scatter(model().body->pattern,
+                          -StageProblem(constants_, without_inertia).evaluate(x, model::HessianKind::none).residual);
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -11,17 +11,19 @@
 #include "model/model.hpp"
 #include "solver/sparse_cholesky.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 /// Solves stages of one model. Keeps what is worth keeping between them: mass, factor.
 /// Not to be shared between threads.
 class StageSolver {
 public:
-    explicit StageSolver(const Model& model, SolverOptions options = {});
+    explicit StageSolver(const model::Model& model, SolverOptions options = {});
 
-    const Model& model() const { return *constants_.model; }
-    const MassMatrix& mass(double at_s) const { return constants_.masses[span_at(constants_.masses, at_s)].mass; }
-    const Stiffness& stiffness() const { return constants_.stiffness; }
+    const model::Model& model() const { return *constants_.model; }
+    const model::MassMatrix& mass(double at_s) const {
+        return constants_.masses[model::span_at(constants_.masses, at_s)].mass;
+    }
+    const model::Stiffness& stiffness() const { return constants_.stiffness; }
 
     /// Solves end unconverged as soon as this is cancelled: within an evaluation of the forces, or a factorisation.
     void heed(const Progress& progress) { heeded_ = progress.with_sink({}); }
@@ -34,14 +36,15 @@ public:
     StageReport solve(const Stage& stage, Eigen::Matrix3Xd& x);
 
     /// Exact Hessian of the stage at x over the free unknowns.
-    SymmetricSparse hessian(const Stage& stage, const Eigen::Matrix3Xd& x);
+    solver::SymmetricSparse hessian(const Stage& stage, const Eigen::Matrix3Xd& x);
 
-    /// H^-1 B to the tangent tolerance for the Hessian of the stage at x; B is unknowns x k. `guess`: where to start, may be empty.
-    /// Not finite where H is singular.
-    Eigen::MatrixXd solve_linear(const SymmetricSparse& H, const Stage& stage, const Eigen::Matrix3Xd& x, const Eigen::MatrixXd& B,
-                                 const Eigen::MatrixXd& guess = {});
+    /// H^-1 B to the tangent tolerance for the Hessian of the stage at x; B is unknowns x k. `guess`: where to start,
+    /// may be empty. Not finite where H is singular.
+    Eigen::MatrixXd solve_linear(const solver::SymmetricSparse& H, const Stage& stage, const Eigen::Matrix3Xd& x,
+                                 const Eigen::MatrixXd& B, const Eigen::MatrixXd& guess = {});
 
-    /// External minus internal forces at x for the strain rate of the stage (inertia not included), 3 x n, zero on clamped nodes.
+    /// External minus internal forces at x for the strain rate of the stage (inertia not included), 3 x n, zero on
+    /// clamped nodes.
     Eigen::Matrix3Xd total_forces(const Stage& stage, const Eigen::Matrix3Xd& x);
 
     /// Entries of the factor at hand.
@@ -58,4 +61,4 @@ private:
     ProjectiveMetric projective_;
 };
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -4,14 +4,14 @@
 
 #include "dynamics/statics.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
 using Eigen::Matrix3Xd;
 
 namespace {
 
 /// Whether these velocities turn or strain a cell by more than half of itself within h.
-bool tears(const Body& body, const Matrix3Xd& v, double h) {
+bool tears(const model::Body& body, const Matrix3Xd& v, double h) {
     const Matrix3Xd& X = body.mesh.nodes;
     for (const auto& cell : body.mesh.cells.colwise())
         for (const int a : cell)
@@ -21,12 +21,14 @@ bool tears(const Body& body, const Matrix3Xd& v, double h) {
 }
 
 /// Dashpots that follow the strains of a state at rest, or have not moved yet.
-void add_dashpots(const MaxwellBranch& branch, bool relaxed, Kinematics& state) {
+void add_dashpots(const material::MaxwellBranch& branch, bool relaxed, Kinematics& state) {
     const Eigen::Index count = state.strain.size();
     state.strain.conservativeResize(2 * count);
     state.rate.conservativeResize(2 * count);
-    if (relaxed) state.strain.tail(count) = state.strain.head(count);
-    else state.strain.tail(count).setZero();
+    if (relaxed)
+        state.strain.tail(count) = state.strain.head(count);
+    else
+        state.strain.tail(count).setZero();
     state.rate.tail(count) = (state.strain.head(count) - state.strain.tail(count)) / branch.relaxation_time_s;
 }
 
@@ -40,20 +42,20 @@ void count(const StageReport& report, Trace& trace) {
     trace.times += report.times;
 }
 
-Matrix3Xd held_by(const Body& body, Matrix3Xd x) {
+Matrix3Xd held_by(const model::Body& body, Matrix3Xd x) {
     for (int i = 0; i < body.node_count(); ++i)
         if (body.clamped[static_cast<std::size_t>(i)]) x.col(i) = body.mesh.nodes.col(i);
     return x;
 }
 
-void set_start_strains(const Model& model, StartKind start, Kinematics& state) {
-    state.strain = strains(model, state.x);
-    state.rate = strain_tangent(model, state.x, state.v);
+void set_start_strains(const model::Model& model, StartKind start, Kinematics& state) {
+    state.strain = model::strains(model, state.x);
+    state.rate = model::strain_tangent(model, state.x, state.v);
     if (model.creep) add_dashpots(*model.creep, start == StartKind::equilibrium, state);
 }
 
 bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics& state, Trace& trace) {
-    const Body& body = *solver.model().body;
+    const model::Body& body = *solver.model().body;
     const InitialState& initial = options.initial;
     assert(initial.positions.size() == 0 || initial.positions.cols() == body.node_count());
     assert(initial.velocities.size() == 0 || initial.velocities.cols() == body.node_count());
@@ -77,13 +79,14 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
     return true;
 }
 
-bool needs_euler(const Model& model, double h_s, Kinematics& state) {
-    if (state.force.allFinite() && state.strain.allFinite()) return model.damping_s > 0.0 && tears(*model.body, state.v, h_s);
+bool needs_euler(const model::Model& model, double h_s, Kinematics& state) {
+    if (state.force.allFinite() && state.strain.allFinite())
+        return model.damping_s > 0.0 && tears(*model.body, state.v, h_s);
     state.force.setZero();
-    state.strain = strains(model, model.body->mesh.nodes);
+    state.strain = model::strains(model, model.body->mesh.nodes);
     if (model.creep) state.strain = state.strain.replicate(2, 1).eval();
     state.rate.setZero();
     return true;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -8,9 +8,9 @@
 #include "dynamics/undeformed.hpp"
 #include "material/moduli.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
-Stage static_stage(const Body& body, double time_s) {
+Stage static_stage(const model::Body& body, double time_s) {
     Stage stage;
     stage.time_s = time_s;
     stage.constant = Eigen::Matrix3Xd::Zero(3, body.node_count());
@@ -22,8 +22,8 @@ Stage static_stage(const Body& body, double time_s) {
 namespace {
 
 /// "E = 260000 Pa", of the first cell.
-std::string modulus_words(const Model& model) {
-    return "E = " + format_number(young_from_moduli(model.moduli.front()).youngs_modulus_Pa, 3) + " Pa";
+std::string modulus_words(const model::Model& model) {
+    return "E = " + format_number(material::young_from_moduli(model.moduli.front()).youngs_modulus_Pa, 3) + " Pa";
 }
 
 /// What was sought, how far it got, and what helps.
@@ -49,8 +49,8 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
     x = start;
     for (double inertia = 1e5; inertia > 1e-2; inertia *= 0.25) {
         stage.inertia_1_s2 = inertia;
-        stage.constant = inertia * times_mass(x, solver.mass(stage.inertia_at_s));
-        solver.solve(stage, x);   // only the last one has to converge
+        stage.constant = inertia * model::times_mass(x, solver.mass(stage.inertia_at_s));
+        solver.solve(stage, x);  // only the last one has to converge
         if (!x.allFinite()) break;
     }
     if (!x.allFinite()) x = start;
@@ -73,7 +73,7 @@ void add_work(const StageReport& before, StageReport& report) {
 }  // namespace
 
 StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
-    const std::optional<StressSoftening>& softening = solver.model().softening;
+    const std::optional<material::StressSoftening>& softening = solver.model().softening;
     if (!softening) return find_equilibrium(solver, time_s, x);
     // Under dead loads the strain rises from iteration to iteration, so that points end as soft as their own largest
     // energy asks for.
@@ -100,4 +100,4 @@ StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3
     return report;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -3,22 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
-namespace myo {
+namespace myo::dynamics {
 
 /// Multiples of h just beside a jump are left out: a step much shorter than h would turn the rounding of positions into
 /// accelerations.
-std::vector<double> step_ends(const Model& model, double h, double end) {
+std::vector<double> step_ends(const model::Model& model, double h, double end) {
     std::vector<double> ends;
-    for (const double t : jump_times(model))
+    for (const double t : model::jump_times(model))
         if (t > 1e-6 * h && t < end) ends.push_back(t);
     const std::vector<double> jumps = ends;
     const auto count = static_cast<long>(std::ceil(end / h - 1e-9));
     for (long k = 1; k <= count; ++k) {
         const double t = static_cast<double>(k) * h, beside = k < count ? 0.05 * h : 1e-6 * h;
-        if (std::none_of(jumps.begin(), jumps.end(), [&](double jump) { return std::abs(jump - t) <= beside; })) ends.push_back(t);
+        if (std::none_of(jumps.begin(), jumps.end(), [&](double jump) { return std::abs(jump - t) <= beside; }))
+            ends.push_back(t);
     }
     std::sort(ends.begin(), ends.end());
-    std::vector<double> merged;   // jumps within rounding of each other are one, the last
+    std::vector<double> merged;  // jumps within rounding of each other are one, the last
     for (const double t : ends) {
         if (!merged.empty() && t - merged.back() <= 1e-6 * h) merged.pop_back();
         merged.push_back(t);
@@ -30,4 +31,4 @@ bool is_jump(const std::vector<double>& jumps, double t, double h) {
     return std::any_of(jumps.begin(), jumps.end(), [&](double jump) { return std::abs(jump - t) <= 1e-6 * h; });
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

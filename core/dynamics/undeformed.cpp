@@ -2,15 +2,16 @@
 
 #include "material/polar.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 
-Eigen::Matrix3Xd undeformed_near(const Body& body, const Eigen::Matrix3Xd& x) {
+Eigen::Matrix3Xd undeformed_near(const model::Body& body, const Eigen::Matrix3Xd& x) {
     const Eigen::Matrix3Xd& X = body.mesh.nodes;
     if (body.pattern.free_count < body.node_count()) return X;
     const Eigen::Vector3d rest = X.rowwise().mean(), now = x.rowwise().mean();
-    const Eigen::Matrix3d R = polar_rotation(Eigen::Matrix3d((x.colwise() - now) * (X.colwise() - rest).transpose()));
+    const Eigen::Matrix3d R = material::polar_rotation(
+        Eigen::Matrix3d((x.colwise() - now) * (X.colwise() - rest).transpose()));
     if (!R.allFinite() || !now.allFinite()) return X;
     return (R * (X.colwise() - rest)).colwise() + now;
 }
 
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -4,7 +4,7 @@
 #include "effect/effects.hpp"
 #include "effect/signal_response.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* delay_s = "delay_s";
@@ -12,7 +12,7 @@ constexpr const char* delay_s = "delay_s";
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double delay = number(parameters, delay_s);
     if (!(delay > 0.0)) return;
-    for (Signal& signal : affected.model.activation) {
+    for (fibre::Signal& signal : affected.model.activation) {
         if (signal.times_s.size() < 2) continue;
         // What stood before the start has been so for ever: the motion of the file begins at t = 0.
         for (double& time : signal.times_s) time += delay;
@@ -30,7 +30,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect actuation_delay() {
-    return {"actuation_delay", EffectStage::actuation, "the muscle follows its signal after a dead time", {fitted_number(delay_s, 0.0, 100.0, 0.02, true)}, apply, probes};
+    return {"actuation_delay",
+            EffectStage::actuation,
+            "the muscle follows its signal after a dead time",
+            {fitted_number(delay_s, 0.0, 100.0, 0.02, true)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,20 +1,20 @@
 #include "effect/effects.hpp"
 #include "effect/signal_response.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* change = "relative_change";
 
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double factor = 1.0 + number(parameters, change);
-    for (Signal& signal : affected.model.activation)
+    for (fibre::Signal& signal : affected.model.activation)
         for (double& value : signal.values) value = 1.0 + factor * (value - 1.0);
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    for (const Model& model : search.models)
-        for (const Signal& signal : model.activation)
+    for (const model::Model& model : search.models)
+        for (const fibre::Signal& signal : model.activation)
             for (const double value : signal.values)
                 if (value != 1.0) return {probe({{change, 0.02}}, change)};
     return {};
@@ -23,7 +23,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect actuation_gain() {
-    return {"actuation_gain", EffectStage::actuation, "the muscle moves by a constant factor more than its signal", {fitted_number(change, -1.0, 20.0, 0.2)}, apply, probes};
+    return {"actuation_gain",
+            EffectStage::actuation,
+            "the muscle moves by a constant factor more than its signal",
+            {fitted_number(change, -1.0, 20.0, 0.2)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -4,7 +4,7 @@
 #include "effect/effects.hpp"
 #include "effect/signal_response.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 /// Bouc-Wen without smoothing: (1 - h) u + h z, z' = u' (1 - [u' z > 0] |z| / width). Within a sample z' is linear in
@@ -16,7 +16,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
         if (du == 0.0) return z;
         const double direction = du > 0.0 ? 1.0 : -1.0;
         double left = std::abs(du);
-        if (direction * z < 0.0) {   // back to zero on the straight branch
+        if (direction * z < 0.0) {  // back to zero on the straight branch
             const double straight = std::min(left, std::abs(z));
             z += direction * straight;
             left -= straight;
@@ -39,20 +39,25 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     double largest = 0.0;
-    for (const Model& model : search.models)
-        for (const Signal& signal : model.activation)
+    for (const model::Model& model : search.models)
+        for (const fibre::Signal& signal : model.activation)
             for (const double value : signal.values) largest = std::max(largest, std::abs(value - 1.0));
     std::vector<EffectProbe> list;
     if (any_signal(acts, search))
-        for (const double part : {0.1, 0.5}) list.push_back(probe({{"fraction", 0.1}, {"width", part * largest}}, "fraction"));
+        for (const double part : {0.1, 0.5})
+            list.push_back(probe({{"fraction", 0.1}, {"width", part * largest}}, "fraction"));
     return list;
 }
 
 }  // namespace
 
 Effect actuation_hysteresis() {
-    return {"actuation_hysteresis", EffectStage::actuation, "the muscle's way back differs from its way there (Bouc-Wen)",
-            {fitted_number("fraction", 0.0, 1.0, 0.2), fitted_number("width", 1e-4, 10.0, 0.05, true)}, apply, probes};
+    return {"actuation_hysteresis",
+            EffectStage::actuation,
+            "the muscle's way back differs from its way there (Bouc-Wen)",
+            {fitted_number("fraction", 0.0, 1.0, 0.2), fitted_number("width", 1e-4, 10.0, 0.05, true)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

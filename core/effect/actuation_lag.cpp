@@ -3,7 +3,7 @@
 #include "effect/effects.hpp"
 #include "effect/signal_response.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* tau_s = "time_constant_s";
@@ -36,7 +36,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect actuation_lag() {
-    return {"actuation_lag", EffectStage::actuation, "the muscle follows its signal with a first-order lag", {fitted_number(tau_s, 0.0, 100.0, 0.02, true)}, apply, probes};
+    return {"actuation_lag",
+            EffectStage::actuation,
+            "the muscle follows its signal with a first-order lag",
+            {fitted_number(tau_s, 0.0, 100.0, 0.02, true)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

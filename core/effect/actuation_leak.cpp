@@ -3,7 +3,7 @@
 #include "effect/effects.hpp"
 #include "effect/signal_response.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* tau_s = "time_constant_s";
@@ -36,7 +36,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect actuation_leak() {
-    return {"actuation_leak", EffectStage::actuation, "a held actuation bleeds off", {fitted_number(tau_s, 1e-3, 1e5, 0.1, true)}, apply, probes};
+    return {"actuation_leak",
+            EffectStage::actuation,
+            "a held actuation bleeds off",
+            {fitted_number(tau_s, 1e-3, 1e5, 0.1, true)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

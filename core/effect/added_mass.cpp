@@ -2,13 +2,14 @@
 #include "model/directional_mass.hpp"
 #include "model/loaded_face.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* density = "surface_density_kg_m2";
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    affected.model.directional_masses.push_back(added_mass(*site.body, free_faces(*site.body), number(parameters, density)));
+    affected.model.directional_masses.push_back(
+        model::added_mass(*site.body, model::free_faces(*site.body), number(parameters, density)));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{density, 0.2}}, density)}; }
@@ -16,8 +17,12 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{density, 
 }  // namespace
 
 Effect added_mass() {
-    return {"added_mass", EffectStage::force, "a fluid goes with the surface along its normal: inertia, no weight", {fitted_number(density, 0.0, 1e4, 1.0, true)}, apply,
+    return {"added_mass",
+            EffectStage::force,
+            "a fluid goes with the surface along its normal: inertia, no weight",
+            {fitted_number(density, 0.0, 1e4, 1.0, true)},
+            apply,
             probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

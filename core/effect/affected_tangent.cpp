@@ -1,28 +1,31 @@
 #include "effect/affected_tangent.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Matrix3Xd;
 
 Matrix3Xd start_of(const Affected& affected) {
-    return affected.options.initial.positions.size() > 0 ? affected.options.initial.positions : affected.model.body->mesh.nodes;
+    return affected.options.initial.positions.size() > 0 ? affected.options.initial.positions
+                                                         : affected.model.body->mesh.nodes;
 }
 
-bool alike(const Model& a, const Model& b) {
-    return a.body->clamped == b.body->clamped && a.creep.has_value() == b.creep.has_value() && a.softening.has_value() == b.softening.has_value();
+bool alike(const model::Model& a, const model::Model& b) {
+    return a.body->clamped == b.body->clamped && a.creep.has_value() == b.creep.has_value() &&
+           a.softening.has_value() == b.softening.has_value();
 }
 
 }  // namespace
 
-std::optional<ModelTangent> affected_tangent(const Affected& under, const Affected& between, const Affected& over, double width) {
+std::optional<sensitivity::ModelTangent> affected_tangent(const Affected& under, const Affected& between,
+                                                          const Affected& over, double width) {
     if (!(width > 0.0) || !alike(under.model, between.model) || !alike(over.model, between.model)) return std::nullopt;
-    ModelTangent tangent;
-    tangent.between = std::make_shared<ModelPair>(ModelPair{under.model, over.model, width});
+    sensitivity::ModelTangent tangent;
+    tangent.between = std::make_shared<sensitivity::ModelPair>(sensitivity::ModelPair{under.model, over.model, width});
     tangent.start_m = (start_of(over) - start_of(under)) / width;
     for (Eigen::Index i = 0; i < tangent.start_m.cols(); ++i)
         if (between.model.body->clamped[static_cast<std::size_t>(i)]) tangent.start_m.col(i).setZero();
     return tangent;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

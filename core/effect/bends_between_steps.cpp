@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
-/// Stages at the shares c of a step with weights b give means over a step the impulse of a line with slope s, and (Σ b (c - 1/2)²) / 2 h² s more.
-/// Of TR-BDF2, b = (√2/4, √2/4, 1 - √2/2) and c = (0, 2 - √2, 1), that is (√2 - 5/4) / 2 h² s; a second difference adds up to h s.
+/// Stages at the shares c of a step with weights b give means over a step the impulse of a line with slope s, and (Σ b
+/// (c - 1/2)²) / 2 h² s more. Of TR-BDF2, b = (√2/4, √2/4, 1 - √2/2) and c = (0, 2 - √2, 1), that is (√2 - 5/4) / 2 h²
+/// s; a second difference adds up to h s.
 const double sharpening = 0.5 * (std::sqrt(2.0) - 1.25);
 
 /// The signal's integral from its first knot to t.
 class Integral {
 public:
-    explicit Integral(const Signal& signal) : signal_(signal), at_knots_{0.0} {
+    explicit Integral(const fibre::Signal& signal) : signal_(signal), at_knots_{0.0} {
         for (std::size_t k = 1; k < signal.times_s.size(); ++k)
-            at_knots_.push_back(at_knots_.back() + 0.5 * (signal.values[k] + signal.values[k - 1]) * (signal.times_s[k] - signal.times_s[k - 1]));
+            at_knots_.push_back(at_knots_.back() + 0.5 * (signal.values[k] + signal.values[k - 1]) *
+                                                       (signal.times_s[k] - signal.times_s[k - 1]));
     }
 
     double to(double t) const {
@@ -25,7 +27,7 @@ public:
     }
 
 private:
-    const Signal& signal_;
+    const fibre::Signal& signal_;
     std::vector<double> at_knots_;
 };
 
@@ -37,7 +39,7 @@ struct Jump {
 };
 
 /// Jumps before `until_s`, and the signal without them.
-std::vector<Jump> take_jumps(Signal& signal, double until_s) {
+std::vector<Jump> take_jumps(fibre::Signal& signal, double until_s) {
     std::vector<Jump> jumps;
     double taken = 0.0;
     for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
@@ -50,8 +52,8 @@ std::vector<Jump> take_jumps(Signal& signal, double until_s) {
     return jumps;
 }
 
-Signal with_jump(const Signal& signal, const Jump& jump) {
-    Signal result{{}, {}};
+fibre::Signal with_jump(const fibre::Signal& signal, const Jump& jump) {
+    fibre::Signal result{{}, {}};
     const auto add = [&](double t, double value) {
         result.times_s.push_back(t);
         result.values.push_back(value);
@@ -64,29 +66,29 @@ Signal with_jump(const Signal& signal, const Jump& jump) {
     return result;
 }
 
-bool is_constant(const Signal& signal) {
+bool is_constant(const fibre::Signal& signal) {
     return std::all_of(signal.values.begin(), signal.values.end(),
                        [&](double value) { return value == signal.values.front(); });
 }
 
 }  // namespace
 
-Signal with_bends_between_steps(const Signal& signal, double h_s, double end_s) {
-    Signal rest = signal;
+fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, double end_s) {
+    fibre::Signal rest = signal;
     const std::vector<Jump> kept = take_jumps(rest, reach * h_s);
     if (is_constant(rest)) return signal;
     const Integral integral(rest);
     const auto mean = [&](double t) { return (integral.to(t + 0.5 * h_s) - integral.to(t - 0.5 * h_s)) / h_s; };
     const auto count = static_cast<std::size_t>(std::ceil(4.0 * end_s / h_s)) + 2;
-    Signal result{{}, {}};
+    fibre::Signal result{{}, {}};
     for (std::size_t k = 0; k < count; ++k) {
         const double t = 0.25 * static_cast<double>(k) * h_s, around = mean(t);
         result.times_s.push_back(t);
         result.values.push_back(around - sharpening * (mean(t + h_s) - 2.0 * around + mean(t - h_s)));
     }
-    result.values.front() = rest.value_before(0.0);   // the body starts under what stood before
+    result.values.front() = rest.value_before(0.0);  // the body starts under what stood before
     for (const Jump& jump : kept) result = with_jump(result, jump);
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

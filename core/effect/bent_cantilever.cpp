@@ -6,11 +6,11 @@
 #include <cassert>
 #include <cmath>
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector4d;   // turn, curvature, along, across
+using Eigen::Vector4d;  // turn, curvature, along, across
 
 /// Enough for 1e-8 of the length at the most deflection.
 constexpr int parts = 128;
@@ -84,4 +84,4 @@ BentCantilever bent_cantilever(double deflection, double shear) {
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

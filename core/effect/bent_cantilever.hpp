@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace myo {
+namespace myo::effect {
 
 /// A section of a beam of unit length that is bent in a plane: how far it has turned, what it bends by, where its
 /// centre is.
@@ -19,7 +19,7 @@ struct BeamSection {
 /// y' = sin t + g cos t, and no moment at the end. Source: Reissner 1972; without shear Bisshopp & Drucker 1945.
 struct BentCantilever {
     double load = 0.0, shear = 0.0;
-    std::vector<BeamSection> sections;   // evenly from the clamp to the end
+    std::vector<BeamSection> sections;  // evenly from the clamp to the end
 
     /// s: from 0 at the clamp to 1 at the end.
     BeamSection at(double s) const;
@@ -32,4 +32,4 @@ inline constexpr double most_deflection = 0.9;
 /// below.
 BentCantilever bent_cantilever(double deflection, double shear);
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -4,7 +4,7 @@
 #include "effect/places.hpp"
 #include "model/tied_spring.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Vector3d;
@@ -20,12 +20,14 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     Vector3d anchor = place.point + 2.0 * body_length(site) * place.normal;
     if (has(parameters, "anchor_m")) anchor = vector(parameters, "anchor_m");
     if ((anchor - place.point).norm() < 1e-3 * body_length(site)) anchor += 1e-3 * body_length(site) * place.normal;
-    affected.model.force_elements.push_back(tied_spring(*site.body, place.cell, place.nodes, place.shares, anchor, number(parameters, "stiffness_N_m")));
+    affected.model.force_elements.push_back(model::tied_spring(*site.body, place.cell, place.nodes, place.shares,
+                                                               anchor, number(parameters, "stiffness_N_m")));
 }
 
 constexpr double probed_stiffness_N_m = 0.2, least_share = 0.1;
 
-/// To first order a spring of direction d acts by its tensor k d d': those of six directions span all symmetric tensors.
+/// To first order a spring of direction d acts by its tensor k d d': those of six directions span all symmetric
+/// tensors.
 std::vector<Vector3d> directions() {
     const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
     return {x, y, z, (x + y).normalized(), (y + z).normalized(), (z + x).normalized()};
@@ -33,7 +35,8 @@ std::vector<Vector3d> directions() {
 
 Vector3d span_of(const EffectParameters& column) { return vector(column, "anchor_m") - vector(column, "position_m"); }
 
-/// The spring nearest to the tensor that the columns add up to: of its largest eigenvalue. Its anchor is outside of the body, like theirs.
+/// The spring nearest to the tensor that the columns add up to: of its largest eigenvalue. Its anchor is outside of the
+/// body, like theirs.
 EffectParameters joined(const std::vector<EffectParameters>& columns, const Eigen::VectorXd& multiples) {
     Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
     Vector3d outwards = Vector3d::Zero();
@@ -46,7 +49,8 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
     const Vector3d along = eigen.eigenvectors().col(2);
     EffectParameters result = columns.front();
     const double length = span_of(result).norm();
-    result["anchor_m"] = Eigen::VectorXd(vector(result, "position_m") + (along.dot(outwards) < 0.0 ? -length : length) * along);
+    result["anchor_m"] = Eigen::VectorXd(vector(result, "position_m") +
+                                         (along.dot(outwards) < 0.0 ? -length : length) * along);
     result["stiffness_N_m"] = probed_stiffness_N_m * std::max(eigen.eigenvalues()(2), least_share);
     return result;
 }
@@ -61,7 +65,9 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
         const SurfacePlace place = surface_place(*site.body, point);
         for (const Vector3d& d : directions()) {
             const Vector3d anchor = place.point + (d.dot(place.normal) < 0.0 ? -1.0 : 1.0) * body_length(site) * d;
-            probe.columns.push_back({{"stiffness_N_m", probed_stiffness_N_m}, {"position_m", Eigen::VectorXd(place.point)}, {"anchor_m", Eigen::VectorXd(anchor)}});
+            probe.columns.push_back({{"stiffness_N_m", probed_stiffness_N_m},
+                                     {"position_m", Eigen::VectorXd(place.point)},
+                                     {"anchor_m", Eigen::VectorXd(anchor)}});
         }
         list.push_back(std::move(probe));
     }
@@ -71,10 +77,14 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect cable_tug() {
-    return {"cable_tug", EffectStage::force, "a cable that pulls like a spring from a point of the surface to a fixed anchor",
-            {fitted_number("stiffness_N_m", 0.0, 1e4, 1.0, true), {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
+    return {"cable_tug",
+            EffectStage::force,
+            "a cable that pulls like a spring from a point of the surface to a fixed anchor",
+            {fitted_number("stiffness_N_m", 0.0, 1e4, 1.0, true),
+             {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
              {"anchor_m", EffectParameterKind::vector3, true, -10.0, 10.0, 0.05}},
-            apply, probes};
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -6,7 +6,7 @@
 
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 
 const std::vector<Effect>& effect_catalogue() {
     static const std::vector<Effect> effects = {
@@ -68,9 +68,10 @@ void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>&
         assert(order.back().first != nullptr);
     }
     // Stress-free shapes are those of the cells as they are held, whichever was declared first.
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first->stage < b.first->stage; });
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first->stage < b.first->stage; });
     for (const auto& [effect, declaration] : order)
         if (acts_on(site, declaration->parameters)) effect->apply(site, declaration->parameters, affected);
 }
 
-}  // namespace myo
+}  // namespace myo::effect

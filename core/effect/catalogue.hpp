@@ -5,7 +5,7 @@
 
 #include "effect/effect.hpp"
 
-namespace myo {
+namespace myo::effect {
 
 /// All effects, in the order of the vocabulary. "none" and "unknown" are verdicts, not effects.
 const std::vector<Effect>& effect_catalogue();
@@ -21,4 +21,4 @@ bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects);
 /// Applies effects stage by stage, within a stage in their order. Asserts that they are of the catalogue.
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected);
 
-}  // namespace myo
+}  // namespace myo::effect

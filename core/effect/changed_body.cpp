@@ -4,20 +4,22 @@
 
 #include "model/held_nodes.hpp"
 
-namespace myo {
-BodyPointer released_body(const Body& body, const std::vector<int>& nodes) {
-    auto released = std::make_shared<Body>(body);
+namespace myo::effect {
+model::BodyPointer released_body(const model::Body& body, const std::vector<int>& nodes) {
+    auto released = std::make_shared<model::Body>(body);
     for (const int node : nodes) released->clamped[static_cast<std::size_t>(node)] = false;
-    released->pattern = block_pattern(released->mesh, released->clamped);
+    released->pattern = model::block_pattern(released->mesh, released->clamped);
     return released;
 }
 
-BodyPointer on_nodes(const Body& body, Eigen::Matrix3Xd nodes_m) {
-    VolumeMesh mesh = body.mesh;
+model::BodyPointer on_nodes(const model::Body& body, Eigen::Matrix3Xd nodes_m) {
+    mesh::VolumeMesh mesh = body.mesh;
     mesh.nodes = std::move(nodes_m);
-    return make_body(std::move(mesh), body.kind, held_nodes(body));
+    return model::make_body(std::move(mesh), body.kind, model::held_nodes(body));
 }
 
-BodyPointer of_kind(const Body& body, ElementKind kind) { return make_body(body.mesh, kind, held_nodes(body)); }
+model::BodyPointer of_kind(const model::Body& body, fem::ElementKind kind) {
+    return model::make_body(body.mesh, kind, model::held_nodes(body));
+}
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -3,7 +3,7 @@
 #include "model/elastic_bed.hpp"
 #include "model/loaded_face.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* bed_stiffness = "stiffness_Pa_per_m";
@@ -12,19 +12,25 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     std::vector<int> nodes;
     for (int i = 0; i < site.body->node_count(); ++i)
         if (site.body->clamped[static_cast<std::size_t>(i)]) nodes.push_back(i);
-    const std::vector<int> faces = faces_of_nodes(*site.body, nodes);
-    if (faces.empty()) return;   // held inside, where there is no face to sit on
+    const std::vector<int> faces = model::faces_of_nodes(*site.body, nodes);
+    if (faces.empty()) return;  // held inside, where there is no face to sit on
     affected.model.body = released_body(*affected.model.body, nodes);
-    affected.model.force_elements.push_back(elastic_bed(*site.body, faces, number(parameters, bed_stiffness)));
+    affected.model.force_elements.push_back(model::elastic_bed(*site.body, faces, number(parameters, bed_stiffness)));
 }
 
-std::vector<EffectProbe> probes(const EffectSearch&) { return {{{{{bed_stiffness, 2e8}}}, bed_stiffness, true, nullptr}}; }
+std::vector<EffectProbe> probes(const EffectSearch&) {
+    return {{{{{bed_stiffness, 2e8}}}, bed_stiffness, true, nullptr}};
+}
 
 }  // namespace
 
 Effect clamp_compliance() {
-    return {"clamp_compliance", EffectStage::support, "the clamped face sits on an elastic bed", {fitted_number(bed_stiffness, 1e4, 1e12, 1e6, true)}, apply,
+    return {"clamp_compliance",
+            EffectStage::support,
+            "the clamped face sits on an elastic bed",
+            {fitted_number(bed_stiffness, 1e4, 1e12, 1e6, true)},
+            apply,
             probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -7,7 +7,7 @@
 #include "fibre/moved_fibres.hpp"
 #include "mesh/cell_topology.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* length = "free_length_m";
@@ -16,41 +16,48 @@ constexpr const char* length = "free_length_m";
 constexpr double farthest = 0.5;
 
 /// How far in front of the clamp the first node lies that a marker or a muscle hangs on.
-double first_load(const EffectSite& site, const Model& model, const ClampAxis& clamp) {
-    const VolumeMesh& mesh = model.body->mesh;
+double first_load(const EffectSite& site, const model::Model& model, const ClampAxis& clamp) {
+    const mesh::VolumeMesh& mesh = model.body->mesh;
     double first = farthest * clamp.length_m;
     const auto at = [&](int node) { first = std::min(first, clamp.ahead(mesh.nodes.col(node))); };
-    for (const MarkerBinding& marker : site.markers) std::for_each(marker.nodes.begin(), marker.nodes.end(), at);
-    for (const FibreGroup& group : *model.fibres)
-        for (const FibrePoint& point : group.points)
+    for (const measurement::MarkerBinding& marker : site.markers)
+        std::for_each(marker.nodes.begin(), marker.nodes.end(), at);
+    for (const fibre::FibreGroup& group : *model.fibres)
+        for (const fibre::FibrePoint& point : group.points)
             for (const int node : mesh.cells.col(point.cell)) at(node);
     return first;
 }
 
-/// Of its depth the clamp's far end takes up the slip by at least so much, more where the slip is long; and what is left of the clamp.
+/// Of its depth the clamp's far end takes up the slip by at least so much, more where the slip is long; and what is
+/// left of the clamp.
 constexpr double least_taken_up = 0.5, left_of_depth = 0.05;
 
 /// Nodes within edges stay in the middle: one that stayed behind while its edge's end moved by half of it would make
 /// the cell a singular one.
-void straighten(const VolumeMesh& mesh, Eigen::Matrix3Xd& shift) {
-    if (mesh.type != CellType::tet10) return;
+void straighten(const mesh::VolumeMesh& mesh, Eigen::Matrix3Xd& shift) {
+    if (mesh.type != mesh::CellType::tet10) return;
     for (const auto& cell : mesh.cells.colwise())
-        for (std::size_t e = 0; e < tetrahedron_edges.size(); ++e)
-            shift.col(cell(4 + static_cast<Eigen::Index>(e))) =
-                0.5 * (shift.col(cell(tetrahedron_edges[e][0])) + shift.col(cell(tetrahedron_edges[e][1])));
+        for (std::size_t e = 0; e < mesh::tetrahedron_edges.size(); ++e)
+            shift.col(cell(4 + static_cast<Eigen::Index>(e))) = 0.5 * (shift.col(cell(mesh::tetrahedron_edges[e][0])) +
+                                                                       shift.col(cell(mesh::tetrahedron_edges[e][1])));
 }
 
-/// How far nodes lie from their places in a body whose clamp stands further back, 3 x n [m]: what is held moves there, its far end stays, and the cells in front
-/// reach as far, those next to the clamp alone or all that carry nothing. So the free length grows evenly, with the same unknowns, whether it is a part of a
-/// cell or several, and the cells at the clamp hardly change, which hold a nearly incompressible body the firmer the shorter they are.
-Eigen::Matrix3Xd set_back(const EffectSite& site, const Model& model, const ClampAxis& clamp, double free_m) {
+/// How far nodes lie from their places in a body whose clamp stands further back, 3 x n [m]: what is held moves there,
+/// its far end stays, and the cells in front reach as far, those next to the clamp alone or all that carry nothing. So
+/// the free length grows evenly, with the same unknowns, whether it is a part of a cell or several, and the cells at
+/// the clamp hardly change, which hold a nearly incompressible body the firmer the shorter they are.
+Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, const ClampAxis& clamp, double free_m) {
     const Eigen::Matrix3Xd& X = model.body->mesh.nodes;
-    const double reach = first_load(site, model, clamp), taken_up_m = std::clamp(free_m / (1.0 - 2.0 * left_of_depth), least_taken_up * clamp.held_m, clamp.held_m);
+    const double reach = first_load(site, model, clamp),
+                 taken_up_m = std::clamp(free_m / (1.0 - 2.0 * left_of_depth), least_taken_up * clamp.held_m,
+                                         clamp.held_m);
     Eigen::Matrix3Xd shift = Eigen::Matrix3Xd::Zero(3, X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const double ahead = clamp.ahead(X.col(i));
         const bool held = site.body->clamped[static_cast<std::size_t>(i)];
-        const double part = held ? std::min(1.0, (clamp.held_m + ahead) / taken_up_m) : reach > 0.0 ? std::clamp(1.0 - ahead / reach, 0.0, 1.0) : 0.0;
+        const double part = held          ? std::min(1.0, (clamp.held_m + ahead) / taken_up_m)
+                            : reach > 0.0 ? std::clamp(1.0 - ahead / reach, 0.0, 1.0)
+                                          : 0.0;
         shift(clamp.axis, i) = -clamp.sign * part * free_m;
     }
     straighten(model.body->mesh, shift);
@@ -61,12 +68,13 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     const ClampAxis clamp = clamp_axis(site);
     const double free_m = std::min(number(parameters, length), (1.0 - left_of_depth) * clamp.held_m);
     if (!(free_m > 0.0)) return;
-    Model& model = affected.model;
-    const VolumeMesh declared = model.body->mesh;
+    model::Model& model = affected.model;
+    const mesh::VolumeMesh declared = model.body->mesh;
     const Eigen::Matrix3Xd shift = set_back(site, model, clamp, free_m);
     model.body = on_nodes(*model.body, declared.nodes + shift);
-    auto fibres = std::make_shared<std::vector<FibreGroup>>();
-    for (const FibreGroup& group : *model.fibres) fibres->push_back(moved_fibres(declared, model.body->mesh, group));
+    auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
+    for (const fibre::FibreGroup& group : *model.fibres)
+        fibres->push_back(fibre::moved_fibres(declared, model.body->mesh, group));
     model.fibres = fibres;
     Eigen::Matrix3Xd& start = affected.options.initial.positions;
     if (start.size() > 0) start += shift;
@@ -90,7 +98,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect clamp_slip() {
-    return {"clamp_slip", EffectStage::support, "the part of the clamp next to its free end does not hold", {fitted_number(length, 0.0, 10.0, 0.003)}, apply, probes};
+    return {"clamp_slip",
+            EffectStage::support,
+            "the part of the clamp next to its free end does not hold",
+            {fitted_number(length, 0.0, 10.0, 0.003)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

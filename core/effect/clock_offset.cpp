@@ -1,11 +1,13 @@
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* offset = "offset_s";
 
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) { affected.seen.clock_offset_s += number(parameters, offset); }
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    affected.seen.clock_offset_s += number(parameters, offset);
+}
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
@@ -18,7 +20,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect clock_offset() {
-    return {"clock_offset", EffectStage::measurement, "samples were taken later or earlier than they say", {fitted_number(offset, -10.0, 10.0, 0.01)}, apply, probes};
+    return {"clock_offset",
+            EffectStage::measurement,
+            "samples were taken later or earlier than they say",
+            {fitted_number(offset, -10.0, 10.0, 0.01)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Matrix;
@@ -37,4 +37,4 @@ Vector2d direction_angles(const Vector3d& base, const Vector3d& direction) {
     return std::atan2(size, along) / size * across;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

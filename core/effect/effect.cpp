@@ -1,6 +1,6 @@
 #include "effect/effect.hpp"
 
-namespace myo {
+namespace myo::effect {
 
 std::string to_string(EffectStage stage) {
     switch (stage) {
@@ -25,18 +25,25 @@ double number(const EffectParameters& parameters, const std::string& name) {
     return std::get<double>(value);
 }
 
-Eigen::Vector3d vector(const EffectParameters& parameters, const std::string& name) { return std::get<Eigen::VectorXd>(parameters.at(name)); }
+Eigen::Vector3d vector(const EffectParameters& parameters, const std::string& name) {
+    return std::get<Eigen::VectorXd>(parameters.at(name));
+}
 
-std::string text(const EffectParameters& parameters, const std::string& name) { return std::get<std::string>(parameters.at(name)); }
+std::string text(const EffectParameters& parameters, const std::string& name) {
+    return std::get<std::string>(parameters.at(name));
+}
 
 bool has(const EffectParameters& parameters, const std::string& name) { return parameters.count(name) > 0; }
 
-bool acts_on(const EffectSite& site, const EffectParameters& parameters) { return !has(parameters, "trial") || text(parameters, "trial") == site.trial; }
+bool acts_on(const EffectSite& site, const EffectParameters& parameters) {
+    return !has(parameters, "trial") || text(parameters, "trial") == site.trial;
+}
 
 EffectProbe probe(EffectParameters at, const std::string& amount) { return {{std::move(at)}, amount, false, nullptr}; }
 
-EffectParameterEntry fitted_number(const std::string& name, double lowest, double highest, double scale, bool over_decades) {
+EffectParameterEntry fitted_number(const std::string& name, double lowest, double highest, double scale,
+                                   bool over_decades) {
     return {name, EffectParameterKind::number, false, lowest, highest, scale, over_decades};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

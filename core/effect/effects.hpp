@@ -2,7 +2,7 @@
 
 #include "effect/effect.hpp"
 
-namespace myo {
+namespace myo::effect {
 
 // One function per file; the catalogue lists them.
 Effect quadratic_drag();
@@ -34,4 +34,4 @@ Effect scale_error();
 Effect marker_swap();
 Effect marker_slip();
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,11 +1,13 @@
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* excess = "excess_damping_s";
 
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) { affected.model.damping_s += number(parameters, excess); }
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    affected.model.damping_s += number(parameters, excess);
+}
 
 /// A damping that is fitted anyway has no excess.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
@@ -16,8 +18,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect extra_damping() {
-    return {"extra_damping", EffectStage::material, "more Kelvin-Voigt damping than the declared value", {fitted_number(excess, 0.0, 10.0, 2e-3, true)}, apply,
+    return {"extra_damping",
+            EffectStage::material,
+            "more Kelvin-Voigt damping than the declared value",
+            {fitted_number(excess, 0.0, 10.0, 2e-3, true)},
+            apply,
             probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

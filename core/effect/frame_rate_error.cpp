@@ -1,18 +1,27 @@
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* error = "relative_error";
 
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) { affected.seen.rate_error += number(parameters, error); }
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    affected.seen.rate_error += number(parameters, error);
+}
 
-std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{error, 0.002}}, error), probe({{error, 0.02}}, error)}; }
+std::vector<EffectProbe> probes(const EffectSearch&) {
+    return {probe({{error, 0.002}}, error), probe({{error, 0.02}}, error)};
+}
 
 }  // namespace
 
 Effect frame_rate_error() {
-    return {"frame_rate_error", EffectStage::measurement, "the cameras' true rate differs from the declared one", {fitted_number(error, -0.5, 2.0, 0.02)}, apply, probes};
+    return {"frame_rate_error",
+            EffectStage::measurement,
+            "the cameras' true rate differs from the declared one",
+            {fitted_number(error, -0.5, 2.0, 0.02)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -5,7 +5,7 @@
 
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Vector3d;
@@ -37,16 +37,19 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     g.cwiseAbs().minCoeff(&least);
     const Vector3d first = g.cross(Vector3d::Unit(least)).normalized(), second = g.cross(first).normalized();
     EffectProbe probe;
-    for (const Vector3d& axis : {first, second}) probe.columns.push_back({{"tilt_deg", 1.0}, {"axis", Eigen::VectorXd(axis)}});
+    for (const Vector3d& axis : {first, second})
+        probe.columns.push_back({{"tilt_deg", 1.0}, {"axis", Eigen::VectorXd(axis)}});
     probe.joined = joined;
     return {probe};
 }
 
-/// The smallest turn with which gravity points there: about an axis across it. A part of an axis along gravity does nothing but make the angle larger.
-EffectParameters plainest(const Model& declared, const EffectParameters& parameters) {
+/// The smallest turn with which gravity points there: about an axis across it. A part of an axis along gravity does
+/// nothing but make the angle larger.
+EffectParameters plainest(const model::Model& declared, const EffectParameters& parameters) {
     const Vector3d g = declared.gravity_m_s2, turned = tilted(g, parameters), axis = g.cross(turned);
     if (!(axis.norm() > 0.0)) return parameters;
-    return {{"tilt_deg", std::atan2(axis.norm(), g.dot(turned)) / degree}, {"axis", Eigen::VectorXd(axis.normalized())}};
+    return {{"tilt_deg", std::atan2(axis.norm(), g.dot(turned)) / degree},
+            {"axis", Eigen::VectorXd(axis.normalized())}};
 }
 
 }  // namespace
@@ -62,4 +65,4 @@ Effect gravity_tilt() {
             plainest};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

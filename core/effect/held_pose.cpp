@@ -5,7 +5,7 @@
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -26,17 +26,17 @@ Vector3d end_centre(const EffectSite& site, const ClampAxis& clamp) {
 }
 
 /// E I / (k G A L^2) of the body's mean section, bent along a unit vector, with Cowper's k of a rectangle (1966).
-double shear_of(const EffectSite& site, const Model& model, const ClampAxis& clamp, const Vector3d& along) {
+double shear_of(const EffectSite& site, const model::Model& model, const ClampAxis& clamp, const Vector3d& along) {
     const Eigen::SparseMatrix<double>& volume = site.body->unit_mass;
     const VectorXd y = site.body->mesh.nodes.transpose() * along, of_node = volume * VectorXd::Ones(y.size());
     const double whole = of_node.sum(), middle = of_node.dot(y) / whole;
     const VectorXd off = y.array() - middle;
-    Moduli sum;
-    for (const Moduli& m : model.moduli) {
+    material::Moduli sum;
+    for (const material::Moduli& m : model.moduli) {
         sum.mu += m.mu;
         sum.kappa += m.kappa;
     }
-    const double nu = young_from_moduli(sum).poissons_ratio, k = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+    const double nu = material::young_from_moduli(sum).poissons_ratio, k = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
     return 2.0 * (1.0 + nu) / k * off.dot(volume * off) / whole / (clamp.length_m * clamp.length_m);
 }
 
@@ -51,17 +51,19 @@ Vector3d upwards(const Vector3d& gravity, const Vector3d& axis, int axis_number)
 /// axis keeps its length, so that the end also comes nearer to the clamp; what the offset has along the axis says
 /// nothing beside that. The body bends in the plane of axis and offset. Sections stay plane and keep their shape.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    if (site.start != StartKind::straight) return;
+    if (site.start != dynamics::StartKind::straight) return;
     const ClampAxis clamp = clamp_axis(site);
     const Vector3d axis = clamp.sign * Vector3d::Unit(clamp.axis);
     Vector3d end = upwards(affected.model.gravity_m_s2, axis, clamp.axis);
-    if (std::holds_alternative<VectorXd>(parameters.at(offset))) end = vector(parameters, offset);
-    else end *= number(parameters, offset);
+    if (std::holds_alternative<VectorXd>(parameters.at(offset)))
+        end = vector(parameters, offset);
+    else
+        end *= number(parameters, offset);
     end -= end.dot(axis) * axis;
     if (end.norm() == 0.0) return;
     const Vector3d across = end.normalized();
-    const BentCantilever bent =
-        bent_cantilever(end.norm() / clamp.length_m, shear_of(site, affected.model, clamp, across));
+    const BentCantilever bent = bent_cantilever(end.norm() / clamp.length_m,
+                                                shear_of(site, affected.model, clamp, across));
     const Vector3d centre = end_centre(site, clamp);
     Matrix3Xd x = affected.options.initial.positions.size() > 0 ? affected.options.initial.positions
                                                                 : affected.model.body->mesh.nodes;
@@ -79,7 +81,8 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 EffectParameters joined(const std::vector<EffectParameters>& columns, const VectorXd& multiples) {
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i < columns.size(); ++i) sum += multiples(static_cast<Eigen::Index>(i)) * vector(columns[i], offset);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        sum += multiples(static_cast<Eigen::Index>(i)) * vector(columns[i], offset);
     EffectParameters result = columns.front();
     result[offset] = VectorXd(sum);
     return result;
@@ -88,7 +91,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Vect
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     for (const EffectSite& site : search.sites) {
-        if (site.start != StartKind::straight) continue;
+        if (site.start != dynamics::StartKind::straight) continue;
         EffectProbe probe;
         const int along = clamp_axis(site).axis;
         for (int axis = 0; axis < 3; ++axis)
@@ -103,8 +106,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect held_pose() {
-    return {"held_pose", EffectStage::support, "the body was not held in its rest shape before the release",
-            {{offset, EffectParameterKind::number_or_vector3, false, -1.0, 1.0, 2e-3}, {"trial", EffectParameterKind::trial, true}}, apply, probes};
+    return {"held_pose",
+            EffectStage::support,
+            "the body was not held in its rest shape before the release",
+            {{offset, EffectParameterKind::number_or_vector3, false, -1.0, 1.0, 2e-3},
+             {"trial", EffectParameterKind::trial, true}},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -2,12 +2,13 @@
 #include "effect/places.hpp"
 #include "fem/element_block.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 /// Each cell by itself, with nodes of its own.
-VolumeMesh exploded(const VolumeMesh& mesh) {
-    VolumeMesh result{mesh.type, Eigen::Matrix3Xd(3, mesh.cells.size()), Eigen::MatrixXi(mesh.cells.rows(), mesh.cells.cols())};
+mesh::VolumeMesh exploded(const mesh::VolumeMesh& mesh) {
+    mesh::VolumeMesh result{mesh.type, Eigen::Matrix3Xd(3, mesh.cells.size()),
+                            Eigen::MatrixXi(mesh.cells.rows(), mesh.cells.cols())};
     for (Eigen::Index i = 0; i < mesh.cells.size(); ++i) {
         result.nodes.col(i) = mesh.nodes.col(mesh.cells.data()[i]);
         result.cells.data()[i] = static_cast<int>(i);
@@ -15,22 +16,25 @@ VolumeMesh exploded(const VolumeMesh& mesh) {
     return result;
 }
 
-/// The stress-free shape of each cell is a trapezium that does not fit its neighbours: the body keeps its rest shape only under stress.
+/// The stress-free shape of each cell is a trapezium that does not fit its neighbours: the body keeps its rest shape
+/// only under stress.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const double k = number(parameters, "curvature_1_m");
     const auto across = static_cast<Eigen::Index>(number(parameters, "axis"));
     const Eigen::Index along = clamp_axis(site).axis;
     const Eigen::RowVectorXd s = site.body->mesh.nodes.row(across);
     const double middle = 0.5 * (s.minCoeff() + s.maxCoeff());
-    VolumeMesh free_cells = exploded(affected.model.body->mesh);
+    mesh::VolumeMesh free_cells = exploded(affected.model.body->mesh);
     const Eigen::Index per_cell = free_cells.cells.rows();
     for (Eigen::Index c = 0; c < free_cells.cells.cols(); ++c) {
         auto nodes = free_cells.nodes.middleCols(c * per_cell, per_cell);
         const double centre = nodes.row(along).mean();
-        nodes.row(along) = centre + (nodes.row(along).array() - centre) * (1.0 + k * (nodes.row(across).array() - middle));
+        nodes.row(along) = centre +
+                           (nodes.row(along).array() - centre) * (1.0 + k * (nodes.row(across).array() - middle));
     }
-    auto bent = std::make_shared<Body>(*affected.model.body);
-    const PackedElements shapes = pack_elements(make_elements(free_cells, bent->kind, bent->surroundings));
+    auto bent = std::make_shared<model::Body>(*affected.model.body);
+    const model::PackedElements shapes = model::pack_elements(
+        fem::make_elements(free_cells, bent->kind, bent->surroundings));
     std::visit(
         [&](auto& cells) {
             const auto& shape = std::get<std::decay_t<decltype(cells)>>(shapes);
@@ -46,15 +50,20 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     const int along = clamp_axis(search.sites.front()).axis;
     std::vector<EffectProbe> list;
     for (int axis = 0; axis < 3; ++axis)
-        if (axis != along) list.push_back(probe({{"curvature_1_m", 0.1}, {"axis", static_cast<double>(axis)}}, "curvature_1_m"));
+        if (axis != along)
+            list.push_back(probe({{"curvature_1_m", 0.1}, {"axis", static_cast<double>(axis)}}, "curvature_1_m"));
     return list;
 }
 
 }  // namespace
 
 Effect intrinsic_curvature() {
-    return {"intrinsic_curvature", EffectStage::material, "the stress-free shape is bent",
-            {fitted_number("curvature_1_m", -100.0, 100.0, 1.0), {"axis", EffectParameterKind::axis}}, apply, probes};
+    return {"intrinsic_curvature",
+            EffectStage::material,
+            "the stress-free shape is bent",
+            {fitted_number("curvature_1_m", -100.0, 100.0, 1.0), {"axis", EffectParameterKind::axis}},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -2,13 +2,14 @@
 #include "model/loaded_face.hpp"
 #include "model/surface_drag.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* coefficient = "coefficient_Pa_s_m";
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    affected.model.force_elements.push_back(surface_drag(*site.body, free_faces(*site.body), number(parameters, coefficient), 0.0));
+    affected.model.force_elements.push_back(
+        model::surface_drag(*site.body, model::free_faces(*site.body), number(parameters, coefficient), 0.0));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 5.0}}, coefficient)}; }
@@ -16,8 +17,12 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficie
 }  // namespace
 
 Effect linear_drag() {
-    return {"linear_drag", EffectStage::force, "drag of a resting fluid in proportion to the speed",
-            {fitted_number(coefficient, 0.0, 1e5, 20.0, true)}, apply, probes};
+    return {"linear_drag",
+            EffectStage::force,
+            "drag of a resting fluid in proportion to the speed",
+            {fitted_number(coefficient, 0.0, 1e5, 20.0, true)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,22 +1,28 @@
 #include "effect/effects.hpp"
 #include "effect/markers_by_name.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const int marker = marker_number(site, text(parameters, "marker"));
     if (marker < 0) return;
-    affected.seen.shifts.push_back({static_cast<std::size_t>(marker), vector(parameters, "shift_m"), number(parameters, "time_s")});
+    affected.seen.shifts.push_back(
+        {static_cast<std::size_t>(marker), vector(parameters, "shift_m"), number(parameters, "time_s")});
 }
 
 }  // namespace
 
 Effect marker_slip() {
-    return {"marker_slip", EffectStage::measurement, "a marker moves by a fixed vector at some time",
-            {{"marker", EffectParameterKind::marker}, {"shift_m", EffectParameterKind::vector3, false, -10.0, 10.0, 1e-3}, {"time_s", EffectParameterKind::number},
+    return {"marker_slip",
+            EffectStage::measurement,
+            "a marker moves by a fixed vector at some time",
+            {{"marker", EffectParameterKind::marker},
+             {"shift_m", EffectParameterKind::vector3, false, -10.0, 10.0, 1e-3},
+             {"time_s", EffectParameterKind::number},
              {"trial", EffectParameterKind::trial, true}},
-            apply, nullptr};
+            apply,
+            nullptr};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,21 +1,28 @@
 #include "effect/effects.hpp"
 #include "effect/markers_by_name.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const auto& names = std::get<std::vector<std::string>>(parameters.at("markers"));
     const int first = marker_number(site, names[0]), second = marker_number(site, names[1]);
-    if (first < 0 || second < 0) return;   // of fixed markers: nothing that is compared
-    affected.seen.swaps.push_back({static_cast<std::size_t>(first), static_cast<std::size_t>(second), number(parameters, "time_s")});
+    if (first < 0 || second < 0) return;  // of fixed markers: nothing that is compared
+    affected.seen.swaps.push_back(
+        {static_cast<std::size_t>(first), static_cast<std::size_t>(second), number(parameters, "time_s")});
 }
 
 }  // namespace
 
 Effect marker_swap() {
-    return {"marker_swap", EffectStage::measurement, "two markers exchange their names from some time on",
-            {{"markers", EffectParameterKind::marker_pair}, {"time_s", EffectParameterKind::number}, {"trial", EffectParameterKind::trial, true}}, apply, nullptr};
+    return {"marker_swap",
+            EffectStage::measurement,
+            "two markers exchange their names from some time on",
+            {{"markers", EffectParameterKind::marker_pair},
+             {"time_s", EffectParameterKind::number},
+             {"trial", EffectParameterKind::trial, true}},
+            apply,
+            nullptr};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

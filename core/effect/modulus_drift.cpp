@@ -2,19 +2,20 @@
 
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* rate = "rate_1_s";
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const double factor = std::max(0.01, 1.0 + number(parameters, rate) * site.session_time_s);
-    for (Moduli& m : affected.model.moduli) m = {factor * m.mu, factor * m.kappa};
+    for (material::Moduli& m : affected.model.moduli) m = {factor * m.mu, factor * m.kappa};
 }
 
 double longest_time(const EffectSearch& search) {
     double longest = 0.0;
-    for (const EffectSite& site : search.sites) longest = std::max(longest, std::abs(site.session_time_s - search.sites.front().session_time_s));
+    for (const EffectSite& site : search.sites)
+        longest = std::max(longest, std::abs(site.session_time_s - search.sites.front().session_time_s));
     return longest;
 }
 
@@ -27,7 +28,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect modulus_drift() {
-    return {"modulus_drift", EffectStage::material, "the modulus drifts over the session", {fitted_number(rate, -1.0, 1.0, 1e-4)}, apply, probes};
+    return {"modulus_drift",
+            EffectStage::material,
+            "the modulus drifts over the session",
+            {fitted_number(rate, -1.0, 1.0, 1e-4)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

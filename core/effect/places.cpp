@@ -10,7 +10,7 @@
 #include "mesh/closest_point.hpp"
 #include "model/loaded_face.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Index;
@@ -48,7 +48,8 @@ Vector3d clamp_centre(const EffectSite& site) {
 Vector3d triangle_shares(const Eigen::Matrix3d& corners, const Vector3d& point) {
     const Vector3d a = corners.col(1) - corners.col(0), b = corners.col(2) - corners.col(0), normal = a.cross(b);
     const double area = normal.squaredNorm();
-    const double v = normal.dot((point - corners.col(0)).cross(b)) / area, w = normal.dot(a.cross(point - corners.col(0))) / area;
+    const double v = normal.dot((point - corners.col(0)).cross(b)) / area,
+                 w = normal.dot(a.cross(point - corners.col(0))) / area;
     Vector3d shares(1.0 - v - w, v, w);
     shares = shares.cwiseMax(0.0);
     return shares / shares.sum();
@@ -56,8 +57,9 @@ Vector3d triangle_shares(const Eigen::Matrix3d& corners, const Vector3d& point) 
 
 }  // namespace
 
-SurfacePlace surface_place(const Body& body, const Vector3d& near_m) {
-    const BoundaryPoint at = closest_boundary_point(BoundaryLocator(body.mesh, body.boundary), near_m);
+SurfacePlace surface_place(const model::Body& body, const Vector3d& near_m) {
+    const mesh::BoundaryPoint at = mesh::closest_boundary_point(mesh::BoundaryLocator(body.mesh, body.boundary),
+                                                                near_m);
     SurfacePlace place;
     place.cell = at.cell;
     place.point = at.point;
@@ -68,7 +70,8 @@ SurfacePlace surface_place(const Body& body, const Vector3d& near_m) {
         place.shares = at.weights.cwiseMax(0.0) / at.weights.cwiseMax(0.0).sum();
         return place;
     }
-    // Quadratic shapes are negative in parts of the face, as no mass may be: linear ones on the quarter that holds the point.
+    // Quadratic shapes are negative in parts of the face, as no mass may be: linear ones on the quarter that holds the
+    // point.
     constexpr std::array<std::array<int, 3>, 4> quarters = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
     double nearest = std::numeric_limits<double>::max();
     for (const std::array<int, 3>& quarter : quarters) {
@@ -86,11 +89,12 @@ SurfacePlace surface_place(const Body& body, const Vector3d& near_m) {
 }
 
 std::vector<Vector3d> spread_surface_points(const EffectSite& site, std::size_t count) {
-    const Body& body = *site.body;
-    const std::vector<int> faces = free_faces(body);
+    const model::Body& body = *site.body;
+    const std::vector<int> faces = model::free_faces(body);
     Matrix3Xd centres(3, static_cast<Index>(faces.size()));
     for (std::size_t f = 0; f < faces.size(); ++f)
-        centres.col(static_cast<Index>(f)) = Matrix3Xd(body.mesh.nodes(Eigen::all, body.boundary.nodes.col(faces[f]))).rowwise().mean();
+        centres.col(static_cast<Index>(
+            f)) = Matrix3Xd(body.mesh.nodes(Eigen::all, body.boundary.nodes.col(faces[f]))).rowwise().mean();
     return spread(centres, clamp_centre(site), count);
 }
 
@@ -98,9 +102,10 @@ std::vector<Vector3d> spread_cells(const EffectSite& site, std::size_t count) {
     return spread(cell_centres(*site.body), clamp_centre(site), count);
 }
 
-Matrix3Xd cell_centres(const Body& body) {
+Matrix3Xd cell_centres(const model::Body& body) {
     Matrix3Xd centres(3, body.cell_count());
-    for (Index c = 0; c < centres.cols(); ++c) centres.col(c) = Matrix3Xd(body.mesh.nodes(Eigen::all, body.mesh.cells.col(c))).rowwise().mean();
+    for (Index c = 0; c < centres.cols(); ++c)
+        centres.col(c) = Matrix3Xd(body.mesh.nodes(Eigen::all, body.mesh.cells.col(c))).rowwise().mean();
     return centres;
 }
 
@@ -124,4 +129,4 @@ ClampAxis clamp_axis(const EffectSite& site) {
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,13 +1,14 @@
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const SurfacePlace place = surface_place(*site.body, vector(parameters, "position_m"));
     Eigen::VectorXd share = Eigen::VectorXd::Zero(site.body->node_count());
-    for (std::size_t a = 0; a < place.nodes.size(); ++a) share(place.nodes[a]) += place.shares(static_cast<Eigen::Index>(a));
+    for (std::size_t a = 0; a < place.nodes.size(); ++a)
+        share(place.nodes[a]) += place.shares(static_cast<Eigen::Index>(a));
     affected.model.masses.push_back({std::move(share), number(parameters, "mass_kg")});
 }
 
@@ -23,8 +24,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect point_mass() {
-    return {"point_mass", EffectStage::force, "a mass that nobody declared sits at a point of the surface",
-            {fitted_number("mass_kg", 0.0, 10.0, 0.002, true), {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01}}, apply, probes};
+    return {"point_mass",
+            EffectStage::force,
+            "a mass that nobody declared sits at a point of the surface",
+            {fitted_number("mass_kg", 0.0, 10.0, 0.002, true),
+             {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01}},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

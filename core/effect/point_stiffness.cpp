@@ -5,14 +5,14 @@
 #include "model/internal_forces.hpp"
 #include "model/rest_points.hpp"
 
-namespace myo {
+namespace myo::effect {
 
 void scale_stiffness(const EffectSite& site, const std::function<double(const Eigen::Vector3d&)>& factor,
                      Affected& affected) {
-    const Eigen::Matrix3Xd points = rest_points(*site.body);
+    const Eigen::Matrix3Xd points = model::rest_points(*site.body);
     Eigen::VectorXd factors(points.cols());
     for (Eigen::Index i = 0; i < factors.size(); ++i) factors(i) = std::max(0.01, factor(points.col(i)));
-    affected.model.point_factors = times_factors(affected.model.point_factors, factors);
+    affected.model.point_factors = model::times_factors(affected.model.point_factors, factors);
 }
 
-}  // namespace myo
+}  // namespace myo::effect

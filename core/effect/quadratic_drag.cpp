@@ -2,13 +2,14 @@
 #include "model/loaded_face.hpp"
 #include "model/surface_drag.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* coefficient = "coefficient_kg_m3";
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    affected.model.force_elements.push_back(surface_drag(*site.body, free_faces(*site.body), 0.0, number(parameters, coefficient)));
+    affected.model.force_elements.push_back(
+        model::surface_drag(*site.body, model::free_faces(*site.body), 0.0, number(parameters, coefficient)));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 50.0}}, coefficient)}; }
@@ -16,8 +17,12 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficie
 }  // namespace
 
 Effect quadratic_drag() {
-    return {"quadratic_drag", EffectStage::force, "drag of a resting fluid that grows with the square of the speed",
-            {fitted_number(coefficient, 0.0, 1e6, 300.0, true)}, apply, probes};
+    return {"quadratic_drag",
+            EffectStage::force,
+            "drag of a resting fluid that grows with the square of the speed",
+            {fitted_number(coefficient, 0.0, 1e6, 300.0, true)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

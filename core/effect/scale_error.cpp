@@ -1,18 +1,25 @@
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* error = "relative_error";
 
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) { affected.seen.scale_error += number(parameters, error); }
+void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    affected.seen.scale_error += number(parameters, error);
+}
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{error, 0.002}}, error)}; }
 
 }  // namespace
 
 Effect scale_error() {
-    return {"scale_error", EffectStage::measurement, "all coordinates are off by a factor about the origin", {fitted_number(error, -0.5, 2.0, 0.01)}, apply, probes};
+    return {"scale_error",
+            EffectStage::measurement,
+            "all coordinates are off by a factor about the origin",
+            {fitted_number(error, -0.5, 2.0, 0.01)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -3,26 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
-namespace myo {
+namespace myo::effect {
 
-bool moves(const Signal& signal) {
-    return std::any_of(signal.values.begin(), signal.values.end(), [&](double value) { return value != signal.values.front(); });
+bool moves(const fibre::Signal& signal) {
+    return std::any_of(signal.values.begin(), signal.values.end(),
+                       [&](double value) { return value != signal.values.front(); });
 }
 
-bool acts(const Signal& signal) {
+bool acts(const fibre::Signal& signal) {
     return std::any_of(signal.values.begin(), signal.values.end(), [](double value) { return value != 1.0; });
 }
 
 namespace {
 
 /// The signal at multiples of `spacing` and on both sides of its jumps.
-Signal sampled(const Signal& signal, double spacing, double end_s) {
+fibre::Signal sampled(const fibre::Signal& signal, double spacing, double end_s) {
     const auto count = static_cast<std::size_t>(std::ceil(end_s / spacing)) + 2;
     std::vector<double> jumps = signal.jumps();
     std::erase_if(jumps, [&](double t) { return t < 0.0 || t >= static_cast<double>(count - 1) * spacing; });
     jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
     // What stood before the start has been so for ever.
-    Signal samples{{0.0}, {signal.value_before(0.0)}};
+    fibre::Signal samples{{0.0}, {signal.value_before(0.0)}};
     const auto add = [&](double t, double value) {
         samples.times_s.push_back(t);
         samples.values.push_back(value);
@@ -42,9 +43,9 @@ Signal sampled(const Signal& signal, double spacing, double end_s) {
 }  // namespace
 
 void respond_to_signals(SignalKind kind, const Response& respond, Affected& affected) {
-    for (Signal& signal : affected.model.activation) {
+    for (fibre::Signal& signal : affected.model.activation) {
         if (!kind(signal)) continue;
-        Signal samples = sampled(signal, 0.25 * affected.options.h_s, affected.options.end_s);
+        fibre::Signal samples = sampled(signal, 0.25 * affected.options.h_s, affected.options.end_s);
         for (double& value : samples.values) value -= 1.0;
         signal.values = respond(samples.times_s, samples.values);
         for (double& value : signal.values) value += 1.0;
@@ -53,10 +54,10 @@ void respond_to_signals(SignalKind kind, const Response& respond, Affected& affe
 }
 
 bool any_signal(SignalKind kind, const EffectSearch& search) {
-    for (const Model& model : search.models)
-        for (const Signal& signal : model.activation)
+    for (const model::Model& model : search.models)
+        for (const fibre::Signal& signal : model.activation)
             if (kind(signal)) return true;
     return false;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

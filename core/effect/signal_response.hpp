@@ -4,7 +4,7 @@
 
 #include "effect/effect.hpp"
 
-namespace myo {
+namespace myo::effect {
 
 /// What an actuator makes of u = a - 1: at rest with u(0) before t = 0, then sample by sample.
 ///
@@ -16,13 +16,13 @@ using Response = std::function<std::vector<double>(const std::vector<double>& ti
 
 /// Which signals an actuator answers to otherwise than they say: one that follows late those that move, one that loses
 /// what it holds all that are anywhere off their rest, constant ones too.
-using SignalKind = bool (*)(const Signal&);
-bool moves(const Signal& signal);
-bool acts(const Signal& signal);
+using SignalKind = bool (*)(const fibre::Signal&);
+bool moves(const fibre::Signal& signal);
+bool acts(const fibre::Signal& signal);
 
 void respond_to_signals(SignalKind kind, const Response& respond, Affected& affected);
 
 /// Whether any trial has a signal of this kind.
 bool any_signal(SignalKind kind, const EffectSearch& search);
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,16 +1,19 @@
 #include <cmath>
 
-#include "effect/point_stiffness.hpp"
 #include "effect/effects.hpp"
 #include "effect/places.hpp"
+#include "effect/point_stiffness.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const Eigen::Vector3d centre = vector(parameters, "centre_m");
     const double r = number(parameters, "relative_change"), R = number(parameters, "radius_m");
-    scale_stiffness(site, [&](const Eigen::Vector3d& at) { return 1.0 + r * std::exp(-(at - centre).squaredNorm() / (2.0 * R * R)); }, affected);
+    scale_stiffness(
+        site,
+        [&](const Eigen::Vector3d& at) { return 1.0 + r * std::exp(-(at - centre).squaredNorm() / (2.0 * R * R)); },
+        affected);
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
@@ -18,20 +21,25 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     const double size = std::cbrt(site.body->volume_m3);
     std::vector<EffectProbe> list;
     for (const Eigen::Vector3d& centre : spread_cells(site, 9))
-        list.push_back(probe({{"relative_change", -0.1}, {"centre_m", Eigen::VectorXd(centre)}, {"radius_m", 0.3 * size}}, "relative_change"));
+        list.push_back(
+            probe({{"relative_change", -0.1}, {"centre_m", Eigen::VectorXd(centre)}, {"radius_m", 0.3 * size}},
+                  "relative_change"));
     return list;
 }
 
 }  // namespace
 
 Effect soft_patch() {
-    Effect effect{"soft_patch", EffectStage::material, "the modulus differs around a point",
+    Effect effect{"soft_patch",
+                  EffectStage::material,
+                  "the modulus differs around a point",
                   {fitted_number("relative_change", -0.98, 20.0, 0.3),
                    {"centre_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
                    fitted_number("radius_m", 1e-4, 10.0, 0.005, true)},
-                  apply, probes};
+                  apply,
+                  probes};
     effect.varies_within_cells = true;
     return effect;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,13 +1,14 @@
-#include "effect/point_stiffness.hpp"
 #include "effect/effects.hpp"
+#include "effect/point_stiffness.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const auto axis = static_cast<Eigen::Index>(number(parameters, "axis"));
     const Eigen::RowVectorXd coordinate = site.body->mesh.nodes.row(axis);
-    const double lowest = coordinate.minCoeff(), size = coordinate.maxCoeff() - lowest, r = number(parameters, "relative_change");
+    const double lowest = coordinate.minCoeff(), size = coordinate.maxCoeff() - lowest,
+                 r = number(parameters, "relative_change");
     scale_stiffness(
         site, [&](const Eigen::Vector3d& X) { return 1.0 + r * ((X(axis) - lowest) / size - 0.5); }, affected);
 }
@@ -29,11 +30,14 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 
 Effect stiffness_gradient() {
     // Beyond 2 the modulus would be negative at one end.
-    Effect effect{"stiffness_gradient", EffectStage::material, "the modulus is linear in one coordinate",
+    Effect effect{"stiffness_gradient",
+                  EffectStage::material,
+                  "the modulus is linear in one coordinate",
                   {fitted_number("relative_change", -1.98, 1.98, 0.3), {"axis", EffectParameterKind::axis}},
-                  apply, probes};
+                  apply,
+                  probes};
     effect.varies_within_cells = true;
     return effect;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

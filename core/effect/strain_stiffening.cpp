@@ -2,13 +2,13 @@
 
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* c2 = "yeoh_c2";
 
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
-    affected.model.material = strain_stiffening(affected.model.material, number(parameters, c2));
+    affected.model.material = material::strain_stiffening(affected.model.material, number(parameters, c2));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}}, c2)}; }
@@ -16,10 +16,14 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}
 }  // namespace
 
 Effect strain_stiffening_effect() {
-    Effect effect{"strain_stiffening", EffectStage::material, "the material stiffens with strain (Yeoh's second term)",
-                  {fitted_number(c2, -0.2, 1e3, 0.5)}, apply, probes};
+    Effect effect{"strain_stiffening",
+                  EffectStage::material,
+                  "the material stiffens with strain (Yeoh's second term)",
+                  {fitted_number(c2, -0.2, 1e3, 0.5)},
+                  apply,
+                  probes};
     effect.varies_within_cells = true;
     return effect;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

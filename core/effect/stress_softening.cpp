@@ -1,30 +1,35 @@
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* damage = "damage_max";
 constexpr const char* scale = "energy_scale_J_m3";
 
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
-    if (number(parameters, damage) > 0.0) affected.model.softening = StressSoftening{number(parameters, damage), number(parameters, scale)};
+    if (number(parameters, damage) > 0.0)
+        affected.model.softening = material::StressSoftening{number(parameters, damage), number(parameters, scale)};
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     if (search.largest_energy_density_J_m3 > 0.0)
-        for (const double part : {0.03, 0.3, 1.5}) list.push_back(probe({{damage, 0.1}, {scale, part * search.largest_energy_density_J_m3}}, damage));
+        for (const double part : {0.03, 0.3, 1.5})
+            list.push_back(probe({{damage, 0.1}, {scale, part * search.largest_energy_density_J_m3}}, damage));
     return list;
 }
 
 }  // namespace
 
 Effect stress_softening() {
-    Effect effect{"stress_softening", EffectStage::material,
+    Effect effect{"stress_softening",
+                  EffectStage::material,
                   "the stress softens with the largest energy that a point has seen",
-                  {fitted_number(damage, 0.0, 0.98, 0.1), fitted_number(scale, 1e-3, 1e7, 10.0, true)}, apply, probes};
+                  {fitted_number(damage, 0.0, 0.98, 0.1), fitted_number(scale, 1e-3, 1e7, 10.0, true)},
+                  apply,
+                  probes};
     effect.varies_within_cells = true;
     return effect;
 }
 
-}  // namespace myo
+}  // namespace myo::effect

@@ -1,13 +1,14 @@
 #include "effect/effects.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 constexpr const char* ratio = "modulus_ratio";
 constexpr const char* time = "relaxation_time_s";
 
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
-    if (number(parameters, ratio) > 0.0) affected.model.creep = MaxwellBranch{number(parameters, ratio), number(parameters, time)};
+    if (number(parameters, ratio) > 0.0)
+        affected.model.creep = material::MaxwellBranch{number(parameters, ratio), number(parameters, time)};
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) {
@@ -19,8 +20,12 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 }  // namespace
 
 Effect viscoelastic_creep() {
-    return {"viscoelastic_creep", EffectStage::material, "a Maxwell branch beside the elastic network, on the deviatoric stress",
-            {fitted_number(ratio, 0.0, 50.0, 0.1, true), fitted_number(time, 1e-3, 1e4, 0.05, true)}, apply, probes};
+    return {"viscoelastic_creep",
+            EffectStage::material,
+            "a Maxwell branch beside the elastic network, on the deviatoric stress",
+            {fitted_number(ratio, 0.0, 50.0, 0.1, true), fitted_number(time, 1e-3, 1e4, 0.05, true)},
+            apply,
+            probes};
 }
 
-}  // namespace myo
+}  // namespace myo::effect

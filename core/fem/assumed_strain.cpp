@@ -6,7 +6,7 @@
 #include "fem/quadrature.hpp"
 #include "fem/shape_functions.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
 using Eigen::Matrix3d;
@@ -31,7 +31,7 @@ Vector6d symmetric_product(const Vector3d& a, const Vector3d& b) {
 AssumedStrainGeometry::Plane plane_of(const Vector3d& g_i, const Vector3d& g_j) {
     Eigen::Matrix<double, 3, 2> g, dual;
     g << g_i, g_j;
-    const Eigen::Matrix2d metric = (g.transpose() * g).inverse();   // contravariant
+    const Eigen::Matrix2d metric = (g.transpose() * g).inverse();  // contravariant
     dual = g * metric;
     AssumedStrainGeometry::Plane plane;
     plane.in_plane << symmetric_product(dual.col(0), dual.col(0)), symmetric_product(dual.col(1), dual.col(1)),
@@ -67,7 +67,7 @@ AssumedStrainGeometry geometry_of(const Eigen::Matrix<double, 3, 8>& X) {
 
 }  // namespace
 
-AssumedStrainBlock assumed_strain_block(const VolumeMesh& mesh, const CellSurroundings& surroundings,
+AssumedStrainBlock assumed_strain_block(const mesh::VolumeMesh& mesh, const CellSurroundings& surroundings,
                                         const AssumedStrainPolicy& policy) {
     AssumedStrainBlock block;
     block.cells = mesh.cells;
@@ -81,4 +81,4 @@ AssumedStrainBlock assumed_strain_block(const VolumeMesh& mesh, const CellSurrou
     return block;
 }
 
-}  // namespace myo
+}  // namespace myo::fem

@@ -8,7 +8,7 @@
 #include "fem/cell_sides.hpp"
 #include "mesh/volume_mesh.hpp"
 
-namespace myo {
+namespace myo::fem {
 
 /// A hexahedron whose strain varies within it as in a plate that bends, in three planes at once.
 ///
@@ -32,18 +32,18 @@ struct AssumedStrainGeometry {
     /// What varies along an edge: strains (E_ii, E_jj, 2 E_ij), covariant in the plane of the edges i and j, as a
     /// symmetric tensor (xx, yy, zz, xy, yz, zx).
     struct Plane {
-        Eigen::Matrix<double, 6, 3> in_plane;   // [1/m2]
-        Eigen::Vector3d trace;                  // of it [1/m2]
-        Eigen::Matrix<double, 6, 1> normal;     // n n'
+        Eigen::Matrix<double, 6, 3> in_plane;  // [1/m2]
+        Eigen::Vector3d trace;                 // of it [1/m2]
+        Eigen::Matrix<double, 6, 1> normal;    // n n'
     };
 
-    Eigen::Matrix<double, 8, 3> gradient;       // G: mean over the cell of the shape functions' gradients [1/m]
-    Eigen::Matrix<double, 8, 4> gamma;   // the shapes h at the corners / 8, made orthogonal to every linear field
-    Eigen::Matrix3d edges;                      // half edges of the cell's middle as columns [m]
+    Eigen::Matrix<double, 8, 3> gradient;  // G: mean over the cell of the shape functions' gradients [1/m]
+    Eigen::Matrix<double, 8, 4> gamma;     // the shapes h at the corners / 8, made orthogonal to every linear field
+    Eigen::Matrix3d edges;                 // half edges of the cell's middle as columns [m]
     std::array<Plane, 3> planes;
-    std::array<Eigen::Matrix<double, 6, 1>, 3> along;   // t t' / |edge|^2 of each edge [1/m2]
-    std::array<double, 3> relaxed{0.0, 0.0, 0.0};       // of each plane: see AssumedStrainPolicy
-    double volume = 0.0;                        // [m3]
+    std::array<Eigen::Matrix<double, 6, 1>, 3> along;  // t t' / |edge|^2 of each edge [1/m2]
+    std::array<double, 3> relaxed{0.0, 0.0, 0.0};      // of each plane: see AssumedStrainPolicy
+    double volume = 0.0;                               // [m3]
 };
 
 /// All hexahedra of a mesh. cells: 8 x m node numbers.
@@ -76,7 +76,7 @@ struct AssumedStrainPolicy {
 };
 
 /// surroundings: empty for cells each by itself.
-AssumedStrainBlock assumed_strain_block(const VolumeMesh& mesh, const CellSurroundings& surroundings,
+AssumedStrainBlock assumed_strain_block(const mesh::VolumeMesh& mesh, const CellSurroundings& surroundings,
                                         const AssumedStrainPolicy& policy = {});
 
 /// Points at which a cell's law is evaluated: the middle and eight near the corners, at xi = (+-1, +-1, +-1) sqrt(3/5).
@@ -84,11 +84,11 @@ AssumedStrainBlock assumed_strain_block(const VolumeMesh& mesh, const CellSurrou
 /// exactly to its fourth power, so that one layer bends right with laws whose energy goes with it.
 namespace assumed_strain_rule {
 inline constexpr int points = 9;
-inline constexpr double middle_weight = 4.0 / 9.0, corner_weight = 5.0 / 72.0;   // of the volume
-inline constexpr double corner = 0.774596669241483377;                            // sqrt(3/5)
+inline constexpr double middle_weight = 4.0 / 9.0, corner_weight = 5.0 / 72.0;  // of the volume
+inline constexpr double corner = 0.774596669241483377;                          // sqrt(3/5)
 /// The strains B vary with products, whose mean square the rule makes 1/5 instead of 1/9: so much of them stands at the
 /// points.
-inline constexpr double bilinear_share = 0.745355992499929899;                    // sqrt(5)/3
+inline constexpr double bilinear_share = 0.745355992499929899;  // sqrt(5)/3
 }  // namespace assumed_strain_rule
 
 /// Reference coordinates of the point.
@@ -99,4 +99,4 @@ inline Eigen::Vector3d assumed_strain_point(int q) {
            Eigen::Vector3d(bits & 1 ? 1.0 : -1.0, bits & 2 ? 1.0 : -1.0, bits & 4 ? 1.0 : -1.0);
 }
 
-}  // namespace myo
+}  // namespace myo::fem

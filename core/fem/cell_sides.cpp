@@ -6,22 +6,23 @@
 
 #include "mesh/face_table.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
-CellSurroundings around_hexahedra(const VolumeMesh& mesh, const std::vector<bool>& clamped) {
-    const FaceTable faces = face_table(mesh);
+CellSurroundings around_hexahedra(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
+    const mesh::FaceTable faces = mesh::face_table(mesh);
     CellSurroundings result(static_cast<std::size_t>(mesh.cell_count()));
     for (std::size_t c = 0; c < result.size(); ++c) {
-        std::array<int, 3> held{}, open{};   // sides
+        std::array<int, 3> held{}, open{};  // sides
         for (std::size_t k = 0; k < 3; ++k)
-            for (const std::size_t side : {0u, 1u}) {   // faces of a cell are listed x-, x+, y-, ...
+            for (const std::size_t side : {0u, 1u}) {  // faces of a cell are listed x-, x+, y-, ...
                 const auto face = static_cast<Eigen::Index>(6 * c + 2 * k + side);
                 const auto nodes = faces.nodes.col(face);
                 if (std::all_of(nodes.begin(), nodes.end(),
                                 [&](int node) { return clamped[static_cast<std::size_t>(node)]; }))
                     ++held[k];
-                else if (faces.beyond(face) < 0) ++open[k];
+                else if (faces.beyond(face) < 0)
+                    ++open[k];
             }
         const bool at_clamp = held[0] + held[1] + held[2] > 0;
         for (std::size_t k = 0; k < 3; ++k)
@@ -36,7 +37,7 @@ CellSurroundings around_hexahedra(const VolumeMesh& mesh, const std::vector<bool
 using Normals = std::vector<Eigen::Vector3d>;
 
 bool opposite(const Normals& normals) {
-    constexpr double most = -0.5;   // cosine: sides of a wall, not of an edge of a box
+    constexpr double most = -0.5;  // cosine: sides of a wall, not of an edge of a box
     for (std::size_t i = 0; i < normals.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (normals[i].dot(normals[j]) < most) return true;
@@ -45,11 +46,11 @@ bool opposite(const Normals& normals) {
 
 /// Whether nodes see two opposite sides of the body: those on its surface the sides that they lie on, those within what
 /// their neighbours lie on. Cells with such corners are one or two to the thickness.
-std::vector<bool> see_both_sides(const VolumeMesh& mesh, const std::vector<bool>& clamped,
+std::vector<bool> see_both_sides(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped,
                                  const std::vector<Normals>& on) {
     std::vector<Normals> seen = on;
     std::vector<bool> outside(on.size());
-    const BoundaryFaces faces = boundary_faces(mesh);
+    const mesh::BoundaryFaces faces = mesh::boundary_faces(mesh);
     for (const int node : faces.nodes.reshaped()) outside[static_cast<std::size_t>(node)] = true;
     for (const auto& cell : mesh.cells.colwise())
         for (int a = 0; a < 4; ++a) {
@@ -68,9 +69,9 @@ std::vector<bool> see_both_sides(const VolumeMesh& mesh, const std::vector<bool>
     return result;
 }
 
-std::vector<Normals> normals_at_nodes(const VolumeMesh& mesh, const std::vector<bool>& clamped) {
+std::vector<Normals> normals_at_nodes(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
     std::vector<Normals> normals(clamped.size());
-    const BoundaryFaces faces = boundary_faces(mesh);
+    const mesh::BoundaryFaces faces = mesh::boundary_faces(mesh);
     for (const auto& face : faces.nodes.colwise()) {
         const auto corners = face.head<3>();
         if (std::all_of(corners.begin(), corners.end(),
@@ -87,7 +88,7 @@ std::vector<Normals> normals_at_nodes(const VolumeMesh& mesh, const std::vector<
     return normals;
 }
 
-CellSurroundings around_tetrahedra(const VolumeMesh& mesh, const std::vector<bool>& clamped) {
+CellSurroundings around_tetrahedra(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
     const std::vector<Normals> on = normals_at_nodes(mesh, clamped);
     const std::vector<bool> both = see_both_sides(mesh, clamped, on);
     CellSurroundings result;
@@ -110,8 +111,8 @@ CellSurroundings around_tetrahedra(const VolumeMesh& mesh, const std::vector<boo
 
 }  // namespace
 
-CellSurroundings cell_surroundings(const VolumeMesh& mesh, const std::vector<bool>& clamped) {
-    return mesh.type == CellType::hex8 ? around_hexahedra(mesh, clamped) : around_tetrahedra(mesh, clamped);
+CellSurroundings cell_surroundings(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
+    return mesh.type == mesh::CellType::hex8 ? around_hexahedra(mesh, clamped) : around_tetrahedra(mesh, clamped);
 }
 
-}  // namespace myo
+}  // namespace myo::fem

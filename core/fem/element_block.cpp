@@ -8,7 +8,7 @@
 #include "fem/quadrature.hpp"
 #include "fem/shape_functions.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
 constexpr NameTable<ElementKind, 7> element_names{{{
@@ -22,14 +22,15 @@ constexpr NameTable<ElementKind, 7> element_names{{{
 }}};
 
 template <int N>
-Eigen::Matrix<double, 3, N> cell_positions(const VolumeMesh& mesh, Eigen::Index cell) {
+Eigen::Matrix<double, 3, N> cell_positions(const mesh::VolumeMesh& mesh, Eigen::Index cell) {
     Eigen::Matrix<double, 3, N> X;
     for (int a = 0; a < N; ++a) X.col(a) = mesh.nodes.col(mesh.cells(a, cell));
     return X;
 }
 
 template <class Shape, int Q>
-ElementBlock<Shape::nodes, Q> gauss_block(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule, bool mean_volume) {
+ElementBlock<Shape::nodes, Q> gauss_block(const mesh::VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
+                                          bool mean_volume) {
     constexpr int N = Shape::nodes;
     assert(rule.size() == Q);
     ElementBlock<N, Q> block;
@@ -41,7 +42,7 @@ ElementBlock<Shape::nodes, Q> gauss_block(const VolumeMesh& mesh, const std::vec
         auto& geometry = block.geometry[static_cast<std::size_t>(c)];
         for (std::size_t q = 0; q < Q; ++q) {
             const Eigen::Matrix<double, N, 3> D = Shape::derivatives(rule[q].xi);
-            const Eigen::Matrix3d jacobian = X * D;   // dX/dxi
+            const Eigen::Matrix3d jacobian = X * D;  // dX/dxi
             geometry.gradient[q] = D * jacobian.inverse();
             geometry.weight[q] = rule[q].weight * jacobian.determinant();
             geometry.volume += geometry.weight[q];
@@ -52,7 +53,7 @@ ElementBlock<Shape::nodes, Q> gauss_block(const VolumeMesh& mesh, const std::vec
 
 /// Quadratic tetrahedra with a mean volume and a part of the bulk modulus at their points.
 template <int Q>
-ElementBlock<10, Q> tet10_block(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
+ElementBlock<10, Q> tet10_block(const mesh::VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
                                 const CellSurroundings& surroundings) {
     auto block = gauss_block<Tet10, Q>(mesh, rule, true);
     const PointBulkPolicy policy;
@@ -63,7 +64,8 @@ ElementBlock<10, Q> tet10_block(const VolumeMesh& mesh, const std::vector<Quadra
 }
 
 template <class Shape>
-void add_cell_mass(const VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule, std::vector<MassEntry>& entries) {
+void add_cell_mass(const mesh::VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
+                   std::vector<MassEntry>& entries) {
     constexpr int N = Shape::nodes;
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         const auto X = cell_positions<N>(mesh, c);
@@ -84,20 +86,20 @@ std::string to_string(ElementKind kind) { return element_names.name(kind); }
 std::vector<std::string> element_ids() { return element_names.names(); }
 bool parse_element(const std::string& id, ElementKind& kind) { return element_names.find(id, kind); }
 
-CellType cell_type(ElementKind kind) {
+mesh::CellType cell_type(ElementKind kind) {
     switch (kind) {
         case ElementKind::tet10:
         case ElementKind::tet10_fine:
-        case ElementKind::tet10_full: return CellType::tet10;
-        case ElementKind::tet4: return CellType::tet4;
+        case ElementKind::tet10_full: return mesh::CellType::tet10;
+        case ElementKind::tet4: return mesh::CellType::tet4;
         case ElementKind::hex8:
         case ElementKind::hex8_mean_dilatation:
         case ElementKind::hex8_full: break;
     }
-    return CellType::hex8;
+    return mesh::CellType::hex8;
 }
 
-ElementKind default_element(CellType type) {
+ElementKind default_element(mesh::CellType type) {
     for (const auto& entry : element_names.entries)
         if (cell_type(entry.value) == type) return entry.value;
     return ElementKind::hex8;
@@ -105,7 +107,7 @@ ElementKind default_element(CellType type) {
 
 ElementKind fine_element(ElementKind kind) { return kind == ElementKind::tet10 ? ElementKind::tet10_fine : kind; }
 
-Elements make_elements(const VolumeMesh& mesh, ElementKind kind, const CellSurroundings& surroundings) {
+Elements make_elements(const mesh::VolumeMesh& mesh, ElementKind kind, const CellSurroundings& surroundings) {
     assert(mesh.type == cell_type(kind));
     switch (kind) {
         case ElementKind::hex8_mean_dilatation: return gauss_block<Hex8, 8>(mesh, hex_gauss(2), true);
@@ -119,14 +121,14 @@ Elements make_elements(const VolumeMesh& mesh, ElementKind kind, const CellSurro
     return assumed_strain_block(mesh, surroundings);
 }
 
-std::vector<MassEntry> consistent_mass(const VolumeMesh& mesh) {
+std::vector<MassEntry> consistent_mass(const mesh::VolumeMesh& mesh) {
     std::vector<MassEntry> entries;
     switch (mesh.type) {
-        case CellType::hex8: add_cell_mass<Hex8>(mesh, hex_gauss(2), entries); break;
-        case CellType::tet4: add_cell_mass<Tet4>(mesh, tet_degree2(), entries); break;
-        case CellType::tet10: add_cell_mass<Tet10>(mesh, tet_degree5(), entries); break;
+        case mesh::CellType::hex8: add_cell_mass<Hex8>(mesh, hex_gauss(2), entries); break;
+        case mesh::CellType::tet4: add_cell_mass<Tet4>(mesh, tet_degree2(), entries); break;
+        case mesh::CellType::tet10: add_cell_mass<Tet10>(mesh, tet_degree5(), entries); break;
     }
     return entries;
 }
 
-}  // namespace myo
+}  // namespace myo::fem

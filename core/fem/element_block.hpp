@@ -10,25 +10,25 @@
 #include "fem/assumed_strain.hpp"
 #include "mesh/volume_mesh.hpp"
 
-namespace myo {
+namespace myo::fem {
 
 /// Element formulations. The first of each cell type is the default.
 enum class ElementKind {
-    hex8,                   // assumed strains, nine points: no volumetric and no shear locking
-    hex8_mean_dilatation,   // eight points, one volume per cell: no volumetric locking
-    hex8_full,              // eight points: locks; as published, for comparison
-    tet10,                  // four points, one volume per cell: no locking
-    tet10_fine,             // the same at ten points: for what varies within cells, see fine_element()
-    tet10_full,             // four points
-    tet4,                   // one point: locks
+    hex8,                  // assumed strains, nine points: no volumetric and no shear locking
+    hex8_mean_dilatation,  // eight points, one volume per cell: no volumetric locking
+    hex8_full,             // eight points: locks; as published, for comparison
+    tet10,                 // four points, one volume per cell: no locking
+    tet10_fine,            // the same at ten points: for what varies within cells, see fine_element()
+    tet10_full,            // four points
+    tet4,                  // one point: locks
 };
 
 std::string to_string(ElementKind kind);
 std::vector<std::string> element_ids();
 /// False when there is no element of this name.
 bool parse_element(const std::string& id, ElementKind& kind);
-CellType cell_type(ElementKind kind);
-ElementKind default_element(CellType type);
+mesh::CellType cell_type(ElementKind kind);
+ElementKind default_element(mesh::CellType type);
 
 /// The element with the same nodes for what varies within its cells: fields of moduli, stiffening, softening. The
 /// kind itself unless it is tet10.
@@ -57,9 +57,9 @@ struct CellGeometry {
 /// one layer of a plate bends +10 / +5 / +1 / -1.6 % off; the thick beam of `myoloop bench locking` in three layers
 /// -0.9 / -1.8 / -2.4 / -2.9 %, and -0.2 % with 1.5 but for 2/3 next to the clamp.
 struct PointBulkPolicy {
-    double free = 4.0;            // nu 0.38
-    double inner = 1.5;           // nu 0.23
-    double clamped = 2.0 / 3.0;   // nu 0
+    double free = 4.0;           // nu 0.38
+    double inner = 1.5;          // nu 0.23
+    double clamped = 2.0 / 3.0;  // nu 0
 
     double over_mu(CellSides sides) const {
         return sides == CellSides::free ? free : sides == CellSides::inner ? inner : clamped;
@@ -73,18 +73,18 @@ struct ElementBlock {
     static constexpr int points = Q;
 
     bool mean_volume = false;
-    std::vector<double> point_bulk_over_mu;   // per cell, see PointBulkPolicy; empty: 0
+    std::vector<double> point_bulk_over_mu;  // per cell, see PointBulkPolicy; empty: 0
     Eigen::MatrixXi cells;
     std::vector<CellGeometry<N, Q>> geometry;
 
     int cell_count() const { return static_cast<int>(cells.cols()); }
 };
 
-using Elements =
-    std::variant<AssumedStrainBlock, ElementBlock<8, 8>, ElementBlock<4, 1>, ElementBlock<10, 4>, ElementBlock<10, 10>>;
+using Elements = std::variant<AssumedStrainBlock, ElementBlock<8, 8>, ElementBlock<4, 1>, ElementBlock<10, 4>,
+                              ElementBlock<10, 10>>;
 
 /// Asserts that the mesh has the kind's cell type. surroundings: empty for cells each by itself.
-Elements make_elements(const VolumeMesh& mesh, ElementKind kind, const CellSurroundings& surroundings = {});
+Elements make_elements(const mesh::VolumeMesh& mesh, ElementKind kind, const CellSurroundings& surroundings = {});
 
 /// Consistent mass per unit density [m3] as triplets (node, node, value) of the scalar n x n matrix, both triangles.
 struct MassEntry {
@@ -92,6 +92,6 @@ struct MassEntry {
     int column = 0;
     double value = 0.0;
 };
-std::vector<MassEntry> consistent_mass(const VolumeMesh& mesh);
+std::vector<MassEntry> consistent_mass(const mesh::VolumeMesh& mesh);
 
-}  // namespace myo
+}  // namespace myo::fem

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <vector>
 
-namespace myo {
+namespace myo::fem {
 
 struct QuadraturePoint {
     Eigen::Vector3d xi;
-    double weight = 0.0;   // sums to the reference volume: 8 (hexahedron), 1/6 (tetrahedron)
+    double weight = 0.0;  // sums to the reference volume: 8 (hexahedron), 1/6 (tetrahedron)
 };
 
 /// Gauss-Legendre, n per axis, n = 1, 2, 3. Exact to degree 2 n - 1 per axis.
@@ -33,8 +33,8 @@ inline void add_towards_corners(double a, double w, std::vector<QuadraturePoint>
 /// The six points with two barycentric coordinates a and two 1/2 - a: on the lines between the middles of edges.
 inline void add_towards_edges(double a, double w, std::vector<QuadraturePoint>& points) {
     const double b = 0.5 - a;
-    points.insert(points.end(), {{{a, a, b}, w}, {{a, b, a}, w}, {{b, a, a}, w}, {{b, b, a}, w}, {{b, a, b}, w},
-                                 {{a, b, b}, w}});
+    points.insert(points.end(),
+                  {{{a, a, b}, w}, {{a, b, a}, w}, {{b, a, a}, w}, {{b, b, a}, w}, {{b, a, b}, w}, {{a, b, b}, w}});
 }
 
 inline std::vector<QuadraturePoint> tet_centroid() { return {{{0.25, 0.25, 0.25}, 1.0 / 6.0}}; }
@@ -64,4 +64,4 @@ inline std::vector<QuadraturePoint> tet_degree5() {
     return points;
 }
 
-}  // namespace myo
+}  // namespace myo::fem

@@ -6,7 +6,7 @@
 #include "fem/shape_functions.hpp"
 #include "mesh/volume_mesh.hpp"
 
-namespace myo {
+namespace myo::fem {
 
 /// Reference coordinates of a point of a cell, by Newton's method from `middle`, those of a point well inside.
 ///
@@ -24,14 +24,14 @@ Eigen::Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Eigen::Ve
     return xi;
 }
 
-inline Eigen::Vector3d reference_coordinates(const VolumeMesh& mesh, int cell, const Eigen::Vector3d& point_m) {
+inline Eigen::Vector3d reference_coordinates(const mesh::VolumeMesh& mesh, int cell, const Eigen::Vector3d& point_m) {
     const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(cell));
     const Eigen::Vector3d in_tetrahedron = Eigen::Vector3d::Constant(0.25);
     switch (mesh.type) {
-        case CellType::tet4: return reference_coordinates<Tet4>(X, point_m, in_tetrahedron);
-        case CellType::tet10: return reference_coordinates<Tet10>(X, point_m, in_tetrahedron);
+        case mesh::CellType::tet4: return reference_coordinates<Tet4>(X, point_m, in_tetrahedron);
+        case mesh::CellType::tet10: return reference_coordinates<Tet10>(X, point_m, in_tetrahedron);
         default: return reference_coordinates<Hex8>(X, point_m, Eigen::Vector3d::Zero());
     }
 }
 
-}  // namespace myo
+}  // namespace myo::fem

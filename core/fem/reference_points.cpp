@@ -3,7 +3,7 @@
 #include "fem/quadrature.hpp"
 #include "fem/shape_functions.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
 template <class Shape>
@@ -30,4 +30,4 @@ std::vector<Eigen::VectorXd> shape_values_at_points(ElementKind kind) {
     return values;
 }
 
-}  // namespace myo
+}  // namespace myo::fem

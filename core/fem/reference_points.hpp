@@ -6,9 +6,9 @@
 
 #include "fem/element_block.hpp"
 
-namespace myo {
+namespace myo::fem {
 
 /// Shape functions at the points at which an element's law is evaluated, one vector per point.
 std::vector<Eigen::VectorXd> shape_values_at_points(ElementKind kind);
 
-}  // namespace myo
+}  // namespace myo::fem

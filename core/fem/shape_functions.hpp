@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace myo {
+namespace myo::fem {
 
 /// Shape functions on the reference cell in VTK's node order: values N (n) and derivatives dN/dxi (n x 3).
 ///
@@ -13,15 +13,16 @@ namespace myo {
 struct Hex8 {
     static constexpr int nodes = 8;
     static const Eigen::Matrix<double, 8, 3>& corners() {
-        static const Eigen::Matrix<double, 8, 3> signs = (Eigen::Matrix<double, 8, 3>() << -1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1,
-                                                          -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1)
+        static const Eigen::Matrix<double, 8, 3> signs = (Eigen::Matrix<double, 8, 3>() << -1, -1, -1, 1, -1, -1, 1, 1,
+                                                          -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1)
                                                              .finished();
         return signs;
     }
     static Eigen::Matrix<double, 8, 1> values(const Eigen::Vector3d& xi) {
         const auto& s = corners();
         Eigen::Matrix<double, 8, 1> N;
-        for (int a = 0; a < 8; ++a) N(a) = 0.125 * (1 + s(a, 0) * xi(0)) * (1 + s(a, 1) * xi(1)) * (1 + s(a, 2) * xi(2));
+        for (int a = 0; a < 8; ++a)
+            N(a) = 0.125 * (1 + s(a, 0) * xi(0)) * (1 + s(a, 1) * xi(1)) * (1 + s(a, 2) * xi(2));
         return N;
     }
     static Eigen::Matrix<double, 8, 3> derivatives(const Eigen::Vector3d& xi) {
@@ -54,7 +55,8 @@ struct Tet10 {
         const Eigen::Vector4d L = Tet4::values(xi);
         Eigen::Matrix<double, 10, 1> N;
         for (int a = 0; a < 4; ++a) N(a) = L(a) * (2.0 * L(a) - 1.0);
-        for (int e = 0; e < 6; ++e) N(4 + e) = 4.0 * L(edges[static_cast<std::size_t>(e)][0]) * L(edges[static_cast<std::size_t>(e)][1]);
+        for (int e = 0; e < 6; ++e)
+            N(4 + e) = 4.0 * L(edges[static_cast<std::size_t>(e)][0]) * L(edges[static_cast<std::size_t>(e)][1]);
         return N;
     }
     static Eigen::Matrix<double, 10, 3> derivatives(const Eigen::Vector3d& xi) {
@@ -70,4 +72,4 @@ struct Tet10 {
     }
 };
 
-}  // namespace myo
+}  // namespace myo::fem

@@ -8,14 +8,15 @@
 
 #include "fibre/cell_parts.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A cell counts as lying at the surface though its centre is up to so many edges above it: surfaces of voxels are not where the body's is.
+/// A cell counts as lying at the surface though its centre is up to so many edges above it: surfaces of voxels are not
+/// where the body's is.
 constexpr double above_surface = 0.5;
 
 Vector3d mirrored(const Vector3d& v, const Vector3d& normal) { return v - 2.0 * v.dot(normal) * normal; }
@@ -30,18 +31,23 @@ double Brush::weight(double distance_m) const {
     return strength * s * s * (3.0 - 2.0 * s);
 }
 
-CellPlaces cell_places(const VolumeMesh& mesh, const Eigen::Matrix2Xi& neighbours) {
+CellPlaces cell_places(const mesh::VolumeMesh& mesh, const Eigen::Matrix2Xi& neighbours) {
     CellPlaces places;
     places.centre_m.resize(3, mesh.cell_count());
     const CellPart whole = whole_cell(mesh.type);
-    for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) places.centre_m.col(c) = place_of(mesh, c, whole).centre_m;
-    for (const auto pair : neighbours.colwise()) places.edge_m += (places.centre_m.col(pair(0)) - places.centre_m.col(pair(1))).norm();
+    for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c)
+        places.centre_m.col(c) = place_of(mesh, c, whole).centre_m;
+    for (const auto pair : neighbours.colwise())
+        places.edge_m += (places.centre_m.col(pair(0)) - places.centre_m.col(pair(1))).norm();
     if (neighbours.cols() > 0) places.edge_m /= static_cast<double>(neighbours.cols());
     return places;
 }
 
 Stroke::Stroke(const CellPlaces& places, const Brush& brush)
-    : places_(places), brush_(brush), weights_(Eigen::VectorXd::Zero(places.centre_m.cols())), dyads_(static_cast<std::size_t>(places.centre_m.cols()), Matrix3d::Zero()) {
+    : places_(places),
+      brush_(brush),
+      weights_(Eigen::VectorXd::Zero(places.centre_m.cols())),
+      dyads_(static_cast<std::size_t>(places.centre_m.cols()), Matrix3d::Zero()) {
     assert(brush.radius_m > 0.0 && brush.falloff >= 0.0 && brush.falloff <= 1.0);
 }
 
@@ -51,7 +57,10 @@ void Stroke::add(const Vector3d& position_m, const Vector3d& outward) {
     press(from, to);
     if (!brush_.mirror) return;
     const MirrorPlane& mirror = *brush_.mirror;
-    const auto across = [&](const Point& p) { return Point{mirror.point_m + mirrored(p.position_m - mirror.point_m, mirror.normal), mirrored(p.outward, mirror.normal)}; };
+    const auto across = [&](const Point& p) {
+        return Point{mirror.point_m + mirrored(p.position_m - mirror.point_m, mirror.normal),
+                     mirrored(p.outward, mirror.normal)};
+    };
     press(across(from), across(to));
 }
 
@@ -61,7 +70,8 @@ void Stroke::press(const Point& from, const Point& to) {
     const Vector3d along = way - way.dot(outward) * outward;
     const Vector3d tangent = along.norm() > 1e-9 * length ? along.normalized() : Vector3d::Zero();
     const double above = above_surface * places_.edge_m;
-    const double reach = brush_.radius_m + std::max(above, std::isfinite(brush_.depth_m) ? brush_.depth_m : 0.0) + length;
+    const double reach = brush_.radius_m + std::max(above, std::isfinite(brush_.depth_m) ? brush_.depth_m : 0.0) +
+                         length;
     for (Index c = 0; c < places_.centre_m.cols(); ++c) {
         const Vector3d x = places_.centre_m.col(c) - from.position_m;
         if (std::isfinite(brush_.depth_m) && x.squaredNorm() > reach * reach) continue;
@@ -92,15 +102,20 @@ CellPaint Stroke::over(const CellPaint& before, const Vector3d& otherwise) const
         const bool was_painted = before.weights(c) > 0.0;
         paint.weights(c) = std::max(before.weights(c), weight);
         Matrix3d line;
-        if (brush_.axis) line = *brush_.axis * brush_.axis->transpose();
-        else if (dyads.trace() > 0.0) line = dyads / dyads.trace();
-        else if (!was_painted) line = otherwise * otherwise.transpose();
-        else continue;
+        if (brush_.axis)
+            line = *brush_.axis * brush_.axis->transpose();
+        else if (dyads.trace() > 0.0)
+            line = dyads / dyads.trace();
+        else if (!was_painted)
+            line = otherwise * otherwise.transpose();
+        else
+            continue;
         // The last stroke has its way as far as its weight goes.
-        if (was_painted) line = weight * line + (1.0 - weight) * before.directions.col(c) * before.directions.col(c).transpose();
+        if (was_painted)
+            line = weight * line + (1.0 - weight) * before.directions.col(c) * before.directions.col(c).transpose();
         paint.directions.col(c) = mean_line(line);
     }
     return paint;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

@@ -10,15 +10,15 @@
 #include "fibre/direction_field.hpp"
 #include "mesh/disjoint_sets.hpp"
 
-namespace myo {
+namespace myo::fibre {
 
 using Eigen::Index;
 
-CellPaint blank_paint(const VolumeMesh& mesh) {
+CellPaint blank_paint(const mesh::VolumeMesh& mesh) {
     return {Eigen::VectorXd::Zero(mesh.cell_count()), Eigen::Matrix3Xd::Zero(3, mesh.cell_count())};
 }
 
-CellPaint paint_of_group(const VolumeMesh& mesh, const FibreGroup& group) {
+CellPaint paint_of_group(const mesh::VolumeMesh& mesh, const FibreGroup& group) {
     assert(group.gradients.size() == group.points.size());
     CellPaint paint = blank_paint(mesh);
     std::vector<Eigen::Matrix3d> dyads(static_cast<std::size_t>(mesh.cell_count()), Eigen::Matrix3d::Zero());
@@ -30,7 +30,7 @@ CellPaint paint_of_group(const VolumeMesh& mesh, const FibreGroup& group) {
         paint.weights(point.cell) += point.volume;
         dyads[static_cast<std::size_t>(point.cell)] += point.volume * line * line.transpose();
     }
-    const Eigen::VectorXd volumes_m3 = cell_volumes(mesh);
+    const Eigen::VectorXd volumes_m3 = mesh::cell_volumes(mesh);
     for (Index c = 0; c < paint.count(); ++c) {
         if (!(paint.weights(c) > 0.0)) continue;
         paint.weights(c) = std::min(1.0, paint.weights(c) / volumes_m3(c));
@@ -85,17 +85,20 @@ CellPaint shrunk(const CellPaint& paint, const Eigen::Matrix2Xi& neighbours) {
     return result;
 }
 
-CellPaint filled(const CellPaint& paint, const VolumeMesh& mesh, const Eigen::Matrix2Xi& neighbours, int cell, const Eigen::Vector3d& axis) {
+CellPaint filled(const CellPaint& paint, const mesh::VolumeMesh& mesh, const Eigen::Matrix2Xi& neighbours, int cell,
+                 const Eigen::Vector3d& axis) {
     assert(paint.count() == mesh.cell_count());
     if (paint.weights(cell) > 0.0) return paint;
-    DisjointSets pieces(static_cast<std::size_t>(paint.count()));
+    mesh::DisjointSets pieces(static_cast<std::size_t>(paint.count()));
     std::vector<int> painted;
     for (const auto pair : neighbours.colwise())
-        if (!(paint.weights(pair(0)) > 0.0) && !(paint.weights(pair(1)) > 0.0)) pieces.join(static_cast<std::size_t>(pair(0)), static_cast<std::size_t>(pair(1)));
+        if (!(paint.weights(pair(0)) > 0.0) && !(paint.weights(pair(1)) > 0.0))
+            pieces.join(static_cast<std::size_t>(pair(0)), static_cast<std::size_t>(pair(1)));
     for (int c = 0; c < static_cast<int>(paint.count()); ++c)
         if (paint.weights(c) > 0.0) painted.push_back(c);
-    const Eigen::Matrix3Xd smooth = painted.empty() ? Eigen::Matrix3Xd(axis.replicate(1, paint.count()))
-                                                    : smooth_directions(mesh, painted, paint.directions(Eigen::all, painted));
+    const Eigen::Matrix3Xd smooth = painted.empty()
+                                        ? Eigen::Matrix3Xd(axis.replicate(1, paint.count()))
+                                        : smooth_directions(mesh, painted, paint.directions(Eigen::all, painted));
     CellPaint result = paint;
     const std::size_t piece = pieces.find(static_cast<std::size_t>(cell));
     for (Index c = 0; c < paint.count(); ++c) {
@@ -106,4 +109,4 @@ CellPaint filled(const CellPaint& paint, const VolumeMesh& mesh, const Eigen::Ma
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

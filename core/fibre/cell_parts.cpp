@@ -11,7 +11,7 @@
 #include "fem/shape_functions.hpp"
 #include "mesh/cell_topology.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Matrix3d;
@@ -21,16 +21,16 @@ using Eigen::Vector3d;
 constexpr int block_depth = 2;
 
 template <class Visit>
-auto with_shape(CellType type, const Visit& visit) {
+auto with_shape(mesh::CellType type, const Visit& visit) {
     switch (type) {
-        case CellType::hex8: return visit(Hex8{});
-        case CellType::tet4: return visit(Tet4{});
-        default: return visit(Tet10{});
+        case mesh::CellType::hex8: return visit(fem::Hex8{});
+        case mesh::CellType::tet4: return visit(fem::Tet4{});
+        default: return visit(fem::Tet10{});
     }
 }
 
 template <class Shape>
-Eigen::Matrix<double, 3, Shape::nodes> cell_nodes(const VolumeMesh& mesh, int cell) {
+Eigen::Matrix<double, 3, Shape::nodes> cell_nodes(const mesh::VolumeMesh& mesh, int cell) {
     Eigen::Matrix<double, 3, Shape::nodes> X;
     for (int a = 0; a < Shape::nodes; ++a) X.col(a) = mesh.nodes.col(mesh.cells(a, cell));
     return X;
@@ -43,17 +43,19 @@ double reference_volume(const CellPart& part) {
     return std::abs(edges.determinant()) / 6.0;
 }
 
-std::vector<QuadraturePoint> rule_of(CellType type) {
-    if (type == CellType::hex8) return hex_gauss(2);
-    return type == CellType::tet4 ? tet_centroid() : tet_degree2();
+std::vector<fem::QuadraturePoint> rule_of(mesh::CellType type) {
+    if (type == mesh::CellType::hex8) return fem::hex_gauss(2);
+    return type == mesh::CellType::tet4 ? fem::tet_centroid() : fem::tet_degree2();
 }
 
 }  // namespace
 
-CellPart whole_cell(CellType type) {
+CellPart whole_cell(mesh::CellType type) {
     CellPart part;
-    if (type == CellType::hex8) part.corners = Hex8::corners().transpose();
-    else part.corners = (Eigen::Matrix<double, 3, 4>() << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished();
+    if (type == mesh::CellType::hex8)
+        part.corners = fem::Hex8::corners().transpose();
+    else
+        part.corners = (Eigen::Matrix<double, 3, 4>() << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished();
     return part;
 }
 
@@ -63,14 +65,15 @@ std::vector<CellPart> cut_in_eight(const CellPart& part) {
         const int block = part.depth < block_depth ? 8 * part.block + static_cast<int>(children.size()) : part.block;
         children.push_back({corners, part.depth + 1, block});
     };
-    for (Eigen::Index i = 0; i < part.corners.cols(); ++i) add((0.5 * (part.corners.colwise() + part.corners.col(i))).eval());
+    for (Eigen::Index i = 0; i < part.corners.cols(); ++i)
+        add((0.5 * (part.corners.colwise() + part.corners.col(i))).eval());
     if (part.corners.cols() == 8) return children;
     // The octahedron that the corners leave, cut along one of its diagonals.
     constexpr std::array<std::array<std::size_t, 4>, 4> inner{{{0, 2, 3, 4}, {0, 1, 2, 4}, {2, 1, 5, 4}, {2, 3, 4, 5}}};
     for (const auto& edges : inner) {
         Eigen::Matrix<double, 3, 4> corners;
         for (std::size_t k = 0; k < 4; ++k) {
-            const auto [a, b] = tetrahedron_edges[edges[k]];
+            const auto [a, b] = mesh::tetrahedron_edges[edges[k]];
             corners.col(static_cast<Eigen::Index>(k)) = 0.5 * (part.corners.col(a) + part.corners.col(b));
         }
         add(corners);
@@ -78,7 +81,7 @@ std::vector<CellPart> cut_in_eight(const CellPart& part) {
     return children;
 }
 
-PartPlace place_of(const VolumeMesh& mesh, int cell, const CellPart& part) {
+PartPlace place_of(const mesh::VolumeMesh& mesh, int cell, const CellPart& part) {
     return with_shape(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const auto X = cell_nodes<Shape>(mesh, cell);
@@ -89,14 +92,16 @@ PartPlace place_of(const VolumeMesh& mesh, int cell, const CellPart& part) {
             const Vector3d from_centre = X * Shape::values(corner) - place.centre_m;
             place.radius_m = std::max(place.radius_m, from_centre.norm());
             // Exact for tetrahedra (n + 16 = 20) and for parallelepipeds (24).
-            place.second_moment_m2 += from_centre * from_centre.transpose() / static_cast<double>(part.corners.cols() + 16);
+            place.second_moment_m2 += from_centre * from_centre.transpose() /
+                                      static_cast<double>(part.corners.cols() + 16);
         }
         place.volume_m3 = (X * Shape::derivatives(xi)).determinant() * reference_volume(part);
         return place;
     });
 }
 
-void add_fibre_point(const VolumeMesh& mesh, int cell, const Vector3d& xi, double volume_m3, const Vector3d& direction, FibreGroup& group) {
+void add_fibre_point(const mesh::VolumeMesh& mesh, int cell, const Vector3d& xi, double volume_m3,
+                     const Vector3d& direction, FibreGroup& group) {
     with_shape(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const Eigen::Matrix<double, Shape::nodes, 3> D = Shape::derivatives(xi);
@@ -107,18 +112,19 @@ void add_fibre_point(const VolumeMesh& mesh, int cell, const Vector3d& xi, doubl
     });
 }
 
-void add_whole_cell(const VolumeMesh& mesh, int cell, double share, const std::function<Vector3d(const Vector3d&)>& direction, FibreGroup& group) {
+void add_whole_cell(const mesh::VolumeMesh& mesh, int cell, double share,
+                    const std::function<Vector3d(const Vector3d&)>& direction, FibreGroup& group) {
     with_shape(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const auto X = cell_nodes<Shape>(mesh, cell);
-        for (const QuadraturePoint& point : rule_of(mesh.type)) {
+        for (const fem::QuadraturePoint& point : rule_of(mesh.type)) {
             const double volume = point.weight * (X * Shape::derivatives(point.xi)).determinant();
             add_fibre_point(mesh, cell, point.xi, share * volume, direction(X * Shape::values(point.xi)), group);
         }
     });
 }
 
-void add_samples(const VolumeMesh& mesh, int cell, const std::vector<FibreSample>& samples, FibreGroup& group) {
+void add_samples(const mesh::VolumeMesh& mesh, int cell, const std::vector<FibreSample>& samples, FibreGroup& group) {
     struct Block {
         double volume = 0.0;
         Vector3d moment = Vector3d::Zero();
@@ -126,13 +132,14 @@ void add_samples(const VolumeMesh& mesh, int cell, const std::vector<FibreSample
     };
     std::array<Block, 64> blocks{};
     for (const FibreSample& sample : samples) {
-        Block& block = blocks[mesh.type == CellType::tet4 ? 0u : static_cast<std::size_t>(sample.part.block)];
+        Block& block = blocks[mesh.type == mesh::CellType::tet4 ? 0u : static_cast<std::size_t>(sample.part.block)];
         block.volume += sample.volume_m3;
         block.moment += sample.volume_m3 * sample.part.centre();
         block.dyads += sample.volume_m3 * sample.direction * sample.direction.transpose();
     }
     for (const Block& block : blocks)
-        if (block.volume > 0.0) add_fibre_point(mesh, cell, block.moment / block.volume, block.volume, mean_line(block.dyads), group);
+        if (block.volume > 0.0)
+            add_fibre_point(mesh, cell, block.moment / block.volume, block.volume, mean_line(block.dyads), group);
 }
 
 Vector3d mean_line(const Matrix3d& sum_of_dyads) {
@@ -144,4 +151,4 @@ Vector3d mean_line(const Matrix3d& sum_of_dyads) {
     return line(largest) < 0.0 ? Vector3d(-line) : line;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

@@ -7,7 +7,7 @@
 
 #include "fibre/cell_parts.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Index;
@@ -15,9 +15,11 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-using Dyads = Eigen::Matrix<double, Eigen::Dynamic, 6>;   // per row xx, yy, zz, xy, yz, zx
+using Dyads = Eigen::Matrix<double, Eigen::Dynamic, 6>;  // per row xx, yy, zz, xy, yz, zx
 
-Vector3d centre(const VolumeMesh& mesh, Index cell) { return place_of(mesh, static_cast<int>(cell), whole_cell(mesh.type)).centre_m; }
+Vector3d centre(const mesh::VolumeMesh& mesh, Index cell) {
+    return place_of(mesh, static_cast<int>(cell), whole_cell(mesh.type)).centre_m;
+}
 
 Eigen::Matrix<double, 1, 6> packed(const Vector3d& d) {
     return {d(0) * d(0), d(1) * d(1), d(2) * d(2), d(0) * d(1), d(1) * d(2), d(2) * d(0)};
@@ -30,17 +32,20 @@ Matrix3d unpacked(const Eigen::Matrix<double, 1, 6>& v) {
 }
 
 /// Sum over cells of grad N_a . grad N_b dV, n x n.
-Eigen::SparseMatrix<double> laplacian(const VolumeMesh& mesh) {
-    FibreGroup points;   // for its gradients and volumes
+Eigen::SparseMatrix<double> laplacian(const mesh::VolumeMesh& mesh) {
+    FibreGroup points;  // for its gradients and volumes
     std::vector<Eigen::Triplet<double>> entries;
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         points.points.clear();
         points.gradients.clear();
-        add_whole_cell(mesh, c, 1.0, [](const Vector3d&) -> Vector3d { return Vector3d::UnitX(); }, points);
+        add_whole_cell(
+            mesh, c, 1.0, [](const Vector3d&) -> Vector3d { return Vector3d::UnitX(); }, points);
         for (std::size_t k = 0; k < points.points.size(); ++k) {
-            const Eigen::MatrixXd part = points.points[k].volume * points.gradients[k] * points.gradients[k].transpose();
+            const Eigen::MatrixXd part = points.points[k].volume * points.gradients[k] *
+                                         points.gradients[k].transpose();
             for (Index a = 0; a < part.rows(); ++a)
-                for (Index b = 0; b < part.cols(); ++b) entries.emplace_back(mesh.cells(a, c), mesh.cells(b, c), part(a, b));
+                for (Index b = 0; b < part.cols(); ++b)
+                    entries.emplace_back(mesh.cells(a, c), mesh.cells(b, c), part(a, b));
         }
     }
     Eigen::SparseMatrix<double> K(mesh.node_count(), mesh.node_count());
@@ -53,7 +58,7 @@ struct GivenNodes {
     Dyads dyads;
     Eigen::VectorXd count;
 
-    GivenNodes(const VolumeMesh& mesh, const std::vector<int>& cells, const Matrix3Xd& directions)
+    GivenNodes(const mesh::VolumeMesh& mesh, const std::vector<int>& cells, const Matrix3Xd& directions)
         : dyads(Dyads::Zero(mesh.node_count(), 6)), count(Eigen::VectorXd::Zero(mesh.node_count())) {
         for (std::size_t i = 0; i < cells.size(); ++i)
             for (const int n : mesh.cells.col(cells[i])) {
@@ -69,17 +74,21 @@ struct GivenNodes {
 /// Given nodes keep their value; K D = 0 at the others.
 Dyads harmonic(Eigen::SparseMatrix<double> K, const GivenNodes& given) {
     Dyads right = Dyads::Zero(given.dyads.rows(), 6);
-    const double weak = 1e-12 * K.diagonal().mean();   // a piece of the body with nothing given takes the mean
+    const double weak = 1e-12 * K.diagonal().mean();  // a piece of the body with nothing given takes the mean
     for (Index column = 0; column < K.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(K, column); entry; ++entry) {
             const bool row_given = given.count(entry.row()) > 0.0, column_given = given.count(column) > 0.0;
             if (column_given && !row_given) right.row(entry.row()) -= entry.value() * given.dyads.row(column);
-            if (row_given || column_given) entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
-            else if (entry.row() == column) entry.valueRef() += weak;
+            if (row_given || column_given)
+                entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
+            else if (entry.row() == column)
+                entry.valueRef() += weak;
         }
     for (Index n = 0; n < right.rows(); ++n) {
-        if (given.count(n) > 0.0) right.row(n) = given.dyads.row(n);
-        else right.row(n) += weak * given.mean();
+        if (given.count(n) > 0.0)
+            right.row(n) = given.dyads.row(n);
+        else
+            right.row(n) += weak * given.mean();
     }
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(K);
     return factor.solve(right);
@@ -87,20 +96,22 @@ Dyads harmonic(Eigen::SparseMatrix<double> K, const GivenNodes& given) {
 
 }  // namespace
 
-Matrix3Xd constant_directions(const VolumeMesh& mesh, const Vector3d& direction) { return direction.replicate(1, mesh.cell_count()); }
+Matrix3Xd constant_directions(const mesh::VolumeMesh& mesh, const Vector3d& direction) {
+    return direction.replicate(1, mesh.cell_count());
+}
 
-Matrix3Xd directions_along(const VolumeMesh& mesh, const Polyline& line) {
+Matrix3Xd directions_along(const mesh::VolumeMesh& mesh, const Polyline& line) {
     Matrix3Xd directions(3, mesh.cell_count());
     for (Index c = 0; c < mesh.cell_count(); ++c) directions.col(c) = beside_line(line, centre(mesh, c)).tangent;
     return directions;
 }
 
-Matrix3Xd directions_along_longest_axis(const VolumeMesh& mesh, const Eigen::VectorXd& weights) {
+Matrix3Xd directions_along_longest_axis(const mesh::VolumeMesh& mesh, const Eigen::VectorXd& weights) {
     assert(weights.size() == 0 || weights.size() == mesh.cell_count());
     double volume = 0.0;
     Vector3d first = Vector3d::Zero();
     Matrix3d second = Matrix3d::Zero();
-    const int corners = mesh.type == CellType::hex8 ? 8 : 4;
+    const int corners = mesh.type == mesh::CellType::hex8 ? 8 : 4;
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         const double own = (weights.size() > 0 ? weights(c) : 1.0) * place_of(mesh, c, whole_cell(mesh.type)).volume_m3;
         const Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(c).head(corners));
@@ -114,10 +125,10 @@ Matrix3Xd directions_along_longest_axis(const VolumeMesh& mesh, const Eigen::Vec
     return constant_directions(mesh, mean_line(second - first * first.transpose() / volume));
 }
 
-Matrix3Xd smooth_directions(const VolumeMesh& mesh, const std::vector<int>& cells, const Matrix3Xd& directions) {
+Matrix3Xd smooth_directions(const mesh::VolumeMesh& mesh, const std::vector<int>& cells, const Matrix3Xd& directions) {
     assert(!cells.empty() && directions.cols() == static_cast<Index>(cells.size()));
     const Dyads at_nodes = harmonic(laplacian(mesh), GivenNodes(mesh, cells, directions));
-    const int corners = mesh.type == CellType::hex8 ? 8 : 4;
+    const int corners = mesh.type == mesh::CellType::hex8 ? 8 : 4;
     Matrix3Xd field(3, mesh.cell_count());
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         Eigen::Matrix<double, 1, 6> sum = Eigen::Matrix<double, 1, 6>::Zero();
@@ -128,4 +139,4 @@ Matrix3Xd smooth_directions(const VolumeMesh& mesh, const std::vector<int>& cell
     return field;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

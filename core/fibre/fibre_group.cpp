@@ -10,54 +10,60 @@
 #include "fibre/cell_parts.hpp"
 #include "mesh/region.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 /// The cell as a box, when its edges lie along the axes.
-bool axis_aligned(const VolumeMesh& mesh, int cell, Box& box) {
+bool axis_aligned(const mesh::VolumeMesh& mesh, int cell, Box& box) {
     box = {mesh.nodes.col(mesh.cells(0, cell)), mesh.nodes.col(mesh.cells(6, cell))};
     const Eigen::Vector3d size = box.size();
     for (int a = 0; a < 8; ++a) {
-        const Eigen::Vector3d xi = 0.5 * (Hex8::corners().row(a).transpose() + Eigen::Vector3d::Ones());
+        const Eigen::Vector3d xi = 0.5 * (fem::Hex8::corners().row(a).transpose() + Eigen::Vector3d::Ones());
         const Eigen::Vector3d expected = box.lowest + xi.cwiseProduct(size);
         if ((mesh.nodes.col(mesh.cells(a, cell)) - expected).norm() > 1e-9 * size.norm()) return false;
     }
     return size.minCoeff() > 0.0;
 }
 
-void add_box_cell(const VolumeMesh& mesh, int cell, const Box& cell_box, const Box& box, const Eigen::Vector3d& direction,
-                  FibreGroup& group) {
+void add_box_cell(const mesh::VolumeMesh& mesh, int cell, const Box& cell_box, const Box& box,
+                  const Eigen::Vector3d& direction, FibreGroup& group) {
     const Eigen::Vector3d size = cell_box.size();
-    const Eigen::Vector3d low = ((box.lowest.cwiseMax(cell_box.lowest) - cell_box.lowest).array() / size.array()).matrix();
-    const Eigen::Vector3d high = ((box.highest.cwiseMin(cell_box.highest) - cell_box.lowest).array() / size.array()).matrix();
+    const Eigen::Vector3d low = ((box.lowest.cwiseMax(cell_box.lowest) - cell_box.lowest).array() / size.array())
+                                    .matrix();
+    const Eigen::Vector3d high = ((box.highest.cwiseMin(cell_box.highest) - cell_box.lowest).array() / size.array())
+                                     .matrix();
     const Eigen::Vector3d part = high - low;
     if (part.minCoeff() <= 1e-9) return;
-    for (QuadraturePoint point : hex_gauss(2)) {
+    for (fem::QuadraturePoint point : fem::hex_gauss(2)) {
         const Eigen::Vector3d unit = 0.5 * (point.xi + Eigen::Vector3d::Ones());
         point.xi = 2.0 * (low + part.cwiseProduct(unit)) - Eigen::Vector3d::Ones();
-        add_fibre_point(mesh, cell, point.xi, 0.125 * point.weight * (part.cwiseProduct(size)).prod(), direction, group);
+        add_fibre_point(mesh, cell, point.xi, 0.125 * point.weight * (part.cwiseProduct(size)).prod(), direction,
+                        group);
     }
 }
 
-/// Four points of equal weight with a volume's centre and second moments: what is quadratic in the position is integrated exactly. In a whole
-/// tetrahedron they are the usual four.
-Eigen::Matrix<double, 3, 4> points_of(const ClippedVolume& part) {
+/// Four points of equal weight with a volume's centre and second moments: what is quadratic in the position is
+/// integrated exactly. In a whole tetrahedron they are the usual four.
+Eigen::Matrix<double, 3, 4> points_of(const mesh::ClippedVolume& part) {
     const Eigen::Vector3d centre = part.centre_m();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(part.second_moment_m5 / part.volume_m3 - centre * centre.transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(part.second_moment_m5 / part.volume_m3 -
+                                                              centre * centre.transpose());
     Eigen::Matrix<double, 3, 4> corners;
     corners << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
-    return (axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * corners).colwise() + centre;
+    return (axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * corners).colwise() +
+           centre;
 }
 
 /// The part of a cell inside a box: so a group that ends inside cells keeps its lever arm and its stiffness in bending.
-void add_cut_cell(const VolumeMesh& mesh, int cell, const Box& box, const Eigen::Vector3d& direction,
+void add_cut_cell(const mesh::VolumeMesh& mesh, int cell, const Box& box, const Eigen::Vector3d& direction,
                   FibreGroup& group) {
-    const ClippedVolume part = cell_in_box(mesh, cell, box, region_tolerance(mesh));
+    const mesh::ClippedVolume part = mesh::cell_in_box(mesh, cell, box, mesh::region_tolerance(mesh));
     if (!(part.volume_m3 > 0.0)) return;
     const auto add = [&](const Eigen::Vector3d& x, double volume_m3) {
-        add_fibre_point(mesh, cell, reference_coordinates(mesh, cell, x), volume_m3, direction, group);
+        add_fibre_point(mesh, cell, fem::reference_coordinates(mesh, cell, x), volume_m3, direction, group);
     };
-    if (mesh.type == CellType::tet4) return add(part.centre_m(), part.volume_m3);   // its strain is the same everywhere
+    if (mesh.type == mesh::CellType::tet4)
+        return add(part.centre_m(), part.volume_m3);  // its strain is the same everywhere
     const Eigen::Matrix<double, 3, 4> points = points_of(part);
     for (int k = 0; k < 4; ++k) add(points.col(k), 0.25 * part.volume_m3);
 }
@@ -73,17 +79,20 @@ double FibreGroup::volume() const {
     return sum;
 }
 
-FibreGroup fibres_in_box(const VolumeMesh& mesh, const Box& box, const Eigen::Vector3d& direction, double stiffness_Pa,
-                         std::string name) {
+FibreGroup fibres_in_box(const mesh::VolumeMesh& mesh, const Box& box, const Eigen::Vector3d& direction,
+                         double stiffness_Pa, std::string name) {
     FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
-    const Eigen::VectorXd fraction = volume_fractions(mesh, box);
+    const Eigen::VectorXd fraction = mesh::volume_fractions(mesh, box);
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         if (fraction(c) <= 0.0) continue;
         Box cell_box;
-        if (mesh.type == CellType::hex8 && axis_aligned(mesh, c, cell_box))
+        if (mesh.type == mesh::CellType::hex8 && axis_aligned(mesh, c, cell_box))
             add_box_cell(mesh, c, cell_box, box, direction, group);
-        else if (fraction(c) < uncut) add_cut_cell(mesh, c, box, direction, group);
-        else add_whole_cell(mesh, c, fraction(c), [&](const Eigen::Vector3d&) { return direction; }, group);
+        else if (fraction(c) < uncut)
+            add_cut_cell(mesh, c, box, direction, group);
+        else
+            add_whole_cell(
+                mesh, c, fraction(c), [&](const Eigen::Vector3d&) { return direction; }, group);
     }
     return group;
 }
@@ -100,4 +109,4 @@ FibreResponse fibre_response(const Eigen::Vector3d& s, double activation, double
     return response;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

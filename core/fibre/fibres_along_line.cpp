@@ -9,22 +9,26 @@
 #include "fibre/cell_parts.hpp"
 #include "mesh/cell_topology.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Vector3d;
 
-/// The edge of the least parts over the radius. A round wall through parts of edge w encloses 1 + (w/r)^2 / 12 of its volume.
+/// The edge of the least parts over the radius. A round wall through parts of edge w encloses 1 + (w/r)^2 / 12 of its
+/// volume.
 constexpr double finest_part = 1.0 / 6.0;
 /// Parts of a cell along each axis, at most: 2^9. A tube thinner than a hundredth of the cell is not resolved further.
 constexpr int most_cuts = 9;
 
 /// Of a part whose centre is so deep behind a flat wall across its width. Exact for a brick along the wall.
-double share_inside(double depth, double width) { return width > 0.0 ? std::clamp(0.5 + depth / width, 0.0, 1.0) : depth > 0.0 ? 1.0 : 0.0; }
+double share_inside(double depth, double width) {
+    return width > 0.0 ? std::clamp(0.5 + depth / width, 0.0, 1.0) : depth > 0.0 ? 1.0 : 0.0;
+}
 
 class TubeInCell {
 public:
-    TubeInCell(const VolumeMesh& mesh, int cell, const Polyline& line, double radius_m) : mesh_(mesh), cell_(cell), line_(line), radius_(radius_m) {}
+    TubeInCell(const mesh::VolumeMesh& mesh, int cell, const Polyline& line, double radius_m)
+        : mesh_(mesh), cell_(cell), line_(line), radius_(radius_m) {}
 
     void collect(const CellPart& part) {
         const PartPlace place = place_of(mesh_, cell_, part);
@@ -41,8 +45,9 @@ public:
             for (const CellPart& child : cut_in_eight(part)) collect(child);
             return;
         }
-        const double share = inside ? 1.0 : share_inside(radius_ - beside.distance_m, place.width_m(beside.away)) *
-                                                share_inside(beside.inward_m, place.width_m(beside.tangent));
+        const double share = inside ? 1.0
+                                    : share_inside(radius_ - beside.distance_m, place.width_m(beside.away)) *
+                                          share_inside(beside.inward_m, place.width_m(beside.tangent));
         if (share > 0.0) samples_.push_back({part, share * place.volume_m3, beside.tangent});
     }
 
@@ -50,7 +55,7 @@ public:
     const std::vector<FibreSample>& samples() const { return samples_; }
 
 private:
-    const VolumeMesh& mesh_;
+    const mesh::VolumeMesh& mesh_;
     int cell_;
     const Polyline& line_;
     double radius_;
@@ -60,44 +65,54 @@ private:
 
 /// Whether the axis goes through the triangle; its edges count for the side on which the cross product is positive.
 bool pierces(const Vector3d& point, const Vector3d& axis, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-    const auto side = [&](const Vector3d& p, const Vector3d& q) { return axis.dot((p - point).cross(q - point)) >= 0.0; };
+    const auto side = [&](const Vector3d& p, const Vector3d& q) {
+        return axis.dot((p - point).cross(q - point)) >= 0.0;
+    };
     const bool first = side(a, b);
     return first == side(b, c) && first == side(c, a);
 }
 
-bool pierces_cell(const VolumeMesh& mesh, int cell, const Vector3d& point, const Vector3d& axis) {
+bool pierces_cell(const mesh::VolumeMesh& mesh, int cell, const Vector3d& point, const Vector3d& axis) {
     const auto at = [&](int corner) -> Vector3d { return mesh.nodes.col(mesh.cells(corner, cell)); };
-    if (mesh.type != CellType::hex8)
-        return std::any_of(tetrahedron_faces.begin(), tetrahedron_faces.end(), [&](const auto& f) { return pierces(point, axis, at(f[0]), at(f[1]), at(f[2])); });
-    return std::any_of(hexahedron_faces.begin(), hexahedron_faces.end(), [&](const auto& f) {
+    if (mesh.type != mesh::CellType::hex8)
+        return std::any_of(mesh::tetrahedron_faces.begin(), mesh::tetrahedron_faces.end(),
+                           [&](const auto& f) { return pierces(point, axis, at(f[0]), at(f[1]), at(f[2])); });
+    return std::any_of(mesh::hexahedron_faces.begin(), mesh::hexahedron_faces.end(), [&](const auto& f) {
         return pierces(point, axis, at(f[0]), at(f[1]), at(f[2])) || pierces(point, axis, at(f[0]), at(f[2]), at(f[3]));
     });
 }
 
 }  // namespace
 
-FibreGroup fibres_along_line(const VolumeMesh& mesh, const Polyline& line, double radius_m, double stiffness_Pa, std::string name) {
+FibreGroup fibres_along_line(const mesh::VolumeMesh& mesh, const Polyline& line, double radius_m, double stiffness_Pa,
+                             std::string name) {
     assert(radius_m > 0.0);
     FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         TubeInCell tube(mesh, c, line, radius_m);
         tube.collect(whole_cell(mesh.type));
-        if (tube.whole()) add_whole_cell(mesh, c, 1.0, [&](const Vector3d& x) { return beside_line(line, x).tangent; }, group);
-        else add_samples(mesh, c, tube.samples(), group);
+        if (tube.whole())
+            add_whole_cell(
+                mesh, c, 1.0, [&](const Vector3d& x) { return beside_line(line, x).tangent; }, group);
+        else
+            add_samples(mesh, c, tube.samples(), group);
     }
     return group;
 }
 
-FibreGroup fibres_in_column(const VolumeMesh& mesh, const Vector3d& point_m, const Vector3d& axis, double stiffness_Pa, std::string name) {
+FibreGroup fibres_in_column(const mesh::VolumeMesh& mesh, const Vector3d& point_m, const Vector3d& axis,
+                            double stiffness_Pa, std::string name) {
     FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
     if (mesh.node_count() == 0) return group;
     // A point that lies exactly between two columns shall choose one: it is moved by less than anyone can mean.
-    const double nudge = 1e-7 * bounding_box(mesh.nodes).size().maxCoeff();
+    const double nudge = 1e-7 * mesh::bounding_box(mesh.nodes).size().maxCoeff();
     const Vector3d across = axis.unitOrthogonal(), other = axis.cross(across);
     const Vector3d point = point_m + nudge * (0.8 * across + 0.37 * other);
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c)
-        if (pierces_cell(mesh, c, point, axis)) add_whole_cell(mesh, c, 1.0, [&](const Vector3d&) { return axis; }, group);
+        if (pierces_cell(mesh, c, point, axis))
+            add_whole_cell(
+                mesh, c, 1.0, [&](const Vector3d&) { return axis; }, group);
     return group;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "mesh/box_tree.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Index;
@@ -22,7 +22,7 @@ std::vector<Box> places(const PaintedMask& mask) {
 /// Median distance to the nearest place elsewhere; NaN where there is none.
 double spacing(const PaintedMask& mask) {
     constexpr double nowhere = std::numeric_limits<double>::max();
-    const BoxTree tree(places(mask));
+    const mesh::BoxTree tree(places(mask));
     std::vector<double> distances;
     for (Index i = 0; i < mask.count(); ++i) {
         const Vector3d x = mask.centroids_m.col(i);
@@ -58,11 +58,12 @@ std::vector<std::string> contradictions(const PaintedMask& mask, const MaskRule&
             " apart: " + (size < 1.0 ? "most of the room between them stays unpainted" : "paint spreads beyond them"));
     Index twice = 0;
     Vector3d first = Vector3d::Zero();
-    BoxTree(places(mask)).overlapping_pairs(rule.same_place * std::min(apart, mask.cell_size_m), [&](int a, int b) {
-        if (alike(mask, a, b)) return true;
-        if (twice++ == 0) first = mask.centroids_m.col(a);
-        return true;
-    });
+    mesh::BoxTree(places(mask))
+        .overlapping_pairs(rule.same_place * std::min(apart, mask.cell_size_m), [&](int a, int b) {
+            if (alike(mask, a, b)) return true;
+            if (twice++ == 0) first = mask.centroids_m.col(a);
+            return true;
+        });
     if (twice > 0)
         found.push_back(std::to_string(twice) + (twice == 1 ? " place is" : " places are") +
                         " listed twice with other weights or fibres, one at (" + format_number(first.x(), 4) + ", " +
@@ -71,15 +72,15 @@ std::vector<std::string> contradictions(const PaintedMask& mask, const MaskRule&
     return found;
 }
 
-Index elements_off_mesh(const VolumeMesh& mesh, const PaintedMask& mask) {
+Index elements_off_mesh(const mesh::VolumeMesh& mesh, const PaintedMask& mask) {
     if (mask.count() == 0) return 0;
     std::vector<Box> cells;
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         Eigen::Matrix3Xd corners(3, mesh.cells.rows());
         for (Index a = 0; a < corners.cols(); ++a) corners.col(a) = mesh.nodes.col(mesh.cells(a, c));
-        cells.push_back(bounding_box(corners));
+        cells.push_back(mesh::bounding_box(corners));
     }
-    const BoxTree tree(cells);
+    const mesh::BoxTree tree(cells);
     const double apart = mask.count() > 1 ? spacing(mask) : mask.cell_size_m;
     Index off = 0;
     for (Index i = 0; i < mask.count(); ++i) {
@@ -96,4 +97,4 @@ Index elements_off_mesh(const VolumeMesh& mesh, const PaintedMask& mask) {
     return off;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

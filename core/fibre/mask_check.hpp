@@ -5,7 +5,7 @@
 
 #include "fibre/painted_mask.hpp"
 
-namespace myo {
+namespace myo::fibre {
 
 /// When a mask contradicts itself or the body.
 struct MaskRule {
@@ -25,6 +25,6 @@ std::vector<std::string> contradictions(const PaintedMask& mask, const MaskRule&
 
 /// Painted elements that lie outside the mesh by more than half their spacing and half a cell of it, which a coarser
 /// mesh may miss.
-Eigen::Index elements_off_mesh(const VolumeMesh& mesh, const PaintedMask& mask);
+Eigen::Index elements_off_mesh(const mesh::VolumeMesh& mesh, const PaintedMask& mask);
 
-}  // namespace myo
+}  // namespace myo::fibre

@@ -5,9 +5,9 @@
 #include <cassert>
 #include <utility>
 
-namespace myo {
+namespace myo::fibre {
 
-FibreGroup moved_fibres(const VolumeMesh& from, const VolumeMesh& to, FibreGroup group) {
+FibreGroup moved_fibres(const mesh::VolumeMesh& from, const mesh::VolumeMesh& to, FibreGroup group) {
     assert(from.cells.cols() == to.cells.cols() && group.gradients.size() == group.points.size());
     for (std::size_t k = 0; k < group.points.size(); ++k) {
         FibrePoint& point = group.points[k];
@@ -15,7 +15,7 @@ FibreGroup moved_fibres(const VolumeMesh& from, const VolumeMesh& to, FibreGroup
         if (to.nodes(Eigen::all, cell) == from.nodes(Eigen::all, cell)) continue;
         auto& gradient = group.gradients[k];
         const Eigen::Matrix3Xd X = to.nodes(Eigen::all, cell);
-        const Eigen::Matrix3d moved = X * gradient;   // dX' / dX
+        const Eigen::Matrix3d moved = X * gradient;  // dX' / dX
         const Eigen::Vector3d direction = (X * point.shape).normalized();
         gradient = (gradient * moved.inverse()).eval();
         point.shape = gradient * direction;
@@ -24,4 +24,4 @@ FibreGroup moved_fibres(const VolumeMesh& from, const VolumeMesh& to, FibreGroup
     return group;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

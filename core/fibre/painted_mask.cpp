@@ -10,33 +10,35 @@
 #include "mesh/box_tree.hpp"
 #include "mesh/cell_topology.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Index;
 using Eigen::Vector3d;
 
 /// Of the cells, by their corners: mid-side nodes add nothing.
-Vector3d centroid(const VolumeMesh& mesh, Index cell) {
-    const int corners = mesh.type == CellType::hex8 ? 8 : 4;
+Vector3d centroid(const mesh::VolumeMesh& mesh, Index cell) {
+    const int corners = mesh.type == mesh::CellType::hex8 ? 8 : 4;
     Vector3d sum = Vector3d::Zero();
     for (int a = 0; a < corners; ++a) sum += mesh.nodes.col(mesh.cells(a, cell));
     return sum / corners;
 }
 
-double mean_edge(const VolumeMesh& mesh, Index cell) {
+double mean_edge(const mesh::VolumeMesh& mesh, Index cell) {
     double sum = 0.0;
     const auto add = [&](const auto& edges) {
-        for (const auto& [a, b] : edges) sum += (mesh.nodes.col(mesh.cells(a, cell)) - mesh.nodes.col(mesh.cells(b, cell))).norm();
+        for (const auto& [a, b] : edges)
+            sum += (mesh.nodes.col(mesh.cells(a, cell)) - mesh.nodes.col(mesh.cells(b, cell))).norm();
         return sum / static_cast<double>(edges.size());
     };
-    return mesh.type == CellType::hex8 ? add(hexahedron_edges) : add(tetrahedron_edges);
+    return mesh.type == mesh::CellType::hex8 ? add(mesh::hexahedron_edges) : add(mesh::tetrahedron_edges);
 }
 
 /// The mask as something that can be asked.
 class MaskLookup {
 public:
-    explicit MaskLookup(const PaintedMask& mask) : mask_(mask), tree_(points(mask)), bounds_(bounding_box(mask.centroids_m)) {
+    explicit MaskLookup(const PaintedMask& mask)
+        : mask_(mask), tree_(points(mask)), bounds_(mesh::bounding_box(mask.centroids_m)) {
         bounds_.lowest.array() -= mask.cell_size_m;
         bounds_.highest.array() += mask.cell_size_m;
     }
@@ -50,7 +52,8 @@ public:
     }
 
     bool misses(const Vector3d& centre, double radius) const {
-        return (centre.array() + radius < bounds_.lowest.array()).any() || (centre.array() - radius > bounds_.highest.array()).any();
+        return (centre.array() + radius < bounds_.lowest.array()).any() ||
+               (centre.array() - radius > bounds_.highest.array()).any();
     }
 
 private:
@@ -61,20 +64,22 @@ private:
     }
 
     const PaintedMask& mask_;
-    BoxTree tree_;
+    mesh::BoxTree tree_;
     Box bounds_;
 };
 
-void collect(const VolumeMesh& mesh, int cell, const CellPart& part, int cuts, const PaintedMask& mask, const MaskLookup& lookup,
-             std::vector<FibreSample>& samples, double& whole) {
+void collect(const mesh::VolumeMesh& mesh, int cell, const CellPart& part, int cuts, const PaintedMask& mask,
+             const MaskLookup& lookup, std::vector<FibreSample>& samples, double& whole) {
     if (cuts > 0) {
-        for (const CellPart& child : cut_in_eight(part)) collect(mesh, cell, child, cuts - 1, mask, lookup, samples, whole);
+        for (const CellPart& child : cut_in_eight(part))
+            collect(mesh, cell, child, cuts - 1, mask, lookup, samples, whole);
         return;
     }
     const PartPlace place = place_of(mesh, cell, part);
     whole += place.volume_m3;
     const int i = lookup.nearest(place.centre_m, mask.cell_size_m);
-    if (i >= 0 && mask.weights(i) > 0.0) samples.push_back({part, mask.weights(i) * place.volume_m3, mask.directions.col(i)});
+    if (i >= 0 && mask.weights(i) > 0.0)
+        samples.push_back({part, mask.weights(i) * place.volume_m3, mask.directions.col(i)});
 }
 
 /// A cell in one piece of paint is asked for no more than its share and its line.
@@ -89,10 +94,11 @@ bool evenly_painted(const std::vector<FibreSample>& samples, double volume_m3, d
 /// A cell that was not painted itself, asked at places a quarter of the mask's cell size apart.
 struct ResampledCell {
     std::vector<FibreSample> samples;
-    double volume = 0.0, whole = 0.0;   // of muscle, and of the cell, as the samples have it [m3]
+    double volume = 0.0, whole = 0.0;  // of muscle, and of the cell, as the samples have it [m3]
 };
-ResampledCell resample(const VolumeMesh& mesh, int cell, const PartPlace& place, const PaintedMask& mask, const MaskLookup& lookup) {
-    const double spacing = 0.25 * mask.cell_size_m, edge = 1.15 * place.radius_m;   // 2 / sqrt(3): a cube's edge
+ResampledCell resample(const mesh::VolumeMesh& mesh, int cell, const PartPlace& place, const PaintedMask& mask,
+                       const MaskLookup& lookup) {
+    const double spacing = 0.25 * mask.cell_size_m, edge = 1.15 * place.radius_m;  // 2 / sqrt(3): a cube's edge
     const int cuts = std::clamp(static_cast<int>(std::ceil(std::log2(edge / spacing) - 1e-6)), 0, 5);
     ResampledCell result;
     collect(mesh, cell, whole_cell(mesh.type), cuts, mask, lookup, result.samples, result.whole);
@@ -100,19 +106,22 @@ ResampledCell resample(const VolumeMesh& mesh, int cell, const PartPlace& place,
     return result;
 }
 
-void add_resampled_cell(const VolumeMesh& mesh, int cell, const ResampledCell& resampled, FibreGroup& group) {
+void add_resampled_cell(const mesh::VolumeMesh& mesh, int cell, const ResampledCell& resampled, FibreGroup& group) {
     const auto& [samples, volume, whole] = resampled;
     if (samples.size() == 1 || evenly_painted(samples, volume, whole)) {
         const Vector3d direction = samples.front().direction;
-        add_whole_cell(mesh, cell, volume / whole, [&](const Vector3d&) { return direction; }, group);
+        add_whole_cell(
+            mesh, cell, volume / whole, [&](const Vector3d&) { return direction; }, group);
     } else {
         add_samples(mesh, cell, samples, group);
     }
 }
 
-/// Calls itself(cell, i) for cells that are element i of the mask, and resampled(cell, what) for others that may hold some of it.
+/// Calls itself(cell, i) for cells that are element i of the mask, and resampled(cell, what) for others that may hold
+/// some of it.
 template <class Itself, class Resampled>
-void for_painted_cells(const VolumeMesh& mesh, const PaintedMask& mask, const Itself& itself, const Resampled& resampled) {
+void for_painted_cells(const mesh::VolumeMesh& mesh, const PaintedMask& mask, const Itself& itself,
+                       const Resampled& resampled) {
     if (mask.count() == 0) return;
     assert(mask.cell_size_m > 0.0);
     const MaskLookup lookup(mask);
@@ -122,14 +131,16 @@ void for_painted_cells(const VolumeMesh& mesh, const PaintedMask& mask, const It
         if (lookup.misses(place.centre_m, place.radius_m)) continue;
         // The rounding of a text file, and no more, lies between a painted cell's centroid and its own.
         const int i = lookup.nearest(centroid(mesh, c), 1e-6 * mask.cell_size_m);
-        if (i < 0) resampled(c, resample(mesh, c, place, mask, lookup));
-        else if (mask.weights(i) > 0.0) itself(c, i);
+        if (i < 0)
+            resampled(c, resample(mesh, c, place, mask, lookup));
+        else if (mask.weights(i) > 0.0)
+            itself(c, i);
     }
 }
 
 }  // namespace
 
-PaintedMask mask_of_cells(const VolumeMesh& mesh, const CellPaint& paint) {
+PaintedMask mask_of_cells(const mesh::VolumeMesh& mesh, const CellPaint& paint) {
     const auto& [weights, directions] = paint;
     assert(weights.size() == mesh.cell_count() && directions.cols() == mesh.cell_count());
     std::vector<bool> at_paint(static_cast<std::size_t>(mesh.node_count()), false);
@@ -159,17 +170,23 @@ PaintedMask mask_of_cells(const VolumeMesh& mesh, const CellPaint& paint) {
     return mask;
 }
 
-FibreGroup fibres_of_mask(const VolumeMesh& mesh, const PaintedMask& mask, double stiffness_Pa, std::string name) {
+FibreGroup fibres_of_mask(const mesh::VolumeMesh& mesh, const PaintedMask& mask, double stiffness_Pa,
+                          std::string name) {
     FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
     for_painted_cells(
-        mesh, mask, [&](int cell, int i) { add_whole_cell(mesh, cell, mask.weights(i), [&](const Vector3d&) -> Vector3d { return mask.directions.col(i); }, group); },
+        mesh, mask,
+        [&](int cell, int i) {
+            add_whole_cell(
+                mesh, cell, mask.weights(i), [&](const Vector3d&) -> Vector3d { return mask.directions.col(i); },
+                group);
+        },
         [&](int cell, const ResampledCell& resampled) {
             if (!resampled.samples.empty()) add_resampled_cell(mesh, cell, resampled, group);
         });
     return group;
 }
 
-CellPaint paint_of_mask(const VolumeMesh& mesh, const PaintedMask& mask) {
+CellPaint paint_of_mask(const mesh::VolumeMesh& mesh, const PaintedMask& mask) {
     CellPaint paint = blank_paint(mesh);
     for_painted_cells(
         mesh, mask,
@@ -180,11 +197,12 @@ CellPaint paint_of_mask(const VolumeMesh& mesh, const PaintedMask& mask) {
         [&](int cell, const ResampledCell& resampled) {
             if (!(resampled.volume > 0.0)) return;
             Eigen::Matrix3d dyads = Eigen::Matrix3d::Zero();
-            for (const FibreSample& sample : resampled.samples) dyads += sample.volume_m3 * sample.direction * sample.direction.transpose();
+            for (const FibreSample& sample : resampled.samples)
+                dyads += sample.volume_m3 * sample.direction * sample.direction.transpose();
             paint.weights(cell) = std::min(1.0, resampled.volume / resampled.whole);
             paint.directions.col(cell) = mean_line(dyads);
         });
     return paint;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "fibre/painted_mask.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 constexpr std::string_view header = "x_m,y_m,z_m,weight,fibre_x,fibre_y,fibre_z";
@@ -22,16 +22,23 @@ Result<Row> read_row(std::string_view line, const std::string& where) {
     Row row{};
     std::size_t count = 1;
     for (const char c : line) count += c == ',' ? 1u : 0u;
-    if (count != columns) return Error{"has " + std::to_string(count) + " fields, expected " + std::to_string(columns) + " (" + std::string(header) + ")", where};
+    if (count != columns)
+        return Error{"has " + std::to_string(count) + " fields, expected " + std::to_string(columns) + " (" +
+                         std::string(header) + ")",
+                     where};
     for (std::size_t i = 0; i < columns; ++i) {
         const std::size_t comma = std::min(line.find(','), line.size());
         if (!parse_number(line.substr(0, comma), row[i]) || !std::isfinite(row[i]))
-            return Error{"field " + std::to_string(i + 1) + " is '" + std::string(line.substr(0, comma)) + "', expected a number", where};
+            return Error{"field " + std::to_string(i + 1) + " is '" + std::string(line.substr(0, comma)) +
+                             "', expected a number",
+                         where};
         line.remove_prefix(std::min(comma + 1, line.size()));
     }
-    if (row[3] < 0.0 || row[3] > 1.0) return Error{"the weight is " + format_number(row[3]) + ", expected 0 to 1", where};
+    if (row[3] < 0.0 || row[3] > 1.0)
+        return Error{"the weight is " + format_number(row[3]) + ", expected 0 to 1", where};
     const double length = std::hypot(row[4], row[5], row[6]);
-    if (row[3] > 0.0 && !(std::abs(length - 1.0) <= 0.01)) return Error{"the fibre must be a unit vector, not one of length " + format_number(length, 4), where};
+    if (row[3] > 0.0 && !(std::abs(length - 1.0) <= 0.01))
+        return Error{"the fibre must be a unit vector, not one of length " + format_number(length, 4), where};
     for (std::size_t i = 4; i < columns; ++i) row[i] = row[3] > 0.0 ? row[i] / length : 0.0;
     return row;
 }
@@ -51,7 +58,8 @@ PaintedMask mask_of(const std::vector<Row>& rows, double cell_size_m) {
 }  // namespace
 
 Result<void> write_painted_mask(const std::filesystem::path& path, const PaintedMask& mask) {
-    std::string text = "# painted muscle: rest frame, m; weight 0 to 1, 0 for unpainted neighbours; fibre a unit vector\n";
+    std::string
+        text = "# painted muscle: rest frame, m; weight 0 to 1, 0 for unpainted neighbours; fibre a unit vector\n";
     text += std::string(size_words) + format_number(mask.cell_size_m, 17) + "\n" + std::string(header) + "\n";
     for (Eigen::Index i = 0; i < mask.count(); ++i) {
         const Eigen::Vector3d x = mask.centroids_m.col(i), m = mask.directions.col(i);
@@ -77,11 +85,16 @@ Result<PaintedMask> read_painted_mask(const std::filesystem::path& path) {
         const std::string where = path.string() + ":" + std::to_string(++number);
         if (line.starts_with(size_words)) {
             if (!parse_number(line.substr(size_words.size()), cell_size_m) || !(cell_size_m > 0.0))
-                return Error{"the cell size is '" + std::string(line.substr(size_words.size())) + "', expected a positive number [m]", where};
+                return Error{"the cell size is '" + std::string(line.substr(size_words.size())) +
+                                 "', expected a positive number [m]",
+                             where};
         } else if (line.empty() || line.front() == '#') {
             continue;
         } else if (!has_header) {
-            if (line != header) return Error{"begins with '" + std::string(line.substr(0, 60)) + "', expected the header " + std::string(header), where};
+            if (line != header)
+                return Error{
+                    "begins with '" + std::string(line.substr(0, 60)) + "', expected the header " + std::string(header),
+                    where};
             has_header = true;
         } else {
             const Result<Row> row = read_row(line, where);
@@ -91,9 +104,11 @@ Result<PaintedMask> read_painted_mask(const std::filesystem::path& path) {
         }
     }
     if (!has_header) return Error{"is empty, expected the header " + std::string(header), path.string() + ":1"};
-    if (!(cell_size_m > 0.0)) return Error{"does not say the cell size, expected a line '" + std::string(size_words) + "0.005'", path.string()};
+    if (!(cell_size_m > 0.0))
+        return Error{"does not say the cell size, expected a line '" + std::string(size_words) + "0.005'",
+                     path.string()};
     if (!painted) return Error{"has no element of a weight above 0", path.string()};
     return mask_of(rows, cell_size_m);
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Index;
@@ -50,18 +50,26 @@ BesideLine beside_line(const Polyline& line, const Vector3d& x) {
     const Segment s = segment(line, nearest);
     BesideLine beside{0.0, std::numeric_limits<double>::infinity(), s.tangent, Vector3d::Zero()};
     double t = at;
-    if (nearest == 0) beside.inward_m = at;
-    else t = std::max(t, 0.0);
-    if (nearest == last) beside.inward_m = std::min(beside.inward_m, s.length - at);
-    else t = std::min(t, s.length);
+    if (nearest == 0)
+        beside.inward_m = at;
+    else
+        t = std::max(t, 0.0);
+    if (nearest == last)
+        beside.inward_m = std::min(beside.inward_m, s.length - at);
+    else
+        t = std::min(t, s.length);
     const Vector3d across = x - s.start - t * s.tangent;
     beside.distance_m = across.norm();
     if (beside.distance_m > 0.0) beside.away = across / beside.distance_m;
-    if (nearest < last && at >= s.length) beside.tangent = half_way(s.tangent, segment(line, nearest + 1).tangent);
-    else if (nearest > 0 && at <= 0.0) beside.tangent = half_way(segment(line, nearest - 1).tangent, s.tangent);
+    if (nearest < last && at >= s.length)
+        beside.tangent = half_way(s.tangent, segment(line, nearest + 1).tangent);
+    else if (nearest > 0 && at <= 0.0)
+        beside.tangent = half_way(segment(line, nearest - 1).tangent, s.tangent);
     return beside;
 }
 
-double depth_in_tube(const BesideLine& beside, double radius_m) { return std::min(radius_m - beside.distance_m, beside.inward_m); }
+double depth_in_tube(const BesideLine& beside, double radius_m) {
+    return std::min(radius_m - beside.distance_m, beside.inward_m);
+}
 
-}  // namespace myo
+}  // namespace myo::fibre

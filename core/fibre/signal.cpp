@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 // Linear interpolation between the knots next - 1 and next; `next` counts the knots left of t.
@@ -16,14 +16,16 @@ Signal::Weights interpolation(const Signal& signal, double t, std::size_t next) 
 }
 
 double weighted(const Signal& signal, const Signal::Weights& w) {
-    return w.left == w.right ? signal.values[w.left] : w.of_left * signal.values[w.left] + w.of_right * signal.values[w.right];
+    return w.left == w.right ? signal.values[w.left]
+                             : w.of_left * signal.values[w.left] + w.of_right * signal.values[w.right];
 }
 
 }  // namespace
 
 Signal::Weights Signal::weights(double t, bool before) const {
     assert(!times_s.empty() && times_s.size() == values.size());
-    const auto next = before ? std::lower_bound(times_s.begin(), times_s.end(), t) : std::upper_bound(times_s.begin(), times_s.end(), t);
+    const auto next = before ? std::lower_bound(times_s.begin(), times_s.end(), t)
+                             : std::upper_bound(times_s.begin(), times_s.end(), t);
     return interpolation(*this, t, static_cast<std::size_t>(next - times_s.begin()));
 }
 
@@ -53,4 +55,4 @@ std::vector<double> Signal::jumps() const {
     return found;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace myo {
+namespace myo::fibre {
 
 /// A scalar function of time, linear between its knots and constant outside them.
 ///
@@ -26,8 +26,8 @@ struct Signal {
     };
     Weights weights(double t, bool before) const;
 
-    /// Times of two equal knots, also where their values are equal: the steps of a run, and with them its derivative, shall not
-    /// depend on values.
+    /// Times of two equal knots, also where their values are equal: the steps of a run, and with them its derivative,
+    /// shall not depend on values.
     std::vector<double> jumps() const;
 
     bool operator==(const Signal&) const = default;
@@ -36,4 +36,4 @@ struct Signal {
 /// The derivative with respect to the samples of Signal::held() from the one with respect to its knots.
 std::vector<double> held_sample_gradient(const std::vector<double>& knot_gradient);
 
-}  // namespace myo
+}  // namespace myo::fibre

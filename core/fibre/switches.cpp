@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 /// Intervals first ... last - 1 between knots, all of one sign.
@@ -40,7 +40,7 @@ bool stands_out(const Signal& s, const Rise& rise, double h, const SwitchRule& r
     int alike = 0;
     const auto add = [&](std::size_t interval) {
         const double whole = std::abs(change(s, interval));
-        if (!(length(s, interval) > 0.0)) return;   // a jump already
+        if (!(length(s, interval) > 0.0)) return;  // a jump already
         if (length(s, interval) < h && whole * rule.alike >= size && whole <= rule.alike * size) {
             ++alike;
             return;
@@ -106,16 +106,16 @@ Signal with_switches_as_jumps(const Signal& signal, double h_s, const SwitchRule
         const double low = signal.values[rise.first], high = signal.values[rise.last];
         double at = jump_time(signal, rise, rule.time_grid * h_s);
         if (!result.times_s.empty())
-            at = std::max(at, result.times_s.back());   // of the switch before, rounded otherwise
+            at = std::max(at, result.times_s.back());  // of the switch before, rounded otherwise
         for (; next <= rise.first; ++next)
             if (signal.times_s[next] < at) add(signal.times_s[next], signal.values[next]);
         add(at, low);
         add(at, high);
         next = rise.last;
-        if (signal.times_s[next] <= at) ++next;   // the jump has been rounded past it
+        if (signal.times_s[next] <= at) ++next;  // the jump has been rounded past it
     }
     for (; next < signal.times_s.size(); ++next) add(signal.times_s[next], signal.values[next]);
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::fibre

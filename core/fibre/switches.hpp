@@ -2,7 +2,7 @@
 
 #include "fibre/signal.hpp"
 
-namespace myo {
+namespace myo::fibre {
 
 /// What counts as switching: a rise or fall whose sampled course a run with steps of h cannot see.
 struct SwitchRule {
@@ -30,4 +30,4 @@ struct SwitchRule {
 /// @param h_s  step of the run [s]
 Signal with_switches_as_jumps(const Signal& signal, double h_s, const SwitchRule& rule = {});
 
-}  // namespace myo
+}  // namespace myo::fibre

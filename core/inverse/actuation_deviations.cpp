@@ -11,7 +11,7 @@
 #include "measurement/rigid_motion.hpp"
 #include "sensitivity/tangent_run.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
@@ -26,17 +26,18 @@ constexpr double not_seen = 1e-12;
 constexpr double measured_share = 0.5;
 
 /// The activations are linear in the values: d activation / d value, per value (signals running fastest).
-std::vector<ModelTangent> value_tangents(const SoughtSignals& sought, const MatrixXd& values) {
-    std::vector<ModelTangent> tangents;
+std::vector<sensitivity::ModelTangent> value_tangents(const SoughtSignals& sought, const MatrixXd& values) {
+    std::vector<sensitivity::ModelTangent> tangents;
     const MatrixXd none = MatrixXd::Zero(values.rows(), values.cols());
-    const std::vector<Signal> zero = activations_of(sought, none);
+    const std::vector<fibre::Signal> zero = activations_of(sought, none);
     for (Index i = 0; i < values.size(); ++i) {
         MatrixXd unit = none;
         unit(i) = 1.0;
-        ModelTangent tangent;
+        sensitivity::ModelTangent tangent;
         tangent.activation = activations_of(sought, unit);
         for (std::size_t g = 0; g < zero.size(); ++g)
-            for (std::size_t k = 0; k < zero[g].values.size(); ++k) tangent.activation[g].values[k] -= zero[g].values[k];
+            for (std::size_t k = 0; k < zero[g].values.size(); ++k)
+                tangent.activation[g].values[k] -= zero[g].values[k];
         tangents.push_back(std::move(tangent));
     }
     return tangents;
@@ -63,12 +64,12 @@ struct NormalEquations {
     double count = 0.0;
 };
 
-NormalEquations normal_equations(const ActuationProblem& problem, const SensitiveTrace& run) {
+NormalEquations normal_equations(const ActuationProblem& problem, const sensitivity::SensitiveTrace& run) {
     const SensitiveResiduals seen = target_residuals(problem.target, run);
     const std::size_t count = seen.tangents.size();
     const Index columns = static_cast<Index>(count) + (problem.placement_bounds ? 6 : 0);
     const MarkerPlacement& placement = problem.target.placement;
-    const Eigen::Matrix3d back = small_rotation(-placement.rotation_rad);
+    const Eigen::Matrix3d back = measurement::small_rotation(-placement.rotation_rad);
     NormalEquations equations{MatrixXd::Zero(columns, columns)};
     for (std::size_t m = 0; m < seen.residuals_m.size(); ++m) {
         const Matrix3Xd& residual = seen.residuals_m[m];
@@ -91,8 +92,8 @@ NormalEquations normal_equations(const ActuationProblem& problem, const Sensitiv
 
 /// What the normal equations leave of each value.
 struct Weighing {
-    MatrixXd inverse;           // over the directions that are seen
-    Eigen::ArrayX<bool> open;   // values that a direction which nothing sees moves
+    MatrixXd inverse;          // over the directions that are seen
+    Eigen::ArrayX<bool> open;  // values that a direction which nothing sees moves
 };
 
 Weighing weigh(const MatrixXd& precision) {
@@ -103,8 +104,10 @@ Weighing weigh(const MatrixXd& precision) {
     VectorXd share = VectorXd::Zero(n);
     for (Index i = 0; i < n; ++i) {
         const VectorXd v = eigen.vectors.col(i);
-        if (eigen.values(i) > least) weighed.inverse += v * v.transpose() / eigen.values(i);
-        else share += v.cwiseAbs2();
+        if (eigen.values(i) > least)
+            weighed.inverse += v * v.transpose() / eigen.values(i);
+        else
+            share += v.cwiseAbs2();
     }
     weighed.open = share.array() > 1e-6;
     return weighed;
@@ -113,7 +116,7 @@ Weighing weigh(const MatrixXd& precision) {
 /// Values that the target says less about than the smoothness, values that nothing says anything about, and pairs of
 /// signals that take each other's place.
 std::vector<std::string> undetermined_words(const SoughtSignals& sought, const Weighing& weighed,
-                                         const ActuationDeviations& found) {
+                                            const ActuationDeviations& found) {
     std::vector<std::string> warnings;
     const Index signals = found.deviations.rows(), knots = found.deviations.cols();
     const auto of_all = [&](Index count) { return std::to_string(count) + " of " + std::to_string(knots) + " values"; };
@@ -121,8 +124,10 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
         const SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
         Index unknown = 0, smooth = 0;
         for (Index k = 0; k < knots; ++k) {
-            if (weighed.open(k * signals + s)) ++unknown;
-            else if (found.from_target(s, k) < measured_share) ++smooth;
+            if (weighed.open(k * signals + s))
+                ++unknown;
+            else if (found.from_target(s, k) < measured_share)
+                ++smooth;
         }
         const Index wide = (found.deviations.row(s).array() > 0.5 * (signal.upper - signal.lower)).count();
         if (unknown > 0)
@@ -143,8 +148,9 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
                 alike += correlation > (told_badly ? 0.95 : 0.999) ? 1 : 0;
             }
             if (2 * alike > knots)
-                warnings.push_back("signals " + sought.signals[static_cast<std::size_t>(other)].name + " and " + signal.name +
-                                   ": these markers cannot tell them apart at " + std::to_string(alike) + " of " + std::to_string(knots) + " times");
+                warnings.push_back("signals " + sought.signals[static_cast<std::size_t>(other)].name + " and " +
+                                   signal.name + ": these markers cannot tell them apart at " + std::to_string(alike) +
+                                   " of " + std::to_string(knots) + " times");
         }
     }
     return warnings;
@@ -211,19 +217,23 @@ void set_deviations(const ActuationProblem& problem, const NormalEquations& equa
 
 }  // namespace
 
-ActuationDeviations actuation_deviations(const ActuationProblem& problem, const MatrixXd& values, double noise_m, const Progress& progress) {
+ActuationDeviations actuation_deviations(const ActuationProblem& problem, const MatrixXd& values, double noise_m,
+                                         const Progress& progress) {
     assert(values.size() > 0 && noise_m >= 0.0);
     const Stopwatch watch;
     ActuationDeviations result;
     if (values.size() > most_deviations) {
-        result.reason = "not looked for: " + std::to_string(values.size()) + " values are more than " + std::to_string(most_deviations);
+        result.reason = "not looked for: " + std::to_string(values.size()) + " values are more than " +
+                        std::to_string(most_deviations);
         return result;
     }
-    Model model = problem.model;
+    model::Model model = problem.model;
     model.activation = activations_of(problem.sought, values);
-    const SensitiveTrace run = simulate_with_tangents(model, problem.options, value_tangents(problem.sought, values), problem.target.markers.nodes, progress);
+    const sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(
+        model, problem.options, value_tangents(problem.sought, values), problem.target.markers.nodes, progress);
     if (!run.trace.complete()) {
-        result.reason = run.trace.status == RunStatus::cancelled ? "not found: stopped by the user" : "not found: " + run.trace.message;
+        result.reason = run.trace.status == dynamics::RunStatus::cancelled ? "not found: stopped by the user"
+                                                                           : "not found: " + run.trace.message;
         return result;
     }
     NormalEquations equations = normal_equations(problem, run);
@@ -234,4 +244,4 @@ ActuationDeviations actuation_deviations(const ActuationProblem& problem, const 
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

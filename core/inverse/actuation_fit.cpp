@@ -11,7 +11,7 @@
 #include "base/text.hpp"
 #include "base/throttle.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
@@ -23,7 +23,8 @@ constexpr double value_unit = 0.1;
 /// The search's view of the problem: the loss over its start, the values in their unit; every evaluation is logged.
 class Search {
 public:
-    Search(const ActuationProblem& problem, const ActuationFitOptions& options, const Progress& progress, ActuationFit& fit)
+    Search(const ActuationProblem& problem, const ActuationFitOptions& options, const Progress& progress,
+           ActuationFit& fit)
         : problem_(problem), options_(options), progress_(progress), fit_(fit) {}
 
     void stop_with(nlopt_opt optimiser) { optimiser_ = optimiser; }
@@ -41,7 +42,8 @@ public:
             slope = 2.0 * steepness * away;
         }
         const double scale = fit_.first.loss_m2 > 0.0 ? fit_.first.loss_m2 : 1.0;
-        if (gradient != nullptr) Eigen::Map<MatrixXd>(gradient, values.rows(), values.cols()) = (value_unit / scale) * slope;
+        if (gradient != nullptr)
+            Eigen::Map<MatrixXd>(gradient, values.rows(), values.cols()) = (value_unit / scale) * slope;
         return value / scale;
     }
 
@@ -71,7 +73,7 @@ private:
             const TimedScope scope(line.seconds);
             last_ = evaluate_actuation(problem_, values, inner);
         }
-        if (last_.status == RunStatus::cancelled) return;   // ended half-way: none
+        if (last_.status == dynamics::RunStatus::cancelled) return;  // ended half-way: none
         last_values_ = values;
         line.ok = last_.ok();
         if (line.ok) {
@@ -94,11 +96,13 @@ private:
         std::string words;
         if (!fit_.log.empty()) {
             const ActuationIterate& line = fit_.log.back();
-            words = line.ok ? "rms " + format_number(1e3 * line.rms_m, 4) + " mm, loss " + format_number(1e6 * line.loss_m2, 4) + " mm2, gradient " +
+            words = line.ok ? "rms " + format_number(1e3 * line.rms_m, 4) + " mm, loss " +
+                                  format_number(1e6 * line.loss_m2, 4) + " mm2, gradient " +
                                   format_number(1e6 * line.gradient_norm_m2, 3) + " mm2"
                             : last_.message;
         }
-        progress_.report({"optimize", static_cast<double>(fit_.log.size()) + share, static_cast<double>(options_.max_evaluations), "evaluations", words});
+        progress_.report({"optimize", static_cast<double>(fit_.log.size()) + share,
+                          static_cast<double>(options_.max_evaluations), "evaluations", words});
     }
 
     const ActuationProblem& problem_;
@@ -112,7 +116,7 @@ private:
 };
 
 struct Bounds {
-    MatrixXd lower, upper;   // signals x knots
+    MatrixXd lower, upper;  // signals x knots
 
     Bounds(const SoughtSignals& sought, const MatrixXd& like) : lower(like), upper(like) {
         for (Index s = 0; s < like.rows(); ++s) {
@@ -131,7 +135,9 @@ struct Objective {
 
 double objective(unsigned, const double* x, double* gradient, void* data) {
     const Objective& o = *static_cast<Objective*>(data);
-    return o.search.at(o.bounds.inside(value_unit * Eigen::Map<const MatrixXd>(x, o.bounds.lower.rows(), o.bounds.lower.cols())), gradient);
+    return o.search.at(
+        o.bounds.inside(value_unit * Eigen::Map<const MatrixXd>(x, o.bounds.lower.rows(), o.bounds.lower.cols())),
+        gradient);
 }
 
 using Optimiser = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
@@ -164,16 +170,18 @@ void set_ending(const ActuationFitOptions& options, const Progress& progress, nl
 
 }  // namespace
 
-ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const MatrixXd& values, const Progress& progress) {
-    Model model = problem.model;
+ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const MatrixXd& values,
+                                       const Progress& progress) {
+    model::Model model = problem.model;
     model.activation = activations_of(problem.sought, values);
     ActuationEvaluation result;
     MarkerTarget target = problem.target;
-    const auto loss = [&](const NodeMotion& motion) {
+    const auto loss = [&](const sensitivity::NodeMotion& motion) {
         if (problem.placement_bounds) target.placement = best_placement(target, motion, *problem.placement_bounds);
         return mean_square(target, motion);
     };
-    GradientRun run = simulate_with_gradient(model, problem.options, {target.markers.nodes, loss}, {}, progress);
+    sensitivity::GradientRun run = sensitivity::simulate_with_gradient(model, problem.options,
+                                                                       {target.markers.nodes, loss}, {}, progress);
     result.placement = target.placement;
     result.status = run.status;
     result.message = run.message;
@@ -185,13 +193,14 @@ ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Ma
     result.motion = std::move(run.motion);
     result.steps = run.steps;
     if (!std::isfinite(result.loss_m2) || !result.gradient.allFinite()) {
-        result.status = RunStatus::failed;
+        result.status = dynamics::RunStatus::failed;
         result.message = "the loss or its gradient is not a finite number";
     }
     return result;
 }
 
-ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& start, const ActuationFitOptions& options, const Progress& progress) {
+ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& start, const ActuationFitOptions& options,
+                           const Progress& progress) {
     assert(start.size() > 0 && problem.target.coordinates() > 0);
     const Stopwatch watch;
     const Bounds bounds(problem.sought, start);
@@ -218,4 +227,4 @@ ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& star
     return fit;
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
@@ -43,30 +43,33 @@ MatrixXd unmoved_values(const SoughtSignals& sought) {
     return values;
 }
 
-std::vector<Signal> activations_of(const SoughtSignals& sought, const MatrixXd& values) {
+std::vector<fibre::Signal> activations_of(const SoughtSignals& sought, const MatrixXd& values) {
     std::vector<double> times = knot_times(sought);
-    assert(values.rows() == static_cast<Index>(sought.signals.size()) && values.cols() == static_cast<Index>(times.size()));
+    assert(values.rows() == static_cast<Index>(sought.signals.size()) &&
+           values.cols() == static_cast<Index>(times.size()));
     const bool fixed = has_fixed_knot(sought);
     if (fixed) times.insert(times.begin(), first_knot(sought) / sought.frequency_Hz);
-    std::vector<Signal> activations;
+    std::vector<fibre::Signal> activations;
     for (const SignalShare& group : sought.groups) {
         const auto of_group = [&](double s) { return 1.0 + group.factor * (s - 1.0); };
         std::vector<double> knots;
         if (fixed) knots.push_back(of_group(sought.signals[group.signal].before));
         for (const double value : values.row(static_cast<Index>(group.signal))) knots.push_back(of_group(value));
-        activations.push_back(sought.hold ? Signal::held(times, knots) : Signal{times, knots});
+        activations.push_back(sought.hold ? fibre::Signal::held(times, knots) : fibre::Signal{times, knots});
     }
     return activations;
 }
 
 MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vector<double>>& activation) {
     assert(activation.size() == sought.groups.size());
-    MatrixXd gradient = MatrixXd::Zero(static_cast<Index>(sought.signals.size()), static_cast<Index>(knot_times(sought).size()));
+    MatrixXd gradient = MatrixXd::Zero(static_cast<Index>(sought.signals.size()),
+                                       static_cast<Index>(knot_times(sought).size()));
     for (std::size_t g = 0; g < activation.size(); ++g) {
-        const std::vector<double> knots = sought.hold ? held_sample_gradient(activation[g]) : activation[g];
-        const Index first = static_cast<Index>(knots.size()) - gradient.cols();   // those before it are not free
+        const std::vector<double> knots = sought.hold ? fibre::held_sample_gradient(activation[g]) : activation[g];
+        const Index first = static_cast<Index>(knots.size()) - gradient.cols();  // those before it are not free
         for (Index k = 0; k < gradient.cols(); ++k)
-            gradient(static_cast<Index>(sought.groups[g].signal), k) += sought.groups[g].factor * knots[static_cast<std::size_t>(first + k)];
+            gradient(static_cast<Index>(sought.groups[g].signal), k) += sought.groups[g].factor *
+                                                                        knots[static_cast<std::size_t>(first + k)];
     }
     return gradient;
 }
@@ -101,4 +104,4 @@ double mean_square_rate(const SoughtSignals& sought, const MatrixXd& values, dou
     return sum / count;
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -3,7 +3,7 @@
 #include "inverse/bounded_step.hpp"
 #include "measurement/rigid_motion.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
@@ -14,7 +14,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 /// Small rotations converge quadratically: three steps reach rounding.
 constexpr int most_steps = 8;
-constexpr double converged = 1e-12;   // a step, over its bounds
+constexpr double converged = 1e-12;  // a step, over its bounds
 
 Vector6d as_vector(const MarkerPlacement& placement) {
     return (Vector6d() << placement.translation_m, placement.rotation_rad).finished();
@@ -30,17 +30,18 @@ Vector6d as_vector(const PlacementBounds& bounds) {
 
 Eigen::Matrix<double, 3, 6> placement_tangent(const MarkerPlacement& placement, const Eigen::Vector3d& x) {
     Eigen::Matrix<double, 3, 6> tangent;
-    tangent << Eigen::Matrix3d::Identity(), d_rotated_d_omega(placement.rotation_rad, x);
+    tangent << Eigen::Matrix3d::Identity(), measurement::d_rotated_d_omega(placement.rotation_rad, x);
     return tangent;
 }
 
-MarkerPlacement best_placement(const MarkerTarget& target, const NodeMotion& motion, const PlacementBounds& bounds) {
+MarkerPlacement best_placement(const MarkerTarget& target, const sensitivity::NodeMotion& motion,
+                               const PlacementBounds& bounds) {
     if (target.from_start) return target.placement;
     MarkerTarget placed = target;
     placed.placement.translation_m.setZero();
     placed.placement.rotation_rad.setZero();
     const VectorXd times = target.times_s.array() - target.placement.start_shift_s;
-    const std::vector<Eigen::Matrix3Xd> markers = observe(motion, target.markers, times).positions;
+    const std::vector<Eigen::Matrix3Xd> markers = measurement::observe(motion, target.markers, times).positions;
     const Vector6d most = as_vector(bounds);
     for (int step = 0; step < most_steps; ++step) {
         const std::vector<Eigen::Matrix3Xd> residuals = target_residuals(placed, motion);
@@ -73,4 +74,4 @@ bool at_bound(const MarkerPlacement& placement, const PlacementBounds& bounds) {
     return (as_vector(placement).cwiseAbs().array() >= (1.0 - 1e-9) * as_vector(bounds).array()).any();
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 /// Nearly parallel columns take many rounds, each of which costs n^2 numbers only.
 constexpr int most_rounds = 20000;
-constexpr double least_change = 1e-10;   // of the residual's length
+constexpr double least_change = 1e-10;  // of the residual's length
 
 }  // namespace
 
@@ -37,4 +37,4 @@ VectorXd bounded_step(const MatrixXd& A, const VectorXd& r, const VectorXd& lowe
     return x;
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

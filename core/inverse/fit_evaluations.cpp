@@ -5,7 +5,7 @@
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
@@ -30,46 +30,60 @@ VectorXd for_each_number(const std::vector<Parameter>& parameters, const VectorX
 
 }  // namespace
 
-double internal_value(const Parameter& p, double value) { return p.over_decades ? std::log1p(value / p.scale) : value / p.scale; }
+double internal_value(const Parameter& p, double value) {
+    return p.over_decades ? std::log1p(value / p.scale) : value / p.scale;
+}
 double physical_value(const Parameter& p, double internal) {
     if (internal == internal_value(p, p.value)) return p.value;
     return p.over_decades ? p.scale * std::expm1(internal) : internal * p.scale;
 }
-double physical_slope(const Parameter& p, double internal) { return p.over_decades ? p.scale * std::exp(internal) : p.scale; }
+double physical_slope(const Parameter& p, double internal) {
+    return p.over_decades ? p.scale * std::exp(internal) : p.scale;
+}
 
-VectorXd physical_values(const std::vector<Parameter>& parameters, const VectorXd& internal) { return for_each_number(parameters, internal, physical_value); }
-VectorXd physical_slopes(const std::vector<Parameter>& parameters, const VectorXd& internal) { return for_each_number(parameters, internal, physical_slope); }
+VectorXd physical_values(const std::vector<Parameter>& parameters, const VectorXd& internal) {
+    return for_each_number(parameters, internal, physical_value);
+}
+VectorXd physical_slopes(const std::vector<Parameter>& parameters, const VectorXd& internal) {
+    return for_each_number(parameters, internal, physical_slope);
+}
 
 StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const VectorXd& internal) {
     StepBounds bounds{VectorXd(internal.size()), VectorXd(internal.size())};
     for (Index i = 0; i < internal.size(); ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
         const double most = p.over_decades ? most_decades : std::numeric_limits<double>::infinity();
-        const auto room = [&](double bound) { return std::isfinite(bound) ? internal_value(p, bound) - internal(i) : bound; };
+        const auto room = [&](double bound) {
+            return std::isfinite(bound) ? internal_value(p, bound) - internal(i) : bound;
+        };
         bounds.lower(i) = std::min(0.0, std::max(room(p.lower), -most));
         bounds.upper(i) = std::max(0.0, std::min(room(p.upper), most));
     }
     return bounds;
 }
 
-FitEvaluations::FitEvaluations(const ResidualFunction& function, const LeastSquaresOptions& options, const Progress& progress, LeastSquaresReport& report)
+FitEvaluations::FitEvaluations(const ResidualFunction& function, const LeastSquaresOptions& options,
+                               const Progress& progress, LeastSquaresReport& report)
     : function_(function), progress_(progress), most_evaluations_(options.max_evaluations), report_(report) {}
 
 const ResidualEvaluation& FitEvaluations::at(const VectorXd& values) {
     for (const Point& point : latest_)
         if (point.values == values) return point.evaluation;
     if (progress_.cancelled()) return stopped_;
-    const auto show = [&](double done) { progress_.report({"fit", done, most_evaluations_, "evaluations", last_words_}); };
-    if (report_.evaluations == 0) show(0.0);   // something is seen while the first one is under way
+    const auto show = [&](double done) {
+        progress_.report({"fit", done, most_evaluations_, "evaluations", last_words_});
+    };
+    if (report_.evaluations == 0) show(0.0);  // something is seen while the first one is under way
     const Progress inside = progress_.with_sink([&](const ProgressEvent& event) {
         // Whole when evaluated.
-        if (throttle_.ready()) show(report_.evaluations + (event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 0.999) : 0.0));
+        if (throttle_.ready())
+            show(report_.evaluations + (event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 0.999) : 0.0));
     });
     FitIterate iterate{values, std::numeric_limits<double>::infinity()};
     const Stopwatch watch;
     ResidualEvaluation fresh = function_(values, inside);
     iterate.seconds = watch.seconds();
-    if (!fresh.ok && progress_.cancelled()) return stopped_;   // ended half-way
+    if (!fresh.ok && progress_.cancelled()) return stopped_;  // ended half-way
     if (fresh.ok && !std::isfinite(fresh.residuals.squaredNorm())) {
         fresh.ok = false;
         fresh.message = "the sum of squared differences to the data is not a finite number";
@@ -94,18 +108,19 @@ const ResidualEvaluation& FitEvaluations::at(const VectorXd& values) {
     return evaluation;
 }
 
-void set_covariance(const std::vector<Parameter>& parameters, const ResidualEvaluation& end, LeastSquaresReport& report) {
+void set_covariance(const std::vector<Parameter>& parameters, const ResidualEvaluation& end,
+                    LeastSquaresReport& report) {
     const auto n = static_cast<Index>(parameters.size());
     report.deviations = VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
     report.correlation = MatrixXd::Identity(n, n);
     report.undetermined.clear();
     if (!end.ok || n == 0) return;
     const double freedom = static_cast<double>(std::max<Index>(1, end.residuals.size() - n));
-    Identifiability found =
-        identifiability(parameters, end.jacobian, std::max(1.0, end.residuals.squaredNorm() / freedom));
+    Identifiability found = identifiability(parameters, end.jacobian,
+                                            std::max(1.0, end.residuals.squaredNorm() / freedom));
     report.deviations = std::move(found.deviations);
     report.correlation = std::move(found.correlation);
     report.undetermined = std::move(found.undetermined);
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

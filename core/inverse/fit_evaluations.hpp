@@ -3,7 +3,7 @@
 #include "base/throttle.hpp"
 #include "inverse/least_squares.hpp"
 
-namespace myo {
+namespace myo::inverse {
 
 /// The number that a fit moves, in units of what matters, and back, to the last bit at the parameter's own value; and
 /// the derivative of the way back.
@@ -15,7 +15,8 @@ double physical_slope(const Parameter& p, double internal);
 Eigen::VectorXd physical_values(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 Eigen::VectorXd physical_slopes(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
-/// How far the numbers may go at once from where they are, in what a fit moves: to their bounds, and over decades by a factor of e squared.
+/// How far the numbers may go at once from where they are, in what a fit moves: to their bounds, and over decades by a
+/// factor of e squared.
 struct StepBounds {
     Eigen::VectorXd lower, upper;
 };
@@ -25,9 +26,11 @@ StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const 
 class FitEvaluations {
 public:
     /// All are kept by reference.
-    FitEvaluations(const ResidualFunction& function, const LeastSquaresOptions& options, const Progress& progress, LeastSquaresReport& report);
+    FitEvaluations(const ResidualFunction& function, const LeastSquaresOptions& options, const Progress& progress,
+                   LeastSquaresReport& report);
 
-    /// The residuals there; not ok where the model could not be run, or the fit was cancelled. Holds until the third new point after it.
+    /// The residuals there; not ok where the model could not be run, or the fit was cancelled. Holds until the third
+    /// new point after it.
     const ResidualEvaluation& at(const Eigen::VectorXd& values);
 
     /// With the least cost so far.
@@ -43,7 +46,7 @@ private:
     const Progress& progress_;
     double most_evaluations_;
     LeastSquaresReport& report_;
-    Throttle throttle_;   // of what is shown within evaluations, however short these are
+    Throttle throttle_;  // of what is shown within evaluations, however short these are
     std::string last_words_;
     ResidualEvaluation best_;
     std::vector<Point> latest_;
@@ -52,6 +55,7 @@ private:
 
 /// Sets the report's deviations, correlations and undetermined parameters from the Jacobian of an evaluation, see
 /// identifiability().
-void set_covariance(const std::vector<Parameter>& parameters, const ResidualEvaluation& end, LeastSquaresReport& report);
+void set_covariance(const std::vector<Parameter>& parameters, const ResidualEvaluation& end,
+                    LeastSquaresReport& report);
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "inverse/least_squares.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
@@ -106,7 +106,7 @@ std::vector<bool> without_influence(const std::vector<Parameter>& parameters, co
 std::vector<Index> sufficient_parameters(const std::vector<Parameter>& parameters, const MatrixXd& J,
                                          const std::vector<Index>& first, const IdentifiabilityPolicy& policy) {
     const std::vector<bool> flat = without_influence(parameters, J, policy);
-    MatrixXd rest = J;   // what columns add to those that were chosen
+    MatrixXd rest = J;  // what columns add to those that were chosen
     std::vector<Index> chosen, open;
     const auto take_out = [&](Index i) {
         const double length = rest.col(i).norm();
@@ -115,8 +115,10 @@ std::vector<Index> sufficient_parameters(const std::vector<Parameter>& parameter
         for (int pass = 0; pass < 2; ++pass) rest -= direction * (direction.transpose() * rest);
     };
     for (Index i = 0; i < J.cols(); ++i) {
-        if (std::find(first.begin(), first.end(), i) != first.end()) chosen.push_back(i);
-        else if (!at(parameters, i).is_fixed() && !flat[static_cast<std::size_t>(i)]) open.push_back(i);
+        if (std::find(first.begin(), first.end(), i) != first.end())
+            chosen.push_back(i);
+        else if (!at(parameters, i).is_fixed() && !flat[static_cast<std::size_t>(i)])
+            open.push_back(i);
     }
     for (const Index i : chosen) take_out(i);
     while (true) {
@@ -138,15 +140,17 @@ std::vector<Index> sufficient_parameters(const std::vector<Parameter>& parameter
 Identifiability identifiability(const std::vector<Parameter>& parameters, const MatrixXd& J, double variance,
                                 const IdentifiabilityPolicy& policy) {
     const Index n = J.cols();
-    Identifiability result{VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN()),
-                           MatrixXd::Identity(n, n),
-                           {}};
+    Identifiability result{
+        VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN()), MatrixXd::Identity(n, n), {}};
     const std::vector<bool> flat = without_influence(parameters, J, policy);
     std::vector<Index> seen;
     for (Index i = 0; i < n; ++i) {
-        if (at(parameters, i).is_fixed()) result.deviations(i) = 0.0;
-        else if (flat[static_cast<std::size_t>(i)]) result.undetermined.push_back({{i}, 0, {}});
-        else seen.push_back(i);
+        if (at(parameters, i).is_fixed())
+            result.deviations(i) = 0.0;
+        else if (flat[static_cast<std::size_t>(i)])
+            result.undetermined.push_back({{i}, 0, {}});
+        else
+            seen.push_back(i);
     }
     if (seen.empty()) return result;
 
@@ -164,8 +168,8 @@ Identifiability identifiability(const std::vector<Parameter>& parameters, const 
         result.undetermined.push_back(undetermined_group(P, lengths, group, seen));
         for (const Index i : group) determined[static_cast<std::size_t>(i)] = false;
     }
-    const MatrixXd covariance =
-        variance * rest * eigen.values.tail(rest.cols()).cwiseInverse().asDiagonal() * rest.transpose();
+    const MatrixXd covariance = variance * rest * eigen.values.tail(rest.cols()).cwiseInverse().asDiagonal() *
+                                rest.transpose();
     const VectorXd deviation = covariance.diagonal().cwiseSqrt();
     for (std::size_t a = 0; a < seen.size(); ++a) {
         if (!determined[a]) continue;
@@ -174,8 +178,8 @@ Identifiability identifiability(const std::vector<Parameter>& parameters, const 
         for (std::size_t b = 0; b < a; ++b) {
             if (!determined[b]) continue;
             const auto j = static_cast<Index>(b);
-            result.correlation(seen[a], seen[b]) = result.correlation(seen[b], seen[a]) =
-                covariance(i, j) / (deviation(i) * deviation(j));
+            result.correlation(seen[a], seen[b]) = result.correlation(seen[b], seen[a]) = covariance(i, j) /
+                                                                                          (deviation(i) * deviation(j));
         }
     }
     return result;
@@ -199,4 +203,4 @@ std::string undetermined_reason(const std::vector<Parameter>& parameters, const 
     return {};
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::inverse {
 
 struct Parameter;
 
@@ -26,14 +26,14 @@ struct IdentifiabilityPolicy {
 struct Undetermined {
     /// One: it has no influence on the data; several: the data see combinations of them only.
     std::vector<Eigen::Index> parameters;
-    Eigen::Index combinations = 0;   // how many independent ones the data determine
-    Eigen::VectorXd gradient;        // where it is one: its derivative by each parameter, of any length; else empty
+    Eigen::Index combinations = 0;  // how many independent ones the data determine
+    Eigen::VectorXd gradient;       // where it is one: its derivative by each parameter, of any length; else empty
 };
 
 /// Standard deviations of fitted parameters, as far as the data determine them.
 struct Identifiability {
-    Eigen::VectorXd deviations;    // n; NaN for those that are not determined, 0 for those whose bounds are one value
-    Eigen::MatrixXd correlation;   // n x n; unit rows for these
+    Eigen::VectorXd deviations;   // n; NaN for those that are not determined, 0 for those whose bounds are one value
+    Eigen::MatrixXd correlation;  // n x n; unit rows for these
     std::vector<Undetermined> undetermined;
 };
 
@@ -67,4 +67,4 @@ std::vector<bool> without_influence(const std::vector<Parameter>& parameters, co
 std::string undetermined_reason(const std::vector<Parameter>& parameters, const std::vector<Undetermined>& undetermined,
                                 const Eigen::VectorXd& values, Eigen::Index parameter);
 
-}  // namespace myo
+}  // namespace myo::inverse

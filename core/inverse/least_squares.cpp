@@ -9,7 +9,7 @@
 #include "inverse/fit_evaluations.hpp"
 #include "inverse/reused_jacobian.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::VectorXd;
@@ -21,11 +21,7 @@ public:
     ResidualBlock(const std::vector<Parameter>& parameters, const VectorXd& internal,
                   const std::vector<Eigen::Index>& moved, FitEvaluations& evaluations, ReusedJacobian& jacobian,
                   int residuals)
-        : parameters_(parameters),
-          internal_(internal),
-          moved_(moved),
-          evaluations_(evaluations),
-          jacobian_(jacobian) {
+        : parameters_(parameters), internal_(internal), moved_(moved), evaluations_(evaluations), jacobian_(jacobian) {
         set_num_residuals(residuals);
         mutable_parameter_block_sizes()->push_back(static_cast<int>(moved.size()));
     }
@@ -42,8 +38,9 @@ public:
             const Eigen::MatrixXd J = jacobian_.at(values, evaluation);
             if (J.size() == 0) return false;
             const VectorXd slopes = physical_slopes(parameters_, internal);
-            Eigen::Map<RowMajor>(jacobians[0], J.rows(), static_cast<Eigen::Index>(moved_.size())) =
-                J(Eigen::all, moved_) * slopes(moved_).asDiagonal();
+            Eigen::Map<RowMajor>(jacobians[0], J.rows(),
+                                 static_cast<Eigen::Index>(moved_.size())) = J(Eigen::all, moved_) *
+                                                                             slopes(moved_).asDiagonal();
         }
         return true;
     }
@@ -56,14 +53,16 @@ private:
     ReusedJacobian& jacobian_;
 };
 
-/// Ends a fit that was cancelled, and one whose steps change the cost by no more than the model's own rounding: Ceres counts a step that gains
-/// little as convergence, but goes on shortening one that loses as little.
+/// Ends a fit that was cancelled, and one whose steps change the cost by no more than the model's own rounding: Ceres
+/// counts a step that gains little as convergence, but goes on shortening one that loses as little.
 class EndFit final : public ceres::IterationCallback {
 public:
-    EndFit(const Progress& progress, double relative_decrease) : progress_(progress), relative_decrease_(relative_decrease) {}
+    EndFit(const Progress& progress, double relative_decrease)
+        : progress_(progress), relative_decrease_(relative_decrease) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
         if (progress_.cancelled()) return ceres::SOLVER_ABORT;
-        const bool vain = step.step_is_valid && !step.step_is_successful && std::abs(step.cost_change) <= relative_decrease_ * step.cost;
+        const bool vain = step.step_is_valid && !step.step_is_successful &&
+                          std::abs(step.cost_change) <= relative_decrease_ * step.cost;
         return vain ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
     }
 
@@ -91,8 +90,8 @@ ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, co
                                     FitEvaluations& evaluations, ReusedJacobian& jacobian, VectorXd& internal) {
     VectorXd block = internal(moved);
     ceres::Problem problem;
-    problem.AddResidualBlock(new ResidualBlock(parameters, internal, moved, evaluations, jacobian, residuals),
-                             nullptr, block.data());
+    problem.AddResidualBlock(new ResidualBlock(parameters, internal, moved, evaluations, jacobian, residuals), nullptr,
+                             block.data());
     for (std::size_t k = 0; k < moved.size(); ++k) {
         const Parameter& parameter = parameters[static_cast<std::size_t>(moved[k])];
         if (std::isfinite(parameter.lower))
@@ -106,8 +105,8 @@ ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, co
     EndFit end(progress, options.relative_decrease);
     settings.callbacks.push_back(&end);
     ceres::Solver::Summary summary;
-    FLAGS_minloglevel =
-        google::GLOG_FATAL;  // Ceres prints whole residual vectors where a model could not be run; the report says it
+    FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres prints whole residual vectors where a model could not be run; the
+                                             // report says it
     ceres::Solve(settings, &problem, &summary);
     internal(moved) = block;
     return summary;
@@ -185,4 +184,4 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     return report;
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

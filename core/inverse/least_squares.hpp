@@ -11,15 +11,15 @@
 #include "base/progress.hpp"
 #include "inverse/identifiability.hpp"
 
-namespace myo {
+namespace myo::inverse {
 
 /// A number to be found.
 struct Parameter {
-    std::string name;                 // with its unit: "youngs_modulus_Pa"
-    double value = 0.0;               // start
+    std::string name;    // with its unit: "youngs_modulus_Pa"
+    double value = 0.0;  // start
     double lower = -std::numeric_limits<double>::infinity();
     double upper = std::numeric_limits<double>::infinity();
-    double scale = 1.0;               // a change of this size matters
+    double scale = 1.0;  // a change of this size matters
     /// Of values from 0 over decades: the fit moves ln(1 + value / scale), so that its steps are shares of the value.
     bool over_decades = false;
 
@@ -29,26 +29,27 @@ struct Parameter {
 
 /// Residuals r (m) in units of their standard deviation and J = dr/dp (m x n) at p.
 struct ResidualEvaluation {
-    bool ok = false;                  // false: the model could not be run there; the optimiser steps back
+    bool ok = false;  // false: the model could not be run there; the optimiser steps back
     std::string message;
     Eigen::VectorXd residuals;
     Eigen::MatrixXd jacobian;
 };
 
-/// One evaluation. What it reports, `done` of `total` in any unit, becomes its share of the fit's progress; it may report from
-/// several threads, and stops when the progress is cancelled (ok = false then).
+/// One evaluation. What it reports, `done` of `total` in any unit, becomes its share of the fit's progress; it may
+/// report from several threads, and stops when the progress is cancelled (ok = false then).
 using ResidualFunction = std::function<ResidualEvaluation(const Eigen::VectorXd& values, const Progress& progress)>;
 
 /// J = dr/dp (m x n) at values that were evaluated, where it costs more than the residuals. Empty: the model could not
 /// be run, or the fit was cancelled.
-using JacobianFunction = std::function<Eigen::MatrixXd(const Eigen::VectorXd& values, const ResidualEvaluation& there, const Progress& progress)>;
+using JacobianFunction = std::function<Eigen::MatrixXd(const Eigen::VectorXd& values, const ResidualEvaluation& there,
+                                                       const Progress& progress)>;
 
 enum class FitStatus { not_run, converged, not_converged, cancelled, failed };
 
 struct FitIterate {
     Eigen::VectorXd values;
-    double cost = 0.0;                // |r|^2 / 2; infinite where the model could not be run
-    double seconds = 0.0;             // of the evaluation
+    double cost = 0.0;     // |r|^2 / 2; infinite where the model could not be run
+    double seconds = 0.0;  // of the evaluation
 
     bool ok() const { return cost < std::numeric_limits<double>::infinity(); }
 };
@@ -57,11 +58,11 @@ struct LeastSquaresReport {
     FitStatus status = FitStatus::not_run;
     std::string message;
     Eigen::VectorXd start;
-    Eigen::VectorXd values;           // of the evaluation with the least cost: the first of these, where several are equal
+    Eigen::VectorXd values;  // of the evaluation with the least cost: the first of these, where several are equal
     /// Standard deviations; NaN where the data do not determine the parameter, 0 where it is fixed.
     Eigen::VectorXd deviations;
-    Eigen::MatrixXd correlation;      // n x n
-    std::vector<Undetermined> undetermined;   // the parameters without a deviation
+    Eigen::MatrixXd correlation;             // n x n
+    std::vector<Undetermined> undetermined;  // the parameters without a deviation
     double cost_before = 0.0;
     double cost_after = 0.0;
     Eigen::MatrixXd jacobian;         // m x n at the values, or near them where it was asked for apart
@@ -71,7 +72,9 @@ struct LeastSquaresReport {
 
     bool converged() const { return status == FitStatus::converged; }
     /// There are values from at least one evaluation, though the fit may have been stopped or not have converged.
-    bool usable() const { return std::any_of(history.begin(), history.end(), [](const FitIterate& iterate) { return iterate.ok(); }); }
+    bool usable() const {
+        return std::any_of(history.begin(), history.end(), [](const FitIterate& iterate) { return iterate.ok(); });
+    }
 };
 
 struct LeastSquaresOptions {
@@ -82,8 +85,8 @@ struct LeastSquaresOptions {
     /// share. A fit may end with one that is wrong by twice as much, and its values be off by some hundredths of a
     /// standard deviation.
     double most_surprise = 0.02;
-    Eigen::MatrixXd jacobian_guess;   // of fit_by_secants(): m x n at the start, about; saves asking for one there
-    int most_jacobians = 1000;        // of fit_by_secants(): asked for apart; after these secants have to do
+    Eigen::MatrixXd jacobian_guess;  // of fit_by_secants(): m x n at the start, about; saves asking for one there
+    int most_jacobians = 1000;       // of fit_by_secants(): asked for apart; after these secants have to do
 };
 
 /// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt by Ceres on exact Jacobians, one run of the model per
@@ -119,4 +122,4 @@ LeastSquaresReport fit_by_secants(const std::vector<Parameter>& parameters, cons
                                   const JacobianFunction& jacobian, const LeastSquaresOptions& options,
                                   const Progress& progress);
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -4,7 +4,7 @@
 
 #include "measurement/rigid_motion.hpp"
 
-namespace myo {
+namespace myo::inverse {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -21,10 +21,10 @@ namespace {
 VectorXd model_times(const MarkerTarget& target) { return target.times_s.array() - target.placement.start_shift_s; }
 
 /// Markers at the model's times; displacements where the target is one.
-MarkerTracks unplaced(const MarkerTarget& target, const NodeMotion& motion) {
-    MarkerTracks tracks = observe(motion, target.markers, model_times(target));
+measurement::MarkerTracks unplaced(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
+    measurement::MarkerTracks tracks = measurement::observe(motion, target.markers, model_times(target));
     if (!target.from_start) return tracks;
-    const std::vector<Matrix3Xd> origin = observe(motion, target.markers, VectorXd::Zero(1)).positions;
+    const std::vector<Matrix3Xd> origin = measurement::observe(motion, target.markers, VectorXd::Zero(1)).positions;
     for (std::size_t m = 0; m < origin.size(); ++m) tracks.positions[m].colwise() -= Vector3d(origin[m].col(0));
     return tracks;
 }
@@ -39,23 +39,25 @@ Matrix3Xd or_zero(const Matrix3Xd& residual) { return residual.array().isFinite(
 
 }  // namespace
 
-std::vector<Matrix3Xd> target_residuals(const MarkerTarget& target, const NodeMotion& motion) {
-    const Eigen::Matrix3d R = small_rotation(target.placement.rotation_rad);
+std::vector<Matrix3Xd> target_residuals(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
+    const Eigen::Matrix3d R = measurement::small_rotation(target.placement.rotation_rad);
     std::vector<Matrix3Xd> residuals = unplaced(target, motion).positions;
     for (std::size_t m = 0; m < residuals.size(); ++m) residuals[m] = residual_of(target, R, residuals[m], m);
     return residuals;
 }
 
-SensitiveResiduals target_residuals(const MarkerTarget& target, const SensitiveTrace& run) {
-    const Eigen::Matrix3d R = small_rotation(target.placement.rotation_rad);
-    SensitiveTracks seen = observe(run, target.markers, model_times(target));
-    const SensitiveTracks origin = observe(run, target.markers, VectorXd::Zero(1));
+SensitiveResiduals target_residuals(const MarkerTarget& target, const sensitivity::SensitiveTrace& run) {
+    const Eigen::Matrix3d R = measurement::small_rotation(target.placement.rotation_rad);
+    measurement::SensitiveTracks seen = measurement::observe(run, target.markers, model_times(target));
+    const measurement::SensitiveTracks origin = measurement::observe(run, target.markers, VectorXd::Zero(1));
     const auto from_origin = [&](std::vector<Matrix3Xd>& tracks, const std::vector<Matrix3Xd>& starts) {
-        for (std::size_t m = 0; target.from_start && m < tracks.size(); ++m) tracks[m].colwise() -= Vector3d(starts[m].col(0));
+        for (std::size_t m = 0; target.from_start && m < tracks.size(); ++m)
+            tracks[m].colwise() -= Vector3d(starts[m].col(0));
     };
     from_origin(seen.tracks.positions, origin.tracks.positions);
     SensitiveResiduals result;
-    for (std::size_t m = 0; m < seen.tracks.positions.size(); ++m) result.residuals_m.push_back(residual_of(target, R, seen.tracks.positions[m], m));
+    for (std::size_t m = 0; m < seen.tracks.positions.size(); ++m)
+        result.residuals_m.push_back(residual_of(target, R, seen.tracks.positions[m], m));
     for (std::size_t p = 0; p < seen.tangents.size(); ++p) {
         from_origin(seen.tangents[p], origin.tangents[p]);
         for (Matrix3Xd& track : seen.tangents[p]) track = (R * track).eval();
@@ -64,10 +66,10 @@ SensitiveResiduals target_residuals(const MarkerTarget& target, const SensitiveT
     return result;
 }
 
-MotionLoss mean_square(const MarkerTarget& target, const NodeMotion& motion) {
+sensitivity::MotionLoss mean_square(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
     const auto count = static_cast<double>(target.coordinates());
     assert(count > 0.0);
-    const Eigen::Matrix3d back_turned = small_rotation(-target.placement.rotation_rad);
+    const Eigen::Matrix3d back_turned = measurement::small_rotation(-target.placement.rotation_rad);
     std::vector<Matrix3Xd> pulls = target_residuals(target, motion);
     double sum = 0.0;
     for (Matrix3Xd& residual : pulls) {
@@ -75,36 +77,39 @@ MotionLoss mean_square(const MarkerTarget& target, const NodeMotion& motion) {
         sum += residual.squaredNorm();
         residual = (2.0 / count * back_turned * residual).eval();
     }
-    MotionLoss loss = pull_on_nodes(motion, target.markers, model_times(target), pulls);
+    sensitivity::MotionLoss loss = measurement::pull_on_nodes(motion, target.markers, model_times(target), pulls);
     if (target.from_start) {
         std::vector<Matrix3Xd> back;
         for (const Matrix3Xd& pull : pulls) back.emplace_back(-pull.rowwise().sum());
-        const MotionLoss of_origin = pull_on_nodes(motion, target.markers, VectorXd::Zero(1), back);
+        const sensitivity::MotionLoss of_origin = measurement::pull_on_nodes(motion, target.markers, VectorXd::Zero(1),
+                                                                             back);
         loss.d_positions.front() += of_origin.d_positions.front();
     }
     loss.value = sum / count;
     return loss;
 }
 
-MarkerPlacement mean_square_by_placement(const MarkerTarget& target, const NodeMotion& motion) {
+MarkerPlacement mean_square_by_placement(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
     const auto count = static_cast<double>(target.coordinates());
     assert(count > 0.0);
     const Vector3d omega = target.placement.rotation_rad;
-    const Eigen::Matrix3d R = small_rotation(omega);
-    const MarkerTracks tracks = unplaced(target, motion);
+    const Eigen::Matrix3d R = measurement::small_rotation(omega);
+    const measurement::MarkerTracks tracks = unplaced(target, motion);
     MarkerPlacement gradient;
     for (std::size_t m = 0; m < tracks.positions.size(); ++m) {
         const Matrix3Xd& x = tracks.positions[m];
         const Matrix3Xd pull = 2.0 / count * or_zero(residual_of(target, R, x, m));
         if (!target.from_start) gradient.translation_m += pull.rowwise().sum();
-        for (Eigen::Index t = 0; t < x.cols(); ++t) gradient.rotation_rad += d_rotated_d_omega(omega, x.col(t)).transpose() * pull.col(t);
+        for (Eigen::Index t = 0; t < x.cols(); ++t)
+            gradient.rotation_rad += measurement::d_rotated_d_omega(omega, x.col(t)).transpose() * pull.col(t);
         gradient.start_shift_s -= pull.cwiseProduct(R * tracks.velocities[m]).sum();
     }
     return gradient;
 }
 
-LossOfMotion mean_square_of(const MarkerTarget& target) {
-    return {target.markers.nodes, [&target](const NodeMotion& motion) { return mean_square(target, motion); }};
+sensitivity::LossOfMotion mean_square_of(const MarkerTarget& target) {
+    return {target.markers.nodes,
+            [&target](const sensitivity::NodeMotion& motion) { return mean_square(target, motion); }};
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -2,14 +2,13 @@
 
 #include "inverse/fit_evaluations.hpp"
 
-namespace myo {
+namespace myo::inverse {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 ReusedJacobian::ReusedJacobian(const std::vector<Parameter>& parameters, const JacobianFunction& jacobian,
-                               const LeastSquaresOptions& options, const Progress& progress,
-                               LeastSquaresReport& report)
+                               const LeastSquaresOptions& options, const Progress& progress, LeastSquaresReport& report)
     : parameters_(parameters), jacobian_(jacobian), options_(options), progress_(progress), report_(report) {}
 
 VectorXd ReusedJacobian::internal(const VectorXd& values) const {
@@ -40,4 +39,4 @@ MatrixXd ReusedJacobian::at(const VectorXd& values, const ResidualEvaluation& th
     return last_ * slopes.cwiseInverse().asDiagonal();
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

@@ -2,7 +2,7 @@
 
 #include "inverse/least_squares.hpp"
 
-namespace myo {
+namespace myo::inverse {
 
 /// The Jacobian of a fit's points: worked out anew where the last one does not foretell the way from there.
 ///
@@ -28,8 +28,8 @@ private:
     const LeastSquaresOptions& options_;
     const Progress& progress_;
     LeastSquaresReport& report_;
-    Eigen::VectorXd internal_, residuals_;   // where the last one was worked out
-    Eigen::MatrixXd last_;                   // of what the fit moves
+    Eigen::VectorXd internal_, residuals_;  // where the last one was worked out
+    Eigen::MatrixXd last_;                  // of what the fit moves
 };
 
-}  // namespace myo
+}  // namespace myo::inverse

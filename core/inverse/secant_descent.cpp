@@ -6,15 +6,15 @@
 #include "inverse/fit_evaluations.hpp"
 #include "inverse/least_squares.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A Jacobian is asked for where the last one misses so large a share of a step's change, and at the end where the last that was asked for,
-/// or given, misses so much of the way from there.
+/// A Jacobian is asked for where the last one misses so large a share of a step's change, and at the end where the last
+/// that was asked for, or given, misses so much of the way from there.
 constexpr double bad_secant = 0.5, trusted_end = 0.1;
 
 /// Residuals with their Jacobian at a point, all in the fit's own units.
@@ -32,9 +32,13 @@ double surprise(const Linear& from, const VectorXd& u, const VectorXd& r) {
 
 class SecantDescent {
 public:
-    SecantDescent(const std::vector<Parameter>& parameters, const ResidualFunction& residuals, const JacobianFunction& jacobian, const LeastSquaresOptions& options,
-                  const Progress& progress)
-        : parameters_(parameters), jacobian_(jacobian), options_(options), progress_(progress), evaluations_(residuals, options, progress, report_) {}
+    SecantDescent(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
+                  const JacobianFunction& jacobian, const LeastSquaresOptions& options, const Progress& progress)
+        : parameters_(parameters),
+          jacobian_(jacobian),
+          options_(options),
+          progress_(progress),
+          evaluations_(residuals, options, progress, report_) {}
 
     LeastSquaresReport run() {
         const auto n = static_cast<Index>(parameters_.size());
@@ -53,9 +57,12 @@ public:
         if (options_.jacobian_guess.size() > 0 && options_.jacobian_guess.allFinite()) {
             here_.J = options_.jacobian_guess * slopes().asDiagonal();
             anchor_ = here_;
-        } else if (!ask()) return stop(FitStatus::failed, no_derivatives), std::move(report_);
-        if (n > 0) descend();
-        else report_.status = FitStatus::converged;
+        } else if (!ask())
+            return stop(FitStatus::failed, no_derivatives), std::move(report_);
+        if (n > 0)
+            descend();
+        else
+            report_.status = FitStatus::converged;
         report_.jacobian = here_.J * slopes().cwiseInverse().asDiagonal();
         set_covariance(parameters_, {true, {}, here_.r, report_.jacobian}, report_);
         return std::move(report_);
@@ -81,9 +88,12 @@ private:
     }
 
     /// The Jacobian that was given or asked for last holds here.
-    bool knows_the_end() const { return !may_ask() || is_exact() || (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < trusted_end); }
+    bool knows_the_end() const {
+        return !may_ask() || is_exact() || (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < trusted_end);
+    }
 
-    /// The step that leaves least within the bounds and the radius, and what it is foretold to leave. scale: lengths of the columns.
+    /// The step that leaves least within the bounds and the radius, and what it is foretold to leave. scale: lengths of
+    /// the columns.
     VectorXd best_step(const VectorXd& scale, double& left) const {
         const Index n = here_.u.size();
         // Rows of zeros where there are fewer residuals than numbers.
@@ -112,7 +122,7 @@ private:
         const auto length = [&](const VectorXd& s) { return s.cwiseProduct(scale).norm(); };
         VectorXd step = damped(1e-12);
         if (length(step) > radius_) {
-            double low = -12.0, high = 6.0;   // decades of lambda
+            double low = -12.0, high = 6.0;  // decades of lambda
             for (int bisection = 0; bisection < 30; ++bisection) {
                 const double middle = 0.5 * (low + high);
                 step = damped(std::pow(10.0, middle));
@@ -131,7 +141,8 @@ private:
             const double squares = here_.r.squaredNorm();
             double left = 0.0;
             const VectorXd step = best_step(scale, left);
-            const bool little = squares - left <= options_.relative_decrease * squares || step.norm() <= options_.relative_step * (here_.u.norm() + options_.relative_step);
+            const bool little = squares - left <= options_.relative_decrease * squares ||
+                                step.norm() <= options_.relative_step * (here_.u.norm() + options_.relative_step);
             if (little) {
                 if (knows_the_end()) {
                     report_.status = FitStatus::converged;
@@ -141,7 +152,9 @@ private:
                 radius_ = std::numeric_limits<double>::infinity();
                 continue;
             }
-            if (report_.evaluations >= options_.max_evaluations) return stop(FitStatus::not_converged, "after " + std::to_string(report_.evaluations) + " evaluations it has not converged");
+            if (report_.evaluations >= options_.max_evaluations)
+                return stop(FitStatus::not_converged,
+                            "after " + std::to_string(report_.evaluations) + " evaluations it has not converged");
             const VectorXd u = here_.u + step;
             const ResidualEvaluation there = evaluations_.at(physical(u));
             const double length = step.cwiseProduct(scale).norm();
@@ -152,8 +165,10 @@ private:
             const double now = there.residuals.squaredNorm(), gain = (squares - now) / (squares - left);
             const bool bad = surprise(here_, u, there.residuals) > bad_secant;
             if (now < squares) {
-                if (gain < 0.25) radius_ = 0.5 * length;
-                else if (gain > 0.75) radius_ = std::max(radius_, 2.0 * length);
+                if (gain < 0.25)
+                    radius_ = 0.5 * length;
+                else if (gain > 0.75)
+                    radius_ = std::max(radius_, 2.0 * length);
                 turn(step, there.residuals, scale);
                 here_.u = u;
                 here_.r = there.residuals;
@@ -164,8 +179,10 @@ private:
             const double slope = 2.0 * here_.r.dot(here_.J * step), curve = now - squares - slope;
             radius_ = length * (curve > 0.0 ? std::clamp(-0.5 * slope / curve, 0.1, 0.5) : 0.5);
             if (is_exact()) continue;
-            if (!may_ask()) turn(step, there.residuals, scale);
-            else if (!ask()) return stop(FitStatus::not_converged, no_derivatives);
+            if (!may_ask())
+                turn(step, there.residuals, scale);
+            else if (!ask())
+                return stop(FitStatus::not_converged, no_derivatives);
         }
     }
 
@@ -188,7 +205,8 @@ private:
     FitEvaluations evaluations_;
     Linear here_;
     Linear anchor_;  // where the Jacobian was last asked for, or given
-    double radius_ = std::numeric_limits<double>::infinity();   // of a step, its numbers times the lengths of their columns
+    double
+        radius_ = std::numeric_limits<double>::infinity();  // of a step, its numbers times the lengths of their columns
 };
 
 }  // namespace
@@ -199,4 +217,4 @@ LeastSquaresReport fit_by_secants(const std::vector<Parameter>& parameters, cons
     return SecantDescent(parameters, residuals, jacobian, options, progress).run();
 }
 
-}  // namespace myo
+}  // namespace myo::inverse

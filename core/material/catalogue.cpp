@@ -1,6 +1,6 @@
 #include "material/catalogue.hpp"
 
-namespace myo {
+namespace myo::material {
 
 const std::vector<MaterialPointer>& material_catalogue() {
     static const std::vector<MaterialPointer> laws = {
@@ -24,4 +24,4 @@ std::vector<std::string> material_ids() {
     return ids;
 }
 
-}  // namespace myo
+}  // namespace myo::material

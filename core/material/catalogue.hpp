@@ -5,7 +5,7 @@
 
 #include "material/material.hpp"
 
-namespace myo {
+namespace myo::material {
 
 MaterialPointer neo_hookean();
 MaterialPointer corotational();
@@ -20,4 +20,4 @@ MaterialPointer find_material(const std::string& id);
 
 std::vector<std::string> material_ids();
 
-}  // namespace myo
+}  // namespace myo::material

@@ -2,7 +2,7 @@
 #include "material/polar.hpp"
 #include "material/tensors.hpp"
 
-namespace myo {
+namespace myo::material {
 namespace {
 
 /// Corotational linear elasticity mu |F - R|^2 + lambda/2 tr(R'F - I)^2, written with kappa = lambda + 2/3 mu:
@@ -43,4 +43,4 @@ public:
 
 MaterialPointer corotational() { return std::make_shared<Corotational>(); }
 
-}  // namespace myo
+}  // namespace myo::material

@@ -4,7 +4,7 @@
 
 #include "material/material.hpp"
 
-namespace myo {
+namespace myo::material {
 
 /// One lane of a small matrix of packs, and back.
 template <int R, int C>
@@ -25,4 +25,4 @@ inline void set_lane(TensorFunctionOf<Pack>& packs, int lane, const TensorFuncti
     if (with_hessian) set_lane(packs.hessian, lane, values.hessian);
 }
 
-}  // namespace myo
+}  // namespace myo::material

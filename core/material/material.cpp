@@ -1,6 +1,6 @@
 #include "material/material.hpp"
 
-namespace myo {
+namespace myo::material {
 
 TensorFunction Material::distortion(const Eigen::Matrix3d& F, double mu, double kappa, bool with_hessian) const {
     LawResponse<double> response;
@@ -10,8 +10,10 @@ TensorFunction Material::distortion(const Eigen::Matrix3d& F, double mu, double 
 
 TensorFunction Material::volume_measure(const Eigen::Matrix3d& F, bool with_hessian) const {
     LawResponse<double> response;
-    if (has_split()) respond(F, 1.0, 1.0, with_hessian, response);
-    else response.volume.hessian.setZero();   // zero, as the value and the gradient are
+    if (has_split())
+        respond(F, 1.0, 1.0, with_hessian, response);
+    else
+        response.volume.hessian.setZero();  // zero, as the value and the gradient are
     return response.volume;
 }
 
@@ -27,4 +29,4 @@ void Material::respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack&
     stress += response.volume.gradient * U.first;
 }
 
-}  // namespace myo
+}  // namespace myo::material

@@ -7,7 +7,7 @@
 
 #include "base/pack.hpp"
 
-namespace myo {
+namespace myo::material {
 
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
@@ -17,7 +17,8 @@ using Matrix9d = Matrix9<double>;
 
 /// A scalar function of the deformation gradient F with its derivatives.
 ///
-/// gradient(i, j) = d value / d F(i, j). hessian(i + 3 j, k + 3 l) = d2 value / dF(i, j) dF(k, l); left unset unless asked for.
+/// gradient(i, j) = d value / d F(i, j). hessian(i + 3 j, k + 3 l) = d2 value / dF(i, j) dF(k, l); left unset unless
+/// asked for.
 template <class T>
 struct TensorFunctionOf {
     T value = T(0.0);
@@ -38,16 +39,17 @@ using ScalarFunction = ScalarFunctionOf<double>;
 /// Both parts of a law at one F: they share most of their work.
 template <class T>
 struct LawResponse {
-    TensorFunctionOf<T> distortion;   // [J/m3]
-    TensorFunctionOf<T> volume;       // the measure theta; of laws without a split: what kappa multiplies in the distortion (no hessian)
+    TensorFunctionOf<T> distortion;  // [J/m3]
+    TensorFunctionOf<T>
+        volume;  // the measure theta; of laws without a split: what kappa multiplies in the distortion (no hessian)
 };
 
 /// A hyperelastic law, energy per rest volume W(F) = distortion(F) + bulk(volume_measure(F)).
 ///
 /// The split lets an element replace the volume measure by its mean over the cell, which removes volumetric locking.
-/// Both parts are linear in the moduli (mu, kappa), so that their derivative with respect to the moduli is the same function
-/// at (d mu, d kappa). The small-strain moduli are mu and kappa, but for the projective law. A degenerate F gives non-finite
-/// values, and the line search rejects the step.
+/// Both parts are linear in the moduli (mu, kappa), so that their derivative with respect to the moduli is the same
+/// function at (d mu, d kappa). The small-strain moduli are mu and kappa, but for the projective law. A degenerate F
+/// gives non-finite values, and the line search rejects the step.
 class Material {
 public:
     virtual ~Material() = default;
@@ -58,10 +60,12 @@ public:
     /// Whether the volume part is separate. Without a split theta and bulk() are zero.
     virtual bool has_split() const { return true; }
 
-    /// Distortional energy density and volume measure (0 in the rest state, d theta = tr(strain) for small strain) at F.
-    /// mu: shear modulus [Pa]; kappa: bulk modulus [Pa], used by laws without a split.
-    virtual void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian, LawResponse<double>& out) const = 0;
-    virtual void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian, LawResponse<Pack>& out) const = 0;
+    /// Distortional energy density and volume measure (0 in the rest state, d theta = tr(strain) for small strain) at
+    /// F. mu: shear modulus [Pa]; kappa: bulk modulus [Pa], used by laws without a split.
+    virtual void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian,
+                         LawResponse<double>& out) const = 0;
+    virtual void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
+                         LawResponse<Pack>& out) const = 0;
 
     /// The whole law at F: energy density and first Piola stress. By respond() and bulk(), unless a law saves work by
     /// doing both at once.
@@ -83,16 +87,20 @@ public:
 template <class Law>
 class MaterialOf : public Material {
 public:
-    void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian, LawResponse<double>& out) const final {
+    void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian,
+                 LawResponse<double>& out) const final {
         Law::respond_at(F, mu, kappa, with_hessian, out);
     }
-    void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian, LawResponse<Pack>& out) const final {
+    void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
+                 LawResponse<Pack>& out) const final {
         Law::respond_at(F, mu, kappa, with_hessian, out);
     }
-    ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const final { return Law::bulk_at(theta, kappa); }
+    ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const final {
+        return Law::bulk_at(theta, kappa);
+    }
     ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const final { return Law::bulk_at(theta, kappa); }
 };
 
 using MaterialPointer = std::shared_ptr<const Material>;
 
-}  // namespace myo
+}  // namespace myo::material

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace myo {
+namespace myo::material {
 
 /// Small-strain moduli [Pa].
 struct Moduli {
@@ -25,4 +25,4 @@ inline YoungPoisson young_from_moduli(const Moduli& m) {
     return {9.0 * m.kappa * m.mu / sum, (3.0 * m.kappa - 2.0 * m.mu) / (2.0 * sum)};
 }
 
-}  // namespace myo
+}  // namespace myo::material

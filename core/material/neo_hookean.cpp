@@ -1,7 +1,7 @@
 #include "material/catalogue.hpp"
 #include "material/tensors.hpp"
 
-namespace myo {
+namespace myo::material {
 namespace {
 
 /// Nearly incompressible neo-Hookean law: mu/2 (J^(-2/3) tr(F'F) - 3) + kappa/4 (J^2 - 1 - 2 ln J).
@@ -17,7 +17,7 @@ public:
         const Matrix3<T> C = cofactor(F);
         const T J = F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0);
         const T I1 = double_dot(F, F);
-        const T cube_root = inverse_cube_root(J);   // not a number for J <= 0: the step is rejected
+        const T cube_root = inverse_cube_root(J);  // not a number for J <= 0: the step is rejected
         const T scale = mu * cube_root * cube_root;
         const Matrix3<T> G = C * (T(1.0) / J);
         out.distortion.value = T(0.5) * (scale * I1 - T(3.0) * mu);
@@ -58,4 +58,4 @@ public:
 
 MaterialPointer neo_hookean() { return std::make_shared<NeoHookean>(); }
 
-}  // namespace myo
+}  // namespace myo::material

@@ -6,7 +6,7 @@
 #include "material/lanes.hpp"
 #include "material/tensors.hpp"
 
-namespace myo {
+namespace myo::material {
 namespace {
 
 using Eigen::Matrix3d;
@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 template <class T>
 Matrix9<T> rotation_derivative(const Matrix3<T>& F, const Matrix3<T>& R) {
-    Matrix3<T> S;   // symmetric part of R'F
+    Matrix3<T> S;  // symmetric part of R'F
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             T sum = T(0.0);
@@ -24,7 +24,7 @@ Matrix9<T> rotation_derivative(const Matrix3<T>& F, const Matrix3<T>& R) {
     const T trace = S(0, 0) + S(1, 1) + S(2, 2);
     Matrix3<T> A = -S;
     for (int i = 0; i < 3; ++i) A(i, i) += trace;
-    const Matrix3<T> C = cofactor(A);   // A is symmetric: A^-1 = C / det A
+    const Matrix3<T> C = cofactor(A);  // A is symmetric: A^-1 = C / det A
     const T inverse_determinant = T(1.0) / (A(0, 0) * C(0, 0) + A(1, 0) * C(1, 0) + A(2, 0) * C(2, 0));
     Matrix9<T> dR;
     for (int l = 0; l < 3; ++l)
@@ -32,7 +32,8 @@ Matrix9<T> rotation_derivative(const Matrix3<T>& F, const Matrix3<T>& R) {
             // R'dF for dF = e_k e_l' has the row k of R in column l; its axial vector is e_l x (that row).
             const int next = (l + 1) % 3, last = (l + 2) % 3;
             T w[3];
-            for (int i = 0; i < 3; ++i) w[i] = inverse_determinant * (C(i, last) * R(k, next) - C(i, next) * R(k, last));
+            for (int i = 0; i < 3; ++i)
+                w[i] = inverse_determinant * (C(i, last) * R(k, next) - C(i, next) * R(k, last));
             for (int i = 0; i < 3; ++i) {
                 dR(i, k + 3 * l) = R(i, 1) * w[2] - R(i, 2) * w[1];
                 dR(i + 3, k + 3 * l) = R(i, 2) * w[0] - R(i, 0) * w[2];
@@ -70,7 +71,7 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
     for (int iteration = 0; iteration < 12 && any_of(open); ++iteration) {
         const Matrix3<Pack> C = cofactor(R);
         const Pack J = R(0, 0) * C(0, 0) + R(1, 0) * C(1, 0) + R(2, 0) * C(2, 0);
-        if (iteration == 0 && any_of(!(J > 0.05))) break;   // those lanes need more than this iteration
+        if (iteration == 0 && any_of(!(J > 0.05))) break;  // those lanes need more than this iteration
         const Pack half = Pack(0.5), share = half / J;
         Pack change = 0.0;
         for (int k = 0; k < 9; ++k) {
@@ -79,7 +80,7 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
             change += (next - entry) * (next - entry);
             entry = next;
         }
-        open = !(change < 1e-15);   // quadratic: what this change of 3e-8 leaves is below rounding
+        open = !(change < 1e-15);  // quadratic: what this change of 3e-8 leaves is below rounding
     }
     if (any_of(open))
         for (int lane = 0; lane < pack_width; ++lane)
@@ -88,6 +89,8 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
 }
 
 Matrix9<double> polar_rotation_derivative(const Matrix3d& F, const Matrix3d& R) { return rotation_derivative(F, R); }
-Matrix9<Pack> polar_rotation_derivative(const Matrix3<Pack>& F, const Matrix3<Pack>& R) { return rotation_derivative(F, R); }
+Matrix9<Pack> polar_rotation_derivative(const Matrix3<Pack>& F, const Matrix3<Pack>& R) {
+    return rotation_derivative(F, R);
+}
 
-}  // namespace myo
+}  // namespace myo::material

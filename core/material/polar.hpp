@@ -4,7 +4,7 @@
 
 #include "material/material.hpp"
 
-namespace myo {
+namespace myo::material {
 
 /// F = U diag(sigma) V', U and V rotations; the smallest sigma carries the sign of det F.
 struct SignedSvd {
@@ -15,9 +15,8 @@ struct SignedSvd {
 
 SignedSvd signed_svd(const Eigen::Matrix3d& F);
 
-/// The rotation nearest to F (polar decomposition F = R S). Of packs: Newton's iteration where F is far from singular, and the
-/// singular values of the lanes where it is not.
-/// Source: Higham 1986, "Computing the polar decomposition".
+/// The rotation nearest to F (polar decomposition F = R S). Of packs: Newton's iteration where F is far from singular,
+/// and the singular values of the lanes where it is not. Source: Higham 1986, "Computing the polar decomposition".
 Eigen::Matrix3d polar_rotation(const Eigen::Matrix3d& F);
 Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F);
 
@@ -26,4 +25,4 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F);
 Matrix9<double> polar_rotation_derivative(const Matrix3<double>& F, const Matrix3<double>& R);
 Matrix9<Pack> polar_rotation_derivative(const Matrix3<Pack>& F, const Matrix3<Pack>& R);
 
-}  // namespace myo
+}  // namespace myo::material

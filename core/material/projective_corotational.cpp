@@ -9,7 +9,7 @@
 #include "material/polar.hpp"
 #include "material/tensors.hpp"
 
-namespace myo {
+namespace myo::material {
 namespace {
 
 using Eigen::Matrix3d;
@@ -22,8 +22,9 @@ struct UnitVolumeProjection {
     bool found = false;
 };
 
-/// Where Newton starts. d_i (d_i - sigma_i) = -p at the solution, so a compressed or inverted sigma has one p < 0, and positive d_i
-/// that grow with -p: found by bisection over decades. Far from unit volume Newton from 1 may not come out of the wrong octant.
+/// Where Newton starts. d_i (d_i - sigma_i) = -p at the solution, so a compressed or inverted sigma has one p < 0, and
+/// positive d_i that grow with -p: found by bisection over decades. Far from unit volume Newton from 1 may not come out
+/// of the wrong octant.
 void start_of_projection(const Vector3d& sigma, Vector3d& d, double& p) {
     d.setOnes();
     p = 0.0;
@@ -33,7 +34,7 @@ void start_of_projection(const Vector3d& sigma, Vector3d& d, double& p) {
         const Eigen::Array3d root = (sigma.array().square() + 4.0 * q).sqrt();
         return (sigma.array() >= 0.0).select(0.5 * (sigma.array() + root), 2.0 * q / (root - sigma.array()));
     };
-    double low = 1e-30, high = 1.0 + 4.0 * sigma.squaredNorm();   // d_i > 1 for all i there
+    double low = 1e-30, high = 1.0 + 4.0 * sigma.squaredNorm();  // d_i > 1 for all i there
     for (int halving = 0; halving < 20; ++halving) {
         const double middle = std::sqrt(low * high);
         (at(middle).prod() < 1.0 ? low : high) = middle;
@@ -89,7 +90,8 @@ public:
 
     bool has_split() const override { return false; }
 
-    static void respond_at(const Matrix3d& F, const double& mu, const double& kappa, bool with_hessian, LawResponse<double>& out) {
+    static void respond_at(const Matrix3d& F, const double& mu, const double& kappa, bool with_hessian,
+                           LawResponse<double>& out) {
         const double lambda = kappa - 2.0 / 3.0 * mu;
         const SignedSvd svd = signed_svd(F);
         const UnitVolumeProjection projection = project_to_unit_volume(svd.sigma);
@@ -103,20 +105,22 @@ public:
         }
         const Vector3d shear = svd.sigma - Vector3d::Ones();
         const Vector3d volume = svd.sigma - projection.d;
-        const Vector3d psi = 2.0 * mu * shear + lambda * volume;   // d W / d sigma, by the envelope theorem
+        const Vector3d psi = 2.0 * mu * shear + lambda * volume;  // d W / d sigma, by the envelope theorem
         W.value = mu * shear.squaredNorm() + lambda / 2.0 * volume.squaredNorm();
         W.gradient = svd.U * psi.asDiagonal() * svd.V.transpose();
         out.volume.value = 0.5 * volume.squaredNorm();
         out.volume.gradient = svd.U * volume.asDiagonal() * svd.V.transpose();
         if (with_hessian) {
-            const Matrix3d psi2 = 2.0 * mu * Matrix3d::Identity() + lambda * (Matrix3d::Identity() - projection.derivative);
+            const Matrix3d psi2 = 2.0 * mu * Matrix3d::Identity() +
+                                  lambda * (Matrix3d::Identity() - projection.derivative);
             W.hessian = isotropic_hessian(svd, psi, psi2, 2.0 * mu + lambda, lambda, projection.d);
         }
     }
 
-    /// D without singular values: it solves D = F - p cof D, det D = 1, and near unit volume this iteration gains digits as fast
-    /// as p is small. Lanes where it does not settle go through the principal values.
-    static void respond_at(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian, LawResponse<Pack>& out) {
+    /// D without singular values: it solves D = F - p cof D, det D = 1, and near unit volume this iteration gains
+    /// digits as fast as p is small. Lanes where it does not settle go through the principal values.
+    static void respond_at(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
+                           LawResponse<Pack>& out) {
         const Pack lambda = kappa - Pack(2.0 / 3.0) * mu;
         const Matrix3<Pack> R = polar_rotation(F);
         Matrix3<Pack> D = F, C;
@@ -133,9 +137,9 @@ public:
                 change += (next - entry) * (next - entry);
                 entry = next;
             }
-            open = !(change * p * p < 1e-30 && change < 1e-12);   // the next change is about p times this one
+            open = !(change * p * p < 1e-30 && change < 1e-12);  // the next change is about p times this one
         }
-        open = open || !(std::experimental::abs(p) < 0.3);   // further off another branch may be nearer
+        open = open || !(std::experimental::abs(p) < 0.3);  // further off another branch may be nearer
         const Matrix3<Pack> shear = F - R, volume = F - D;
         out.distortion.value = mu * double_dot(shear, shear) + Pack(0.5) * lambda * double_dot(volume, volume);
         out.distortion.gradient = shear * (Pack(2.0) * mu) + volume * lambda;
@@ -154,7 +158,8 @@ public:
         for (int lane = 0; lane < pack_width; ++lane)
             if (const auto l = static_cast<std::size_t>(lane); open[l]) {
                 LawResponse<double> single;
-                respond_at(Matrix3d(lane_of(F, lane)), static_cast<double>(mu[l]), static_cast<double>(kappa[l]), with_hessian, single);
+                respond_at(Matrix3d(lane_of(F, lane)), static_cast<double>(mu[l]), static_cast<double>(kappa[l]),
+                           with_hessian, single);
                 set_lane(out.distortion, lane, single.distortion, with_hessian);
                 set_lane(out.volume, lane, single.volume, false);
             }
@@ -168,7 +173,7 @@ public:
 private:
     /// dD/dF from (I + p dcof/dD) dD + cof D dp = dF and cof D : dD = 0.
     static Matrix9<Pack> unit_volume_derivative(const Matrix3<Pack>& D, const Pack& p) {
-        Matrix9<Pack> K;   // (I + p dcof/dD)^-1, by Gauss-Jordan steps without pivoting: the matrix is near the identity
+        Matrix9<Pack> K;  // (I + p dcof/dD)^-1, by Gauss-Jordan steps without pivoting: the matrix is near the identity
         for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             K(row, column) = row == column ? 1.0 : 0.0;
             if (i == k || j == l) return;
@@ -176,7 +181,8 @@ private:
             K(row, column) += sign * p * D(3 - i - k, 3 - j - l);
         });
         for (int pivot = 0; pivot < 9; ++pivot) {
-            // It is symmetric: only entries below the diagonal are kept. Rows done already have changed sign (the sweep operator).
+            // It is symmetric: only entries below the diagonal are kept. Rows done already have changed sign (the sweep
+            // operator).
             const auto at = [&](int i, int j) -> Pack& { return i >= j ? K(i, j) : K(j, i); };
             const Pack inverse = 1.0 / K(pivot, pivot);
             for (int column = 0; column < 9; ++column) {
@@ -201,15 +207,16 @@ private:
             CKC += C(row % 3, row / 3) * sum;
         }
         for (int column = 0; column < 9; ++column)
-            for (int row = 0; row < 9; ++row) K(row, column) -= KC[static_cast<std::size_t>(row)] * KC[static_cast<std::size_t>(column)] / CKC;
+            for (int row = 0; row < 9; ++row)
+                K(row, column) -= KC[static_cast<std::size_t>(row)] * KC[static_cast<std::size_t>(column)] / CKC;
         return K;
     }
 
-    /// Hessian of an isotropic energy from its principal derivatives (Smith, De Goes & Kim 2019, "Analytic eigensystems").
-    /// (psi_i - psi_j)/(sigma_i - sigma_j) is taken without cancellation: with psi = a sigma - 2 mu - lambda d it is
-    /// a - lambda (d_i - d_j)/(sigma_i - sigma_j), and d_i - d_j = (sigma_i - sigma_j)/(1 - p d_k).
-    static Matrix9d isotropic_hessian(const SignedSvd& svd, const Vector3d& psi, const Matrix3d& psi2, double a, double lambda,
-                                      const Vector3d& d) {
+    /// Hessian of an isotropic energy from its principal derivatives (Smith, De Goes & Kim 2019, "Analytic
+    /// eigensystems"). (psi_i - psi_j)/(sigma_i - sigma_j) is taken without cancellation: with psi = a sigma - 2 mu -
+    /// lambda d it is a - lambda (d_i - d_j)/(sigma_i - sigma_j), and d_i - d_j = (sigma_i - sigma_j)/(1 - p d_k).
+    static Matrix9d isotropic_hessian(const SignedSvd& svd, const Vector3d& psi, const Matrix3d& psi2, double a,
+                                      double lambda, const Vector3d& d) {
         Matrix9d H = Matrix9d::Zero();
         const auto outer = [&](int i, int j) {
             Eigen::Matrix<double, 9, 1> q;
@@ -236,4 +243,4 @@ private:
 
 MaterialPointer projective_corotational() { return std::make_shared<ProjectiveCorotational>(); }
 
-}  // namespace myo
+}  // namespace myo::material

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace myo {
+namespace myo::material {
 namespace {
 
 class StrainStiffening : public Material {
@@ -17,14 +17,20 @@ public:
     }
     bool has_split() const override { return base_->has_split(); }
 
-    void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian, LawResponse<double>& out) const override {
+    void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian,
+                 LawResponse<double>& out) const override {
         respond_with(F, mu, kappa, with_hessian, out);
     }
-    void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian, LawResponse<Pack>& out) const override {
+    void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
+                 LawResponse<Pack>& out) const override {
         respond_with(F, mu, kappa, with_hessian, out);
     }
-    ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const override { return base_->bulk(theta, kappa); }
-    ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const override { return base_->bulk(theta, kappa); }
+    ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const override {
+        return base_->bulk(theta, kappa);
+    }
+    ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const override {
+        return base_->bulk(theta, kappa);
+    }
 
 private:
     /// With w' the energy at mu = 1, which keeps the law linear in the moduli: mu (w' + 2 c2 w'^2).
@@ -40,8 +46,9 @@ private:
         const T curvature = mu * (4.0 * c2_);
         for (int j = 0; j < 9; ++j)
             for (int i = 0; i < 9; ++i)
-                out.distortion.hessian(i, j) += slope * unit.distortion.hessian(i, j) +
-                                                curvature * (unit.distortion.gradient.data()[i] * unit.distortion.gradient.data()[j]);
+                out.distortion.hessian(
+                    i, j) += slope * unit.distortion.hessian(i, j) +
+                             curvature * (unit.distortion.gradient.data()[i] * unit.distortion.gradient.data()[j]);
     }
 
     MaterialPointer base_;
@@ -50,6 +57,8 @@ private:
 
 }  // namespace
 
-MaterialPointer strain_stiffening(MaterialPointer base, double yeoh_c2) { return std::make_shared<StrainStiffening>(std::move(base), yeoh_c2); }
+MaterialPointer strain_stiffening(MaterialPointer base, double yeoh_c2) {
+    return std::make_shared<StrainStiffening>(std::move(base), yeoh_c2);
+}
 
-}  // namespace myo
+}  // namespace myo::material

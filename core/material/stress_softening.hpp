@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace myo {
+namespace myo::material {
 
 /// Softening by the largest strain so far, as of filled rubbers: the elastic stress of a point is that of the virgin
 /// material times
@@ -10,11 +10,15 @@ namespace myo {
 /// where W is the largest isochoric energy density that the point, taken as virgin, has had.
 /// Source: Ogden & Roxburgh 1999; Simo 1987 (damage by the largest energy).
 struct StressSoftening {
-    double damage_max = 0.0;           // d, 0 ... below 1
-    double energy_scale_J_m3 = 1.0;    // W0, above 0
+    double damage_max = 0.0;         // d, 0 ... below 1
+    double energy_scale_J_m3 = 1.0;  // W0, above 0
 
-    double factor(double peak_energy_J_m3) const { return 1.0 + damage_max * std::expm1(-peak_energy_J_m3 / energy_scale_J_m3); }
-    double slope(double peak_energy_J_m3) const { return -damage_max / energy_scale_J_m3 * std::exp(-peak_energy_J_m3 / energy_scale_J_m3); }
+    double factor(double peak_energy_J_m3) const {
+        return 1.0 + damage_max * std::expm1(-peak_energy_J_m3 / energy_scale_J_m3);
+    }
+    double slope(double peak_energy_J_m3) const {
+        return -damage_max / energy_scale_J_m3 * std::exp(-peak_energy_J_m3 / energy_scale_J_m3);
+    }
 };
 
-}  // namespace myo
+}  // namespace myo::material

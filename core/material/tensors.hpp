@@ -4,7 +4,7 @@
 
 #include "material/material.hpp"
 
-namespace myo {
+namespace myo::material {
 
 /// cof F = det(F) F^-T.
 template <class T>
@@ -35,4 +35,4 @@ void for_each_tangent_entry(const Function& f) {
                 for (int i = 0; i < 3; ++i) f(i + 3 * j, k + 3 * l, i, j, k, l);
 }
 
-}  // namespace myo
+}  // namespace myo::material

@@ -7,19 +7,21 @@
 #include "base/text.hpp"
 #include "measurement/text_table.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 Result<std::vector<std::string>> muscle_names(const TextLine& header, const std::filesystem::path& path) {
     const std::vector<std::string_view> names = split_fields(header.text, ',');
     const std::string where = at_line(path, header.number);
-    if (names[0] != "time_s") return Error{"the first column is '" + std::string(names[0]) + "', expected 'time_s'", where};
+    if (names[0] != "time_s")
+        return Error{"the first column is '" + std::string(names[0]) + "', expected 'time_s'", where};
     if (names.size() < 2) return Error{"names no muscle", where};
     std::vector<std::string> muscles;
     for (std::size_t column = 1; column < names.size(); ++column) {
         const std::string name(names[column]);
         if (name.empty()) return Error{"column " + std::to_string(column + 1) + " has no name", where};
-        if (std::find(muscles.begin(), muscles.end(), name) != muscles.end()) return Error{"column '" + name + "' appears twice", where};
+        if (std::find(muscles.begin(), muscles.end(), name) != muscles.end())
+            return Error{"column '" + name + "' appears twice", where};
         muscles.push_back(name);
     }
     return muscles;
@@ -45,17 +47,22 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
         const TextLine& line = lines[static_cast<std::size_t>(row) + 1];
         const std::vector<std::string_view> fields = split_fields(line.text, ',');
         if (fields.size() != table.muscles.size() + 1) {
-            return Error{"has " + std::to_string(fields.size()) + " fields, expected " + std::to_string(table.muscles.size() + 1),
+            return Error{"has " + std::to_string(fields.size()) + " fields, expected " +
+                             std::to_string(table.muscles.size() + 1),
                          at_line(path, line.number)};
         }
         for (std::size_t column = 0; column < fields.size(); ++column) {
             double value = 0.0;
             if (!parse_sample(fields[column], value) || std::isnan(value)) {
-                return Error{"column " + std::to_string(column + 1) + " (" + (column == 0 ? std::string("time_s") : table.muscles[column - 1]) +
-                                 ") is '" + std::string(fields[column]) + "', expected a number", at_line(path, line.number)};
+                return Error{"column " + std::to_string(column + 1) + " (" +
+                                 (column == 0 ? std::string("time_s") : table.muscles[column - 1]) + ") is '" +
+                                 std::string(fields[column]) + "', expected a number",
+                             at_line(path, line.number)};
             }
-            if (column == 0) table.time_s(row) = value;
-            else table.values(static_cast<Eigen::Index>(column) - 1, row) = value;
+            if (column == 0)
+                table.time_s(row) = value;
+            else
+                table.values(static_cast<Eigen::Index>(column) - 1, row) = value;
         }
         table.lines.push_back(line.number);
         const bool jump = row > 0 && table.time_s(row) == table.time_s(row - 1);
@@ -66,7 +73,8 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
         if (row > 0 && !jump && !(table.time_s(row) > table.time_s(row - 1))) {
             const bool closes = row == rows - 1 && table.time_s(row) < table.time_s(row - 1);
             if (closes && table.values.col(row) == table.values.col(row - 1)) {
-                table.warnings.push_back(at_line(path, line.number) + ": the last row goes back to " + format_number(table.time_s(row), 9) +
+                table.warnings.push_back(at_line(path, line.number) + ": the last row goes back to " +
+                                         format_number(table.time_s(row), 9) +
                                          " s and repeats the values before it; it is left out");
                 table.time_s.conservativeResize(row);
                 table.values.conservativeResize(Eigen::NoChange, row);
@@ -74,7 +82,8 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
                 break;
             }
             return Error{"time " + format_number(table.time_s(row), 9) + " s does not ascend from " +
-                             format_number(table.time_s(row - 1), 9) + " s in the row before", at_line(path, line.number)};
+                             format_number(table.time_s(row - 1), 9) + " s in the row before",
+                         at_line(path, line.number)};
         }
     }
     return table;
@@ -86,10 +95,11 @@ Result<void> write_actuation_csv(const std::filesystem::path& path, const Actuat
     text += '\n';
     for (Eigen::Index row = 0; row < table.time_s.size(); ++row) {
         text += exact_number(table.time_s(row));
-        for (Eigen::Index m = 0; m < table.values.rows(); ++m) text.append(",").append(exact_number(table.values(m, row)));
+        for (Eigen::Index m = 0; m < table.values.rows(); ++m)
+            text.append(",").append(exact_number(table.values(m, row)));
         text += '\n';
     }
     return write_file(path, text);
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cstdlib>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 struct PendingParameter {
@@ -51,7 +51,8 @@ Result<C3dParameter> read_body(const C3dWords& words, std::size_t offset, const 
     C3dParameter parameter;
     if (!type_of_code(words.signed_byte(offset), parameter.type)) {
         return Error{"parameter " + name + " " + at_byte(offset) + " has the unknown type " +
-                         std::to_string(int{words.signed_byte(offset)}) + "; the parameter section is damaged", file};
+                         std::to_string(int{words.signed_byte(offset)}) + "; the parameter section is damaged",
+                     file};
     }
     const std::size_t dimension_count = words.byte(offset + 1);
     if (!words.holds(offset + 2, dimension_count)) return cut_off();
@@ -70,8 +71,11 @@ Result<C3dParameter> read_body(const C3dWords& words, std::size_t offset, const 
 // Length of the UTF-8 character at the front of `text`, 0 when the bytes are no UTF-8.
 std::size_t utf8_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
-    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
-                               : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xC2 && lead < 0xE0 ? 2
+                               : lead >= 0xE0 && lead < 0xF0 ? 3
+                               : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                             : 0;
     if (length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i) {
         if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
@@ -79,7 +83,8 @@ std::size_t utf8_length(std::string_view text) {
     if (length > 2) {  // overlong forms, surrogates and values past U+10FFFF
         const auto second = static_cast<unsigned char>(text[1]);
         if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second >= 0xA0) || (lead == 0xF0 && second < 0x90) ||
-            (lead == 0xF4 && second >= 0x90)) return 0;
+            (lead == 0xF4 && second >= 0x90))
+            return 0;
     }
     return length;
 }
@@ -158,11 +163,13 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
             if (!parameter) return parameter.error();
             pending.push_back({group, name, *parameter});
         } else {
-            return Error{"the parameter record " + at_byte(at) + " belongs to no group; the parameter section is damaged", file};
+            return Error{
+                "the parameter record " + at_byte(at) + " belongs to no group; the parameter section is damaged", file};
         }
         if (step == 0) break;  // the last record of some writers
         if (step < 2) {
-            return Error{"the parameter record " + at_byte(at) + " points into itself; the parameter section is damaged", file};
+            return Error{
+                "the parameter record " + at_byte(at) + " points into itself; the parameter section is damaged", file};
         }
         at = pointer + step;
     }
@@ -175,4 +182,4 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
     return C3dParameters(words, std::move(entries));
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -8,15 +8,15 @@
 #include "base/result.hpp"
 #include "measurement/c3d_words.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// One parameter of the parameter section; its values stay in the file until they are asked for.
 struct C3dParameter {
     enum class Type { text, byte, word, real };
     Type type = Type::byte;
-    std::vector<std::size_t> dimensions;   // the first one runs fastest; none = a single value
-    std::size_t offset = 0;                // of the values, from the start of the file
-    std::size_t count = 0;                 // number of values (characters for text)
+    std::vector<std::size_t> dimensions;  // the first one runs fastest; none = a single value
+    std::size_t offset = 0;               // of the values, from the start of the file
+    std::size_t count = 0;                // number of values (characters for text)
 };
 
 /// The parameter section, addressed by "GROUP:NAME" in capitals.
@@ -46,7 +46,8 @@ private:
 /// Source: the C3D file format, www.c3d.org, "The parameter section".
 Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t start, const std::string& file);
 
-/// Blanks, tabs and zero bytes removed on both sides, control characters left out; bytes that are no UTF-8 are taken as Latin-1.
+/// Blanks, tabs and zero bytes removed on both sides, control characters left out; bytes that are no UTF-8 are taken as
+/// Latin-1.
 std::string clean_c3d_text(std::string_view text);
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -10,7 +10,7 @@
 #include "measurement/c3d_words.hpp"
 #include "measurement/units.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 constexpr std::size_t block_size = 512;
@@ -23,8 +23,8 @@ struct Layout {
     std::size_t frames = 0;
     std::size_t analog_per_frame = 0;
     std::size_t data_offset = 0;
-    bool real = true;        // 32-bit floats, else 16-bit integers times `scale`
-    double scale = 1.0;      // of integers and of residuals, always positive
+    bool real = true;    // 32-bit floats, else 16-bit integers times `scale`
+    double scale = 1.0;  // of integers and of residuals, always positive
     double rate_Hz = 0.0;
     double metres_per_unit = 1.0;
 
@@ -88,10 +88,12 @@ Result<double> Reader::unit(std::optional<double> unit_override) const {
     const std::vector<std::string> units = parameters_.texts("POINT:UNITS");
     std::string name;
     // Some writers store one string per axis or one character per string.
-    if (!units.empty()) name = units.size() == 2 && units[0].size() == 1 && units[1].size() == 1 ? units[0] + units[1] : units[0];
+    if (!units.empty())
+        name = units.size() == 2 && units[0].size() == 1 && units[1].size() == 1 ? units[0] + units[1] : units[0];
     if (name.empty()) return failure("POINT:UNITS is missing, so the length unit is not known; give it explicitly");
     const std::optional<double> metres = metres_per_unit(name);
-    if (!metres) return failure("POINT:UNITS is '" + name + "', which is no known length unit; give the unit explicitly");
+    if (!metres)
+        return failure("POINT:UNITS is '" + name + "', which is no known length unit; give the unit explicitly");
     return *metres;
 }
 
@@ -111,9 +113,11 @@ bool Reader::fills_file(const Layout& layout) const {
 Result<void> Reader::choose_counts(Layout& layout) const {
     const auto header_points = static_cast<std::size_t>(words_.word(2));
     const auto header_analog = static_cast<std::size_t>(words_.word(4));
-    layout.points = static_cast<std::size_t>(parameters_.number("POINT:USED").value_or(static_cast<double>(header_points)));
+    layout.points = static_cast<std::size_t>(
+        parameters_.number("POINT:USED").value_or(static_cast<double>(header_points)));
     layout.analog_per_frame = header_analog;
-    if (const std::optional<double> channels = parameters_.number("ANALOG:USED"); channels && *channels >= 0.0 && *channels < 65536.0) {
+    if (const std::optional<double> channels = parameters_.number("ANALOG:USED");
+        channels && *channels >= 0.0 && *channels < 65536.0) {
         layout.analog_per_frame = static_cast<std::size_t>(*channels * analog_rate_ratio(layout.rate_Hz));
     }
     if (layout.points == header_points && layout.analog_per_frame == header_analog) return {};
@@ -129,8 +133,9 @@ Result<void> Reader::choose_counts(Layout& layout) const {
         return failure("POINT:USED says " + std::to_string(layout.points) + " points, the header (byte 2) " +
                        std::to_string(header_points) + ", and the file size fits neither");
     }
-    return failure("the ANALOG group says " + std::to_string(layout.analog_per_frame) + " analog values per frame, the header (byte 4) " +
-                   std::to_string(header_analog) + ", and the file size fits neither");
+    return failure("the ANALOG group says " + std::to_string(layout.analog_per_frame) +
+                   " analog values per frame, the header (byte 4) " + std::to_string(header_analog) +
+                   ", and the file size fits neither");
 }
 
 Result<Layout> Reader::layout(std::optional<double> unit_override) const {
@@ -198,7 +203,8 @@ Result<Recording> Reader::samples(const Layout& layout) const {
     recording.residual_m.assign(layout.points, Eigen::VectorXd(frame_count));
     for (std::size_t i = 0; i < layout.points; ++i) {
         for (Eigen::Index t = 0; t < frame_count; ++t) {
-            const std::size_t at = layout.data_offset + static_cast<std::size_t>(t) * layout.frame_size() + 4 * i * layout.word_size();
+            const std::size_t at = layout.data_offset + static_cast<std::size_t>(t) * layout.frame_size() +
+                                   4 * i * layout.word_size();
             Eigen::Vector3d position;
             for (Eigen::Index axis = 0; axis < 3; ++axis) {
                 const std::size_t offset = at + static_cast<std::size_t>(axis) * layout.word_size();
@@ -208,8 +214,9 @@ Result<Recording> Reader::samples(const Layout& layout) const {
             const bool occluded = !(fourth >= 0.0) || position.hasNaN() || (fourth == 0.0 && position.isZero(0.0));
             position *= layout.metres_per_unit;
             if (!occluded && !(position.cwiseAbs().maxCoeff() <= largest_coordinate_m)) {
-                return failure("'" + recording.labels[i] + "' is more than 10 km away in frame " + std::to_string(t + 1) +
-                               " (byte " + std::to_string(at) + "); the file is damaged or its unit wrong");
+                return failure("'" + recording.labels[i] + "' is more than 10 km away in frame " +
+                               std::to_string(t + 1) + " (byte " + std::to_string(at) +
+                               "); the file is damaged or its unit wrong");
             }
             // The low byte of the fourth word counts the residual in steps of the scale, in float files as well.
             const double steps = std::fmod(std::trunc(fourth), 256.0);
@@ -234,23 +241,28 @@ Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<doub
     if (!content) return content.error();
     const std::string_view bytes = *content;
     if (bytes.size() < block_size) {
-        return Error{"is no C3D file: " + std::to_string(bytes.size()) + " bytes are too few for its header of 512", file};
+        return Error{"is no C3D file: " + std::to_string(bytes.size()) + " bytes are too few for its header of 512",
+                     file};
     }
     const auto byte_at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     if (byte_at(1) != 0x50) {
-        return Error{"is no C3D file: byte 1 is " + std::to_string(int{byte_at(1)}) + ", not the format's mark 80", file};
+        return Error{"is no C3D file: byte 1 is " + std::to_string(int{byte_at(1)}) + ", not the format's mark 80",
+                     file};
     }
     const std::size_t parameters_block = byte_at(0);
     if (parameters_block < 2) return Error{"is damaged: byte 0 of the header points to no parameter section", file};
     const std::size_t parameters_start = (parameters_block - 1) * block_size;
     if (parameters_start + 4 > bytes.size()) {
         return Error{"is cut off: the parameter section should start at byte " + std::to_string(parameters_start) +
-                         ", the file ends at byte " + std::to_string(bytes.size()), file};
+                         ", the file ends at byte " + std::to_string(bytes.size()),
+                     file};
     }
     const std::optional<C3dProcessor> processor = c3d_processor(byte_at(parameters_start + 3));
     if (!processor) {
-        return Error{"has the unknown processor code " + std::to_string(int{byte_at(parameters_start + 3)}) + " at byte " +
-                         std::to_string(parameters_start + 3) + " (84 Intel, 85 DEC and 86 SGI are known)", file};
+        return Error{"has the unknown processor code " + std::to_string(int{byte_at(parameters_start + 3)}) +
+                         " at byte " + std::to_string(parameters_start + 3) +
+                         " (84 Intel, 85 DEC and 86 SGI are known)",
+                     file};
     }
     const C3dWords words(bytes, *processor);
     Result<C3dParameters> parameters = read_c3d_parameters(words, parameters_start, file);
@@ -258,4 +270,4 @@ Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<doub
     return Reader(words, std::move(*parameters), file).read(metres_per_unit);
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -6,7 +6,7 @@
 #include "base/result.hpp"
 #include "measurement/recording.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// Reads the 3D points of a C3D file: integer and float data, words of Intel, DEC and SGI machines.
 ///
@@ -19,4 +19,4 @@ namespace myo {
 /// Source: the C3D file format, www.c3d.org; frame counts above 65535 as its "The C3D frame count" lists them.
 Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<double> metres_per_unit = std::nullopt);
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <limits>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
-// VAX F format: sign, 8 exponent bits with bias 128, mantissa 0.1f. Exponent 0 is zero, or reserved when the sign is set.
+// VAX F format: sign, 8 exponent bits with bias 128, mantissa 0.1f. Exponent 0 is zero, or reserved when the sign is
+// set.
 double vax_real(std::uint32_t pattern) {
     const bool negative = (pattern >> 31U) != 0;
     const int exponent = static_cast<int>((pattern >> 23U) & 0xFFU);
@@ -54,4 +55,4 @@ std::optional<C3dProcessor> c3d_processor(std::uint8_t code) {
     return static_cast<C3dProcessor>(code);
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

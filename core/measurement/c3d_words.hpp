@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace myo {
+namespace myo::measurement {
 
 /// The machine whose number formats a C3D file uses; the values are the file's own codes.
 enum class C3dProcessor : std::uint8_t { intel = 84, dec = 85, sgi = 86 };
@@ -38,4 +38,4 @@ private:
 /// The processor of a code byte, or nothing when the code is not one of the format's three.
 std::optional<C3dProcessor> c3d_processor(std::uint8_t code);
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -7,18 +7,22 @@
 #include "base/text.hpp"
 #include "measurement/sample_table.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 
-Result<std::size_t> column_index(const std::vector<std::string>& names, const std::string& name, const std::string& where) {
+Result<std::size_t> column_index(const std::vector<std::string>& names, const std::string& name,
+                                 const std::string& where) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
         const std::string near = closest_word(name, names);
-        return Error{"column '" + name + "' is not in the header" + (near.empty() ? "" : "; the closest name is '" + near + "'"), where};
+        return Error{
+            "column '" + name + "' is not in the header" + (near.empty() ? "" : "; the closest name is '" + near + "'"),
+            where};
     }
-    if (std::find(found + 1, names.end(), name) != names.end()) return Error{"column '" + name + "' appears twice", where};
+    if (std::find(found + 1, names.end(), name) != names.end())
+        return Error{"column '" + name + "' appears twice", where};
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -26,7 +30,8 @@ Result<std::size_t> column_index(const std::vector<std::string>& names, const st
 
 Result<Recording> read_columns(const std::filesystem::path& path, const ColumnLayout& layout) {
     if (layout.labels.empty()) return Error{"no marker is named for the columns of this file", path.string()};
-    if (!positive(layout.metres_per_unit)) return Error{"no length unit is given for the columns of this file", path.string()};
+    if (!positive(layout.metres_per_unit))
+        return Error{"no length unit is given for the columns of this file", path.string()};
     if (!positive(layout.rate_Hz)) return Error{"no rate is given for the rows of this file", path.string()};
     const Result<std::string> content = read_file(path);
     if (!content) return content.error();
@@ -50,7 +55,8 @@ Result<Recording> read_mapped_csv(const std::filesystem::path& path, const Heade
     if (!mapping.time_column && !positive(mapping.rate_Hz)) {
         return Error{"the header mapping gives neither a time column nor a rate", path.string()};
     }
-    if (mapping.time_column && !positive(mapping.seconds_per_unit)) return Error{"the header mapping gives no unit of time", path.string()};
+    if (mapping.time_column && !positive(mapping.seconds_per_unit))
+        return Error{"the header mapping gives no unit of time", path.string()};
     if (mapping.decimal_comma && mapping.separator == ',') {
         return Error{"a comma cannot be both decimal mark and separator", path.string()};
     }
@@ -62,7 +68,8 @@ Result<Recording> read_mapped_csv(const std::filesystem::path& path, const Heade
     }
     const auto header = static_cast<std::size_t>(mapping.header_line - 1);
     SampleTable table;
-    for (const std::string_view name : split_fields(lines[header].text, mapping.separator)) table.column_names.emplace_back(name);
+    for (const std::string_view name : split_fields(lines[header].text, mapping.separator))
+        table.column_names.emplace_back(name);
     table.field_count = table.column_names.size();
     const std::string where = at_line(path, mapping.header_line);
     if (mapping.time_column) {
@@ -90,4 +97,4 @@ Result<Recording> read_mapped_csv(const std::filesystem::path& path, const Heade
     return read_samples(path, std::span(lines).subspan(header + 1), table);
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

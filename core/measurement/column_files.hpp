@@ -9,12 +9,12 @@
 #include "base/result.hpp"
 #include "measurement/recording.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// A table without a header: x y z of each marker in turn.
 struct ColumnLayout {
     std::vector<std::string> labels;
-    double metres_per_unit = 0.0;   // required
+    double metres_per_unit = 0.0;  // required
     char separator = ',';
     double rate_Hz = 0.0;           // required; sample k is at k / rate_Hz
     bool zero_is_occluded = false;  // for streams that write 0, 0, 0 into gaps
@@ -37,12 +37,13 @@ struct HeaderMapping {
     double rate_Hz = 0.0;           // required without a time column
     double metres_per_unit = 0.0;   // required
     char separator = ',';
-    bool decimal_comma = false;     // 1,5 for 1.5; then the separator must be another character
-    int header_line = 1;            // lines before it are ignored
+    bool decimal_comma = false;  // 1,5 for 1.5; then the separator must be another character
+    int header_line = 1;         // lines before it are ignored
     bool zero_is_occluded = false;
 };
 
-/// Errors as for read_columns; a column that is not in the header, or twice (the nearest name is offered); descending times.
+/// Errors as for read_columns; a column that is not in the header, or twice (the nearest name is offered); descending
+/// times.
 Result<Recording> read_mapped_csv(const std::filesystem::path& path, const HeaderMapping& mapping);
 
-}  // namespace myo
+}  // namespace myo::measurement

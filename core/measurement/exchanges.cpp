@@ -7,12 +7,12 @@
 
 #include "measurement/gaps.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
 using Eigen::Vector3d;
-using Names = std::vector<std::size_t>;   // the label that each marker bears
+using Names = std::vector<std::size_t>;  // the label that each marker bears
 
 /// Of the distance to its own label, that to the one a marker has moved to.
 constexpr double much_nearer = 0.25;
@@ -23,7 +23,9 @@ struct Past {
     Vector3d last = Vector3d::Zero(), before = Vector3d::Zero();
 
     bool known() const { return sample >= 0; }
-    Vector3d foretold(Index at) const { return sample == at - 1 && sample_before == at - 2 ? Vector3d(2.0 * last - before) : last; }
+    Vector3d foretold(Index at) const {
+        return sample == at - 1 && sample_before == at - 2 ? Vector3d(2.0 * last - before) : last;
+    }
     void see(const Vector3d& place, Index at) {
         before = last;
         sample_before = sample;
@@ -34,7 +36,8 @@ struct Past {
 
 class Follower {
 public:
-    explicit Follower(const std::vector<Eigen::Matrix3Xd>& tracks) : tracks_(tracks), names_(tracks.size()), past_(tracks.size()) {
+    explicit Follower(const std::vector<Eigen::Matrix3Xd>& tracks)
+        : tracks_(tracks), names_(tracks.size()), past_(tracks.size()) {
         std::iota(names_.begin(), names_.end(), std::size_t{0});
     }
 
@@ -70,7 +73,8 @@ private:
     bool turned_round(std::size_t i, std::size_t j, Index at) const {
         if (!past_[i].known() || past_[i].sample != past_[j].sample || past_[i].sample == at - 1) return false;
         if (!is_seen(tracks_[names_[i]], at) || !is_seen(tracks_[names_[j]], at)) return false;
-        const Vector3d before = past_[j].last - past_[i].last, now = tracks_[names_[j]].col(at) - tracks_[names_[i]].col(at);
+        const Vector3d before = past_[j].last - past_[i].last,
+                       now = tracks_[names_[j]].col(at) - tracks_[names_[i]].col(at);
         return (now + before).norm() < much_nearer * (now - before).norm();
     }
 
@@ -83,10 +87,13 @@ private:
                     moved[i] = names_[j];
                     moved[j] = names_[i];
                 }
-        // A marker that surely bears another's name leaves that one, lost before, only its own, wherever it has gone meanwhile.
+        // A marker that surely bears another's name leaves that one, lost before, only its own, wherever it has gone
+        // meanwhile.
         for (std::size_t i = 0; i < names_.size(); ++i)
             for (std::size_t j = 0; j < names_.size(); ++j)
-                if (moved[i] && *moved[i] == names_[j] && !moved[j] && past_[j].known() && past_[j].sample < at - 1 && is_seen(tracks_[names_[i]], at)) moved[j] = names_[i];
+                if (moved[i] && *moved[i] == names_[j] && !moved[j] && past_[j].known() && past_[j].sample < at - 1 &&
+                    is_seen(tracks_[names_[i]], at))
+                    moved[j] = names_[i];
         // Those whose new label nobody left, or whose own nobody took, close no ring.
         for (bool changed = true; changed;) {
             changed = false;
@@ -95,7 +102,9 @@ private:
                     if (moved[j] && names_[j] == label) return true;
                 return false;
             };
-            const auto taken = [&](std::size_t label) { return std::find(moved.begin(), moved.end(), std::optional(label)) != moved.end(); };
+            const auto taken = [&](std::size_t label) {
+                return std::find(moved.begin(), moved.end(), std::optional(label)) != moved.end();
+            };
             for (std::size_t i = 0; i < names_.size(); ++i)
                 if (moved[i] && !(left(*moved[i]) && taken(names_[i]))) {
                     moved[i].reset();
@@ -138,14 +147,19 @@ std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks) 
         for (std::size_t i = 0; i < tracks.size(); ++i)
             if (group[i] == g) members.push_back(i);
         if (members.size() < 2) continue;
-        const auto exchanged = [&](Index t) { return std::any_of(members.begin(), members.end(), [&](std::size_t i) { return names[static_cast<std::size_t>(t)][i] != i; }); };
+        const auto exchanged = [&](Index t) {
+            return std::any_of(members.begin(), members.end(),
+                               [&](std::size_t i) { return names[static_cast<std::size_t>(t)][i] != i; });
+        };
         for (Index first = 0; first < count; ++first) {
             if (!exchanged(first)) continue;
             Index end = first;
             while (end < count && exchanged(end)) ++end;
             std::vector<std::size_t> markers;
             for (const std::size_t i : members)
-                if (std::any_of(names.begin() + first, names.begin() + end, [&](const Names& now) { return now[i] != i; })) markers.push_back(i);
+                if (std::any_of(names.begin() + first, names.begin() + end,
+                                [&](const Names& now) { return now[i] != i; }))
+                    markers.push_back(i);
             if (end < count) exchanges.push_back({markers, first, end});
             first = end;
         }
@@ -153,11 +167,13 @@ std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks) 
     for (const Exchange& exchange : exchanges)
         for (Index t = exchange.first; t < exchange.end; ++t) {
             std::vector<Vector3d> there;
-            for (const std::size_t i : exchange.markers) there.push_back(tracks[names[static_cast<std::size_t>(t)][i]].col(t));
+            for (const std::size_t i : exchange.markers)
+                there.push_back(tracks[names[static_cast<std::size_t>(t)][i]].col(t));
             for (std::size_t k = 0; k < there.size(); ++k) tracks[exchange.markers[k]].col(t) = there[k];
         }
-    std::sort(exchanges.begin(), exchanges.end(), [](const Exchange& a, const Exchange& b) { return a.first < b.first; });
+    std::sort(exchanges.begin(), exchanges.end(),
+              [](const Exchange& a, const Exchange& b) { return a.first < b.first; });
     return exchanges;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

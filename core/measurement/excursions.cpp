@@ -5,7 +5,7 @@
 
 #include "measurement/gaps.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
@@ -23,7 +23,7 @@ constexpr Index most_missing = 3;
 
 /// From a seen sample of a track to the next.
 struct Step {
-    Index before = 0, after = 0;   // samples
+    Index before = 0, after = 0;  // samples
     bool known = false;
     Vector3d jump = Vector3d::Zero();
 };
@@ -32,12 +32,16 @@ std::vector<Step> steps_of(const Eigen::Matrix3Xd& track, const Eigen::VectorXd&
     std::vector<Index> seen;
     for (Index t = 0; t < track.cols(); ++t)
         if (is_seen(track, t)) seen.push_back(t);
-    const auto velocity = [&](std::size_t i) -> Vector3d { return (track.col(seen[i + 1]) - track.col(seen[i])) / (time_s(seen[i + 1]) - time_s(seen[i])); };
+    const auto velocity = [&](std::size_t i) -> Vector3d {
+        return (track.col(seen[i + 1]) - track.col(seen[i])) / (time_s(seen[i + 1]) - time_s(seen[i]));
+    };
     std::vector<Step> steps;
     for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
         Step step{seen[i], seen[i + 1]};
         step.known = i >= 1 && i + 2 < seen.size() && seen[i + 2] - seen[i - 1] <= 3 + most_missing;
-        if (step.known) step.jump = track.col(step.after) - track.col(step.before) - 0.5 * (time_s(step.after) - time_s(step.before)) * (velocity(i - 1) + velocity(i + 1));
+        if (step.known)
+            step.jump = track.col(step.after) - track.col(step.before) -
+                        0.5 * (time_s(step.after) - time_s(step.before)) * (velocity(i - 1) + velocity(i + 1));
         steps.push_back(step);
     }
     return steps;
@@ -45,7 +49,8 @@ std::vector<Step> steps_of(const Eigen::Matrix3Xd& track, const Eigen::VectorXd&
 
 bool is_beside(std::size_t i, std::size_t j) { return (i > j ? i - j : j - i) <= touched; }
 
-/// Whether the step at `place` departs from the velocity much farther than those nearby, the excursion's other end aside.
+/// Whether the step at `place` departs from the velocity much farther than those nearby, the excursion's other end
+/// aside.
 bool stands_out(const std::vector<Step>& steps, std::size_t place, std::size_t other_end) {
     double largest = 0.0;
     std::size_t told = 0;
@@ -74,12 +79,14 @@ bool is_alone(const std::vector<std::vector<Step>>& steps, std::size_t marker, c
 
 bool are_there_and_back(const Step& away, const Step& back) {
     const double there = away.jump.norm(), here = back.jump.norm();
-    return away.jump.dot(back.jump) < -least_opposition * there * here && std::max(there, here) < most_unequal * std::min(there, here);
+    return away.jump.dot(back.jump) < -least_opposition * there * here &&
+           std::max(there, here) < most_unequal * std::min(there, here);
 }
 
 }  // namespace
 
-std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& tracks, const Eigen::VectorXd& time_s, const Eigen::VectorXd& sigma_m) {
+std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& tracks, const Eigen::VectorXd& time_s,
+                                       const Eigen::VectorXd& sigma_m) {
     assert(sigma_m.size() == static_cast<Index>(tracks.size()));
     std::vector<std::vector<Step>> steps;
     for (const Eigen::Matrix3Xd& track : tracks) steps.push_back(steps_of(track, time_s));
@@ -88,20 +95,27 @@ std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& trac
         const std::vector<Step>& own = steps[m];
         std::vector<std::size_t> jumps;
         for (std::size_t i = 0; i < own.size(); ++i)
-            if (own[i].known && own[i].jump.norm() > least_deviations * sigma_m(static_cast<Index>(m)) && is_alone(steps, m, own[i])) jumps.push_back(i);
+            if (own[i].known && own[i].jump.norm() > least_deviations * sigma_m(static_cast<Index>(m)) &&
+                is_alone(steps, m, own[i]))
+                jumps.push_back(i);
         // The shortest first, so that a marker that slips between two excursions ends neither.
         for (std::size_t length = shortest; 2 * length <= own.size(); ++length)
             for (const std::size_t away : jumps) {
                 const std::size_t back = away + length;
-                if (!std::binary_search(jumps.begin(), jumps.end(), back) || !are_there_and_back(own[away], own[back])) continue;
+                if (!std::binary_search(jumps.begin(), jumps.end(), back) || !are_there_and_back(own[away], own[back]))
+                    continue;
                 if (!stands_out(own, away, back) || !stands_out(own, back, away)) continue;
-                const Excursion found{m, own[away].after, own[back].before + 1, std::max(own[away].jump.norm(), own[back].jump.norm())};
-                const bool apart = std::all_of(excursions.begin(), excursions.end(), [&](const Excursion& e) { return e.marker != m || e.end <= found.first || found.end <= e.first; });
+                const Excursion found{m, own[away].after, own[back].before + 1,
+                                      std::max(own[away].jump.norm(), own[back].jump.norm())};
+                const bool apart = std::all_of(excursions.begin(), excursions.end(), [&](const Excursion& e) {
+                    return e.marker != m || e.end <= found.first || found.end <= e.first;
+                });
                 if (apart) excursions.push_back(found);
             }
     }
-    std::sort(excursions.begin(), excursions.end(), [](const Excursion& a, const Excursion& b) { return a.first < b.first; });
+    std::sort(excursions.begin(), excursions.end(),
+              [](const Excursion& a, const Excursion& b) { return a.first < b.first; });
     return excursions;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

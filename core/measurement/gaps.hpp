@@ -7,7 +7,7 @@
 
 #include "measurement/recording.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// A run of occluded samples, both ends included.
 struct Gap {
@@ -29,8 +29,8 @@ std::vector<MarkerGaps> gap_map(const Recording& recording);
 /// Whether sample t of a track was seen.
 inline bool is_seen(const Eigen::Matrix3Xd& track, Eigen::Index t) { return track.col(t).allFinite(); }
 
-/// Samples in which every marker is exactly where it was in the sample before, gaps included, and at least one was seen:
-/// a polled stream that had nothing new to tell. They carry no information of their own time.
+/// Samples in which every marker is exactly where it was in the sample before, gaps included, and at least one was
+/// seen: a polled stream that had nothing new to tell. They carry no information of their own time.
 std::vector<Eigen::Index> repeated_samples(const Recording& recording);
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -8,7 +8,7 @@
 #include "fem/shape_functions.hpp"
 #include "material/polar.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Matrix3d;
@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 template <class Shape>
 void set_shape(MarkerBinding& binding, const Eigen::Matrix3Xd& X, const Vector3d& point, const Vector3d& middle) {
-    const Vector3d xi = reference_coordinates<Shape>(X, point, middle);
+    const Vector3d xi = fem::reference_coordinates<Shape>(X, point, middle);
     const auto D = Shape::derivatives(xi);
     binding.weights = Shape::values(xi);
     binding.gradient = D * (X * D).inverse();
@@ -27,8 +27,8 @@ bool on_surface(const MarkerBinding& binding) { return binding.standoff_m() < 1e
 
 }  // namespace
 
-MarkerBinding bind_marker(const VolumeMesh& mesh, const BoundaryLocator& locator, const Vector3d& rest_m) {
-    const BoundaryPoint nearest = closest_boundary_point(locator, rest_m);
+MarkerBinding bind_marker(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& locator, const Vector3d& rest_m) {
+    const mesh::BoundaryPoint nearest = mesh::closest_boundary_point(locator, rest_m);
     MarkerBinding binding;
     Eigen::Matrix3Xd X(3, mesh.cells.rows());
     for (Eigen::Index a = 0; a < mesh.cells.rows(); ++a) {
@@ -36,9 +36,9 @@ MarkerBinding bind_marker(const VolumeMesh& mesh, const BoundaryLocator& locator
         X.col(a) = mesh.nodes.col(mesh.cells(a, nearest.cell));
     }
     switch (mesh.type) {
-        case CellType::hex8: set_shape<Hex8>(binding, X, nearest.point, Vector3d::Zero()); break;
-        case CellType::tet4: set_shape<Tet4>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
-        case CellType::tet10: set_shape<Tet10>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
+        case mesh::CellType::hex8: set_shape<fem::Hex8>(binding, X, nearest.point, Vector3d::Zero()); break;
+        case mesh::CellType::tet4: set_shape<fem::Tet4>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
+        case mesh::CellType::tet10: set_shape<fem::Tet10>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
     }
     binding.offset = rest_m - nearest.point;
     return binding;
@@ -47,7 +47,7 @@ MarkerBinding bind_marker(const VolumeMesh& mesh, const BoundaryLocator& locator
 Vector3d marker_position(const MarkerBinding& binding, const Eigen::Matrix3Xd& x) {
     const Vector3d surface = x * binding.weights;
     if (on_surface(binding)) return surface + binding.offset;
-    return surface + polar_rotation(Eigen::Matrix3d(x * binding.gradient)) * binding.offset;
+    return surface + material::polar_rotation(Eigen::Matrix3d(x * binding.gradient)) * binding.offset;
 }
 
 Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx) {
@@ -55,8 +55,8 @@ Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x,
     if (on_surface(binding)) return surface;
     const Matrix3d F = x * binding.gradient;
     const Matrix3d dF = dx * binding.gradient;
-    const Eigen::Matrix<double, 9, 1> dR =
-        polar_rotation_derivative(F, polar_rotation(F)) * Eigen::Map<const Eigen::Matrix<double, 9, 1>>(dF.data());
+    const Eigen::Matrix<double, 9, 1> dR = material::polar_rotation_derivative(F, material::polar_rotation(F)) *
+                                           Eigen::Map<const Eigen::Matrix<double, 9, 1>>(dF.data());
     return surface + Eigen::Map<const Matrix3d>(dR.data()) * binding.offset;
 }
 
@@ -65,9 +65,10 @@ Eigen::Matrix3Xd marker_pull(const MarkerBinding& binding, const Eigen::Matrix3X
     if (on_surface(binding)) return surface;
     const Matrix3d F = x * binding.gradient;
     const Matrix3d on_rotation = pull * binding.offset.transpose();
-    const Eigen::Matrix<double, 9, 1> on_F =
-        polar_rotation_derivative(F, polar_rotation(F)).transpose() * Eigen::Map<const Eigen::Matrix<double, 9, 1>>(on_rotation.data());
+    const Eigen::Matrix<double, 9, 1> on_F = material::polar_rotation_derivative(F, material::polar_rotation(F))
+                                                 .transpose() *
+                                             Eigen::Map<const Eigen::Matrix<double, 9, 1>>(on_rotation.data());
     return surface + Eigen::Map<const Matrix3d>(on_F.data()) * binding.gradient.transpose();
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

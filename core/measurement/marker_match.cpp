@@ -9,7 +9,7 @@
 
 #include "measurement/registration.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
@@ -17,7 +17,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Triple = std::array<Index, 3>;
 
-constexpr std::size_t base_triples = 24;   // that are looked for; one of them is seen unless most markers are hidden
+constexpr std::size_t base_triples = 24;  // that are looked for; one of them is seen unless most markers are hidden
 
 std::vector<Index> usable(const Matrix3Xd& places) {
     std::vector<Index> columns;
@@ -45,13 +45,18 @@ std::vector<Triple> wide_triples(const Matrix3Xd& rest_m, double tolerance_m) {
 }
 
 /// Closest pairs first, each marker and each place once.
-Eigen::VectorXi nearest_pairs(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, const RigidMotion& motion, double tolerance_m) {
-    struct Pair { double distance; Index marker, place; };
+Eigen::VectorXi nearest_pairs(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, const RigidMotion& motion,
+                              double tolerance_m) {
+    struct Pair {
+        double distance;
+        Index marker, place;
+    };
     std::vector<Pair> pairs;
     const Matrix3Xd moved = motion.apply_all(seen_m);
     for (Index m = 0; m < rest_m.cols(); ++m)
         for (Index s = 0; s < moved.cols(); ++s)
-            if (const double distance = (moved.col(s) - rest_m.col(m)).norm(); distance <= tolerance_m) pairs.push_back({distance, m, s});
+            if (const double distance = (moved.col(s) - rest_m.col(m)).norm(); distance <= tolerance_m)
+                pairs.push_back({distance, m, s});
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
     Eigen::VectorXi seen = Eigen::VectorXi::Constant(rest_m.cols(), -1);
     std::vector<char> taken(static_cast<std::size_t>(seen_m.cols()), 0);
@@ -64,7 +69,8 @@ Eigen::VectorXi nearest_pairs(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, 
 }
 
 /// The motion of matched pairs: rigid where they determine it, else a shift with the rotation as it is.
-RigidMotion motion_of(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, const Eigen::VectorXi& seen, const Eigen::Matrix3d& rotation) {
+RigidMotion motion_of(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, const Eigen::VectorXi& seen,
+                      const Eigen::Matrix3d& rotation) {
     const auto count = (seen.array() >= 0).count();
     Matrix3Xd from(3, count), to(3, count);
     Index k = 0;
@@ -93,25 +99,31 @@ MarkerMatch refined(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, RigidMotio
 
 class Search {
 public:
-    Search(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, double tolerance_m) : rest_m_(rest_m), seen_m_(seen_m), tolerance_m_(tolerance_m) {}
+    Search(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, double tolerance_m)
+        : rest_m_(rest_m), seen_m_(seen_m), tolerance_m_(tolerance_m) {}
 
     void try_shifts(const Eigen::Matrix3d& rotation) {
         for (Index m = 0; m < rest_m_.cols(); ++m)
-            for (Index s = 0; s < seen_m_.cols(); ++s) keep(refined(rest_m_, seen_m_, {rotation, rest_m_.col(m) - rotation * seen_m_.col(s)}, tolerance_m_));
+            for (Index s = 0; s < seen_m_.cols(); ++s)
+                keep(refined(rest_m_, seen_m_, {rotation, rest_m_.col(m) - rotation * seen_m_.col(s)}, tolerance_m_));
     }
 
     void try_triple(const Triple& t) {
         const auto side = [](const Matrix3Xd& p, Index a, Index b) { return (p.col(a) - p.col(b)).norm(); };
-        const double ab = side(rest_m_, t[0], t[1]), ac = side(rest_m_, t[0], t[2]), bc = side(rest_m_, t[1], t[2]), slack = 2.0 * tolerance_m_;
+        const double ab = side(rest_m_, t[0], t[1]), ac = side(rest_m_, t[0], t[2]), bc = side(rest_m_, t[1], t[2]),
+                     slack = 2.0 * tolerance_m_;
         for (Index a = 0; a < seen_m_.cols(); ++a)
             for (Index b = 0; b < seen_m_.cols(); ++b) {
                 if (b == a || std::abs(side(seen_m_, a, b) - ab) > slack) continue;
                 for (Index c = 0; c < seen_m_.cols(); ++c) {
-                    if (c == a || c == b || std::abs(side(seen_m_, a, c) - ac) > slack || std::abs(side(seen_m_, b, c) - bc) > slack) continue;
+                    if (c == a || c == b || std::abs(side(seen_m_, a, c) - ac) > slack ||
+                        std::abs(side(seen_m_, b, c) - bc) > slack)
+                        continue;
                     Matrix3Xd from(3, 3), to(3, 3);
                     from << seen_m_.col(a), seen_m_.col(b), seen_m_.col(c);
                     to << rest_m_.col(t[0]), rest_m_.col(t[1]), rest_m_.col(t[2]);
-                    if (const Result<Registration> fit = rigid_registration(from, to)) keep(refined(rest_m_, seen_m_, fit->motion, tolerance_m_));
+                    if (const Result<Registration> fit = rigid_registration(from, to))
+                        keep(refined(rest_m_, seen_m_, fit->motion, tolerance_m_));
                 }
             }
     }
@@ -126,7 +138,9 @@ public:
         for (const MarkerMatch& match : found_) {
             if (match.rms_m > equal) continue;
             ++equals;
-            const auto turn = [&](const MarkerMatch& m) { return rotation_angle(m.motion.rotation * expected.transpose()); };
+            const auto turn = [&](const MarkerMatch& m) {
+                return rotation_angle(m.motion.rotation * expected.transpose());
+            };
             if (!chosen || turn(match) < turn(*chosen)) chosen = &match;
         }
         MarkerMatch best = *chosen;
@@ -155,7 +169,8 @@ private:
 
 }  // namespace
 
-Result<MarkerMatch> match_markers(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, double tolerance_m, const Eigen::Matrix3d& expected) {
+Result<MarkerMatch> match_markers(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, double tolerance_m,
+                                  const Eigen::Matrix3d& expected) {
     const std::vector<Index> columns = usable(seen_m);
     if (rest_m.cols() == 0) return Error{"there is no marker to be told", ""};
     if (columns.empty()) return Error{"the recording shows no marker before the motion", ""};
@@ -163,10 +178,10 @@ Result<MarkerMatch> match_markers(const Matrix3Xd& rest_m, const Matrix3Xd& seen
     Search search(rest_m, places, tolerance_m);
     for (const Triple& triple : wide_triples(rest_m, tolerance_m)) search.try_triple(triple);
     if (search.empty()) search.try_shifts(expected);
-    MarkerMatch match = search.best(expected);   // a shift always explains one marker
+    MarkerMatch match = search.best(expected);  // a shift always explains one marker
     for (int& seen : match.seen)
         if (seen >= 0) seen = static_cast<int>(columns[static_cast<std::size_t>(seen)]);
     return match;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -11,7 +11,7 @@
 #include "measurement/recording_edit.hpp"
 #include "measurement/robust.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -68,7 +68,8 @@ Eigen::VectorXd departures(const Eigen::Matrix3Xd& track, const Window& window) 
     Eigen::VectorXd result = Eigen::VectorXd::Constant(track.cols(), nan);
     for (Eigen::Index t = 1; t < track.cols(); ++t) {
         if (!is_seen(track, t)) continue;
-        if (const std::optional<Eigen::Vector3d> place = reference(track, t, window)) result(t) = (track.col(t) - *place).norm();
+        if (const std::optional<Eigen::Vector3d> place = reference(track, t, window))
+            result(t) = (track.col(t) - *place).norm();
     }
     return result;
 }
@@ -96,7 +97,8 @@ Eigen::VectorXd group_departure(const std::vector<Eigen::VectorXd>& markers) {
         for (const Eigen::VectorXd& marker : markers) {
             if (!std::isnan(marker(t))) known.push_back(marker(t));
         }
-        if (!known.empty()) result(t) = median(Eigen::Map<Eigen::VectorXd>(known.data(), static_cast<Eigen::Index>(known.size())));
+        if (!known.empty())
+            result(t) = median(Eigen::Map<Eigen::VectorXd>(known.data(), static_cast<Eigen::Index>(known.size())));
     }
     return result;
 }
@@ -130,7 +132,8 @@ Eigen::Index trace_back(const Eigen::VectorXd& departure, Eigen::Index t, double
 
 // Mean displacement of the movers along their own direction of motion, from sample `first` on; the direction is that of
 // the last of the `count` samples, so that noise does not add up as it does in a distance.
-Eigen::VectorXd displacement_along_motion(const Recording& movers, Eigen::Index first, Eigen::Index count, const Window& window) {
+Eigen::VectorXd displacement_along_motion(const Recording& movers, Eigen::Index first, Eigen::Index count,
+                                          const Window& window) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(count);
     Eigen::VectorXd seen = Eigen::VectorXd::Zero(count);
     for (const Eigen::Matrix3Xd& track : movers.tracks) {
@@ -165,7 +168,8 @@ OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displac
     const auto for_each_point = [&](const auto& visit) {
         for (Eigen::Index k = 0; k < time_s.size(); ++k) {
             const double d = displacement(k);
-            if (d > 0.0) visit(Eigen::Vector2d(time_s(k), std::pow(d, 1.0 / power)), std::pow(d, 2.0 * (power - 1.0) / power));
+            if (d > 0.0)
+                visit(Eigen::Vector2d(time_s(k), std::pow(d, 1.0 / power)), std::pow(d, 2.0 * (power - 1.0) / power));
         }
     };
     for_each_point([&](const Eigen::Vector2d& point, double w) {
@@ -193,12 +197,12 @@ OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displac
 }
 
 // The time of the onset between the samples.
-double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eigen::Index first, double peak, double threshold,
-                  const Window& window) {
+double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eigen::Index first, double peak,
+                  double threshold, const Window& window) {
     const double at_first = movers.time_s(first);
     const double still = movers.time_s(first - 1);
-    // The beginning of the motion only: up to a fifth of the peak (half of it for fast bodies, to have three samples), and at
-    // most as many samples as the reference is old.
+    // The beginning of the motion only: up to a fifth of the peak (half of it for fast bodies, to have three samples),
+    // and at most as many samples as the reference is old.
     const auto belongs = [&](Eigen::Index k) {
         return k < window.lag && first + k < departure.size() && departure(first + k) < (k < 3 ? 0.5 : 0.2) * peak;
     };
@@ -206,7 +210,8 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
     while (belongs(count)) ++count;
     const Eigen::VectorXd displacement = displacement_along_motion(movers, first, count, window);
     const Eigen::VectorXd times = movers.time_s.segment(first, count);
-    // A mass that starts from rest moves as t^2. A line is for slow drives, of which many samples show that it fits better.
+    // A mass that starts from rest moves as t^2. A line is for slow drives, of which many samples show that it fits
+    // better.
     OnsetLaw law = fit_onset(times, displacement, 2.0);
     if (count >= 6) {
         const OnsetLaw linear = fit_onset(times, displacement, 1.0);
@@ -217,7 +222,8 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
     // trusted farther out than half the length of its support.
     const auto time_to_reach = [&](double d) { return std::pow(std::max(d, 0.0), 1.0 / law.power) / law.slope; };
     const double first_displacement = std::isnan(displacement(0)) ? departure(first) : displacement(0);
-    const double earliest = std::max({still - time_to_reach(threshold), at_first - time_to_reach(first_displacement + threshold),
+    const double earliest = std::max({still - time_to_reach(threshold),
+                                      at_first - time_to_reach(first_displacement + threshold),
                                       still - 0.5 * (times(count - 1) - times(0))});
     return std::clamp(std::max(law.start_s, earliest), movers.time_s(0), at_first);
 }
@@ -226,7 +232,8 @@ std::string seconds_text(double seconds) { return format_number(seconds, 5) + " 
 
 }  // namespace
 
-StartOfMotion find_motion_start(const Recording& recording, const std::vector<std::string>& labels, const MotionStartOptions& options) {
+StartOfMotion find_motion_start(const Recording& recording, const std::vector<std::string>& labels,
+                                const MotionStartOptions& options) {
     StartOfMotion result;
     if (recording.sample_count() == 0) {
         result.message = "the recording is empty";
@@ -235,7 +242,8 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
     result.time_s = recording.time_s(0);
     // Repeats carry no time of their own: without them the steps between samples are those of the motion.
     const std::vector<Eigen::Index> samples = new_samples(recording);
-    const Result<Recording> chosen = select_labels(take_samples(recording, samples), labels.empty() ? recording.labels : labels);
+    const Result<Recording> chosen = select_labels(take_samples(recording, samples),
+                                                   labels.empty() ? recording.labels : labels);
     if (!chosen) {
         result.message = chosen.error().what;
         return result;
@@ -271,10 +279,12 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
     // In a still recording the departures differ little among each other, whatever the kind of the noise.
     const double quiet = known.empty() ? 0.0 : known[known.size() / 5];
     if (!(peak > std::max(10.0 * result.noise_m, 5.0 * quiet))) {
-        result.message = "no marker leaves its rest clearly: the largest departure is " + format_number(1e3 * peak, 3) + " mm";
+        result.message = "no marker leaves its rest clearly: the largest departure is " + format_number(1e3 * peak, 3) +
+                         " mm";
         return result;
     }
-    const std::optional<Eigen::Index> gross = first_sustained(group, options.gross_fraction * peak, options.sustained_samples);
+    const std::optional<Eigen::Index> gross = first_sustained(group, options.gross_fraction * peak,
+                                                              options.sustained_samples);
     if (!gross) {
         result.message = "no sustained motion";
         return result;
@@ -287,7 +297,8 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
         }
         // Noise is not only white: what the markers did before counts as well (2.5 medians are about 4 deviations).
         if (!before.empty()) {
-            const double usual = median(Eigen::Map<Eigen::VectorXd>(before.data(), static_cast<Eigen::Index>(before.size())));
+            const double usual = median(
+                Eigen::Map<Eigen::VectorXd>(before.data(), static_cast<Eigen::Index>(before.size())));
             result.threshold_m = std::max(result.threshold_m, std::min(2.5 * usual, options.gross_fraction * peak));
         }
     }
@@ -302,9 +313,10 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
     result.first_moving = samples[static_cast<std::size_t>(first)];
     result.last_still = result.first_moving - 1;
     result.time_s = onset_time(movers, group, first, peak, result.threshold_m, window);
-    result.message = "motion starts at " + seconds_text(result.time_s) + " (sample " + std::to_string(result.first_moving) +
-                     " is the first to leave the rest by more than " + format_number(1e3 * result.threshold_m, 3) + " mm)";
+    result.message = "motion starts at " + seconds_text(result.time_s) + " (sample " +
+                     std::to_string(result.first_moving) + " is the first to leave the rest by more than " +
+                     format_number(1e3 * result.threshold_m, 3) + " mm)";
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

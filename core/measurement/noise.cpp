@@ -8,14 +8,14 @@
 #include "measurement/gaps.hpp"
 #include "measurement/robust.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 // Sixth differences pass 1e-4 of a 6 Hz vibration at 100 Hz, fifth ones 5 times as much. Still higher orders would only
 // see noise near half the frame rate, where cameras have less of it.
 constexpr Eigen::Index order = 6;
 constexpr std::array<double, order + 1> binomials{1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0};
-constexpr double white_gain = 924.0;   // sum of the squared binomials
+constexpr double white_gain = 924.0;  // sum of the squared binomials
 constexpr Eigen::Index longest_window = 21;
 constexpr Eigen::Index shortest_window = 6;
 constexpr double start_quantile = 0.1;
@@ -26,7 +26,8 @@ double mean_square_quantile(double probability, double freedom) {
     // Normal quantile by Abramowitz and Stegun 26.2.23, good to 5e-4.
     const double tail = std::min(probability, 1.0 - probability);
     const double t = std::sqrt(-2.0 * std::log(tail));
-    const double z = t - (2.515517 + 0.802853 * t + 0.010328 * t * t) / (1.0 + 1.432788 * t + 0.189269 * t * t + 0.001308 * t * t * t);
+    const double z = t - (2.515517 + 0.802853 * t + 0.010328 * t * t) /
+                             (1.0 + 1.432788 * t + 0.189269 * t * t + 0.001308 * t * t * t);
     const double spread = 2.0 / (9.0 * freedom);
     return std::pow(1.0 - spread + (probability < 0.5 ? -z : z) * std::sqrt(spread), 3.0);
 }
@@ -54,8 +55,10 @@ std::vector<Eigen::Matrix3Xd> runs_of(const Eigen::Matrix3Xd& track, const std::
         run.clear();
     };
     for (Eigen::Index t = 0; t < track.cols(); ++t) {
-        if (!is_seen(track, t)) close();
-        else if (!std::binary_search(repeats.begin(), repeats.end(), t)) run.push_back(t);
+        if (!is_seen(track, t))
+            close();
+        else if (!std::binary_search(repeats.begin(), repeats.end(), t))
+            run.push_back(t);
     }
     close();
     return runs;
@@ -82,7 +85,8 @@ double smallest_step(const Eigen::Matrix3Xd& track) {
         std::sort(values.begin(), values.end());
         for (std::size_t k = 1; k < values.size(); ++k) {
             const double gap = values[k] - values[k - 1];
-            // Decimal text is not exact in binary: equal steps differ by rounding, and so do equal values after scaling.
+            // Decimal text is not exact in binary: equal steps differ by rounding, and so do equal values after
+            // scaling.
             if (gap > 1e-12 && (step == 0.0 || gap < step)) step = gap;
         }
     }
@@ -93,15 +97,18 @@ double smallest_step(const Eigen::Matrix3Xd& track) {
 double still_variance(std::vector<double> means, double freedom) {
     std::sort(means.begin(), means.end());
     const auto low = static_cast<std::size_t>(start_quantile * static_cast<double>(means.size()));
-    double variance = means[low] / mean_square_quantile(std::max(start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
-    double kept_mean = 0.0;   // of chi^2 / freedom, given that it is below the still quantile
+    double variance = means[low] /
+                      mean_square_quantile(std::max(start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
+    double kept_mean = 0.0;  // of chi^2 / freedom, given that it is below the still quantile
     constexpr int steps = 200;
-    for (int k = 0; k < steps; ++k) kept_mean += mean_square_quantile(still_quantile * (k + 0.5) / steps, freedom) / steps;
+    for (int k = 0; k < steps; ++k)
+        kept_mean += mean_square_quantile(still_quantile * (k + 0.5) / steps, freedom) / steps;
     for (int pass = 0; pass < 100; ++pass) {
         const double limit = variance * mean_square_quantile(still_quantile, freedom);
         const auto end = std::upper_bound(means.begin(), means.end(), limit);
         if (end == means.begin()) break;
-        const double next = std::accumulate(means.begin(), end, 0.0) / static_cast<double>(end - means.begin()) / kept_mean;
+        const double next = std::accumulate(means.begin(), end, 0.0) / static_cast<double>(end - means.begin()) /
+                            kept_mean;
         if (std::abs(next - variance) <= 1e-9 * variance) break;
         variance = next;
     }
@@ -159,15 +166,18 @@ NoiseEstimate estimate_track_noise(const Eigen::Matrix3Xd& track) {
 double rounding_step(const std::vector<Eigen::Matrix3Xd>& tracks) {
     constexpr std::array<double, 12> per_metre{2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
     constexpr int least_changes = 20;
-    constexpr double exact = 1e-6;   // of a step: decimal text is not exact in binary
+    constexpr double exact = 1e-6;  // of a step: decimal text is not exact in binary
     int changes = 0;
     for (const Eigen::Matrix3Xd& track : tracks)
         for (Eigen::Index t = 1; t < track.cols(); ++t)
-            if (is_seen(track, t - 1) && is_seen(track, t)) changes += static_cast<int>((track.col(t).array() != track.col(t - 1).array()).count());
+            if (is_seen(track, t - 1) && is_seen(track, t))
+                changes += static_cast<int>((track.col(t).array() != track.col(t - 1).array()).count());
     if (changes < least_changes) return 0.0;
     const auto all_are_multiples = [&](double steps) {
         return std::all_of(tracks.begin(), tracks.end(), [&](const Eigen::Matrix3Xd& track) {
-            return std::all_of(track.reshaped().begin(), track.reshaped().end(), [&](double x) { return !std::isfinite(x) || std::abs(x * steps - std::round(x * steps)) < exact; });
+            return std::all_of(track.reshaped().begin(), track.reshaped().end(), [&](double x) {
+                return !std::isfinite(x) || std::abs(x * steps - std::round(x * steps)) < exact;
+            });
         });
     };
     const auto found = std::find_if(per_metre.begin(), per_metre.end(), all_are_multiples);
@@ -187,4 +197,4 @@ double mean_noise(const std::vector<NoiseEstimate>& estimates) {
     return count > 0 ? std::sqrt(squares / count) : 0.0;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -2,13 +2,14 @@
 
 #include <cassert>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
-void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& tracks, const Eigen::VectorXd& stamped_s) {
+void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& tracks,
+                        const Eigen::VectorXd& stamped_s) {
     for (const MarkerSwap& swap : error.swaps)
         for (Index t = 0; t < stamped_s.size(); ++t)
             if (stamped_s(t) >= swap.from_s) tracks[swap.first].col(t).swap(tracks[swap.second].col(t));
@@ -22,7 +23,8 @@ Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd&
     return stamped_s.array() / (1.0 + error.rate_error) + error.clock_offset_s;
 }
 
-std::vector<Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks, const Eigen::VectorXd& stamped_s) {
+std::vector<Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks,
+                                   const Eigen::VectorXd& stamped_s) {
     for (const MarkerShift& shift : error.shifts)
         for (Index t = 0; t < stamped_s.size(); ++t)
             if (stamped_s(t) >= shift.from_s) tracks[shift.marker].col(t) += shift.shift_m;
@@ -30,9 +32,10 @@ std::vector<Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Ma
     return tracks;
 }
 
-std::vector<Matrix3Xd> seen_tangents(const ObservationError& error, std::vector<Matrix3Xd> tangents, const Eigen::VectorXd& stamped_s) {
+std::vector<Matrix3Xd> seen_tangents(const ObservationError& error, std::vector<Matrix3Xd> tangents,
+                                     const Eigen::VectorXd& stamped_s) {
     exchange_and_scale(error, tangents, stamped_s);
     return tangents;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

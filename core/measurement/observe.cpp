@@ -5,7 +5,7 @@
 
 #include "measurement/hermite_weights.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,8 +23,8 @@ Matrix3Xd columns(const Matrix3Xd& X, const std::vector<int>& positions) { retur
 
 }  // namespace
 
-MarkerSet marker_set(const VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m) {
-    const BoundaryLocator locator(mesh);
+MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m) {
+    const mesh::BoundaryLocator locator(mesh);
     MarkerSet set;
     for (const Eigen::Vector3d& rest : rest_m) {
         set.bindings.push_back(bind_marker(mesh, locator, rest));
@@ -35,13 +35,15 @@ MarkerSet marker_set(const VolumeMesh& mesh, const std::vector<Eigen::Vector3d>&
     for (const MarkerBinding& binding : set.bindings) {
         std::vector<int> places;
         for (const int node : binding.nodes)
-            places.push_back(static_cast<int>(std::lower_bound(set.nodes.begin(), set.nodes.end(), node) - set.nodes.begin()));
+            places.push_back(
+                static_cast<int>(std::lower_bound(set.nodes.begin(), set.nodes.end(), node) - set.nodes.begin()));
         set.positions.push_back(std::move(places));
     }
     return set;
 }
 
-SensitiveTracks observe(const SensitiveTrace& run, const MarkerSet& markers, const Eigen::VectorXd& times_s) {
+SensitiveTracks observe(const sensitivity::SensitiveTrace& run, const MarkerSet& markers,
+                        const Eigen::VectorXd& times_s) {
     assert(!run.trace.times_s.empty());
     const auto count = markers.bindings.size();
     const Eigen::Index samples = times_s.size();
@@ -55,9 +57,10 @@ SensitiveTracks observe(const SensitiveTrace& run, const MarkerSet& markers, con
         const HermiteWeights w = hermite_weights(run.trace.times_s, times_s(t));
         const Matrix3Xd now = combine(w, x, v), rate = combine(w.rate(), x, v);
         std::vector<Matrix3Xd> d;
-        for (const NodeTangent& tangent : run.tangents)
-            d.push_back(combine(w, [&](std::size_t k) -> const Matrix3Xd& { return tangent.positions[k]; },
-                                [&](std::size_t k) -> const Matrix3Xd& { return tangent.velocities[k]; }));
+        for (const sensitivity::NodeTangent& tangent : run.tangents)
+            d.push_back(combine(
+                w, [&](std::size_t k) -> const Matrix3Xd& { return tangent.positions[k]; },
+                [&](std::size_t k) -> const Matrix3Xd& { return tangent.velocities[k]; }));
         for (std::size_t m = 0; m < count; ++m) {
             const MarkerBinding& binding = markers.bindings[m];
             const Matrix3Xd local = columns(now, markers.positions[m]);
@@ -70,10 +73,11 @@ SensitiveTracks observe(const SensitiveTrace& run, const MarkerSet& markers, con
     return result;
 }
 
-MarkerTracks observe(const NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s) {
+MarkerTracks observe(const sensitivity::NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s) {
     assert(!motion.times_s.empty());
     const std::size_t count = markers.bindings.size();
-    MarkerTracks tracks{std::vector<Matrix3Xd>(count, Matrix3Xd(3, times_s.size())), std::vector<Matrix3Xd>(count, Matrix3Xd(3, times_s.size()))};
+    MarkerTracks tracks{std::vector<Matrix3Xd>(count, Matrix3Xd(3, times_s.size())),
+                        std::vector<Matrix3Xd>(count, Matrix3Xd(3, times_s.size()))};
     const auto x = [&](std::size_t k) -> const Matrix3Xd& { return motion.positions[k]; };
     const auto v = [&](std::size_t k) -> const Matrix3Xd& { return motion.velocities[k]; };
     for (Eigen::Index t = 0; t < times_s.size(); ++t) {
@@ -82,16 +86,18 @@ MarkerTracks observe(const NodeMotion& motion, const MarkerSet& markers, const E
         for (std::size_t m = 0; m < count; ++m) {
             const Matrix3Xd local = columns(now, markers.positions[m]);
             tracks.positions[m].col(t) = marker_position(markers.bindings[m], local);
-            tracks.velocities[m].col(t) = marker_tangent(markers.bindings[m], local, columns(rate, markers.positions[m]));
+            tracks.velocities[m].col(t) = marker_tangent(markers.bindings[m], local,
+                                                         columns(rate, markers.positions[m]));
         }
     }
     return tracks;
 }
 
-MotionLoss pull_on_nodes(const NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s, const std::vector<Matrix3Xd>& pulls) {
+sensitivity::MotionLoss pull_on_nodes(const sensitivity::NodeMotion& motion, const MarkerSet& markers,
+                                      const Eigen::VectorXd& times_s, const std::vector<Matrix3Xd>& pulls) {
     assert(!motion.times_s.empty() && pulls.size() == markers.bindings.size());
     const Matrix3Xd none = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(markers.nodes.size()));
-    MotionLoss loss;
+    sensitivity::MotionLoss loss;
     loss.d_positions.assign(motion.times_s.size(), none);
     loss.d_velocities.assign(motion.times_s.size(), none);
     const auto x = [&](std::size_t k) -> const Matrix3Xd& { return motion.positions[k]; };
@@ -102,7 +108,8 @@ MotionLoss pull_on_nodes(const NodeMotion& motion, const MarkerSet& markers, con
         Matrix3Xd on_nodes = none;
         for (std::size_t m = 0; m < pulls.size(); ++m) {
             if (pulls[m].col(t).isZero(0.0)) continue;
-            on_nodes(Eigen::all, markers.positions[m]) += marker_pull(markers.bindings[m], columns(now, markers.positions[m]), pulls[m].col(t));
+            on_nodes(Eigen::all, markers.positions[m]) += marker_pull(
+                markers.bindings[m], columns(now, markers.positions[m]), pulls[m].col(t));
         }
         loss.d_positions[w.step] += w.x0 * on_nodes;
         loss.d_velocities[w.step] += w.v0 * on_nodes;
@@ -112,8 +119,8 @@ MotionLoss pull_on_nodes(const NodeMotion& motion, const MarkerSet& markers, con
     return loss;
 }
 
-MarkerTracks observe(const Trace& trace, const MarkerSet& markers, const Eigen::VectorXd& times_s) {
-    return observe(SensitiveTrace{trace, {}}, markers, times_s).tracks;
+MarkerTracks observe(const dynamics::Trace& trace, const MarkerSet& markers, const Eigen::VectorXd& times_s) {
+    return observe(sensitivity::SensitiveTrace{trace, {}}, markers, times_s).tracks;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

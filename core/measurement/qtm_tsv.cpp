@@ -7,12 +7,12 @@
 #include "base/text.hpp"
 #include "measurement/sample_table.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 struct HeaderNumber {
     double value = 0.0;
-    int line = 0;   // 0 = the header does not have it
+    int line = 0;  // 0 = the header does not have it
 };
 
 struct QtmHeader {
@@ -22,7 +22,7 @@ struct QtmHeader {
     std::vector<std::string> names;
     int names_line = 0;
     bool has_time = false;
-    std::size_t first_row = 0;   // index into the lines
+    std::size_t first_row = 0;  // index into the lines
 };
 
 bool starts_data(std::string_view first_field) {
@@ -36,7 +36,8 @@ Result<HeaderNumber> header_number(const std::vector<std::string_view>& fields, 
     const std::string text(fields.size() > 1 ? fields[1] : std::string_view());
     const bool valid = parse_number(text, number.value) && std::isfinite(number.value) && number.value >= 0.0 &&
                        (!whole || number.value == std::floor(number.value));
-    if (!valid) return Error{key + " is '" + text + "', expected a " + (whole ? "count" : "number"), at_line(path, line)};
+    if (!valid)
+        return Error{key + " is '" + text + "', expected a " + (whole ? "count" : "number"), at_line(path, line)};
     return number;
 }
 
@@ -78,18 +79,21 @@ Result<void> check_header(const QtmHeader& header, std::size_t rows, const std::
     std::set<std::string> taken;
     for (const std::string& name : header.names) {
         if (name.empty()) return Error{"MARKER_NAMES holds an empty name", at_line(path, header.names_line)};
-        if (!taken.insert(name).second) return Error{"MARKER_NAMES holds '" + name + "' twice", at_line(path, header.names_line)};
+        if (!taken.insert(name).second)
+            return Error{"MARKER_NAMES holds '" + name + "' twice", at_line(path, header.names_line)};
     }
     if (header.markers.line > 0 && header.markers.value != names) {
         return Error{"NO_OF_MARKERS is " + format_number(header.markers.value, 12) + ", but MARKER_NAMES lists " +
-                         std::to_string(header.names.size()), at_line(path, header.markers.line)};
+                         std::to_string(header.names.size()),
+                     at_line(path, header.markers.line)};
     }
     if (!(header.rate_Hz.value > 0.0) && !header.has_time) {
         return Error{"has no FREQUENCY above 0 and no time column", path.string()};
     }
     if (header.frames.line > 0 && header.frames.value != static_cast<double>(rows)) {
         return Error{"NO_OF_FRAMES is " + format_number(header.frames.value, 12) + ", but the file has " +
-                         std::to_string(rows) + " rows", at_line(path, header.frames.line)};
+                         std::to_string(rows) + " rows",
+                     at_line(path, header.frames.line)};
     }
     return {};
 }
@@ -127,4 +131,4 @@ Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
     return read_samples(path, rows, table);
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::measurement {
 
 /// What a motion-capture file holds, in SI units and the camera frame.
 ///
-/// tracks[i] is 3 x T [m] for labels[i]; an occluded sample is NaN in all three coordinates. time_s has T ascending entries.
+/// tracks[i] is 3 x T [m] for labels[i]; an occluded sample is NaN in all three coordinates. time_s has T ascending
+/// entries.
 struct Recording {
     std::vector<std::string> labels;
     Eigen::VectorXd time_s;
@@ -21,4 +22,4 @@ struct Recording {
     Eigen::Index sample_count() const { return time_s.size(); }
 };
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 std::optional<std::size_t> label_index(const Recording& recording, const std::string& label) {
     const auto found = std::find(recording.labels.begin(), recording.labels.end(), label);
@@ -25,8 +25,10 @@ Recording slice(const Recording& recording, Eigen::Index first, Eigen::Index end
     result.labels = recording.labels;
     result.rate_Hz = recording.rate_Hz;
     result.time_s = recording.time_s.segment(first, end - first);
-    for (const Eigen::Matrix3Xd& track : recording.tracks) result.tracks.emplace_back(track.middleCols(first, end - first));
-    for (const Eigen::VectorXd& residual : recording.residual_m) result.residual_m.emplace_back(residual.segment(first, end - first));
+    for (const Eigen::Matrix3Xd& track : recording.tracks)
+        result.tracks.emplace_back(track.middleCols(first, end - first));
+    for (const Eigen::VectorXd& residual : recording.residual_m)
+        result.residual_m.emplace_back(residual.segment(first, end - first));
     return result;
 }
 
@@ -54,7 +56,8 @@ Result<Recording> select_labels(const Recording& recording, const std::vector<st
         const std::optional<std::size_t> i = label_index(recording, label);
         if (!i) {
             const std::string near = closest_word(label, recording.labels);
-            const std::string hint = near.empty() ? "it has " + join(recording.labels) : "the closest one is '" + near + "'";
+            const std::string hint = near.empty() ? "it has " + join(recording.labels)
+                                                  : "the closest one is '" + near + "'";
             return Error{"the recording has no marker '" + label + "'; " + hint, ""};
         }
         result.tracks.push_back(recording.tracks[*i]);
@@ -63,4 +66,4 @@ Result<Recording> select_labels(const Recording& recording, const std::vector<st
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -8,7 +8,7 @@
 #include "measurement/recording.hpp"
 #include "measurement/rigid_motion.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// Index of a label, or nothing.
 std::optional<std::size_t> label_index(const Recording& recording, const std::string& label);
@@ -30,4 +30,4 @@ Recording shift_time(const Recording& recording, double by_s);
 Result<Recording> select_labels(const Recording& recording, const std::vector<std::string>& labels,
                                 const std::vector<std::string>& new_names = {});
 
-}  // namespace myo
+}  // namespace myo::measurement

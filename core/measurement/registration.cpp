@@ -8,7 +8,7 @@
 
 #include "material/polar.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 // Below this ratio of width to length the turn about the line is noise.
@@ -17,7 +17,7 @@ constexpr double line_ratio = 1e-4;
 bool on_a_line(const Eigen::Matrix3Xd& centred, const Eigen::VectorXd& weights) {
     const Eigen::Matrix3Xd scaled = centred * weights.cwiseSqrt().asDiagonal();
     // Eigenvalues of the moments are squared extents.
-    const Eigen::Vector3d squares = signed_svd(scaled * scaled.transpose()).sigma;
+    const Eigen::Vector3d squares = material::signed_svd(scaled * scaled.transpose()).sigma;
     return !(squares(1) > line_ratio * line_ratio * squares(0));
 }
 
@@ -40,12 +40,13 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
     const Eigen::Matrix3Xd p = from.colwise() - from_mean;
     const Eigen::Matrix3Xd q = to.colwise() - to_mean;
     if (on_a_line(p, w) || on_a_line(q, w)) {
-        return Error{"rigid registration is not determined: all points lie on one line, so the turn about it is free", ""};
+        return Error{"rigid registration is not determined: all points lie on one line, so the turn about it is free",
+                     ""};
     }
     const Eigen::Matrix3d moments = q * w.asDiagonal() * p.transpose();
 
     Registration result;
-    result.motion.rotation = polar_rotation(moments);   // no mirror image
+    result.motion.rotation = material::polar_rotation(moments);  // no mirror image
     result.motion.translation = to_mean - result.motion.rotation * from_mean;
     result.residual_m = result.motion.rotation * p - q;
     result.distance_m = result.residual_m.colwise().norm();
@@ -53,4 +54,4 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

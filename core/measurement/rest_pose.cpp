@@ -7,7 +7,7 @@
 #include "measurement/gaps.hpp"
 #include "measurement/robust.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 // Columns of `track` in [first, end) that were seen.
@@ -70,7 +70,8 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
             pose.deviation_m(i) = std::sqrt(squares / (3.0 * static_cast<double>(kept.cols() - 1)));
         }
     }
-    if (pose.missing.size() == recording.labels.size()) return Error{"no marker is seen before the start of the motion, so no rest pose", ""};
+    if (pose.missing.size() == recording.labels.size())
+        return Error{"no marker is seen before the start of the motion, so no rest pose", ""};
     return pose;
 }
 
@@ -80,4 +81,4 @@ Result<RestPose> rest_pose_before(const Recording& recording, double start_s, co
     return rest_pose(recording, std::max<Eigen::Index>(before, 1), options);
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

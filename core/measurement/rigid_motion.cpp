@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 // sin(a)/a, (1 - cos a)/a^2 and (a - sin a)/a^3, without cancellation.
@@ -26,7 +26,9 @@ RotationSeries rotation_series(double angle) {
 
 Eigen::Vector3d RigidMotion::apply(const Eigen::Vector3d& p) const { return rotation * p + translation; }
 
-Eigen::Matrix3Xd RigidMotion::apply_all(const Eigen::Matrix3Xd& points) const { return (rotation * points).colwise() + translation; }
+Eigen::Matrix3Xd RigidMotion::apply_all(const Eigen::Matrix3Xd& points) const {
+    return (rotation * points).colwise() + translation;
+}
 
 RigidMotion RigidMotion::inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
 
@@ -35,7 +37,8 @@ RigidMotion compose(const RigidMotion& second, const RigidMotion& first) {
 }
 
 double rotation_angle(const Eigen::Matrix3d& rotation) {
-    const Eigen::Vector3d axis(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0), rotation(1, 0) - rotation(0, 1));
+    const Eigen::Vector3d axis(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0),
+                               rotation(1, 0) - rotation(0, 1));
     return std::atan2(axis.norm(), rotation.trace() - 1.0);  // both are twice the sine and the cosine
 }
 
@@ -53,4 +56,4 @@ Eigen::Matrix3d d_rotated_d_omega(const Eigen::Vector3d& omega, const Eigen::Vec
     return -cross_matrix(rotated) * left_jacobian;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -4,7 +4,7 @@
 
 #include "base/cross_matrix.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// A rigid motion p -> R p + t, from one frame to another; translation in m.
 struct RigidMotion {
@@ -30,4 +30,4 @@ Eigen::Matrix3d small_rotation(const Eigen::Vector3d& omega);
 /// Source: Sola, Deray, Atchuthan 2018, "A micro Lie theory", eq. 145.
 Eigen::Matrix3d d_rotated_d_omega(const Eigen::Vector3d& omega, const Eigen::Vector3d& p);
 
-}  // namespace myo
+}  // namespace myo::measurement

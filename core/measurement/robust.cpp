@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace myo {
+namespace myo::measurement {
 
 double median(Eigen::VectorXd values) {
     assert(values.size() > 0);
@@ -17,4 +17,4 @@ double median_deviation(const Eigen::VectorXd& values, double centre) {
     return 1.4826 * median((values.array() - centre).abs());
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -7,7 +7,7 @@
 
 #include "base/text.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 class RowReader {
@@ -18,11 +18,13 @@ public:
     Result<void> open(const TextLine& line) {
         line_ = line.number;
         fields_ = split_fields(line.text, table_.separator);
-        if (table_.trailing_separator && fields_.size() == table_.field_count + 1 && fields_.back().empty()) fields_.pop_back();
+        if (table_.trailing_separator && fields_.size() == table_.field_count + 1 && fields_.back().empty())
+            fields_.pop_back();
         if (fields_.size() == table_.field_count) return {};
         if (trimmed(line.text).empty()) return Error{"is an empty line between rows", at_line(path_, line_)};
-        return Error{"has " + std::to_string(fields_.size()) + " fields, expected " + std::to_string(table_.field_count),
-                     at_line(path_, line_)};
+        return Error{
+            "has " + std::to_string(fields_.size()) + " fields, expected " + std::to_string(table_.field_count),
+            at_line(path_, line_)};
     }
 
     Result<double> number(std::size_t column, bool gaps_allowed) const {
@@ -78,7 +80,8 @@ double median_rate(const Eigen::VectorXd& time_s) {
     return parse_number(format_number(1.0 / *middle, 9), rate) ? rate : 1.0 / *middle;
 }
 
-Result<Recording> read_samples(const std::filesystem::path& path, std::span<const TextLine> rows, const SampleTable& table) {
+Result<Recording> read_samples(const std::filesystem::path& path, std::span<const TextLine> rows,
+                               const SampleTable& table) {
     if (rows.empty()) return Error{"holds no rows of data", path.string()};
     const auto count = static_cast<Eigen::Index>(rows.size());
     Recording recording;
@@ -100,7 +103,8 @@ Result<Recording> read_samples(const std::filesystem::path& path, std::span<cons
             recording.time_s(t) = *time * table.seconds_per_unit;
             if (t > 0 && !(recording.time_s(t) > recording.time_s(t - 1))) {
                 return Error{"time " + format_number(recording.time_s(t), 9) + " s does not ascend from " +
-                                 format_number(recording.time_s(t - 1), 9) + " s in the row before", at_line(path, line.number)};
+                                 format_number(recording.time_s(t - 1), 9) + " s in the row before",
+                             at_line(path, line.number)};
             }
         } else {
             assert(table.rate_Hz > 0.0);
@@ -116,4 +120,4 @@ Result<Recording> read_samples(const std::filesystem::path& path, std::span<cons
     return recording;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -11,7 +11,7 @@
 #include "measurement/recording.hpp"
 #include "measurement/text_table.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// The columns, counted from 0, that hold x, y and z of a marker.
 struct MarkerColumns {
@@ -30,18 +30,19 @@ struct SampleTable {
     std::size_t field_count = 0;
     char separator = ',';
     bool decimal_comma = false;
-    bool zero_is_occluded = false;            // a marker at exactly 0, 0, 0
-    bool null_is_occluded = false;            // the word NULL
-    bool trailing_separator = false;          // one more, empty, field at the end of a row is allowed
-    std::vector<std::string> column_names;    // for messages; may be empty
+    bool zero_is_occluded = false;          // a marker at exactly 0, 0, 0
+    bool null_is_occluded = false;          // the word NULL
+    bool trailing_separator = false;        // one more, empty, field at the end of a row is allowed
+    std::vector<std::string> column_names;  // for messages; may be empty
 };
 
 /// Reads rows into a recording. A sample with any coordinate missing is occluded as a whole.
 ///
 /// Errors, with file, line and column: no rows, ragged rows, no number where one is expected, times that do not ascend.
-Result<Recording> read_samples(const std::filesystem::path& path, std::span<const TextLine> rows, const SampleTable& table);
+Result<Recording> read_samples(const std::filesystem::path& path, std::span<const TextLine> rows,
+                               const SampleTable& table);
 
 /// Inverse of the median time step [Hz]; 100 for fewer than two samples.
 double median_rate(const Eigen::VectorXd& time_s);
 
-}  // namespace myo
+}  // namespace myo::measurement

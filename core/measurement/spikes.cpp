@@ -7,7 +7,7 @@
 
 #include "measurement/gaps.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
@@ -30,18 +30,22 @@ public:
 
     std::size_t count() const { return samples_.size(); }
     Index sample(std::size_t place) const { return samples_[place]; }
-    void take_out(std::size_t first, std::size_t length) { samples_.erase(samples_.begin() + static_cast<std::ptrdiff_t>(first), samples_.begin() + static_cast<std::ptrdiff_t>(first + length)); }
+    void take_out(std::size_t first, std::size_t length) {
+        samples_.erase(samples_.begin() + static_cast<std::ptrdiff_t>(first),
+                       samples_.begin() + static_cast<std::ptrdiff_t>(first + length));
+    }
 
-    /// Distance of the sample at `place` from the cubic through two samples before and two after the run [first, first + length), which holds it.
-    /// None at the ends and beside gaps.
+    /// Distance of the sample at `place` from the cubic through two samples before and two after the run [first, first
+    /// + length), which holds it. None at the ends and beside gaps.
     std::optional<double> distance(std::size_t place, std::size_t first, std::size_t length) const {
         if (first < 2 || first + length + 2 > count()) return std::nullopt;
-        const Index points[4] = {samples_[first - 2], samples_[first - 1], samples_[first + length], samples_[first + length + 1]};
+        const Index points[4] = {samples_[first - 2], samples_[first - 1], samples_[first + length],
+                                 samples_[first + length + 1]};
         if (points[3] - points[0] > static_cast<Index>(length) + 3 + most_missing) return std::nullopt;
         const Index at = samples_[place];
         Vector3d cubic = Vector3d::Zero();
         for (int i = 0; i < 4; ++i) {
-            double weight = 1.0;   // of Lagrange
+            double weight = 1.0;  // of Lagrange
             for (int j = 0; j < 4; ++j)
                 if (j != i) weight *= (time_s_(at) - time_s_(points[j])) / (time_s_(points[i]) - time_s_(points[j]));
             cubic += weight * track_.col(points[i]);
@@ -97,7 +101,8 @@ Spikes find_spikes(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s,
             without.take_out(first, length);
             const std::optional<double> unrest = without.unrest_around(first, length);
             if (!unrest || !(out->least > least_ratio * *unrest)) continue;
-            for (std::size_t place = first; place < first + length; ++place) spikes.samples.push_back(seen.sample(place));
+            for (std::size_t place = first; place < first + length; ++place)
+                spikes.samples.push_back(seen.sample(place));
             spikes.largest_m = std::max(spikes.largest_m, out->largest);
             seen.take_out(first, length);
         }
@@ -105,4 +110,4 @@ Spikes find_spikes(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s,
     return spikes;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -6,7 +6,7 @@
 
 #include "base/text.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 std::string_view trimmed(std::string_view text) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -65,4 +65,4 @@ std::string exact_number(double value) {
     return code == std::errc{} ? std::string(buffer, end) : std::string("nan");
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

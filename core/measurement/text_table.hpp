@@ -7,7 +7,7 @@
 
 #include "base/result.hpp"
 
-namespace myo {
+namespace myo::measurement {
 
 /// A line of a text file without its end, and its number counted from 1.
 struct TextLine {
@@ -15,11 +15,12 @@ struct TextLine {
     std::string_view text;
 };
 
-/// The lines of a text: a byte-order mark is skipped, CR LF and LF both end a line, blank lines at the end are left out.
+/// The lines of a text: a byte-order mark is skipped, CR LF and LF both end a line, blank lines at the end are left
+/// out.
 std::vector<TextLine> split_lines(std::string_view content);
 
-/// The fields of a line, blanks around them removed. A separator inside double quotes does not separate, quotes around a
-/// field are dropped; when the separator is a blank, several of them count as one.
+/// The fields of a line, blanks around them removed. A separator inside double quotes does not separate, quotes around
+/// a field are dropped; when the separator is a blank, several of them count as one.
 std::vector<std::string_view> split_fields(std::string_view line, char separator);
 
 /// A text of a field without blanks around it.
@@ -34,4 +35,4 @@ std::string at_line(const std::filesystem::path& path, int line);
 /// Decimal text that reads back as the same double; "nan" for NaN. Locale-free.
 std::string exact_number(double value);
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -4,16 +4,17 @@
 #include <cmath>
 #include <limits>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
-constexpr Index most_samples = 600;   // of the longer record: enough for a tenth of a sample by the parabola
+constexpr Index most_samples = 600;  // of the longer record: enough for a tenth of a sample by the parabola
 
 /// Linear between samples; the first value before them, NaN after them.
-Eigen::RowVectorXd resampled(const Eigen::VectorXd& time_s, const Eigen::RowVectorXd& values, const Eigen::VectorXd& at_s, bool rests_before) {
+Eigen::RowVectorXd resampled(const Eigen::VectorXd& time_s, const Eigen::RowVectorXd& values,
+                             const Eigen::VectorXd& at_s, bool rests_before) {
     Eigen::RowVectorXd result = Eigen::RowVectorXd::Constant(at_s.size(), std::numeric_limits<double>::quiet_NaN());
     Index k = 0;
     for (Index i = 0; i < at_s.size(); ++i) {
@@ -30,7 +31,8 @@ Eigen::RowVectorXd resampled(const Eigen::VectorXd& time_s, const Eigen::RowVect
     return result;
 }
 
-/// Pooled over coordinates, each less its mean over the samples that both have; NaN when they share less than a part of the record.
+/// Pooled over coordinates, each less its mean over the samples that both have; NaN when they share less than a part of
+/// the record.
 double correlation(const std::vector<Eigen::RowVectorXd>& a, const std::vector<Eigen::RowVectorXd>& b) {
     double ab = 0.0, aa = 0.0, bb = 0.0;
     Index shared = 0, all = 0;
@@ -58,14 +60,17 @@ double correlation(const std::vector<Eigen::RowVectorXd>& a, const std::vector<E
 
 }  // namespace
 
-Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, const std::vector<Matrix3Xd>& reference, const Eigen::VectorXd& record_time_s,
-                                    const std::vector<Matrix3Xd>& record) {
-    if (reference.size() != record.size() || reference.empty()) return Error{"both records must have the same markers", ""};
+Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, const std::vector<Matrix3Xd>& reference,
+                                    const Eigen::VectorXd& record_time_s, const std::vector<Matrix3Xd>& record) {
+    if (reference.size() != record.size() || reference.empty())
+        return Error{"both records must have the same markers", ""};
     if (reference_time_s.size() < 8 || record_time_s.size() < 8) return Error{"too few samples to align", ""};
     const double first = record_time_s[0], last = record_time_s[record_time_s.size() - 1];
-    const double length = last - first, step = std::max(length / static_cast<double>(most_samples), length / static_cast<double>(record_time_s.size() - 1));
+    const double length = last - first, step = std::max(length / static_cast<double>(most_samples),
+                                                        length / static_cast<double>(record_time_s.size() - 1));
     const auto count = static_cast<Index>(std::floor(length / step + 1e-9)) + 1;
-    const Eigen::VectorXd grid = Eigen::VectorXd::LinSpaced(count, first, first + step * static_cast<double>(count - 1));
+    const Eigen::VectorXd grid = Eigen::VectorXd::LinSpaced(count, first,
+                                                            first + step * static_cast<double>(count - 1));
     std::vector<Eigen::RowVectorXd> seen;
     for (const Matrix3Xd& track : record)
         for (int axis = 0; axis < 3; ++axis) seen.push_back(resampled(record_time_s, track.row(axis), grid, false));
@@ -74,7 +79,8 @@ Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, con
     const auto score = [&](double delay) {
         std::vector<Eigen::RowVectorXd> shifted;
         for (const Matrix3Xd& track : reference)
-            for (int axis = 0; axis < 3; ++axis) shifted.push_back(resampled(reference_time_s, track.row(axis), grid.array() - delay, true));
+            for (int axis = 0; axis < 3; ++axis)
+                shifted.push_back(resampled(reference_time_s, track.row(axis), grid.array() - delay, true));
         return correlation(shifted, seen);
     };
     const double earliest = first - reference_time_s[0];
@@ -92,4 +98,4 @@ Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, con
     return TimeAlignment{earliest + step * (static_cast<double>(best) + shift), scores[best]};
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

@@ -8,13 +8,14 @@
 #include "measurement/sample_table.hpp"
 #include "measurement/text_table.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 constexpr std::array<std::string_view, 3> axis_suffixes{"_x_m", "_y_m", "_z_m"};
 
 // Column of each axis of each marker, from the header line.
-Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_view>& names, const std::string& where) {
+Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_view>& names,
+                                                  const std::string& where) {
     std::vector<MarkerColumns> markers;
     std::map<std::string, std::size_t, std::less<>> index;
     constexpr std::size_t absent = static_cast<std::size_t>(-1);
@@ -26,7 +27,8 @@ Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_
         }
         if (!axis) {
             return Error{"column " + std::to_string(column + 1) + " is '" + std::string(name) +
-                             "', expected <marker>_x_m, <marker>_y_m or <marker>_z_m", where};
+                             "', expected <marker>_x_m, <marker>_y_m or <marker>_z_m",
+                         where};
         }
         const std::string label(name.substr(0, name.size() - 4));
         const auto [entry, is_new] = index.emplace(label, markers.size());
@@ -94,4 +96,4 @@ Result<void> write_trace_csv(const std::filesystem::path& path, const Recording&
     return write_file(path, text);
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

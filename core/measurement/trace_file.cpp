@@ -9,7 +9,7 @@
 #include "measurement/text_table.hpp"
 #include "measurement/trace_csv.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 constexpr std::string_view separators = ",;\t ";
@@ -24,10 +24,12 @@ bool is_value(std::string_view field) {
 std::optional<TraceSource> headerless(std::string_view line) {
     for (const char separator : separators) {
         const std::vector<std::string_view> fields = split_fields(line, separator);
-        if (fields.size() < 3 || fields.size() % 3 != 0 || !std::all_of(fields.begin(), fields.end(), is_value)) continue;
+        if (fields.size() < 3 || fields.size() % 3 != 0 || !std::all_of(fields.begin(), fields.end(), is_value))
+            continue;
         TraceSource source{TraceFormat::columns, ColumnLayout{}, std::nullopt};
         source.columns->separator = separator;
-        for (std::size_t m = 0; m < fields.size() / 3; ++m) source.columns->labels.push_back("marker " + std::to_string(m + 1));
+        for (std::size_t m = 0; m < fields.size() / 3; ++m)
+            source.columns->labels.push_back("marker " + std::to_string(m + 1));
         return source;
     }
     return std::nullopt;
@@ -60,14 +62,21 @@ Result<TraceSource> guess_trace_source(const std::filesystem::path& path) {
     const Result<std::string> content = read_file(path);
     if (!content) return content.error();
     // Every C3D file begins with the number of its parameter block and the byte 0x50.
-    if (content->size() > 512 && static_cast<unsigned char>((*content)[1]) == 0x50) return TraceSource{TraceFormat::c3d, {}, {}};
+    if (content->size() > 512 && static_cast<unsigned char>((*content)[1]) == 0x50)
+        return TraceSource{TraceFormat::c3d, {}, {}};
     const std::vector<TextLine> lines = split_lines(*content);
-    const auto first = std::find_if(lines.begin(), lines.end(), [](const TextLine& line) { return !trimmed(line.text).empty(); });
+    const auto first = std::find_if(lines.begin(), lines.end(),
+                                    [](const TextLine& line) { return !trimmed(line.text).empty(); });
     if (first == lines.end()) return Error{"holds no samples", path.string()};
-    if (first->text.starts_with("NO_OF_") || first->text.starts_with("FREQUENCY") || first->text.starts_with("MARKER_NAMES")) return TraceSource{TraceFormat::qtm_tsv, {}, {}};
+    if (first->text.starts_with("NO_OF_") || first->text.starts_with("FREQUENCY") ||
+        first->text.starts_with("MARKER_NAMES"))
+        return TraceSource{TraceFormat::qtm_tsv, {}, {}};
     if (trimmed(first->text).starts_with("time_s")) return TraceSource{TraceFormat::csv, {}, {}};
     if (std::optional<TraceSource> table = headerless(first->text)) return *table;
-    return Error{"is none of the known recordings: C3D, Qualisys TSV, a table that begins with time_s, or x, y, z of each marker without a header", path.string()};
+    return Error{
+        "is none of the known recordings: C3D, Qualisys TSV, a table that begins with time_s, or x, y, z of each "
+        "marker without a header",
+        path.string()};
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

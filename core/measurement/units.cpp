@@ -5,15 +5,15 @@
 #include <string>
 #include <utility>
 
-namespace myo {
+namespace myo::measurement {
 
 std::optional<double> metres_per_unit(std::string_view name) {
     static constexpr std::array<std::pair<std::string_view, double>, 24> units{{
-        {"m", 1.0},           {"meter", 1.0},       {"meters", 1.0},      {"metre", 1.0},      {"metres", 1.0},
-        {"mm", 1e-3},         {"millimeter", 1e-3}, {"millimeters", 1e-3}, {"millimetre", 1e-3}, {"millimetres", 1e-3},
-        {"cm", 1e-2},         {"centimeter", 1e-2}, {"centimeters", 1e-2}, {"centimetre", 1e-2}, {"centimetres", 1e-2},
-        {"dm", 1e-1},         {"um", 1e-6},         {"\xC2\xB5m", 1e-6},  {"in", 0.0254},      {"inch", 0.0254},
-        {"inches", 0.0254},   {"ft", 0.3048},       {"foot", 0.3048},     {"feet", 0.3048},
+        {"m", 1.0},         {"meter", 1.0},       {"meters", 1.0},       {"metre", 1.0},       {"metres", 1.0},
+        {"mm", 1e-3},       {"millimeter", 1e-3}, {"millimeters", 1e-3}, {"millimetre", 1e-3}, {"millimetres", 1e-3},
+        {"cm", 1e-2},       {"centimeter", 1e-2}, {"centimeters", 1e-2}, {"centimetre", 1e-2}, {"centimetres", 1e-2},
+        {"dm", 1e-1},       {"um", 1e-6},         {"\xC2\xB5m", 1e-6},   {"in", 0.0254},       {"inch", 0.0254},
+        {"inches", 0.0254}, {"ft", 0.3048},       {"foot", 0.3048},      {"feet", 0.3048},
     }};
     std::string lower(name);
     for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -23,4 +23,4 @@ std::optional<double> metres_per_unit(std::string_view name) {
     return std::nullopt;
 }
 
-}  // namespace myo
+}  // namespace myo::measurement

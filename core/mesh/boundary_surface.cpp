@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 /// Corners of the triangles of one face, by the face's own nodes.
@@ -31,8 +31,11 @@ SurfaceMesh boundary_surface(const VolumeMesh& mesh) {
     surface.triangles.resize(3, per_face * faces.count());
     for (Eigen::Index f = 0; f < faces.count(); ++f)
         for (Eigen::Index k = 0; k < 3 * per_face; ++k)
-            surface.triangles(k % 3, per_face * f + k / 3) = number[static_cast<std::size_t>(faces.nodes(corners[static_cast<std::size_t>(k)], f))];
+            surface.triangles(
+                k % 3,
+                per_face * f +
+                    k / 3) = number[static_cast<std::size_t>(faces.nodes(corners[static_cast<std::size_t>(k)], f))];
     return surface;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

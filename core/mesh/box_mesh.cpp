@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "mesh/cell_topology.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 int cell_count(double extent, double edge) { return static_cast<int>(std::clamp(std::round(extent / edge), 1.0, 1e9)); }
@@ -53,8 +53,9 @@ double expected_cells(const Box& box, const EdgeAt& edge, const GridPlanes& plan
 }
 
 Error too_many_cells(double edge, double cells, double max_cells) {
-    return {"an edge of " + format_number(edge * 1e3, 4) + " mm needs a grid of " + format_number(cells, 3) + " cells, over the limit of " +
-                format_number(max_cells, 3) + ": choose a longer edge", ""};
+    return {"an edge of " + format_number(edge * 1e3, 4) + " mm needs a grid of " + format_number(cells, 3) +
+                " cells, over the limit of " + format_number(max_cells, 3) + ": choose a longer edge",
+            ""};
 }
 
 GridLines equal_grid(const Box& box, const Eigen::Vector3i& cells) {
@@ -116,11 +117,14 @@ Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const G
     return grid_lines(box, edge, planes);
 }
 
-Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest, double max_cells) {
+Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest,
+                                   double max_cells) {
     assert(edge > 0.0);
     // The allowance keeps the last cube of an edge that divides the box exactly but for rounding.
     const Eigen::Array3d counts = (box.size().array() / edge * (1.0 + 1e-9)).floor();
-    if (counts.minCoeff() < 1.0) return Error{"no whole cube of " + format_number(edge * 1e3, 4) + " mm fits into the body: choose a shorter edge", ""};
+    if (counts.minCoeff() < 1.0)
+        return Error{
+            "no whole cube of " + format_number(edge * 1e3, 4) + " mm fits into the body: choose a shorter edge", ""};
     if (counts.prod() > max_cells) return too_many_cells(edge, counts.prod(), max_cells);
     GridLines grid;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -175,8 +179,8 @@ VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType t
     mesh.nodes = hexes.nodes;
     mesh.cells.resize(4, 6 * hexes.cell_count());
     for (Eigen::Index c = 0; c < hexes.cell_count(); ++c) {
-        const std::array<bool, 3> turned =
-            diagonals == Diagonals::mirrored ? odd_axes(c, cells) : std::array<bool, 3>{};
+        const std::array<bool, 3> turned = diagonals == Diagonals::mirrored ? odd_axes(c, cells)
+                                                                            : std::array<bool, 3>{};
         const bool inside_out = (turned[0] + turned[1] + turned[2]) % 2 == 1;
         for (Eigen::Index p = 0; p < 6; ++p) {
             for (Eigen::Index i = 0; i < 4; ++i) {
@@ -212,8 +216,8 @@ VolumeMesh to_tet10(const VolumeMesh& mesh) {
     quadratic.nodes.resize(3, mesh.node_count() + static_cast<Eigen::Index>(edges.size()));
     quadratic.nodes.leftCols(mesh.node_count()) = mesh.nodes;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-        quadratic.nodes.col(mesh.node_count() + static_cast<Eigen::Index>(e)) =
-            0.5 * (mesh.nodes.col(edges[e].first) + mesh.nodes.col(edges[e].second));
+        quadratic.nodes.col(mesh.node_count() + static_cast<Eigen::Index>(e)) = 0.5 * (mesh.nodes.col(edges[e].first) +
+                                                                                       mesh.nodes.col(edges[e].second));
     }
     quadratic.cells.resize(10, mesh.cell_count());
     quadratic.cells.topRows(4) = mesh.cells;
@@ -240,4 +244,4 @@ std::optional<Box> is_box(const SurfaceMesh& surface, double tolerance) {
     return box;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -9,7 +9,7 @@
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// Ascending grid coordinates per axis [m]: n + 1 values for n cells.
 struct GridLines {
@@ -47,12 +47,14 @@ inline constexpr double most_grid_cells = 2e6;
 /// Error: that many cells.
 Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes = {},
                                      double max_cells = most_grid_cells);
-Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes = {}, double max_cells = most_grid_cells);
+Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes = {},
+                                     double max_cells = most_grid_cells);
 
-/// Cubes of exactly `edge`, as many as fit whole: floor(extent / edge) per axis. They begin at the box's lowest side, or end at
-/// its highest where `from_highest` says so, and leave the rest of the box empty. As published voxel meshes do, for comparison.
-/// Errors: as limited_grid_lines(); an edge longer than the box.
-Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest, double max_cells = most_grid_cells);
+/// Cubes of exactly `edge`, as many as fit whole: floor(extent / edge) per axis. They begin at the box's lowest side,
+/// or end at its highest where `from_highest` says so, and leave the rest of the box empty. As published voxel meshes
+/// do, for comparison. Errors: as limited_grid_lines(); an edge longer than the box.
+Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest,
+                                   double max_cells = most_grid_cells);
 
 /// All cells of a grid as hex8. Nodes and cells are numbered with x fastest, then y, then z.
 VolumeMesh hex_mesh(const GridLines& grid);
@@ -62,21 +64,23 @@ VolumeMesh box_hex_mesh(const Box& box, const Eigen::Vector3i& cells);
 
 /// How grid cells are divided into tetrahedra.
 enum class Diagonals {
-    alike,      // all cells: their common direction couples bending in one plane with bending in the other
-    mirrored,   // neighbours in each other's faces: with even counts the mesh is as symmetric as the box
+    alike,     // all cells: their common direction couples bending in one plane with bending in the other
+    mirrored,  // neighbours in each other's faces: with even counts the mesh is as symmetric as the box
 };
 
-/// Six tetrahedra per grid cell around its main diagonal (Kuhn's subdivision), tet4 or tet10; faces match between cells.
+/// Six tetrahedra per grid cell around its main diagonal (Kuhn's subdivision), tet4 or tet10; faces match between
+/// cells.
 VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type = CellType::tet4,
                         Diagonals diagonals = Diagonals::alike);
 
-/// Adds a node in the middle of every edge of a tet4 mesh, after the corner nodes, in ascending order of the edge's (lower,
-/// higher) corner numbers. A tet10 mesh is returned unchanged.
+/// Adds a node in the middle of every edge of a tet4 mesh, after the corner nodes, in ascending order of the edge's
+/// (lower, higher) corner numbers. A tet10 mesh is returned unchanged.
 VolumeMesh to_tet10(const VolumeMesh& mesh);
 
-/// The box, when the closed surface is an axis-aligned box: every vertex lies on one of its six faces and the volumes agree.
+/// The box, when the closed surface is an axis-aligned box: every vertex lies on one of its six faces and the volumes
+/// agree.
 ///
 /// @param tolerance  relative to the longest side; the default forgives single precision files
 std::optional<Box> is_box(const SurfaceMesh& surface, double tolerance = 1e-6);
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -4,13 +4,14 @@
 #include <limits>
 #include <numeric>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 constexpr int leaf_size = 4;
 
 bool overlap(const Box& a, const Box& b, double margin) {
-    return (a.lowest.array() <= b.highest.array() + margin).all() && (b.lowest.array() <= a.highest.array() + margin).all();
+    return (a.lowest.array() <= b.highest.array() + margin).all() &&
+           (b.lowest.array() <= a.highest.array() + margin).all();
 }
 
 double squared_distance(const Box& box, const Eigen::Vector3d& p) {
@@ -67,7 +68,8 @@ void BoxTree::pairs(int a, int b, double margin, const std::function<bool(int, i
     if (A.count > 0 && B.count > 0) {
         for (int i = 0; i < A.count; ++i) {
             for (int j = a == b ? i + 1 : 0; j < B.count && go_on; ++j) {
-                const int p = order_[static_cast<std::size_t>(A.first + i)], q = order_[static_cast<std::size_t>(B.first + j)];
+                const int p = order_[static_cast<std::size_t>(A.first + i)],
+                          q = order_[static_cast<std::size_t>(B.first + j)];
                 if (overlap(items_[static_cast<std::size_t>(p)], items_[static_cast<std::size_t>(q)], margin)) {
                     go_on = visit(std::min(p, q), std::max(p, q));
                 }
@@ -121,4 +123,4 @@ void BoxTree::search(int node, const Eigen::Vector3d& point, const std::function
     if (far_distance <= best_distance) search(far, point, measure, best, best_distance);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

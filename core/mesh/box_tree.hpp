@@ -5,7 +5,7 @@
 
 #include "mesh/surface_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// A binary tree of bounding boxes over items (triangles, faces): finds near and overlapping ones in logarithmic time.
 /// Deterministic: items are split at the median of the longest side, ties by number.
@@ -13,11 +13,13 @@ class BoxTree {
 public:
     explicit BoxTree(const std::vector<Box>& items);
 
-    /// Calls visit(item, other) for each pair item < other whose boxes, grown by `margin`, overlap; stops when it returns false.
+    /// Calls visit(item, other) for each pair item < other whose boxes, grown by `margin`, overlap; stops when it
+    /// returns false.
     void overlapping_pairs(double margin, const std::function<bool(int, int)>& visit) const;
 
     /// Visits items in order of likely nearness. `measure(item)` gives an item's squared distance to the point;
-    /// items whose box is farther than the best so far are skipped. Returns the best item (lowest number on ties), -1 when empty.
+    /// items whose box is farther than the best so far are skipped. Returns the best item (lowest number on ties), -1
+    /// when empty.
     int nearest(const Eigen::Vector3d& point, const std::function<double(int)>& measure) const;
 
 private:
@@ -37,4 +39,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -12,7 +12,7 @@
 
 #include "base/stopwatch.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 int spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments, pid_t& child) {
@@ -46,7 +46,8 @@ pid_t collect(pid_t child, int& status, int options) {
 ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments, double time_limit_s,
                    const std::function<bool()>& cancelled, const std::function<void(double)>& waiting) {
     pid_t child = 0;
-    if (const int failure = spawn(program, arguments, child); failure != 0) return {ChildEnd::How::not_started, failure};
+    if (const int failure = spawn(program, arguments, child); failure != 0)
+        return {ChildEnd::How::not_started, failure};
 
     const Stopwatch watch;
     // Small meshes take milliseconds: the pauses grow from 1 to 10 ms.
@@ -71,4 +72,4 @@ ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::
     }
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

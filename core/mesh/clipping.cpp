@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Corners = Eigen::Matrix<double, 3, 4>;
@@ -21,7 +21,8 @@ Eigen::Vector3d crossing(const Eigen::Vector3d& a, double depth_a, const Eigen::
     return a + (b - a) * (depth_a / (depth_a - depth_b));
 }
 
-// Cuts one tetrahedron by one half-space and hands the pieces inside to the next side. Integral of p p' with p = (1, x).
+// Cuts one tetrahedron by one half-space and hands the pieces inside to the next side. Integral of p p' with p = (1,
+// x).
 Eigen::Matrix4d moments_inside(const Corners& tet, const Box& box, int side, double tolerance) {
     if (side == 6) {
         Eigen::Matrix3d J;
@@ -38,8 +39,10 @@ Eigen::Matrix4d moments_inside(const Corners& tet, const Box& box, int side, dou
     for (int i = 0; i < 4; ++i) {
         const auto s = static_cast<std::size_t>(i);
         d[s] = depth(tet.col(i), box, side, tolerance);
-        if (d[s] >= 0.0) inside[static_cast<std::size_t>(n_inside++)] = i;
-        else outside[static_cast<std::size_t>(n_outside++)] = i;
+        if (d[s] >= 0.0)
+            inside[static_cast<std::size_t>(n_inside++)] = i;
+        else
+            outside[static_cast<std::size_t>(n_outside++)] = i;
     }
     if (n_outside == 0) return moments_inside(tet, box, side + 1, tolerance);
     if (n_inside == 0) return Eigen::Matrix4d::Zero();
@@ -54,7 +57,8 @@ Eigen::Matrix4d moments_inside(const Corners& tet, const Box& box, int side, dou
         return moments_inside(part, box, side + 1, tolerance);
     };
     // A prism with triangles (a0 a1 a2) and (b0 b1 b2) is three tetrahedra.
-    const auto prism = [&](const std::array<Eigen::Vector3d, 3>& a, const std::array<Eigen::Vector3d, 3>& b) -> Eigen::Matrix4d {
+    const auto prism = [&](const std::array<Eigen::Vector3d, 3>& a,
+                           const std::array<Eigen::Vector3d, 3>& b) -> Eigen::Matrix4d {
         return piece(a[0], a[1], a[2], b[2]) + piece(a[0], a[1], b[1], b[2]) + piece(a[0], b[0], b[1], b[2]);
     };
     if (n_inside == 1) {
@@ -67,7 +71,8 @@ Eigen::Matrix4d moments_inside(const Corners& tet, const Box& box, int side, dou
                      {cut(inside[0], q), cut(inside[1], q), cut(inside[2], q)});
     }
     const int p = inside[0], q = inside[1];
-    return prism({tet.col(p), cut(p, outside[0]), cut(p, outside[1])}, {tet.col(q), cut(q, outside[0]), cut(q, outside[1])});
+    return prism({tet.col(p), cut(p, outside[0]), cut(p, outside[1])},
+                 {tet.col(q), cut(q, outside[0]), cut(q, outside[1])});
 }
 
 }  // namespace
@@ -99,4 +104,4 @@ ClippedVolume tetrahedron_in_box(const Eigen::Matrix<double, 3, 4>& corners, con
     return {moments(0, 0), moments.col(0).tail<3>(), moments.bottomRightCorner<3, 3>()};
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -7,7 +7,7 @@
 #include "mesh/box_tree.hpp"
 #include "mesh/face_shape.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 // The face lies in the convex hull of its nodes, except a curved quadratic one: there, of its Bezier points.
@@ -60,4 +60,4 @@ BoundaryPoint closest_boundary_point(const BoundaryLocator& locator, const Eigen
     return best;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

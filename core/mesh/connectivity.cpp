@@ -10,10 +10,10 @@
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/voxel_mesh.hpp"
 
-// How cells hang together around each node, one node after the other: what meets there are a few dozen cells at most, so the
-// work grows with the size of the mesh.
+// How cells hang together around each node, one node after the other: what meets there are a few dozen cells at most,
+// so the work grows with the size of the mesh.
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 constexpr int no_node = std::numeric_limits<int>::max();
@@ -64,12 +64,13 @@ NodeCells cells_around_nodes(const VolumeMesh& mesh, int corners) {
     around.slot.resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(corners));
     for (int c = 0; c < count; ++c)
         for (int i = 0; i < corners; ++i)
-            around.slot[static_cast<std::size_t>(around.first[static_cast<std::size_t>(mesh.cells(i, c)) + 1]++)] = c * corners + i;
+            around.slot[static_cast<std::size_t>(
+                around.first[static_cast<std::size_t>(mesh.cells(i, c)) + 1]++)] = c * corners + i;
     return around;
 }
 
-/// A face at a node: its other corners ascending, and which of the cells around the node it belongs to. In two words, for these
-/// are sorted more often than anything else.
+/// A face at a node: its other corners ascending, and which of the cells around the node it belongs to. In two words,
+/// for these are sorted more often than anything else.
 struct FaceAtNode {
     std::uint64_t two_corners, third_and_cell;
 
@@ -81,11 +82,18 @@ struct FaceAtNode {
         two_corners = word(others[0]) << 32 | word(others[1]);
         third_and_cell = word(others[2]) << 32 | static_cast<std::uint64_t>(cell);
     }
-    int corner(int i) const { return static_cast<int>(static_cast<std::uint32_t>(i == 0 ? two_corners >> 32 : i == 1 ? two_corners : third_and_cell >> 32)); }
+    int corner(int i) const {
+        return static_cast<int>(static_cast<std::uint32_t>(i == 0   ? two_corners >> 32
+                                                           : i == 1 ? two_corners
+                                                                    : third_and_cell >> 32));
+    }
     std::size_t cell() const { return static_cast<std::uint32_t>(third_and_cell); }
-    bool same_as(const FaceAtNode& other) const { return two_corners == other.two_corners && third_and_cell >> 32 == other.third_and_cell >> 32; }
+    bool same_as(const FaceAtNode& other) const {
+        return two_corners == other.two_corners && third_and_cell >> 32 == other.third_and_cell >> 32;
+    }
     bool operator<(const FaceAtNode& other) const {
-        return two_corners != other.two_corners ? two_corners < other.two_corners : third_and_cell < other.third_and_cell;
+        return two_corners != other.two_corners ? two_corners < other.two_corners
+                                                : third_and_cell < other.third_and_cell;
     }
 };
 
@@ -106,7 +114,8 @@ public:
             const CellCorner& corner = table_[static_cast<std::size_t>(slots[k] % corners_)];
             const auto node_at = [&](int local) { return local < 0 ? no_node : mesh_.cells(local, cell); };
             for (const int end : corner.edges) edge_ends_.push_back(node_at(end));
-            for (const auto& [a, b, c] : corner.faces) faces_.emplace_back(std::array<int, 3>{node_at(a), node_at(b), node_at(c)}, k);
+            for (const auto& [a, b, c] : corner.faces)
+                faces_.emplace_back(std::array<int, 3>{node_at(a), node_at(b), node_at(c)}, k);
         }
         std::sort(faces_.begin(), faces_.end());
         for (std::size_t f = 0; f + 1 < faces_.size(); ++f) {
@@ -115,7 +124,9 @@ public:
             cells_.join(a, b);
             for (int i = 0; i < 3; ++i) join_edges(faces_[f].corner(i), a, b);
             // Each face is met from all its corners; its lowest one speaks for the mesh.
-            if (node < faces_[f].corner(0)) parts.join(static_cast<std::size_t>(slots[a] / corners_), static_cast<std::size_t>(slots[b] / corners_));
+            if (node < faces_[f].corner(0))
+                parts.join(static_cast<std::size_t>(slots[a] / corners_),
+                           static_cast<std::size_t>(slots[b] / corners_));
         }
         std::size_t sets = 0;
         for (std::size_t k = 0; k < count; ++k) sets += cells_.find(k) == k ? 1 : 0;
@@ -126,9 +137,13 @@ public:
 private:
     void join_edges(int end, std::size_t a, std::size_t b) {
         const auto ends = edge_ends_.begin();
-        const auto in_a = std::find(ends + 3 * static_cast<std::ptrdiff_t>(a), ends + 3 * static_cast<std::ptrdiff_t>(a) + 3, end);
-        const auto in_b = std::find(ends + 3 * static_cast<std::ptrdiff_t>(b), ends + 3 * static_cast<std::ptrdiff_t>(b) + 3, end);
-        if (in_a == ends + 3 * static_cast<std::ptrdiff_t>(a) + 3 || in_b == ends + 3 * static_cast<std::ptrdiff_t>(b) + 3) return;
+        const auto in_a = std::find(ends + 3 * static_cast<std::ptrdiff_t>(a),
+                                    ends + 3 * static_cast<std::ptrdiff_t>(a) + 3, end);
+        const auto in_b = std::find(ends + 3 * static_cast<std::ptrdiff_t>(b),
+                                    ends + 3 * static_cast<std::ptrdiff_t>(b) + 3, end);
+        if (in_a == ends + 3 * static_cast<std::ptrdiff_t>(a) + 3 ||
+            in_b == ends + 3 * static_cast<std::ptrdiff_t>(b) + 3)
+            return;
         edge_sets_.join(static_cast<std::size_t>(in_a - ends), static_cast<std::size_t>(in_b - ends));
     }
 
@@ -139,7 +154,9 @@ private:
         std::sort(roots_.begin(), roots_.end());
         int weak = 0;
         for (std::size_t i = 0; i < roots_.size();) {
-            const auto end = static_cast<std::size_t>(std::upper_bound(roots_.begin() + static_cast<std::ptrdiff_t>(i), roots_.end(), roots_[i]) - roots_.begin());
+            const auto end = static_cast<std::size_t>(
+                std::upper_bound(roots_.begin() + static_cast<std::ptrdiff_t>(i), roots_.end(), roots_[i]) -
+                roots_.begin());
             if (end - i > 1) ++weak;
             i = end;
         }
@@ -149,7 +166,7 @@ private:
     const VolumeMesh& mesh_;
     int corners_;
     const std::array<CellCorner, 8>& table_;
-    DisjointSets cells_{0}, edge_sets_{0};   // edge 3 k + i of the node: edge i of its k-th cell
+    DisjointSets cells_{0}, edge_sets_{0};  // edge 3 k + i of the node: edge i of its k-th cell
     std::vector<FaceAtNode> faces_;
     std::vector<int> edge_ends_, roots_;
 };
@@ -164,11 +181,12 @@ Connectivity connectivity(const VolumeMesh& mesh) {
     Star star(mesh, corners);
     for (int n = 0; n < static_cast<int>(mesh.node_count()); ++n) {
         const auto i = static_cast<std::size_t>(n);
-        star.look_at(n, around.slot.data() + around.first[i], static_cast<std::size_t>(around.first[i + 1] - around.first[i]), parts, result);
+        star.look_at(n, around.slot.data() + around.first[i],
+                     static_cast<std::size_t>(around.first[i + 1] - around.first[i]), parts, result);
     }
     for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.cell_count()); ++c)
         if (parts.find(c) == c) ++result.components;
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

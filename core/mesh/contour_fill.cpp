@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Loop = std::vector<int>;
@@ -135,8 +135,8 @@ bool join_a_hole(const PlaneView& view, Loop& outer, std::vector<Loop>& holes) {
 
 // 1 for an equilateral triangle, 0 for a line.
 double triangle_shape(const PlaneView& view, int a, int b, int c) {
-    const double squares =
-        (view[a] - view[b]).squaredNorm() + (view[b] - view[c]).squaredNorm() + (view[c] - view[a]).squaredNorm();
+    const double squares = (view[a] - view[b]).squaredNorm() + (view[b] - view[c]).squaredNorm() +
+                           (view[c] - view[a]).squaredNorm();
     return 2.0 * std::sqrt(3.0) * view.turn(a, b, c) / squares;
 }
 
@@ -187,8 +187,8 @@ Result<std::vector<std::array<int, 3>>> fill_contours(const Eigen::Matrix3Xd& ve
     const PlaneView view = view_along(vertices, normal);
     std::optional<std::vector<Loop>> loops = loops_of(view, edges);
     if (!loops) return broken;
-    const auto first_hole =
-        std::stable_partition(loops->begin(), loops->end(), [&](const Loop& loop) { return view.area(loop) > 0.0; });
+    const auto first_hole = std::stable_partition(loops->begin(), loops->end(),
+                                                  [&](const Loop& loop) { return view.area(loop) > 0.0; });
     std::vector<Loop> outers(loops->begin(), first_hole), all_holes(first_hole, loops->end());
     // The smallest loop around a hole is the one it is in.
     std::sort(outers.begin(), outers.end(), [&](const Loop& a, const Loop& b) { return view.area(a) < view.area(b); });
@@ -207,4 +207,4 @@ Result<std::vector<std::array<int, 3>>> fill_contours(const Eigen::Matrix3Xd& ve
     return triangles;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

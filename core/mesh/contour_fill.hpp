@@ -7,7 +7,7 @@
 #include "base/result.hpp"
 #include "mesh/surface_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// Fills closed contours in a plane with triangles between their vertices; none is added.
 ///
@@ -20,4 +20,4 @@ Result<std::vector<std::array<int, 3>>> fill_contours(const Eigen::Matrix3Xd& ve
                                                       const std::vector<std::pair<int, int>>& edges,
                                                       const Eigen::Vector3d& normal);
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,9 +5,10 @@
 #include <numeric>
 #include <vector>
 
-namespace myo {
+namespace myo::mesh {
 
-/// Union-find over 0 ... n - 1; the smallest member names its set, so the outcome does not depend on the order of joins.
+/// Union-find over 0 ... n - 1; the smallest member names its set, so the outcome does not depend on the order of
+/// joins.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t n) { reset(n); }
@@ -31,4 +32,4 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 std::vector<FacePoint> square_rule() {
@@ -17,7 +17,8 @@ std::vector<FacePoint> square_rule() {
 std::vector<FacePoint> triangle_rule() {
     std::vector<FacePoint> points;
     const auto add = [&](double at_corner, double elsewhere, double weight) {
-        for (const auto& [u, v] : {std::array{elsewhere, elsewhere}, std::array{at_corner, elsewhere}, std::array{elsewhere, at_corner}})
+        for (const auto& [u, v] :
+             {std::array{elsewhere, elsewhere}, std::array{at_corner, elsewhere}, std::array{elsewhere, at_corner}})
             points.push_back({{u, v}, 0.5 * weight});
     };
     add(0.108103018168070, 0.445948490915965, 0.223381589678011);
@@ -32,4 +33,4 @@ const std::vector<FacePoint>& face_quadrature(int nodes) {
     return nodes == 4 ? square : triangle;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Vector2 = Eigen::Vector2d;
@@ -29,7 +29,8 @@ Vector2 triangle_parameters(const Vector3& a, const Vector3& b, const Vector3& c
         const double v = (g11 * e2.dot(r) - g12 * e1.dot(r)) / determinant;
         if (u >= 0.0 && v >= 0.0 && u + v <= 1.0) return {u, v};
     }
-    const double s_ab = segment_parameter(a, b, p), s_bc = segment_parameter(b, c, p), s_ca = segment_parameter(c, a, p);
+    const double s_ab = segment_parameter(a, b, p), s_bc = segment_parameter(b, c, p),
+                 s_ca = segment_parameter(c, a, p);
     const Vector2 candidates[3] = {{s_ab, 0.0}, {1.0 - s_bc, s_bc}, {0.0, 1.0 - s_ca}};
     Vector2 best = candidates[0];
     double best_distance = std::numeric_limits<double>::infinity();
@@ -93,7 +94,8 @@ Vector2 quadrilateral_parameters(const Eigen::Matrix3Xd& X, const Vector3& p) {
     const double s01 = segment_parameter(x0, x1, p), s12 = segment_parameter(x1, x2, p);
     const double s32 = segment_parameter(x3, x2, p), s03 = segment_parameter(x0, x3, p);
     const Vector2 starts[2] = {{lower[0] + lower[1], lower[1]}, {upper[0], upper[0] + upper[1]}};
-    Vector2 candidates[6] = {refine(X, starts[0], p), refine(X, starts[1], p), {s01, 0.0}, {1.0, s12}, {s32, 1.0}, {0.0, s03}};
+    Vector2 candidates[6] = {
+        refine(X, starts[0], p), refine(X, starts[1], p), {s01, 0.0}, {1.0, s12}, {s32, 1.0}, {0.0, s03}};
     return *std::min_element(std::begin(candidates), std::end(candidates), [&](const Vector2& a, const Vector2& b) {
         return squared_distance(X, a, p) < squared_distance(X, b, p);
     });
@@ -128,7 +130,8 @@ Eigen::MatrixX2d face_shape_gradient(int nodes, const Eigen::Vector2d& uv) {
         case 3: G << -1, -1, 1, 0, 0, 1; break;
         case 4: G << -(1 - v), -(1 - u), 1 - v, -u, v, u, -v, 1 - u; break;
         case 6:
-            G << 1 - 4 * w, 1 - 4 * w, 4 * u - 1, 0, 0, 4 * v - 1, 4 * (w - u), -4 * u, 4 * v, 4 * u, -4 * v, 4 * (w - v);
+            G << 1 - 4 * w, 1 - 4 * w, 4 * u - 1, 0, 0, 4 * v - 1, 4 * (w - u), -4 * u, 4 * v, 4 * u, -4 * v,
+                4 * (w - v);
             break;
         default: assert(false);
     }
@@ -142,4 +145,4 @@ Eigen::Vector2d closest_face_parameters(const Eigen::Matrix3Xd& X, const Eigen::
     return X.cols() == 3 || straight_sides(X) ? flat : refine(X, flat, p);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -2,12 +2,12 @@
 
 #include <Eigen/Core>
 
-namespace myo {
+namespace myo::mesh {
 
 /// Shape functions of a boundary face at parameters (u, v), as many as the face has nodes.
 ///
-/// 4 nodes: bilinear on [0, 1]^2, node order (0,0) (1,0) (1,1) (0,1). 3 and 6 nodes: linear and quadratic on the triangle
-/// u, v >= 0, u + v <= 1, corners (0,0) (1,0) (0,1), then the mid-sides 01, 12, 20. The sum is 1.
+/// 4 nodes: bilinear on [0, 1]^2, node order (0,0) (1,0) (1,1) (0,1). 3 and 6 nodes: linear and quadratic on the
+/// triangle u, v >= 0, u + v <= 1, corners (0,0) (1,0) (0,1), then the mid-sides 01, 12, 20. The sum is 1.
 Eigen::VectorXd face_shape(int nodes, const Eigen::Vector2d& uv);
 
 /// Their derivatives, nodes x 2: columns d/du, d/dv. X * face_shape_gradient are the face's two tangents.
@@ -19,4 +19,4 @@ Eigen::MatrixX2d face_shape_gradient(int nodes, const Eigen::Vector2d& uv);
 /// point of the flat approximation, never worse than the nearest point of a quadrilateral's sides.
 Eigen::Vector2d closest_face_parameters(const Eigen::Matrix3Xd& X, const Eigen::Vector3d& p);
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -12,7 +12,7 @@
 
 // What the readers of single formats hand to read_surface and read_volume: contents as in the file, in its unit.
 
-namespace myo {
+namespace myo::mesh {
 
 struct PolygonSoup {
     std::vector<Eigen::Vector3d> vertices;
@@ -38,4 +38,4 @@ Result<CellSoup> read_legacy_vtk(const std::filesystem::path& path);
 Result<CellSoup> read_gmsh(const std::filesystem::path& path);
 Result<CellSoup> read_tetgen(const std::filesystem::path& path);
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,12 +5,12 @@
 #include "mesh/file_formats.hpp"
 #include "mesh/text_scanner.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 // Gmsh's element types. Source: Gmsh reference manual, "MSH file format" and "Node ordering".
 struct GmshCell {
-    int nodes = 0;                 // 0: unknown
+    int nodes = 0;  // 0: unknown
     int dimension = 0;
     std::optional<CellType> cell;  // the ones we keep
 };
@@ -92,7 +92,8 @@ private:
 
     Result<void> read_format() {
         long long binary = 0, size = 0;
-        if (!text_.number(version_) || !text_.integer(binary) || !text_.integer(size)) return text_.error("the mesh format cannot be read");
+        if (!text_.number(version_) || !text_.integer(binary) || !text_.integer(size))
+            return text_.error("the mesh format cannot be read");
         if (binary != 0) return text_.error("binary Gmsh meshes are not read: save it as ASCII");
         if (version_ != 2.0 && version_ != 2.1 && version_ != 2.2 && version_ != 4.1) {
             return text_.error("this version of the Gmsh format is not read: save it as 2.2 or 4.1");
@@ -105,7 +106,8 @@ private:
         for (Eigen::Index a = 0; a < 3; ++a) {
             if (!text_.number(x[a])) return text_.error("a node needs three finite coordinates");
         }
-        if (!number_.emplace(tag, static_cast<int>(soup_.nodes.size())).second) return text_.error("two nodes have the same number");
+        if (!number_.emplace(tag, static_cast<int>(soup_.nodes.size())).second)
+            return text_.error("two nodes have the same number");
         soup_.nodes.push_back(x);
         return {};
     }
@@ -122,7 +124,8 @@ private:
 
     Result<void> read_nodes_4() {
         long long blocks = 0, total = 0, skip = 0;
-        if (!count(blocks) || !count(total) || !text_.integer(skip) || !text_.integer(skip)) return text_.error("the header of '$Nodes' cannot be read");
+        if (!count(blocks) || !count(total) || !text_.integer(skip) || !text_.integer(skip))
+            return text_.error("the header of '$Nodes' cannot be read");
         for (long long b = 0; b < blocks; ++b) {
             long long dimension = 0, parametric = 0, in_block = 0;
             if (!text_.integer(dimension) || !text_.integer(skip) || !text_.integer(parametric) || !count(in_block) ||
@@ -147,20 +150,24 @@ private:
     Result<void> add_element(long long type) {
         const GmshCell kind = gmsh_cell(type);
         if (kind.nodes == 0 || (kind.dimension == 3 && !kind.cell)) {
-            return text_.error("cells of Gmsh type " + std::to_string(type).append(" are not read: only hex8, tet4 and tet10"));
+            return text_.error("cells of Gmsh type " +
+                               std::to_string(type).append(" are not read: only hex8, tet4 and tet10"));
         }
         std::array<int, 10> own{};
         for (int i = 0; i < kind.nodes; ++i) {
             long long tag = 0;
-            if (!text_.integer(tag)) return text_.error("an element's nodes cannot be read: the file is truncated or garbled");
+            if (!text_.integer(tag))
+                return text_.error("an element's nodes cannot be read: the file is truncated or garbled");
             if (!kind.cell) continue;
             const auto found = number_.find(tag);
-            if (found == number_.end()) return text_.error("an element names node " + std::to_string(tag).append(", which does not exist"));
+            if (found == number_.end())
+                return text_.error("an element names node " + std::to_string(tag).append(", which does not exist"));
             own[static_cast<std::size_t>(i)] = found->second;
         }
         if (!kind.cell) return {};
         if (!soup_.accepts(*kind.cell)) {
-            return text_.error("the mesh mixes " + to_string(soup_.type).append(" and ") + to_string(*kind.cell).append(" cells; one type is needed"));
+            return text_.error("the mesh mixes " + to_string(soup_.type).append(" and ") +
+                               to_string(*kind.cell).append(" cells; one type is needed"));
         }
         soup_.type = *kind.cell;
         if (*kind.cell == CellType::tet10) std::swap(own[8], own[9]);  // Gmsh: ... 03, 23, 13; VTK: ... 03, 13, 23
@@ -194,7 +201,8 @@ private:
                 return text_.error("a block of elements cannot be read: the file is truncated or garbled");
             }
             for (long long e = 0; e < in_block; ++e) {
-                if (!text_.integer(skip)) return text_.error("expected an element number: the file is truncated or garbled");
+                if (!text_.integer(skip))
+                    return text_.error("expected an element number: the file is truncated or garbled");
                 if (const auto added = add_element(type); !added) return added;
             }
         }
@@ -216,4 +224,4 @@ Result<CellSoup> read_gmsh(const std::filesystem::path& path) {
     return GmshParser(*content, path.string()).parse();
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -6,10 +6,11 @@
 
 #include <Eigen/Dense>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
-// The cell's mirror image in its own node order: swaps two opposite faces, or two corners with the mid-nodes that follow.
+// The cell's mirror image in its own node order: swaps two opposite faces, or two corners with the mid-nodes that
+// follow.
 void turn_round(CellType type, Eigen::Ref<Eigen::VectorXi> cell) {
     const auto swap = [&](Eigen::Index a, Eigen::Index b) { std::swap(cell[a], cell[b]); };
     if (type == CellType::hex8) {
@@ -65,4 +66,4 @@ Result<VolumeMesh> with_positive_cells(VolumeMesh mesh, const std::string& where
     return mesh;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,7 +5,7 @@
 #include "base/result.hpp"
 #include "mesh/volume_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// Drops nodes that no cell uses; the order of the rest is kept.
 VolumeMesh without_unused_nodes(const VolumeMesh& mesh);
@@ -15,4 +15,4 @@ VolumeMesh without_unused_nodes(const VolumeMesh& mesh);
 /// @param where  file or step named in the error
 Result<VolumeMesh> with_positive_cells(VolumeMesh mesh, const std::string& where);
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -3,7 +3,7 @@
 #include "mesh/polygon.hpp"
 #include "mesh/text_scanner.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 // Positions (v) and faces (f); texture, normals, groups and materials carry nothing for a mesh.
 Result<PolygonSoup> read_obj(const std::filesystem::path& path) {
@@ -26,7 +26,8 @@ Result<PolygonSoup> read_obj(const std::filesystem::path& path) {
             std::vector<int> polygon;
             for (std::string_view corner = text.word_on_line(); !corner.empty(); corner = text.word_on_line()) {
                 long long index = 0;
-                if (!TextScanner::parse(corner.substr(0, corner.find('/')), index)) return text.error("a face needs vertex numbers");
+                if (!TextScanner::parse(corner.substr(0, corner.find('/')), index))
+                    return text.error("a face needs vertex numbers");
                 const auto count = static_cast<long long>(soup.vertices.size());
                 // Counted from 1, or backwards from the last vertex so far.
                 if (index < 0) index += count + 1;
@@ -40,4 +41,4 @@ Result<PolygonSoup> read_obj(const std::filesystem::path& path) {
     return soup;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using EdgeKey = std::pair<int, int>;
@@ -115,8 +115,8 @@ SurfaceMesh cut_by_plane(const SurfaceMesh& surface, const AxisPlane& plane, con
 }
 
 SurfaceMesh snapped_to_plane(SurfaceMesh surface, const AxisPlane& plane, double distance) {
-    Eigen::VectorXd shortest =
-        Eigen::VectorXd::Constant(surface.vertices.cols(), std::numeric_limits<double>::infinity());
+    Eigen::VectorXd shortest = Eigen::VectorXd::Constant(surface.vertices.cols(),
+                                                         std::numeric_limits<double>::infinity());
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)
         for (int i = 0; i < 3; ++i) {
             const int a = surface.triangles(i, t), b = surface.triangles((i + 1) % 3, t);
@@ -129,4 +129,4 @@ SurfaceMesh snapped_to_plane(SurfaceMesh surface, const AxisPlane& plane, double
     return surface;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

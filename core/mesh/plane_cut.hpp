@@ -2,7 +2,7 @@
 
 #include "mesh/surface_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// The plane on which the coordinate `axis` is `at` [m].
 struct AxisPlane {
@@ -17,4 +17,4 @@ SurfaceMesh cut_by_plane(const SurfaceMesh& surface, const AxisPlane& plane, con
 /// Moves vertices nearer to the plane than `distance` [m] onto it, no farther than a tenth of their shortest edge.
 SurfaceMesh snapped_to_plane(SurfaceMesh surface, const AxisPlane& plane, double distance);
 
-}  // namespace myo
+}  // namespace myo::mesh

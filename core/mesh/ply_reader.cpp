@@ -9,7 +9,7 @@
 
 // Own reader: VTK's frees memory twice on truncated files.
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 enum class Number { none, i8, u8, i16, u16, i32, u32, f32, f64 };
@@ -59,11 +59,14 @@ Result<Header> read_header(TextScanner& text) {
             const std::string_view name = text.word_on_line();
             format = name == "ascii" || name == "binary_little_endian" || name == "binary_big_endian";
             if (!format) return text.error("unknown PLY format");
-            header.encoding = name == "ascii" ? Encoding::ascii : name == "binary_big_endian" ? Encoding::big : Encoding::little;
+            header.encoding = name == "ascii"               ? Encoding::ascii
+                              : name == "binary_big_endian" ? Encoding::big
+                                                            : Encoding::little;
         } else if (word == "element") {
             Element element;
             element.name = text.word_on_line();
-            if (!text.integer_on_line(element.count) || element.count < 0 || static_cast<std::size_t>(element.count) > text.size()) {
+            if (!text.integer_on_line(element.count) || element.count < 0 ||
+                static_cast<std::size_t>(element.count) > text.size()) {
                 return text.error("the number of '" + element.name + "' is wrong or more than the file can hold");
             }
             header.elements.push_back(element);
@@ -77,7 +80,8 @@ Result<Header> read_header(TextScanner& text) {
             }
             property.value = number_named(type);
             property.name = text.word_on_line();
-            if (header.elements.empty() || property.value == Number::none) return text.error("a property cannot be read");
+            if (header.elements.empty() || property.value == Number::none)
+                return text.error("a property cannot be read");
             header.elements.back().properties.push_back(property);
         } else if (word != "comment" && word != "obj_info" && !word.empty()) {
             return text.error("unknown word in the PLY header");
@@ -89,7 +93,8 @@ Result<Header> read_header(TextScanner& text) {
 // The numbers after the header, whatever their encoding.
 class Body {
 public:
-    Body(TextScanner text, std::string_view bytes, Encoding encoding) : text_(std::move(text)), bytes_(bytes), encoding_(encoding) {}
+    Body(TextScanner text, std::string_view bytes, Encoding encoding)
+        : text_(std::move(text)), bytes_(bytes), encoding_(encoding) {}
 
     bool next(Number type, double& value) {
         if (encoding_ == Encoding::ascii) return TextScanner::parse(text_.word(), value);
@@ -137,7 +142,8 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
     if (!header) return header.error();
     text.next_line();
     const std::size_t begin = content->find('\n', content->find("end_header"));
-    const std::string_view bytes = begin == std::string::npos ? std::string_view() : std::string_view(*content).substr(begin + 1);
+    const std::string_view bytes = begin == std::string::npos ? std::string_view()
+                                                              : std::string_view(*content).substr(begin + 1);
     Body body(text, bytes, header->encoding);
 
     PolygonSoup soup;
@@ -148,17 +154,21 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
             std::vector<int> corners;
             for (const Property& property : element.properties) {
                 double count = 1.0, value = 0.0;
-                const Error short_file{element.name + " " + std::to_string(e).append(" (counted from 0) cannot be read: the PLY is truncated or garbled"),
-                                       path.string()};
+                const Error short_file{
+                    element.name + " " +
+                        std::to_string(e).append(" (counted from 0) cannot be read: the PLY is truncated or garbled"),
+                    path.string()};
                 if (property.count != Number::none && !body.next(property.count, count)) return short_file;
                 if (!(count >= 0.0) || count > static_cast<double>(content->size())) return short_file;
-                const bool face = element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
+                const bool face = element.name == "face" &&
+                                  (property.name == "vertex_indices" || property.name == "vertex_index");
                 for (double i = 0.0; i < count; ++i) {
                     if (!body.next(property.value, value)) return short_file;
                     if (face && !(value >= 0.0 && value < 2e9)) return short_file;
                     if (face) corners.push_back(static_cast<int>(value));
                 }
-                if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z') x[property.name[0] - 'x'] = value;
+                if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
+                    x[property.name[0] - 'x'] = value;
             }
             if (element.name == "vertex") soup.vertices.push_back(x);
             if (element.name == "face") faces.push_back(std::move(corners));
@@ -166,11 +176,12 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
     }
     for (const auto& corners : faces) {
         for (const int corner : corners) {
-            if (static_cast<std::size_t>(corner) >= soup.vertices.size()) return Error{"a face names a vertex that does not exist", path.string()};
+            if (static_cast<std::size_t>(corner) >= soup.vertices.size())
+                return Error{"a face names a vertex that does not exist", path.string()};
         }
         for (const auto& triangle : triangles_of(corners, soup.vertices)) soup.triangles.push_back(triangle);
     }
     return soup;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -2,9 +2,10 @@
 
 #include <Eigen/Geometry>
 
-namespace myo {
+namespace myo::mesh {
 
-std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& polygon, const std::vector<Eigen::Vector3d>& vertices) {
+std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& polygon,
+                                             const std::vector<Eigen::Vector3d>& vertices) {
     std::vector<std::array<int, 3>> triangles;
     std::vector<int> rest = polygon;
     const auto x = [&](int v) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(v)]; };
@@ -38,4 +39,4 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& polygon, co
     return triangles;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

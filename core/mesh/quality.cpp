@@ -12,7 +12,7 @@
 #include "mesh/cell_topology.hpp"
 #include "mesh/voxel_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Vector3 = Eigen::Vector3d;
@@ -27,7 +27,9 @@ double scaled_jacobian(const Vector3& a, const Vector3& b, const Vector3& c) {
 }
 
 double hexahedron_shape(const Eigen::Matrix<double, 3, 8>& X) {
-    const auto mean = [&](int a, int b, int c, int d) -> Vector3 { return 0.25 * (X.col(a) + X.col(b) + X.col(c) + X.col(d)); };
+    const auto mean = [&](int a, int b, int c, int d) -> Vector3 {
+        return 0.25 * (X.col(a) + X.col(b) + X.col(c) + X.col(d));
+    };
     double least = scaled_jacobian(mean(1, 2, 6, 5) - mean(0, 4, 7, 3), mean(3, 7, 6, 2) - mean(0, 1, 5, 4),
                                    mean(4, 5, 6, 7) - mean(0, 3, 2, 1));
     for (int i = 0; i < 8; ++i) {
@@ -61,7 +63,8 @@ void widen_dihedral_range(const VolumeMesh& mesh, Eigen::Index cell, double& lea
     if (mesh.type == CellType::hex8) {
         for (int i = 0; i < 8; ++i) {
             const auto& n = hexahedron_neighbours[static_cast<std::size_t>(i)];
-            for (std::size_t k = 0; k < 3; ++k) angle(point(i), point(n[k]), point(n[(k + 1) % 3]), point(n[(k + 2) % 3]));
+            for (std::size_t k = 0; k < 3; ++k)
+                angle(point(i), point(n[k]), point(n[(k + 1) % 3]), point(n[(k + 2) % 3]));
         }
         return;
     }
@@ -81,8 +84,10 @@ double mean_edge_length(const VolumeMesh& mesh) {
             for (const auto& e : table) edges.push_back(std::minmax(mesh.cells(e[0], c), mesh.cells(e[1], c)));
         }
     };
-    if (mesh.type == CellType::hex8) add(hexahedron_edges);
-    else add(tetrahedron_edges);
+    if (mesh.type == CellType::hex8)
+        add(hexahedron_edges);
+    else
+        add(tetrahedron_edges);
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     double sum = 0.0;
@@ -134,8 +139,8 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
         report.messages.push_back("the mesh falls apart into " + std::to_string(held.components).append(" pieces"));
     }
     if (held.weak_edges + held.weak_nodes > 0) {
-        report.messages.push_back("cells hang together by an edge or a corner only at "
-                                  + std::to_string(held.weak_nodes).append(" nodes"));
+        report.messages.push_back("cells hang together by an edge or a corner only at " +
+                                  std::to_string(held.weak_nodes).append(" nodes"));
     }
     if (report.least <= 0.0) {
         report.messages.push_back("cell " + std::to_string(report.worst_cell).append(" is turned inside out"));
@@ -175,8 +180,8 @@ CountEstimate estimate_counts(const SurfaceMesh& surface, CellType type, double 
     } else {
         // Measured on meshes by TetGen: cells times edge^3 is 10 times the volume (8.8 to 10.7).
         estimate.cells = std::max(10.0 * volume / (edge * edge * edge), 1.0);
-        // Euler's formula for a ball: with F boundary triangles, nodes = edges - cells - F/2 + 1; TetGen's interior nodes have
-        // about 6 cells each. Boundary triangles are near equilateral.
+        // Euler's formula for a ball: with F boundary triangles, nodes = edges - cells - F/2 + 1; TetGen's interior
+        // nodes have about 6 cells each. Boundary triangles are near equilateral.
         const double faces = std::max(area / (0.433 * edge * edge), static_cast<double>(surface.triangles.cols()));
         const double corners = estimate.cells / 6.0 + faces / 3.0 + 2.0;
         const double edges = estimate.cells + corners + 0.5 * faces - 1.0;
@@ -186,4 +191,4 @@ CountEstimate estimate_counts(const SurfaceMesh& surface, CellType type, double 
     return estimate;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -12,7 +12,7 @@
 #include "mesh/face_quadrature.hpp"
 #include "mesh/face_shape.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Vector2 = Eigen::Vector2d;
@@ -36,7 +36,8 @@ std::vector<Patch> flat_patches(const Eigen::Matrix3Xd& X) {
     return {at(o, m1, m2), at(m1, e1, centre), at(m2, centre, e2), at(m1, centre, m2)};
 }
 
-// Parameters of a point of the patch. Linear in the patch, then, for quadrilaterals, corrected by the inverse of the bilinear map.
+// Parameters of a point of the patch. Linear in the patch, then, for quadrilaterals, corrected by the inverse of the
+// bilinear map.
 Vector2 parameters_of(const Patch& patch, const Eigen::Matrix3Xd& X, const Vector3& x) {
     const Vector3 e1 = patch.x[1] - patch.x[0], e2 = patch.x[2] - patch.x[0], r = x - patch.x[0];
     Eigen::Matrix2d G;
@@ -54,15 +55,16 @@ Vector2 parameters_of(const Patch& patch, const Eigen::Matrix3Xd& X, const Vecto
     return uv.cwiseMax(0.0).cwiseMin(1.0);
 }
 
-void add_patch(const Patch& patch, const Eigen::Matrix3Xd& X, const Eigen::VectorXi& nodes, const Box& box, double tolerance,
-               SurfaceIntegral& integral) {
+void add_patch(const Patch& patch, const Eigen::Matrix3Xd& X, const Eigen::VectorXi& nodes, const Box& box,
+               double tolerance, SurfaceIntegral& integral) {
     if ((patch.x[1] - patch.x[0]).cross(patch.x[2] - patch.x[0]).norm() == 0.0) return;
     const Polygon part = clip_to_box({patch.x[0], patch.x[1], patch.x[2]}, box, tolerance);
     for (std::size_t i = 2; i < part.size(); ++i) {
         const double area = 0.5 * (part[i - 1] - part[0]).cross(part[i] - part[0]).norm();
         if (area == 0.0) continue;
         integral.area += area;
-        for (const auto& [uv, weight] : face_quadrature(3)) {   // parameters of a bilinear face are not linear in the triangle
+        for (const auto& [uv, weight] :
+             face_quadrature(3)) {  // parameters of a bilinear face are not linear in the triangle
             const Vector3 x = (1.0 - uv.sum()) * part[0] + uv[0] * part[i - 1] + uv[1] * part[i];
             const Eigen::VectorXd N = face_shape(static_cast<int>(X.cols()), parameters_of(patch, X, x));
             for (Eigen::Index n = 0; n < nodes.size(); ++n) integral.weight[nodes[n]] += 2.0 * area * weight * N[n];
@@ -114,7 +116,8 @@ double aligned_fraction(const Eigen::Matrix3Xd& X, const Box& box, double tolera
             if (std::abs(X(a, i) - (high ? cell.highest[a] : cell.lowest[a])) > tolerance) return -1.0;
         }
     }
-    const Eigen::Array3d overlap = cell.highest.array().min(box.highest.array()) - cell.lowest.array().max(box.lowest.array());
+    const Eigen::Array3d overlap = cell.highest.array().min(box.highest.array()) -
+                                   cell.lowest.array().max(box.lowest.array());
     return (overlap.max(0.0) / cell.size().array()).prod();
 }
 
@@ -183,4 +186,4 @@ Eigen::VectorXd volume_fractions(const VolumeMesh& mesh, const Box& box) {
     return fractions;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -6,7 +6,7 @@
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// Length below which a coordinate counts as lying on a box face: 1e-9 of the mesh's largest extent [m].
 double region_tolerance(const VolumeMesh& mesh);
@@ -35,4 +35,4 @@ ClippedVolume cell_in_box(const VolumeMesh& mesh, Eigen::Index cell, const Box& 
 /// Fraction of each cell's volume inside the box, 0 to 1, as cell_in_box() has it.
 Eigen::VectorXd volume_fractions(const VolumeMesh& mesh, const Box& box);
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -14,7 +14,7 @@
 #include "mesh/short_edges.hpp"
 #include "mesh/winding_number.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using DirectedEdges = std::vector<std::pair<int, int>>;
@@ -39,10 +39,10 @@ GridPlanes cutting_planes(const std::vector<Box>& regions, const Box& bounds, do
         for (std::size_t a = 0; a < 3; ++a) {
             const auto i = static_cast<Eigen::Index>(a);
             for (const double p : {region.lowest(i), region.highest(i)}) {
-                const bool inside =
-                    p > bounds.lowest(i) + tolerances.bounds * edge && p < bounds.highest(i) - tolerances.bounds * edge;
-                const bool known =
-                    std::any_of(planes[a].begin(), planes[a].end(), [&](double q) { return std::abs(p - q) < same; });
+                const bool inside = p > bounds.lowest(i) + tolerances.bounds * edge &&
+                                    p < bounds.highest(i) - tolerances.bounds * edge;
+                const bool known = std::any_of(planes[a].begin(), planes[a].end(),
+                                               [&](double q) { return std::abs(p - q) < same; });
                 if (inside && !known) planes[a].push_back(p);
             }
         }
@@ -166,8 +166,8 @@ private:
             return false;
         for (std::size_t k = 0; k < 2; ++k) {
             const int a = (plane.axis + 1 + static_cast<int>(k)) % 3;
-            const double middle =
-                0.5 * (std::max(cell.lowest[k], bounds_.lowest(a)) + std::min(cell.highest[k], bounds_.highest(a)));
+            const double middle = 0.5 * (std::max(cell.lowest[k], bounds_.lowest(a)) +
+                                         std::min(cell.highest[k], bounds_.highest(a)));
             if (middle < region.lowest(a) || middle > region.highest(a)) return false;
         }
         return true;
@@ -280,4 +280,4 @@ Result<RegionFacets> region_facets(const SurfaceMesh& surface, const std::vector
     return SectionFiller(std::move(cut), planes, regions).filled();
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

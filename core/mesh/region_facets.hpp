@@ -5,7 +5,7 @@
 #include "base/result.hpp"
 #include "mesh/surface_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// A body's surface cut along the faces of boxes, and those faces' parts inside the body.
 struct RegionFacets {
@@ -26,4 +26,4 @@ bool cut_by_regions(const Box& bounds, const std::vector<Box>& regions, double e
 /// Errors: a section that cannot be filled, a shape that would change; the surface itself is then still good.
 Result<RegionFacets> region_facets(const SurfaceMesh& surface, const std::vector<Box>& regions, double edge);
 
-}  // namespace myo
+}  // namespace myo::mesh

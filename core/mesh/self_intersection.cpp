@@ -7,7 +7,7 @@
 #include "mesh/box_tree.hpp"
 #include "mesh/surface_check.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Vector2 = Eigen::Vector2d;
@@ -49,7 +49,8 @@ double cross2(const Vector2& a, const Vector2& b) { return a[0] * b[1] - a[1] * 
 
 double area(const std::vector<Vector2>& polygon) {
     double sum = 0.0;
-    for (std::size_t i = 2; i < polygon.size(); ++i) sum += cross2(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        sum += cross2(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     return 0.5 * std::abs(sum);
 }
 
@@ -98,7 +99,8 @@ std::vector<std::pair<int, int>> self_intersections(const SurfaceMesh& surface, 
     std::vector<Box> boxes(count);
     for (std::size_t t = 0; t < count; ++t) {
         for (std::size_t i = 0; i < 3; ++i) {
-            triangles[t][i] = surface.vertices.col(surface.triangles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)));
+            triangles[t][i] = surface.vertices.col(
+                surface.triangles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)));
         }
         planes[t] = plane_of(triangles[t]);
         boxes[t] = {triangles[t][0].cwiseMin(triangles[t][1]).cwiseMin(triangles[t][2]),
@@ -114,4 +116,4 @@ std::vector<std::pair<int, int>> self_intersections(const SurfaceMesh& surface, 
     return found;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using TriangleCorners = std::array<int, 3>;
@@ -157,4 +157,4 @@ SurfaceMesh without_short_edges(const SurfaceMesh& surface, const GridPlanes& pl
     return without_unused_vertices(collapse.result());
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

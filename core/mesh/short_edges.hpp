@@ -3,7 +3,7 @@
 #include "mesh/box_mesh.hpp"
 #include "mesh/surface_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// Removes the short edges that cutting a surface by planes leaves, which a mesher would fill with needlessly small
 /// cells.
@@ -16,4 +16,4 @@ namespace myo {
 /// @param deviation  [m]
 SurfaceMesh without_short_edges(const SurfaceMesh& surface, const GridPlanes& planes, double edge, double deviation);
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,7 +5,7 @@
 #include "mesh/file_formats.hpp"
 #include "mesh/text_scanner.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 constexpr std::size_t stl_header_bytes = 84, triangle_bytes = 50;
@@ -56,7 +56,8 @@ Result<PolygonSoup> read_ascii(const std::string& content, const std::string& pa
         for (int i = 0; i < 3; ++i) {
             if (!TextScanner::parse(text.word(), skip)) return text.error("expected a number in the STL");
         }
-        if (!is(text.word(), "outer") || !is(text.word(), "loop")) return text.error("expected 'outer loop' in the STL");
+        if (!is(text.word(), "outer") || !is(text.word(), "loop"))
+            return text.error("expected 'outer loop' in the STL");
         const int first = static_cast<int>(soup.vertices.size());
         for (int i = 0; i < 3; ++i) {
             Eigen::Vector3d x;
@@ -90,11 +91,13 @@ Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
     if (is(text.word(), "solid") && !has_zero) return read_ascii(*content, path.string());
     if (content->size() < stl_header_bytes) return Error{"the file is too short for an STL", path.string()};
     if (content->size() < expected) {
-        return Error{"the STL is truncated: " + std::to_string(count).append(" triangles need ") + std::to_string(expected).append(" bytes, it has ")
-                         + std::to_string(content->size()), path.string()};
+        return Error{"the STL is truncated: " + std::to_string(count).append(" triangles need ") +
+                         std::to_string(expected).append(" bytes, it has ") + std::to_string(content->size()),
+                     path.string()};
     }
-    return Error{"the STL has " + std::to_string(content->size() - expected).append(" bytes more than its ")
-                     + std::to_string(count).append(" triangles need: it is garbled"), path.string()};
+    return Error{"the STL has " + std::to_string(content->size() - expected).append(" bytes more than its ") +
+                     std::to_string(count).append(" triangles need: it is garbled"),
+                 path.string()};
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,7 +5,7 @@
 #include "base/text.hpp"
 #include "mesh/surface_topology.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 std::string count_text(int n, const std::string& one, const std::string& many) {
@@ -30,9 +30,9 @@ void add_messages(SurfaceReport& report, int pinched, int turned) {
     if (report.closed && report.oriented && !report.outward) messages.push_back("the surface is oriented inward");
     if (report.self_intersections > 0) {
         const auto& [a, b] = report.intersecting_pairs.front();
-        messages.push_back("the surface intersects itself: "
-                           + count_text(report.self_intersections, "pair", "pairs").append(" of triangles, first ")
-                           + std::to_string(a).append(" and ").append(std::to_string(b)));
+        messages.push_back("the surface intersects itself: " +
+                           count_text(report.self_intersections, "pair", "pairs").append(" of triangles, first ") +
+                           std::to_string(a).append(" and ").append(std::to_string(b)));
     }
     if (report.components > 1) messages.push_back("the surface has " + count_text(report.components, "part", "parts"));
     if (const auto size = check_plausible_size(report.size); !size) messages.push_back(size.error().what);
@@ -43,10 +43,13 @@ void add_messages(SurfaceReport& report, int pinched, int turned) {
 Result<void> check_plausible_size(const Eigen::Vector3d& size) {
     const double extent = size.maxCoeff();
     if (extent > 10.0) {
-        return Error{"the body is " + format_number(extent, 4) + " m long, over 10 m: the unit is almost certainly wrong", ""};
+        return Error{
+            "the body is " + format_number(extent, 4) + " m long, over 10 m: the unit is almost certainly wrong", ""};
     }
     if (!(extent >= 1e-3)) {
-        return Error{"the body is " + format_number(extent * 1e3, 4) + " mm long, under 1 mm: the unit is almost certainly wrong", ""};
+        return Error{"the body is " + format_number(extent * 1e3, 4) +
+                         " mm long, under 1 mm: the unit is almost certainly wrong",
+                     ""};
     }
     return {};
 }
@@ -84,4 +87,4 @@ SurfaceReport check_surface(const SurfaceMesh& surface) {
     return report;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -7,7 +7,7 @@
 
 #include "mesh/cell_topology.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 Box bounding_box(const Eigen::Matrix3Xd& points) {
     assert(points.cols() > 0);
@@ -46,4 +46,4 @@ SurfaceMesh box_surface(const Box& box) {
     return surface;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

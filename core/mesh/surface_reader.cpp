@@ -7,12 +7,13 @@
 
 #include "mesh/file_formats.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension;
 }
 
@@ -27,10 +28,13 @@ Result<PolygonSoup> read_polygons(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metres_per_unit, const Eigen::Matrix3d& rotation) {
-    if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit)) return Error{"the length unit must be positive", path.string()};
+Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metres_per_unit,
+                                 const Eigen::Matrix3d& rotation) {
+    if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit))
+        return Error{"the length unit must be positive", path.string()};
     if (!rotation.allFinite() || !(rotation.transpose() * rotation).isIdentity(1e-6) || rotation.determinant() < 0.0) {
-        return Error{"the rotation is not a rotation: its rows must be orthonormal and its determinant 1", path.string()};
+        return Error{"the rotation is not a rotation: its rows must be orthonormal and its determinant 1",
+                     path.string()};
     }
     const auto soup = read_polygons(path);
     if (!soup) return soup.error();
@@ -46,11 +50,14 @@ Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metre
         for (std::size_t i = 0; i < 3; ++i) {
             const int v = soup->triangles[t][i];
             if (v < 0 || static_cast<std::size_t>(v) >= soup->vertices.size()) {
-                return Error{"triangle " + std::to_string(t).append(" (counted from 0) names a vertex that does not exist"), path.string()};
+                return Error{
+                    "triangle " + std::to_string(t).append(" (counted from 0) names a vertex that does not exist"),
+                    path.string()};
             }
             surface.triangles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)) = v;
             if (!soup->vertices[static_cast<std::size_t>(v)].allFinite()) {
-                return Error{"vertex " + std::to_string(v).append(" (counted from 0) has coordinates that are not finite numbers"),
+                return Error{"vertex " + std::to_string(v).append(
+                                             " (counted from 0) has coordinates that are not finite numbers"),
                              path.string()};
             }
         }
@@ -69,4 +76,4 @@ Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metre
     return surface;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,7 +5,7 @@
 
 #include "mesh/disjoint_sets.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 // One use of an undirected edge by a triangle.
@@ -88,4 +88,4 @@ SurfaceTopology surface_topology(const SurfaceMesh& surface) {
     return topology;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -22,7 +22,7 @@
 #include "mesh/surface_topology.hpp"
 #include "mesh/tetgen_exchange.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 namespace fs = std::filesystem;
 
@@ -73,17 +73,20 @@ std::vector<double> cavity_points(const SurfaceMesh& surface, const SurfaceTopol
         double largest = -1.0;
         Eigen::Vector3d start, direction;
         for (Eigen::Index t = 0; t < alone.triangles.cols(); ++t) {
-            const Eigen::Vector3d a = alone.vertices.col(alone.triangles(0, t)), b = alone.vertices.col(alone.triangles(1, t)),
+            const Eigen::Vector3d a = alone.vertices.col(alone.triangles(0, t)),
+                                  b = alone.vertices.col(alone.triangles(1, t)),
                                   c = alone.vertices.col(alone.triangles(2, t));
             const Eigen::Vector3d normal = (b - a).cross(c - a);
-            if (normal.norm() > largest) largest = normal.norm(), start = (a + b + c) / 3.0, direction = normal.normalized();
+            if (normal.norm() > largest)
+                largest = normal.norm(), start = (a + b + c) / 3.0, direction = normal.normalized();
         }
         double nearest = std::numeric_limits<double>::infinity();
         const double skip = 1e-9 * bounding_box(surface.vertices).size().norm();
         for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
             Eigen::Matrix3d M;
             const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t));
-            M << surface.vertices.col(surface.triangles(1, t)) - a, surface.vertices.col(surface.triangles(2, t)) - a, -direction;
+            M << surface.vertices.col(surface.triangles(1, t)) - a, surface.vertices.col(surface.triangles(2, t)) - a,
+                -direction;
             const Eigen::Vector3d uvs = M.fullPivLu().solve(start - a);
             if (!uvs.allFinite() || uvs[2] <= skip || uvs[0] < 0.0 || uvs[1] < 0.0 || uvs[0] + uvs[1] > 1.0) continue;
             if ((M * uvs - (start - a)).norm() > skip) continue;
@@ -118,8 +121,9 @@ Result<void> judge(const ChildEnd& end, const TetOptions& options) {
     switch (end.how) {
         case ChildEnd::How::cancelled: return Error{"meshing was stopped", ""};
         case ChildEnd::How::timed_out:
-            return Error{"TetGen did not finish within " + format_number(options.time_limit_s, 4)
-                             + " s: choose longer edges or a larger radius-edge ratio", ""};
+            return Error{"TetGen did not finish within " + format_number(options.time_limit_s, 4) +
+                             " s: choose longer edges or a larger radius-edge ratio",
+                         ""};
         case ChildEnd::How::not_started:
             return Error{std::string("the tetrahedral mesher could not be started: ") + std::strerror(end.code), ""};
         case ChildEnd::How::signalled: return Error{"TetGen gave up: the surface intersects itself or is broken", ""};
@@ -128,8 +132,9 @@ Result<void> judge(const ChildEnd& end, const TetOptions& options) {
     switch (end.code) {
         case worker_status::done: return {};
         case worker_status::out_of_memory:
-            return Error{"TetGen needs more than " + format_number(options.memory_limit_bytes / 1e9, 3)
-                             + " GB of memory: choose longer edges", ""};
+            return Error{"TetGen needs more than " + format_number(options.memory_limit_bytes / 1e9, 3) +
+                             " GB of memory: choose longer edges",
+                         ""};
         case worker_status::bad_call:
         case worker_status::cannot_write: return Error{"the tetrahedral mesher could not read or write its files", ""};
         case worker_status::tetgen_error + 3:
@@ -200,22 +205,29 @@ Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, doubl
 
     VolumeMesh mesh;
     mesh.type = CellType::tet4;
-    mesh.nodes = Eigen::Map<const Eigen::Matrix3Xd>(answer.points.data(), 3, static_cast<Eigen::Index>(answer.points.size() / 3));
+    mesh.nodes = Eigen::Map<const Eigen::Matrix3Xd>(answer.points.data(), 3,
+                                                    static_cast<Eigen::Index>(answer.points.size() / 3));
     mesh.nodes = ((mesh.nodes * scale).colwise() + box.lowest).eval();
-    mesh.cells = Eigen::Map<const Eigen::MatrixXi>(answer.cells.data(), 4, static_cast<Eigen::Index>(answer.cells.size() / 4));
+    mesh.cells = Eigen::Map<const Eigen::MatrixXi>(answer.cells.data(), 4,
+                                                   static_cast<Eigen::Index>(answer.cells.size() / 4));
     if (static_cast<double>(mesh.cell_count()) > options.max_cells) {
-        return Error{"the mesh has " + std::to_string(mesh.cell_count()).append(" cells, over the limit: choose longer edges"), ""};
+        return Error{
+            "the mesh has " + std::to_string(mesh.cell_count()).append(" cells, over the limit: choose longer edges"),
+            ""};
     }
     if (mesh.node_count() >= welded.vertices.cols() + options.steiner_cap) {
-        return Error{"the mesh needs more than " + std::to_string(options.steiner_cap).append(" added points: choose longer edges"), ""};
+        return Error{"the mesh needs more than " +
+                         std::to_string(options.steiner_cap).append(" added points: choose longer edges"),
+                     ""};
     }
     return with_positive_cells(std::move(mesh), "TetGen");
 }
 
 }  // namespace
 
-// Measured on a cube, a cylinder and a 10:3:3 beam with q = 1.414/15 and edges of an eighth to a third of the width: the mean
-// edge is 1.42 to 1.6 times the cube root of the largest volume. tetrahedralize corrects the rest by a second run.
+// Measured on a cube, a cylinder and a 10:3:3 beam with q = 1.414/15 and edges of an eighth to a third of the width:
+// the mean edge is 1.42 to 1.6 times the cube root of the largest volume. tetrahedralize corrects the rest by a second
+// run.
 double tet_volume_for_edge(double edge) { return std::pow(edge / 1.5, 3); }
 double tet_edge_for_volume(double max_volume) { return 1.5 * std::cbrt(max_volume); }
 
@@ -230,17 +242,21 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
     const auto facets = region_facets(*welded, options.regions, expected_edge(*welded, options));
     if (!facets) return facets.error();
     const double volume = enclosed_volume(facets->surface);
-    double max_volume = options.max_volume ? *options.max_volume : options.edge ? tet_volume_for_edge(*options.edge) : 0.0;
+    double max_volume = options.max_volume ? *options.max_volume
+                        : options.edge     ? tet_volume_for_edge(*options.edge)
+                                           : 0.0;
 
     FlatFacets flat = FlatFacets::joined;
     std::optional<VolumeMesh> best;
     double best_miss = std::numeric_limits<double>::infinity();
-    // The mean edge depends on the shape and on the surface's own edges: correct the volume by what came out, at most twice.
+    // The mean edge depends on the shape and on the surface's own edges: correct the volume by what came out, at most
+    // twice.
     for (int run = 0; run < 3; ++run) {
         // Cells are at most max_volume large, so there are at least this many.
         if (max_volume > 0.0 && volume / max_volume > options.max_cells) {
             if (best) break;
-            return Error{"the mesh would have over " + format_number(options.max_cells, 3) + " cells: choose longer edges", ""};
+            return Error{
+                "the mesh would have over " + format_number(options.max_cells, 3) + " cells: choose longer edges", ""};
         }
         const double used = watch.seconds();
         auto mesh = run_tetgen(*facets, flat, max_volume, options, options.time_limit_s - used, progress);
@@ -264,10 +280,11 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
     }
     const double filled = cell_volumes(*best).sum();
     if (std::abs(filled - volume) > 1e-3 * volume) {
-        return Error{"TetGen filled " + format_number(filled * 1e6, 4) + " ml of " + format_number(volume * 1e6, 4)
-                         + " ml: the surface is broken", ""};
+        return Error{"TetGen filled " + format_number(filled * 1e6, 4) + " ml of " + format_number(volume * 1e6, 4) +
+                         " ml: the surface is broken",
+                     ""};
     }
     return options.type == CellType::tet10 ? to_tet10(*best) : std::move(*best);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

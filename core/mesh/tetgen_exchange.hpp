@@ -5,7 +5,7 @@
 #include <fstream>
 #include <vector>
 
-namespace myo {
+namespace myo::mesh {
 
 /// What the mesher and its worker process hand each other in files: plain native numbers, written and read by one
 /// machine. Request: points 3n, triangles 3m (those of the surface, then those across the inside), hole points 3k.
@@ -47,8 +47,8 @@ bool read_block(std::istream& stream, std::uint64_t file_size, std::vector<T>& v
 inline bool write_exchange(const std::filesystem::path& path, const TetgenExchange& content) {
     std::ofstream stream(path, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(&tetgen_exchange_magic), sizeof tetgen_exchange_magic);
-    const bool written =
-        write_block(stream, content.points) && write_block(stream, content.cells) && write_block(stream, content.holes);
+    const bool written = write_block(stream, content.points) && write_block(stream, content.cells) &&
+                         write_block(stream, content.holes);
     stream.close();
     return written && !stream.fail();
 }
@@ -58,9 +58,10 @@ inline bool read_exchange(const std::filesystem::path& path, TetgenExchange& con
     const std::uint64_t size = std::filesystem::file_size(path, code);
     std::ifstream stream(path, std::ios::binary);
     std::uint64_t magic = 0;
-    if (code || !stream.read(reinterpret_cast<char*>(&magic), sizeof magic) || magic != tetgen_exchange_magic) return false;
+    if (code || !stream.read(reinterpret_cast<char*>(&magic), sizeof magic) || magic != tetgen_exchange_magic)
+        return false;
     return read_block(stream, size, content.points) && read_block(stream, size, content.cells) &&
            read_block(stream, size, content.holes);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

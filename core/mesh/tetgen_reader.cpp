@@ -4,7 +4,7 @@
 #include "mesh/file_formats.hpp"
 #include "mesh/text_scanner.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 // TetGen's files without comments; line ends stay, so that line numbers are right.
@@ -40,15 +40,18 @@ Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
     if (!nodes.integer(count) || !nodes.integer(dimension) || dimension != 3 || count < 1) {
         return nodes.error("expected '<number of points> 3 ...'");
     }
-    if (static_cast<std::size_t>(count) > node_text.size()) return nodes.error("the file is shorter than its number of points says");
+    if (static_cast<std::size_t>(count) > node_text.size())
+        return nodes.error("the file is shorter than its number of points says");
     nodes.next_line();
     for (long long i = 0; i < count; ++i) {
         long long number = 0;
         Eigen::Vector3d x;
-        if (nodes.at_end()) return nodes.error("the file ends after " + std::to_string(i).append(" points: it is truncated"));
+        if (nodes.at_end())
+            return nodes.error("the file ends after " + std::to_string(i).append(" points: it is truncated"));
         if (!nodes.integer(number)) return nodes.error("expected a point number");
         if (i == 0) first = number;
-        if ((first != 0 && first != 1) || number != first + i) return nodes.error("points must be numbered from 0 or 1 without gaps");
+        if ((first != 0 && first != 1) || number != first + i)
+            return nodes.error("points must be numbered from 0 or 1 without gaps");
         for (Eigen::Index a = 0; a < 3; ++a) {
             if (!nodes.number_on_line(x[a])) return nodes.error("a point needs three finite coordinates");
         }
@@ -61,16 +64,19 @@ Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
     if (!cells.integer(count) || !cells.integer(per_cell) || count < 1 || (per_cell != 4 && per_cell != 10)) {
         return cells.error("expected '<number of tetrahedra> <4 or 10> ...'");
     }
-    if (static_cast<std::size_t>(count) > cell_text.size()) return cells.error("the file is shorter than its number of cells says");
+    if (static_cast<std::size_t>(count) > cell_text.size())
+        return cells.error("the file is shorter than its number of cells says");
     cells.next_line();
     soup.type = per_cell == 4 ? CellType::tet4 : CellType::tet10;
     for (long long c = 0; c < count; ++c) {
         long long number = 0;
         std::array<long long, 10> own{};
-        if (cells.at_end()) return cells.error("the file ends after " + std::to_string(c).append(" cells: it is truncated"));
+        if (cells.at_end())
+            return cells.error("the file ends after " + std::to_string(c).append(" cells: it is truncated"));
         if (!cells.integer(number)) return cells.error("expected a cell number");
         for (std::size_t i = 0; i < static_cast<std::size_t>(per_cell); ++i) {
-            if (!cells.integer_on_line(own[i]) || own[i] < first || own[i] >= first + static_cast<long long>(soup.nodes.size())) {
+            if (!cells.integer_on_line(own[i]) || own[i] < first ||
+                own[i] >= first + static_cast<long long>(soup.nodes.size())) {
                 return cells.error("a cell names a point that does not exist");
             }
         }
@@ -82,4 +88,4 @@ Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
     return soup;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

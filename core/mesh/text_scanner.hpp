@@ -7,7 +7,7 @@
 
 #include "base/result.hpp"
 
-namespace myo {
+namespace myo::mesh {
 
 /// Reads blank-separated words of a text and knows the line it is on, for messages.
 class TextScanner {
@@ -72,4 +72,4 @@ private:
     int line_ = 1;
 };
 
-}  // namespace myo
+}  // namespace myo::mesh

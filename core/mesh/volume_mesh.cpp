@@ -10,7 +10,7 @@
 #include "mesh/cell_topology.hpp"
 #include "mesh/face_table.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Vector3 = Eigen::Vector3d;
@@ -80,8 +80,7 @@ CellFaces faces_of(CellType type) {
                         return hexahedron_faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
                     }};
         case CellType::tet4:
-        case CellType::tet10:
-            break;
+        case CellType::tet10: break;
     }
     return {4, type == CellType::tet4 ? 3 : 6, 3, [](int face, int i) {
                 return tetrahedron_faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
@@ -156,7 +155,8 @@ FaceTable face_table(const VolumeMesh& mesh) {
     table.beyond = Eigen::VectorXi::Constant(table.nodes.cols(), -1);
     for (Eigen::Index k = 0; k < table.cell.size(); ++k) {
         table.cell[k] = static_cast<int>(k) / faces.count;
-        for (int i = 0; i < faces.nodes; ++i) table.nodes(i, k) = mesh.cells(faces.node(static_cast<int>(k) % faces.count, i), table.cell[k]);
+        for (int i = 0; i < faces.nodes; ++i)
+            table.nodes(i, k) = mesh.cells(faces.node(static_cast<int>(k) % faces.count, i), table.cell[k]);
     }
     for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
         // Of a face that more than two cells share none is free; any neighbour tells so.
@@ -187,7 +187,8 @@ Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh) {
     });
     std::sort(pairs.begin(), pairs.end());
     Eigen::Matrix2Xi result(2, static_cast<Eigen::Index>(pairs.size()));
-    for (Eigen::Index k = 0; k < result.cols(); ++k) result.col(k) << pairs[static_cast<std::size_t>(k)][0], pairs[static_cast<std::size_t>(k)][1];
+    for (Eigen::Index k = 0; k < result.cols(); ++k)
+        result.col(k) << pairs[static_cast<std::size_t>(k)][0], pairs[static_cast<std::size_t>(k)][1];
     return result;
 }
 
@@ -205,4 +206,4 @@ Eigen::VectorXd cell_volumes(const VolumeMesh& mesh) {
     return volumes;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace myo {
+namespace myo::mesh {
 
 enum class CellType { hex8, tet4, tet10 };
 
@@ -28,8 +28,8 @@ struct VolumeMesh {
 
 /// Faces on the boundary: each belongs to one cell only.
 ///
-/// nodes: 4 x k (hex8), 3 x k (tet4), 6 x k (tet10: three corners, then mid-sides 01, 12, 20), outward by the right hand rule
-/// of the corners. cell: the cell behind each face.
+/// nodes: 4 x k (hex8), 3 x k (tet4), 6 x k (tet10: three corners, then mid-sides 01, 12, 20), outward by the right
+/// hand rule of the corners. cell: the cell behind each face.
 struct BoundaryFaces {
     Eigen::MatrixXi nodes;
     Eigen::VectorXi cell;
@@ -43,7 +43,8 @@ BoundaryFaces boundary_faces(const VolumeMesh& mesh);
 /// Pairs of cells that share a face, 2 x k, the lower number first, in ascending order.
 Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh);
 
-/// Volume of each cell [m3], by the element's own quadrature (exact for straight-sided tetrahedra and trilinear hexahedra).
+/// Volume of each cell [m3], by the element's own quadrature (exact for straight-sided tetrahedra and trilinear
+/// hexahedra).
 Eigen::VectorXd cell_volumes(const VolumeMesh& mesh);
 
-}  // namespace myo
+}  // namespace myo::mesh

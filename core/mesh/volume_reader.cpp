@@ -6,23 +6,26 @@
 #include "mesh/file_formats.hpp"
 #include "mesh/mesh_repair.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 Result<CellSoup> read_cells(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (extension == ".vtu") return read_vtu(path);
     if (extension == ".vtk") return read_legacy_vtk(path);
     if (extension == ".msh") return read_gmsh(path);
     if (extension == ".node" || extension == ".ele") return read_tetgen(path);
-    return Error{"unknown kind of volume mesh '" + extension + "': .vtu, .vtk, .msh and .node/.ele are read", path.string()};
+    return Error{"unknown kind of volume mesh '" + extension + "': .vtu, .vtk, .msh and .node/.ele are read",
+                 path.string()};
 }
 
 }  // namespace
 
 Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_per_unit) {
-    if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit)) return Error{"the length unit must be positive", path.string()};
+    if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit))
+        return Error{"the length unit must be positive", path.string()};
     const auto soup = read_cells(path);
     if (!soup) return soup.error();
 
@@ -33,8 +36,9 @@ Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_
         mesh.nodes.col(static_cast<Eigen::Index>(i)) = metres_per_unit * soup->nodes[i];
     }
     const int per_cell = nodes_per_cell(mesh.type);
-    mesh.cells = Eigen::Map<const Eigen::MatrixXi>(soup->cells.data(), per_cell, static_cast<Eigen::Index>(soup->cells.size()) / per_cell);
+    mesh.cells = Eigen::Map<const Eigen::MatrixXi>(soup->cells.data(), per_cell,
+                                                   static_cast<Eigen::Index>(soup->cells.size()) / per_cell);
     return with_positive_cells(std::move(mesh), path.string());
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

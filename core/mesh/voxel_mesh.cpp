@@ -9,7 +9,7 @@
 #include "mesh/mesh_repair.hpp"
 #include "mesh/surface_topology.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 constexpr int rays_per_axis = 4;
@@ -31,8 +31,8 @@ std::vector<double> ray_positions(const std::vector<double>& lines, double shift
     return positions;
 }
 
-// On which side of a -> b the point is. Evaluated from the lower to the higher vertex number, so that both triangles of an
-// edge come to the same answer and a ray never slips through between them.
+// On which side of a -> b the point is. Evaluated from the lower to the higher vertex number, so that both triangles of
+// an edge come to the same answer and a ray never slips through between them.
 bool left_of(const Eigen::Matrix3Xd& x, int a, int b, double px, double py) {
     const bool swapped = a > b;
     if (swapped) std::swap(a, b);
@@ -43,7 +43,9 @@ bool left_of(const Eigen::Matrix3Xd& x, int a, int b, double px, double py) {
 class RayField {
 public:
     RayField(const SurfaceMesh& surface, const GridLines& grid)
-        : x_(ray_positions(grid.axis[0], 3.1415e-6)), y_(ray_positions(grid.axis[1], 2.7183e-6)), crossings_(x_.size() * y_.size()) {
+        : x_(ray_positions(grid.axis[0], 3.1415e-6)),
+          y_(ray_positions(grid.axis[1], 2.7183e-6)),
+          crossings_(x_.size() * y_.size()) {
         for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) add(surface, surface.triangles.col(t));
         for (auto& ray : crossings_) {
             std::sort(ray.begin(), ray.end(), [](const Crossing& a, const Crossing& b) { return a.z < b.z; });
@@ -94,7 +96,8 @@ private:
 void add_lengths(const std::vector<double>& intervals, const std::vector<double>& z, std::vector<double>& inside) {
     for (std::size_t e = 0; e + 1 < intervals.size(); e += 2) {
         const double low = intervals[e], high = intervals[e + 1];
-        std::size_t k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, std::upper_bound(z.begin(), z.end(), low) - z.begin() - 1));
+        std::size_t k = static_cast<std::size_t>(
+            std::max<std::ptrdiff_t>(0, std::upper_bound(z.begin(), z.end(), low) - z.begin() - 1));
         for (; k + 1 < z.size() && z[k] < high; ++k) {
             inside[k] += std::max(0.0, std::min(high, z[k + 1]) - std::max(low, z[k])) / (z[k + 1] - z[k]);
         }
@@ -113,7 +116,9 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
     }
     const Box box = bounding_box(surface.vertices);
     if (!(box.size().minCoeff() > 0.0)) return Error{"the surface is flat: it encloses no volume", ""};
-    const Result<GridLines> limited = options.grid ? Result<GridLines>(*options.grid) : limited_grid_lines(box, options.edge, options.planes, options.max_cells);
+    const Result<GridLines> limited = options.grid
+                                          ? Result<GridLines>(*options.grid)
+                                          : limited_grid_lines(box, options.edge, options.planes, options.max_cells);
     if (!limited) return limited.error();
     const GridLines& grid = *limited;
     const Eigen::Vector3i n = grid.cells();
@@ -139,12 +144,13 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
         }
     }
     if (solid.empty()) {
-        return Error{"no cell lies at least half inside the body: choose an edge shorter than "
-                         + format_number(options.edge * 1e3, 4) + " mm", ""};
+        return Error{"no cell lies at least half inside the body: choose an edge shorter than " +
+                         format_number(options.edge * 1e3, 4) + " mm",
+                     ""};
     }
     std::sort(solid.begin(), solid.end());
     mesh.cells = mesh.cells(Eigen::all, solid).eval();
     return without_unused_nodes(mesh);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -9,10 +9,10 @@
 
 #include "mesh/polygon.hpp"
 
-// VTK 9.1's own readers run out of bounds on garbled files (2000 damaged files each, legacy binary: 5 of 6 batches died), so
-// the arrays are read here and checked before use.
+// VTK 9.1's own readers run out of bounds on garbled files (2000 damaged files each, legacy binary: 5 of 6 batches
+// died), so the arrays are read here and checked before use.
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 enum class NumberKind { none, i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
@@ -71,8 +71,8 @@ Keep keep(int vtk_type, CellType& type) {
 }
 
 // Node numbers of cell c; nothing when offsets or indices are out of bounds.
-std::optional<std::vector<int>> nodes_of(std::size_t c, const VtkArray& connectivity, const VtkArray& offsets, std::size_t first,
-                                         std::size_t node_count) {
+std::optional<std::vector<int>> nodes_of(std::size_t c, const VtkArray& connectivity, const VtkArray& offsets,
+                                         std::size_t first, std::size_t node_count) {
     const double begin = c == 0 ? 0.0 : offsets[c - 1], end = offsets[c];
     if (!(begin >= 0.0 && begin <= end && end <= static_cast<double>(connectivity.size()))) return std::nullopt;
     std::vector<int> nodes;
@@ -126,23 +126,30 @@ bool append_vtk_numbers(std::string_view type, std::string_view bytes, bool big_
     return true;
 }
 
-Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets, const VtkArray& types, std::size_t first_node,
-                           const std::filesystem::path& path, CellSoup& soup) {
-    if (types.size() != offsets.size()) return Error{"has not one type per cell: it is truncated or garbled", path.string()};
+Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets, const VtkArray& types,
+                           std::size_t first_node, const std::filesystem::path& path, CellSoup& soup) {
+    if (types.size() != offsets.size())
+        return Error{"has not one type per cell: it is truncated or garbled", path.string()};
     for (std::size_t c = 0; c < offsets.size(); ++c) {
         const int vtk_type = types[c] >= 0.0 && types[c] < 256.0 ? static_cast<int>(types[c]) : 255;
         CellType type{};
         const Keep kept = keep(vtk_type, type);
         if (kept == Keep::no) continue;
         if (kept == Keep::unsupported) {
-            return bad_cell(c, "is of VTK type " + std::to_string(vtk_type).append(", which is not read: only hex8, tet4 and tet10"), path);
+            return bad_cell(
+                c,
+                "is of VTK type " + std::to_string(vtk_type).append(", which is not read: only hex8, tet4 and tet10"),
+                path);
         }
         if (!soup.accepts(type)) {
-            return Error{"the mesh mixes " + to_string(soup.type).append(" and ") + to_string(type).append(" cells; one type is needed"), path.string()};
+            return Error{"the mesh mixes " + to_string(soup.type).append(" and ") +
+                             to_string(type).append(" cells; one type is needed"),
+                         path.string()};
         }
         auto nodes = nodes_of(c, connectivity, offsets, first_node, soup.nodes.size());
         if (!nodes) return bad_cell(c, "names a node that does not exist", path);
-        if (nodes->size() != static_cast<std::size_t>(nodes_per_cell(type))) return bad_cell(c, "has a wrong number of nodes", path);
+        if (nodes->size() != static_cast<std::size_t>(nodes_per_cell(type)))
+            return bad_cell(c, "has a wrong number of nodes", path);
         if (vtk_type == VTK_VOXEL) {  // counts x first, then y: corners 2 and 3, 6 and 7 change places
             std::swap((*nodes)[2], (*nodes)[3]);
             std::swap((*nodes)[6], (*nodes)[7]);
@@ -153,8 +160,8 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
     return {};
 }
 
-Result<void> add_vtk_polygons(const VtkArray& connectivity, const VtkArray& offsets, bool strips, std::size_t first_vertex,
-                              const std::filesystem::path& path, PolygonSoup& soup) {
+Result<void> add_vtk_polygons(const VtkArray& connectivity, const VtkArray& offsets, bool strips,
+                              std::size_t first_vertex, const std::filesystem::path& path, PolygonSoup& soup) {
     for (std::size_t c = 0; c < offsets.size(); ++c) {
         const auto corners = nodes_of(c, connectivity, offsets, first_vertex, soup.vertices.size());
         if (!corners) return bad_cell(c, "names a vertex that does not exist", path);
@@ -170,4 +177,4 @@ Result<void> add_vtk_polygons(const VtkArray& connectivity, const VtkArray& offs
     return {};
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,7 +5,7 @@
 
 // Source: VTK file formats, "Simple legacy formats", versions 1 to 5.1.
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 std::string lower(std::string_view word) {
@@ -19,7 +19,8 @@ public:
     LegacyParser(const std::string& content, std::filesystem::path path) : content_(content), path_(std::move(path)) {}
 
     Result<CellSoup> parse() {
-        if (line().substr(0, 14) != "# vtk DataFile") return Error{"does not begin with '# vtk DataFile'", path_.string()};
+        if (line().substr(0, 14) != "# vtk DataFile")
+            return Error{"does not begin with '# vtk DataFile'", path_.string()};
         line();  // title
         const std::string encoding = lower(first_word(line()));
         if (encoding != "ascii" && encoding != "binary") return broken("neither ASCII nor BINARY is stated");
@@ -27,7 +28,8 @@ public:
         for (std::string word = lower(next_word()); !word.empty(); word = lower(next_word())) {
             Result<void> section;
             if (word == "dataset") {
-                if (lower(next_word()) != "unstructured_grid") return Error{"is not a VTK unstructured grid", path_.string()};
+                if (lower(next_word()) != "unstructured_grid")
+                    return Error{"is not a VTK unstructured grid", path_.string()};
             } else if (word == "points") {
                 section = read_points();
             } else if (word == "cells") {
@@ -48,12 +50,15 @@ public:
             if (!section) return section.error();
         }
         if (soup_.nodes.empty() || types_.empty()) return broken("points or cells are missing");
-        if (const auto added = add_vtk_cells(connectivity_, offsets_, types_, 0, path_, soup_); !added) return added.error();
+        if (const auto added = add_vtk_cells(connectivity_, offsets_, types_, 0, path_, soup_); !added)
+            return added.error();
         return std::move(soup_);
     }
 
 private:
-    Error broken(const std::string& why) const { return {"the VTK file is truncated or garbled: " + why, path_.string()}; }
+    Error broken(const std::string& why) const {
+        return {"the VTK file is truncated or garbled: " + why, path_.string()};
+    }
 
     std::string_view line() {
         const std::size_t end = std::min(content_.find('\n', at_), content_.size());
@@ -73,7 +78,9 @@ private:
     }
     bool count(std::size_t& value) {
         long long number = 0;
-        if (!TextScanner::parse(next_word(), number) || number < 0 || static_cast<std::size_t>(number) > content_.size()) return false;
+        if (!TextScanner::parse(next_word(), number) || number < 0 ||
+            static_cast<std::size_t>(number) > content_.size())
+            return false;
         value = static_cast<std::size_t>(number);
         return true;
     }
@@ -103,7 +110,8 @@ private:
         if (!count(n)) return broken("the number of points");
         const std::string type = lower(next_word());
         if (!numbers(type, 3 * n, values)) return broken("points");
-        for (std::size_t i = 0; i < n; ++i) soup_.nodes.emplace_back(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+        for (std::size_t i = 0; i < n; ++i)
+            soup_.nodes.emplace_back(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
         return {};
     }
 
@@ -126,7 +134,8 @@ private:
         if (!numbers("int", second, values)) return broken("cells");
         std::size_t at = 0;
         for (std::size_t c = 0; c < first; ++c) {
-            if (at >= values.size() || !(values[at] >= 0.0) || values[at] > static_cast<double>(values.size() - at - 1)) return broken("cells");
+            if (at >= values.size() || !(values[at] >= 0.0) || values[at] > static_cast<double>(values.size() - at - 1))
+                return broken("cells");
             const auto n = static_cast<std::size_t>(values[at]);
             connectivity_.insert(connectivity_.end(), values.begin() + static_cast<std::ptrdiff_t>(at + 1),
                                  values.begin() + static_cast<std::ptrdiff_t>(at + 1 + n));
@@ -152,7 +161,8 @@ private:
             next_word();
             if (!count(components) || !count(tuples)) return broken("field");
             const std::string type = lower(next_word());
-            if (components * tuples > content_.size() || !numbers(type, components * tuples, values)) return broken("field");
+            if (components * tuples > content_.size() || !numbers(type, components * tuples, values))
+                return broken("field");
         }
         return {};
     }
@@ -174,4 +184,4 @@ Result<CellSoup> read_legacy_vtk(const std::filesystem::path& path) {
     return LegacyParser(*content, path).parse();
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

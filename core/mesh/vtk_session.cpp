@@ -4,7 +4,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 std::mutex& one_at_a_time() {
@@ -48,4 +48,4 @@ VtkSession::~VtkSession() {
 
 bool VtkSession::complained() const { return window_->complained; }
 
-}  // namespace myo
+}  // namespace myo::mesh

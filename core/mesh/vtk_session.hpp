@@ -3,12 +3,12 @@
 #include <mutex>
 #include <string>
 
-namespace myo {
+namespace myo::mesh {
 
 /// Keeps VTK's messages off the screen while a reader or writer of it works, and collects them.
 ///
-/// VTK reports through one output window for the whole process, so sessions exclude one another. Only .cpp files that call VTK
-/// include this.
+/// VTK reports through one output window for the whole process, so sessions exclude one another. Only .cpp files that
+/// call VTK include this.
 class VtkSession {
 public:
     VtkSession();
@@ -27,4 +27,4 @@ private:
     int previous_verbosity_ = 0;
 };
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -20,7 +20,7 @@
 #include "base/text.hpp"
 #include "mesh/vtk_session.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 int vtk_type(CellType type) {
@@ -32,7 +32,8 @@ int vtk_type(CellType type) {
     return VTK_EMPTY_CELL;
 }
 
-void add_fields(vtkDataSetAttributes* attributes, const std::vector<MeshField>& fields, [[maybe_unused]] Eigen::Index count) {
+void add_fields(vtkDataSetAttributes* attributes, const std::vector<MeshField>& fields,
+                [[maybe_unused]] Eigen::Index count) {
     for (const MeshField& field : fields) {
         assert(field.values.cols() == count);
         vtkNew<vtkDoubleArray> array;
@@ -46,8 +47,8 @@ void add_fields(vtkDataSetAttributes* attributes, const std::vector<MeshField>& 
 
 }  // namespace
 
-Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh, const std::vector<MeshField>& point_fields,
-                       const std::vector<MeshField>& cell_fields) {
+Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh,
+                       const std::vector<MeshField>& point_fields, const std::vector<MeshField>& cell_fields) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(mesh.node_count());
@@ -100,7 +101,8 @@ Result<void> write_pvd(const std::filesystem::path& path, const std::vector<doub
                        const std::vector<std::filesystem::path>& files) {
     assert(times.size() == files.size());
     std::string xml =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  "
+        "<Collection>\n";
     for (std::size_t i = 0; i < files.size(); ++i) {
         std::string name;
         for (const char c : files[i].generic_string()) {
@@ -111,10 +113,14 @@ Result<void> write_pvd(const std::filesystem::path& path, const std::vector<doub
                 default: name += c;
             }
         }
-        xml.append("    <DataSet timestep=\"").append(format_number(times[i], 12)).append("\" part=\"0\" file=\"").append(name).append("\"/>\n");
+        xml.append("    <DataSet timestep=\"")
+            .append(format_number(times[i], 12))
+            .append("\" part=\"0\" file=\"")
+            .append(name)
+            .append("\"/>\n");
     }
     xml += "  </Collection>\n</VTKFile>\n";
     return write_file(path, xml);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -14,7 +14,7 @@
 
 // Source: VTK file formats, "XML file formats": ASCII, base64 and appended arrays, plain or compressed in blocks.
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using Attributes = std::map<std::string, std::string, std::less<>>;
@@ -44,7 +44,9 @@ class XmlVtkParser {
 public:
     XmlVtkParser(std::string_view content, std::filesystem::path path) : content_(content), path_(std::move(path)) {}
 
-    Error broken(const std::string& why) const { return {"the VTK file is truncated or garbled: " + why, path_.string()}; }
+    Error broken(const std::string& why) const {
+        return {"the VTK file is truncated or garbled: " + why, path_.string()};
+    }
 
     // Finds the pieces and their arrays; nothing is decoded yet.
     Result<std::vector<Piece>> pieces(std::string_view dataset) {
@@ -58,7 +60,9 @@ public:
                 right_kind = value_of(tag.attributes, "type") == dataset;
                 if (!right_kind) return Error{"is not a VTK file of type " + std::string(dataset), path_.string()};
                 big_endian_ = value_of(tag.attributes, "byte_order") == "BigEndian";
-                header_type_ = tag.attributes.contains("header_type") ? std::string(value_of(tag.attributes, "header_type")) : "UInt32";
+                header_type_ = tag.attributes.contains("header_type")
+                                   ? std::string(value_of(tag.attributes, "header_type"))
+                                   : "UInt32";
                 compressor_ = value_of(tag.attributes, "compressor");
             } else if (tag.name == "Piece") {
                 found.emplace_back();
@@ -72,13 +76,15 @@ public:
                     if (end == std::string_view::npos) return broken("an array has no end");
                     text = content_.substr(at_, end - at_);
                 }
-                if (!section.empty() && !found.empty()) found.back().sections[section].push_back({tag.attributes, text});
+                if (!section.empty() && !found.empty())
+                    found.back().sections[section].push_back({tag.attributes, text});
             } else if (!section.empty() && tag.name == "/" + section) {
                 section.clear();
             } else if (tag.name == "AppendedData") {
                 const std::size_t mark = content_.find('_', at_);
                 const std::size_t end = content_.rfind("</AppendedData>");
-                if (mark == std::string_view::npos || end == std::string_view::npos || end <= mark) return broken("the appended data");
+                if (mark == std::string_view::npos || end == std::string_view::npos || end <= mark)
+                    return broken("the appended data");
                 appended_ = content_.substr(mark + 1, end - mark - 1);
                 appended_raw_ = value_of(tag.attributes, "encoding") == "raw";
                 at_ = end;
@@ -106,13 +112,15 @@ public:
         bool raw = false;
         if (format == "appended") {
             std::size_t offset = 0;
-            if (!TextScanner::parse(value_of(array.attributes, "offset"), offset) || offset > appended_.size()) return broken("an offset");
+            if (!TextScanner::parse(value_of(array.attributes, "offset"), offset) || offset > appended_.size())
+                return broken("an offset");
             encoded = appended_.substr(offset);
             raw = appended_raw_;
         }
         std::string bytes;
         const std::string why = compressor_.empty() ? plain(encoded, raw, bytes) : compressed(encoded, raw, bytes);
-        if (!why.empty() || !append_vtk_numbers(type, bytes, big_endian_, numbers)) return broken(why.empty() ? "an array's type or length" : why);
+        if (!why.empty() || !append_vtk_numbers(type, bytes, big_endian_, numbers))
+            return broken(why.empty() ? "an array's type or length" : why);
         return numbers;
     }
 
@@ -154,7 +162,8 @@ private:
         }
     }
 
-    // Takes n bytes from the front. Base64 comes in blocks that are padded on their own: n bytes are (n + 2) / 3 * 4 letters.
+    // Takes n bytes from the front. Base64 comes in blocks that are padded on their own: n bytes are (n + 2) / 3 * 4
+    // letters.
     static bool take(std::string_view& encoded, bool raw, std::size_t n, std::string& bytes) {
         if (raw) {
             if (n > encoded.size()) return false;
@@ -174,12 +183,18 @@ private:
             const char c = encoded[at];
             if (blank(c)) continue;
             unsigned value = 0;
-            if (c >= 'A' && c <= 'Z') value = static_cast<unsigned>(c - 'A');
-            else if (c >= 'a' && c <= 'z') value = static_cast<unsigned>(c - 'a') + 26;
-            else if (c >= '0' && c <= '9') value = static_cast<unsigned>(c - '0') + 52;
-            else if (c == '+') value = 62;
-            else if (c == '/') value = 63;
-            else if (c != '=') return false;
+            if (c >= 'A' && c <= 'Z')
+                value = static_cast<unsigned>(c - 'A');
+            else if (c >= 'a' && c <= 'z')
+                value = static_cast<unsigned>(c - 'a') + 26;
+            else if (c >= '0' && c <= '9')
+                value = static_cast<unsigned>(c - '0') + 52;
+            else if (c == '+')
+                value = 62;
+            else if (c == '/')
+                value = 63;
+            else if (c != '=')
+                return false;
             buffer = buffer << 6 | value;
             ++seen;
             if (++letters == 4) {
@@ -213,7 +228,8 @@ private:
     std::string plain(std::string_view encoded, bool raw, std::string& bytes) const {
         std::vector<std::size_t> size;
         const std::size_t header_bytes = vtk_number_size(header_type_);
-        if (!header(encoded, raw, 1, size) || !take(encoded, raw, header_bytes + size[0], bytes)) return "an array is too short";
+        if (!header(encoded, raw, 1, size) || !take(encoded, raw, header_bytes + size[0], bytes))
+            return "an array is too short";
         bytes.erase(0, header_bytes);
         return {};
     }
@@ -232,23 +248,30 @@ private:
             if (total > content_.size()) return bad;
         }
         std::string packed;
-        if (!take(encoded, raw, (3 + blocks) * vtk_number_size(header_type_), packed) || !take(encoded, raw, total, packed)) return bad;
+        if (!take(encoded, raw, (3 + blocks) * vtk_number_size(header_type_), packed) ||
+            !take(encoded, raw, total, packed))
+            return bad;
         const std::size_t limit = 1100 * content_.size();
 
         const VtkSession session;
         vtkSmartPointer<vtkDataCompressor> compressor;
-        if (compressor_ == "vtkZLibDataCompressor") compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
-        else if (compressor_ == "vtkLZ4DataCompressor") compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
-        else if (compressor_ == "vtkLZMADataCompressor") compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
-        else return "an unknown compression";
+        if (compressor_ == "vtkZLibDataCompressor")
+            compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
+        else if (compressor_ == "vtkLZ4DataCompressor")
+            compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
+        else if (compressor_ == "vtkLZMADataCompressor")
+            compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
+        else
+            return "an unknown compression";
         std::size_t from = 0;
         for (std::size_t b = 0; b < blocks; ++b) {
             const std::size_t size = b + 1 == blocks && last_size > 0 ? last_size : block_size;
             const std::size_t begin = bytes.size();
             if (size > limit || begin + size > limit) return bad;
             bytes.resize(begin + size);
-            const std::size_t done = compressor->Uncompress(reinterpret_cast<const unsigned char*>(packed.data() + from), sizes[3 + b],
-                                                            reinterpret_cast<unsigned char*>(bytes.data() + begin), size);
+            const std::size_t done = compressor->Uncompress(
+                reinterpret_cast<const unsigned char*>(packed.data() + from), sizes[3 + b],
+                reinterpret_cast<unsigned char*>(bytes.data() + begin), size);
             if (done != size) return bad;
             from += sizes[3 + b];
         }
@@ -264,7 +287,8 @@ private:
 };
 
 // The array of that name in a section, decoded; empty when it is not there.
-Result<VtkArray> array_named(const XmlVtkParser& parser, const Piece& piece, std::string_view section, std::string_view name) {
+Result<VtkArray> array_named(const XmlVtkParser& parser, const Piece& piece, std::string_view section,
+                             std::string_view name) {
     const auto found = piece.sections.find(section);
     if (found == piece.sections.end()) return VtkArray{};
     for (const ArrayText& array : found->second) {
@@ -286,8 +310,8 @@ Result<void> add_points(const XmlVtkParser& parser, const Piece& piece, std::vec
 /// @param points_of  where in a soup points go
 /// @param add_cells  (parser, piece, index of its first point, soup) -> Result<void>
 template <class Soup, class AddCells>
-Result<Soup> read_pieces(const std::filesystem::path& path, std::string_view kind, std::vector<Eigen::Vector3d> Soup::*points_of,
-                         const AddCells& add_cells) {
+Result<Soup> read_pieces(const std::filesystem::path& path, std::string_view kind,
+                         std::vector<Eigen::Vector3d> Soup::*points_of, const AddCells& add_cells) {
     const auto content = read_file(path);
     if (!content) return content.error();
     if (content->empty()) return Error{"the file is empty", path.string()};
@@ -306,7 +330,8 @@ Result<Soup> read_pieces(const std::filesystem::path& path, std::string_view kin
 }  // namespace
 
 Result<CellSoup> read_vtu(const std::filesystem::path& path) {
-    const auto add_cells = [&](const XmlVtkParser& parser, const Piece& piece, std::size_t first, CellSoup& soup) -> Result<void> {
+    const auto add_cells = [&](const XmlVtkParser& parser, const Piece& piece, std::size_t first,
+                               CellSoup& soup) -> Result<void> {
         const auto connectivity = array_named(parser, piece, "Cells", "connectivity");
         const auto offsets = array_named(parser, piece, "Cells", "offsets");
         const auto types = array_named(parser, piece, "Cells", "types");
@@ -319,17 +344,19 @@ Result<CellSoup> read_vtu(const std::filesystem::path& path) {
 }
 
 Result<PolygonSoup> read_vtp(const std::filesystem::path& path) {
-    const auto add_polygons = [&](const XmlVtkParser& parser, const Piece& piece, std::size_t first, PolygonSoup& soup) -> Result<void> {
+    const auto add_polygons = [&](const XmlVtkParser& parser, const Piece& piece, std::size_t first,
+                                  PolygonSoup& soup) -> Result<void> {
         for (const bool strips : {false, true}) {
             const auto connectivity = array_named(parser, piece, strips ? "Strips" : "Polys", "connectivity");
             const auto offsets = array_named(parser, piece, strips ? "Strips" : "Polys", "offsets");
             if (!connectivity) return connectivity.error();
             if (!offsets) return offsets.error();
-            if (const auto added = add_vtk_polygons(*connectivity, *offsets, strips, first, path, soup); !added) return added.error();
+            if (const auto added = add_vtk_polygons(*connectivity, *offsets, strips, first, path, soup); !added)
+                return added.error();
         }
         return {};
     };
     return read_pieces(path, "PolyData", &PolygonSoup::vertices, add_polygons);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

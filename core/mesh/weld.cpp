@@ -8,7 +8,7 @@
 
 #include "mesh/surface_check.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 using GridCell = std::array<std::int64_t, 3>;
@@ -90,8 +90,8 @@ SurfaceMesh weld(const SurfaceMesh& surface, double tolerance) {
     welded.triangles.resize(3, static_cast<Eigen::Index>(kept.size()));
     for (std::size_t t = 0; t < kept.size(); ++t) {
         for (std::size_t i = 0; i < 3; ++i) {
-            welded.triangles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t)) =
-                new_number[static_cast<std::size_t>(kept[t][i])];
+            welded.triangles(static_cast<Eigen::Index>(i),
+                             static_cast<Eigen::Index>(t)) = new_number[static_cast<std::size_t>(kept[t][i])];
         }
     }
     return welded;
@@ -104,4 +104,4 @@ SurfaceMesh flipped(SurfaceMesh surface) {
     return surface;
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace myo {
+namespace myo::mesh {
 
 double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point) {
     double angle = 0.0;
@@ -20,4 +20,4 @@ double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point) 
     return angle / (4.0 * std::numbers::pi);
 }
 
-}  // namespace myo
+}  // namespace myo::mesh

@@ -4,11 +4,11 @@
 
 #include "model/point_kinematics.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Strains of a cell: see AssumedStrainGeometry. Both parts with their values at the corner points.
 struct AssumedStrains {
-    std::array<PackSymmetric, 3> linear, bilinear;   // A_k, B_k
+    std::array<PackSymmetric, 3> linear, bilinear;  // A_k, B_k
 };
 
 /// Values at the corners, corner q - 1 with the signs of its bits, see assumed_strain_point().
@@ -21,10 +21,10 @@ inline void set_at_corners(const AssumedStrains& strains, CornerStrains& H) {
         const Pack b0 = strains.bilinear[0][k], b1 = strains.bilinear[1][k], b2 = strains.bilinear[2][k];
         // Opposite corners have opposite linear parts and the same bilinear one; here those with +xi_3.
         const Pack same = a0 + a1, other = a0 - a1, b_same = b0 + b1, b_other = b0 - b1;
-        const Pack odd3 = a2 - same, even3 = b2 - b_same;      // signs (-, -, +)
-        const Pack odd0 = a2 + other, even0 = b1 - b0 - b2;    // (+, -, +)
-        const Pack odd1 = a2 - other, even1 = b_other - b2;    // (-, +, +)
-        const Pack odd2 = a2 + same, even2 = b2 + b_same;      // (+, +, +)
+        const Pack odd3 = a2 - same, even3 = b2 - b_same;    // signs (-, -, +)
+        const Pack odd0 = a2 + other, even0 = b1 - b0 - b2;  // (+, -, +)
+        const Pack odd1 = a2 - other, even1 = b_other - b2;  // (-, +, +)
+        const Pack odd2 = a2 + same, even2 = b2 + b_same;    // (+, +, +)
         H[4][k] = even3 + odd3, H[3][k] = even3 - odd3;
         H[5][k] = even0 + odd0, H[2][k] = even0 - odd0;
         H[6][k] = even1 + odd1, H[1][k] = even1 - odd1;
@@ -57,7 +57,7 @@ inline AssumedStrains from_corners(const CornerStrains& R) {
 struct AssumedStrainMap {
     const PackAssumedStrain& geometry;
     Pack poissons_ratio;
-    std::array<Pack, 3> left_out, across;   // of each plane: (1 - s)/2, and what of t stands along n n'
+    std::array<Pack, 3> left_out, across;  // of each plane: (1 - s)/2, and what of t stands along n n'
 
     AssumedStrainMap(const PackAssumedStrain& g, const PackSurroundings& relaxed, const Pack& nu)
         : geometry(g), poissons_ratio(nu) {
@@ -70,9 +70,9 @@ struct AssumedStrainMap {
         }
     }
 
-    static constexpr double linear_scale = assumed_strain_rule::corner;
-    static constexpr double bilinear_scale =
-        assumed_strain_rule::corner * assumed_strain_rule::corner * assumed_strain_rule::bilinear_share;
+    static constexpr double linear_scale = fem::assumed_strain_rule::corner;
+    static constexpr double bilinear_scale = fem::assumed_strain_rule::corner * fem::assumed_strain_rule::corner *
+                                             fem::assumed_strain_rule::bilinear_share;
 
     /// Strain of a plane per unit of its m-th measure (E_ii, E_jj, 2 E_ij) at a corner.
     PackSymmetric basis(std::size_t plane, std::size_t m) const {
@@ -97,8 +97,8 @@ struct AssumedStrainMap {
         Eigen::Matrix<Pack, 4, 3> c;
         for (int i = 0; i < 3; ++i)
             for (int s = 0; s < 4; ++s)
-                c(s, i) =
-                    geometry.edges(0, i) * h(0, s) + geometry.edges(1, i) * h(1, s) + geometry.edges(2, i) * h(2, s);
+                c(s, i) = geometry.edges(0, i) * h(0, s) + geometry.edges(1, i) * h(1, s) +
+                          geometry.edges(2, i) * h(2, s);
         AssumedStrains strains;
         for (int k = 0; k < 3; ++k) {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -109,8 +109,8 @@ struct AssumedStrainMap {
             const Pack trace = p.trace[0] * e0 + p.trace[1] * e1 + p.trace[2] * e2, normal = across[plane] * trace,
                        even = left_out[plane] * trace;
             for (std::size_t m = 0; m < 6; ++m)
-                strains.linear[plane][m] =
-                    p.in_plane[0][m] * e0 + p.in_plane[1][m] * e1 + p.in_plane[2][m] * e2 + normal * p.normal[m];
+                strains.linear[plane][m] = p.in_plane[0][m] * e0 + p.in_plane[1][m] * e1 + p.in_plane[2][m] * e2 +
+                                           normal * p.normal[m];
             for (std::size_t m = 0; m < 3; ++m) strains.linear[plane][m] -= even;
             const PackSymmetric& t = geometry.along[plane];
             const Pack e = bilinear_scale * c(3, k), more = (1.0 + poissons_ratio) * e,
@@ -146,8 +146,8 @@ struct AssumedStrainMap {
         Eigen::Matrix<Pack, 3, 4> S;
         for (int s = 0; s < 4; ++s)
             for (int i = 0; i < 3; ++i)
-                S(i, s) =
-                    geometry.edges(i, 0) * c(s, 0) + geometry.edges(i, 1) * c(s, 1) + geometry.edges(i, 2) * c(s, 2);
+                S(i, s) = geometry.edges(i, 0) * c(s, 0) + geometry.edges(i, 1) * c(s, 1) +
+                          geometry.edges(i, 2) * c(s, 2);
         return S;
     }
 };
@@ -157,7 +157,7 @@ class PointKinematics<PackAssumedStrain> {
 public:
     /// dF0 and the changes of the strains at the corners.
     struct Motion {
-        Matrix3<Pack> mean;
+        material::Matrix3<Pack> mean;
         CornerStrains strains;
     };
 
@@ -182,15 +182,15 @@ public:
         }
     }
 
-    Matrix3<Pack> gradient(int q) const { return q == 0 ? mean_ : times_symmetric(mean_, stretch(q)); }
+    material::Matrix3<Pack> gradient(int q) const { return q == 0 ? mean_ : times_symmetric(mean_, stretch(q)); }
     Pack weight(int q) const {
-        return (q == 0 ? assumed_strain_rule::middle_weight : assumed_strain_rule::corner_weight) *
+        return (q == 0 ? fem::assumed_strain_rule::middle_weight : fem::assumed_strain_rule::corner_weight) *
                map_.geometry.volume;
     }
 
     Motion along(const PackNodes<8>& dx) const {
         // d(F0^-1 q) = F0^-1 (dq - dF0 F0^-1 q).
-        const Matrix3<Pack> dF = nodal_product(dx, map_.geometry.gradient);
+        const material::Matrix3<Pack> dF = nodal_product(dx, map_.geometry.gradient);
         Eigen::Matrix<Pack, 3, 4> dq = nodal_product(dx, map_.geometry.gamma);
         for (int s = 0; s < 4; ++s)
             for (int i = 0; i < 3; ++i)
@@ -200,7 +200,7 @@ public:
         set_at_corners(map_.apply(through_inverse(dq)), motion.strains);
         return motion;
     }
-    Matrix3<Pack> tangent(int q, const Motion& motion) const {
+    material::Matrix3<Pack> tangent(int q, const Motion& motion) const {
         if (q == 0) return motion.mean;
         const PackSymmetric& dH = motion.strains[static_cast<std::size_t>(q - 1)];
         PackSymmetric dM = anticommutator_half(dH, strain(q));
@@ -209,8 +209,8 @@ public:
     }
 
     const AssumedStrainMap& map() const { return map_; }
-    const Matrix3<Pack>& mean() const { return mean_; }
-    const Matrix3<Pack>& mean_inverse() const { return inverse_; }
+    const material::Matrix3<Pack>& mean() const { return mean_; }
+    const material::Matrix3<Pack>& mean_inverse() const { return inverse_; }
     const PackSymmetric& strain(int q) const { return strain_[static_cast<std::size_t>(q - 1)]; }
     const PackSymmetric& stretch(int q) const { return stretch_[static_cast<std::size_t>(q - 1)]; }
 
@@ -235,10 +235,10 @@ private:
     }
 
     AssumedStrainMap map_;
-    Matrix3<Pack> mean_, inverse_;             // F0, F0^-1
-    Eigen::Matrix<Pack, 3, 4> shapes_;         // F0^-1 q
-    std::array<PackSymmetric, 8> strain_;      // H at the corners
-    std::array<PackSymmetric, 8> stretch_;     // I + H + H^2/2
+    material::Matrix3<Pack> mean_, inverse_;  // F0, F0^-1
+    Eigen::Matrix<Pack, 3, 4> shapes_;        // F0^-1 q
+    std::array<PackSymmetric, 8> strain_;     // H at the corners
+    std::array<PackSymmetric, 8> stretch_;    // I + H + H^2/2
 };
 
 template <>
@@ -248,7 +248,7 @@ public:
         for (PackSymmetric& s : corners_) s.fill(Pack(0.0));
     }
 
-    void add(int q, const Matrix3<Pack>& P) {
+    void add(int q, const material::Matrix3<Pack>& P) {
         if (q == 0) {
             mean_ += P;
             return;
@@ -264,7 +264,7 @@ public:
     /// dW/dq: F0^-T dW/d(F0^-1 q).
     Eigen::Matrix<Pack, 3, 4> of_shapes() const {
         const Eigen::Matrix<Pack, 3, 4> S = points_.map().transposed(from_corners(corners_));
-        const Matrix3<Pack>& inverse = points_.mean_inverse();
+        const material::Matrix3<Pack>& inverse = points_.mean_inverse();
         Eigen::Matrix<Pack, 3, 4> T;
         for (int s = 0; s < 4; ++s)
             for (int i = 0; i < 3; ++i)
@@ -279,8 +279,8 @@ public:
 
 private:
     const PointKinematics<PackAssumedStrain>& points_;
-    Matrix3<Pack> mean_;        // dW/dF0, the strains held
-    CornerStrains corners_;     // dW/dH
+    material::Matrix3<Pack> mean_;  // dW/dF0, the strains held
+    CornerStrains corners_;         // dW/dH
 };
 
-}  // namespace myo
+}  // namespace myo::model

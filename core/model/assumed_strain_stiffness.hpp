@@ -4,7 +4,7 @@
 
 #include "model/assumed_strain_points.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Second derivative of a cell's energy with respect to its nodes.
 ///
@@ -20,10 +20,10 @@ public:
         mean_.setConstant(Pack(0.0));
         for (auto& sum : strain_) sum.fill(Pack(0.0));
         for (auto& sum : mixed_)
-            for (Matrix3<Pack>& block : sum) block.setConstant(Pack(0.0));
+            for (material::Matrix3<Pack>& block : sum) block.setConstant(Pack(0.0));
     }
 
-    void add(int q, const Matrix9<Pack>& A, const Matrix3<Pack>& P) {
+    void add(int q, const material::Matrix9<Pack>& A, const material::Matrix3<Pack>& P) {
         stress_.add(q, P);
         if (q == 0) {
             mean_ += A;
@@ -31,23 +31,25 @@ public:
         }
         const PackSymmetric& M = points_.stretch(q);
         add_mean(A, full(M));
-        const std::array<Matrix3<Pack>, 6> stiffness = by_strain(A);
-        const Matrix3<Pack> Y = full(symmetric_part(transposed_product(points_.mean(), P)));
+        const std::array<material::Matrix3<Pack>, 6> stiffness = by_strain(A);
+        const material::Matrix3<Pack> Y = full(symmetric_part(transposed_product(points_.mean(), P)));
         Corner& corner = corners_[static_cast<std::size_t>(q <= 4 ? q - 1 : 8 - q)];
         Corner now;
-        std::array<PackSymmetric, 6> lifted;   // dM per unit of a strain
+        std::array<PackSymmetric, 6> lifted;  // dM per unit of a strain
         for (std::size_t b = 0; b < 6; ++b) {
             lifted[b] = lift(b, points_.strain(q));
             // A : F0 dM.
-            Matrix3<Pack> U = stiffness[0] * lifted[b][0];
+            material::Matrix3<Pack> U = stiffness[0] * lifted[b][0];
             for (std::size_t a = 1; a < 6; ++a) U += stiffness[a] * lifted[b][a];
             now.mixed[b] = times_symmetric(U, M) + times_symmetric(P, lifted[b]);
             const PackSymmetric pulled = symmetric_part(transposed_product(points_.mean(), U));
-            const Matrix3<Pack> YE = curvature(b, Y);
+            const material::Matrix3<Pack> YE = curvature(b, Y);
             for (std::size_t a = 0; a <= b; ++a) now.strain[pair(b, a)] = double_dot(lifted[a], pulled) + entry(a, YE);
         }
-        if (q <= 4) corner = now;
-        else add_opposite(q, now, corner);
+        if (q <= 4)
+            corner = now;
+        else
+            add_opposite(q, now, corner);
     }
 
     void finish() {
@@ -58,15 +60,16 @@ public:
             for (std::size_t m = 0; m < 3; ++m) basis[3 * k + m] = points_.map().basis(k, m), set[3 * k + m] = 1 << k;
             basis[9 + k] = points_.map().bilinear_basis(k), set[9 + k] = 7 ^ (1 << k);
         }
-        std::array<std::array<Matrix3<Pack>, 4>, 4> shapes;   // by amplitudes c(s, .) and c(t, .), see AssumedStrainMap
-        std::array<std::array<Matrix3<Pack>, 4>, 3> mixed;    // [j][s](i, r): by dF0_ij and c(s, r)
+        std::array<std::array<material::Matrix3<Pack>, 4>, 4>
+            shapes;  // by amplitudes c(s, .) and c(t, .), see AssumedStrainMap
+        std::array<std::array<material::Matrix3<Pack>, 4>, 3> mixed;  // [j][s](i, r): by dF0_ij and c(s, r)
         for (auto& row : shapes)
-            for (Matrix3<Pack>& block : row) block.setConstant(Pack(0.0));
+            for (material::Matrix3<Pack>& block : row) block.setConstant(Pack(0.0));
         for (auto& row : mixed)
-            for (Matrix3<Pack>& block : row) block.setConstant(Pack(0.0));
+            for (material::Matrix3<Pack>& block : row) block.setConstant(Pack(0.0));
         for (std::size_t n = 0; n < 12; ++n) {
             const auto to_n = amplitudes(n);
-            Matrix3<Pack> G = zero_tensor();
+            material::Matrix3<Pack> G = zero_tensor();
             for (std::size_t b = 0; b < 6; ++b) G += mixed_[static_cast<std::size_t>(set[n])][b] * basis[n][b];
             for (const auto& [s, r] : to_n) {
                 if (s < 0) continue;
@@ -122,24 +125,24 @@ private:
     }
 
     /// Y E of the unit strain.
-    static Matrix3<Pack> curvature(std::size_t b, const Matrix3<Pack>& Y) {
+    static material::Matrix3<Pack> curvature(std::size_t b, const material::Matrix3<Pack>& Y) {
         const int i = index[b][0], j = index[b][1];
-        Matrix3<Pack> YE = zero_tensor();
+        material::Matrix3<Pack> YE = zero_tensor();
         YE.col(j) += Y.col(i);
         if (i != j) YE.col(i) += Y.col(j);
         return YE;
     }
     /// tr(X E) of the unit strain.
-    static Pack entry(std::size_t a, const Matrix3<Pack>& X) {
+    static Pack entry(std::size_t a, const material::Matrix3<Pack>& X) {
         const int i = index[a][0], j = index[a][1];
         return i == j ? X(i, i) : X(i, j) + X(j, i);
     }
 
     /// A : (F0 E) for every unit strain.
-    std::array<Matrix3<Pack>, 6> by_strain(const Matrix9<Pack>& A) const {
+    std::array<material::Matrix3<Pack>, 6> by_strain(const material::Matrix9<Pack>& A) const {
         // A : (F0 e_k e_l').
         const auto column = [&](int k, int l) {
-            Matrix3<Pack> U;
+            material::Matrix3<Pack> U;
             for (int row = 0; row < 9; ++row)
                 U(row % 3, row / 3) = A(row, 3 * l) * points_.mean()(0, k) + A(row, 1 + 3 * l) * points_.mean()(1, k) +
                                       A(row, 2 + 3 * l) * points_.mean()(2, k);
@@ -156,7 +159,7 @@ private:
     /// What one corner adds to the sums.
     struct Corner {
         std::array<Pack, 21> strain;
-        std::array<Matrix3<Pack>, 6> mixed;
+        std::array<material::Matrix3<Pack>, 6> mixed;
     };
 
     /// Adds a corner and the one opposite to it, whose signs are the same in sets of two edges and opposite in those of
@@ -179,8 +182,8 @@ private:
     static void add_signed(Pack& sum, const Pack& value, double sign) { sum += sign * value; }
 
     /// mean_ += (I x M) A (I x M): F = F0 M.
-    void add_mean(const Matrix9<Pack>& A, const Matrix3<Pack>& M) {
-        Matrix9<Pack> AM;
+    void add_mean(const material::Matrix9<Pack>& A, const material::Matrix3<Pack>& M) {
+        material::Matrix9<Pack> AM;
         for (int l = 0; l < 3; ++l)
             for (int k = 0; k < 3; ++k)
                 for (int row = 0; row < 9; ++row)
@@ -188,19 +191,19 @@ private:
         for (int column = 0; column < 9; ++column)
             for (int j = 0; j < 3; ++j)
                 for (int i = 0; i < 3; ++i)
-                    mean_(i + 3 * j, column) +=
-                        AM(i, column) * M(j, 0) + AM(i + 3, column) * M(j, 1) + AM(i + 6, column) * M(j, 2);
+                    mean_(i + 3 * j, column) += AM(i, column) * M(j, 0) + AM(i + 3, column) * M(j, 1) +
+                                                AM(i + 6, column) * M(j, 2);
     }
 
     /// From the amplitudes, of which c(s, i) = edge_i . F0^-1 (dq_s - dF0 h_s), to the nodes, with the curvature of
     /// F0^-1.
-    void to_nodes(const std::array<std::array<Matrix3<Pack>, 4>, 4>& shapes,
-                  const std::array<std::array<Matrix3<Pack>, 4>, 3>& mixed) {
+    void to_nodes(const std::array<std::array<material::Matrix3<Pack>, 4>, 4>& shapes,
+                  const std::array<std::array<material::Matrix3<Pack>, 4>, 3>& mixed) {
         const PackAssumedStrain& geometry = points_.map().geometry;
-        const Matrix3<Pack> E = transposed_product(points_.mean_inverse(), geometry.edges);   // F0^-T edges
-        const auto transposed = [](const Matrix3<Pack>& A) { return Matrix3<Pack>(A.transpose()); };
-        const Matrix3<Pack> E_transposed = transposed(E);
-        std::array<std::array<Matrix3<Pack>, 7>, 7> K;   // by the columns of F0, then of the shapes
+        const material::Matrix3<Pack> E = transposed_product(points_.mean_inverse(), geometry.edges);  // F0^-T edges
+        const auto transposed = [](const material::Matrix3<Pack>& A) { return material::Matrix3<Pack>(A.transpose()); };
+        const material::Matrix3<Pack> E_transposed = transposed(E);
+        std::array<std::array<material::Matrix3<Pack>, 7>, 7> K;  // by the columns of F0, then of the shapes
         for (std::size_t n = 0; n < 3; ++n)
             for (std::size_t m = 0; m < 3; ++m)
                 for (int k = 0; k < 3; ++k)
@@ -228,13 +231,13 @@ private:
                            geometry.gradient(a, 1) * points_.mean_inverse()(1, j) +
                            geometry.gradient(a, 2) * points_.mean_inverse()(2, j);
         for (int b = 0; b < 8; ++b) {
-            std::array<Matrix3<Pack>, 7> V;
+            std::array<material::Matrix3<Pack>, 7> V;
             for (std::size_t m = 0; m < 7; ++m) {
                 V[m] = K[m][0] * map(b, 0);
                 for (std::size_t n = 1; n < 7; ++n) V[m] += K[m][n] * map(b, static_cast<int>(n));
             }
             for (int a = b; a < 8; ++a) {
-                Matrix3<Pack>& block = matrix_[static_cast<std::size_t>(lower_block<8>(a, b))];
+                material::Matrix3<Pack>& block = matrix_[static_cast<std::size_t>(lower_block<8>(a, b))];
                 for (int j = 0; j < 3; ++j)
                     for (int i = 0; i < 3; ++i) {
                         Pack sum = -f(i, b) * GF(a, j) - GF(b, i) * f(j, a);
@@ -248,10 +251,10 @@ private:
     const PointKinematics<PackAssumedStrain>& points_;
     PackMatrix<8>& matrix_;
     StressSum<PackAssumedStrain> stress_;
-    Matrix9<Pack> mean_;                                        // d2W/dF0 dF0
-    std::array<Corner, 4> corners_;                             // those that wait for their opposites
-    std::array<std::array<Pack, 21>, 8> strain_;                // d2W/dH dH by the difference of sets
-    std::array<std::array<Matrix3<Pack>, 6>, 8> mixed_;         // d2W/dF0 dH by the set of H; 0 and 7 unused
+    material::Matrix9<Pack> mean_;                                 // d2W/dF0 dF0
+    std::array<Corner, 4> corners_;                                // those that wait for their opposites
+    std::array<std::array<Pack, 21>, 8> strain_;                   // d2W/dH dH by the difference of sets
+    std::array<std::array<material::Matrix3<Pack>, 6>, 8> mixed_;  // d2W/dF0 dH by the set of H; 0 and 7 unused
 };
 
-}  // namespace myo
+}  // namespace myo::model

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-namespace myo {
+namespace myo::model {
 
-BlockPattern block_pattern(const VolumeMesh& mesh, const std::vector<bool>& clamped) {
+BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
     assert(static_cast<Eigen::Index>(clamped.size()) == mesh.node_count());
     BlockPattern pattern;
     pattern.free_index.assign(clamped.size(), -1);
@@ -16,8 +16,11 @@ BlockPattern block_pattern(const VolumeMesh& mesh, const std::vector<bool>& clam
         }
 
     const auto nodes = static_cast<int>(mesh.cells.rows());
-    const auto free_node = [&](Eigen::Index a, Eigen::Index c) { return pattern.free_index[static_cast<std::size_t>(mesh.cells(a, c))]; };
-    std::vector<std::vector<int>> rows(static_cast<std::size_t>(pattern.free_count));   // block rows of each block column
+    const auto free_node = [&](Eigen::Index a, Eigen::Index c) {
+        return pattern.free_index[static_cast<std::size_t>(mesh.cells(a, c))];
+    };
+    std::vector<std::vector<int>> rows(
+        static_cast<std::size_t>(pattern.free_count));  // block rows of each block column
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
         for (int b = 0; b < nodes; ++b)
             for (int a = 0; a < nodes; ++a)
@@ -25,13 +28,13 @@ BlockPattern block_pattern(const VolumeMesh& mesh, const std::vector<bool>& clam
                     rows[static_cast<std::size_t>(free_node(b, c))].push_back(free_node(a, c));
     std::size_t entries = 0;
     for (std::size_t column = 0; column < rows.size(); ++column) {
-        rows[column].push_back(static_cast<int>(column));   // a node without cells keeps its diagonal
+        rows[column].push_back(static_cast<int>(column));  // a node without cells keeps its diagonal
         std::sort(rows[column].begin(), rows[column].end());
         rows[column].erase(std::unique(rows[column].begin(), rows[column].end()), rows[column].end());
         entries += 9 * rows[column].size() - 3;
     }
 
-    SymmetricSparse& matrix = pattern.zero;
+    solver::SymmetricSparse& matrix = pattern.zero;
     matrix.resize(pattern.unknowns(), pattern.unknowns());
     matrix.resizeNonZeros(static_cast<Eigen::Index>(entries));
     int position = 0;
@@ -46,7 +49,8 @@ BlockPattern block_pattern(const VolumeMesh& mesh, const std::vector<bool>& clam
         }
     matrix.outerIndexPtr()[pattern.unknowns()] = position;
 
-    pattern.cell_blocks.assign(static_cast<std::size_t>(mesh.cell_count()) * static_cast<std::size_t>(nodes * nodes), -1);
+    pattern.cell_blocks.assign(static_cast<std::size_t>(mesh.cell_count()) * static_cast<std::size_t>(nodes * nodes),
+                               -1);
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
         for (int b = 0; b < nodes; ++b)
             for (int a = 0; a < nodes; ++a) {
@@ -61,15 +65,17 @@ BlockPattern block_pattern(const VolumeMesh& mesh, const std::vector<bool>& clam
 
 Eigen::VectorXd gather(const BlockPattern& pattern, const Eigen::Matrix3Xd& X) {
     Eigen::VectorXd v(pattern.unknowns());
-    for (int i = 0; i < pattern.free_count; ++i) v.segment<3>(3 * i) = X.col(pattern.free_nodes[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < pattern.free_count; ++i)
+        v.segment<3>(3 * i) = X.col(pattern.free_nodes[static_cast<std::size_t>(i)]);
     return v;
 }
 
 Eigen::Matrix3Xd scatter(const BlockPattern& pattern, const Eigen::VectorXd& v) {
     assert(v.size() == pattern.unknowns());
     Eigen::Matrix3Xd X = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(pattern.free_index.size()));
-    for (int i = 0; i < pattern.free_count; ++i) X.col(pattern.free_nodes[static_cast<std::size_t>(i)]) = v.segment<3>(3 * i);
+    for (int i = 0; i < pattern.free_count; ++i)
+        X.col(pattern.free_nodes[static_cast<std::size_t>(i)]) = v.segment<3>(3 * i);
     return X;
 }
 
-}  // namespace myo
+}  // namespace myo::model

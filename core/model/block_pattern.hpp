@@ -7,17 +7,18 @@
 #include "mesh/volume_mesh.hpp"
 #include "solver/sparse_cholesky.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Where the 3 x 3 blocks of the cells' matrices go in the lower triangle over the free degrees of freedom.
 ///
-/// Free node i owns the unknowns 3 i ... 3 i + 2. Each block column holds its diagonal block first, then the blocks below.
+/// Free node i owns the unknowns 3 i ... 3 i + 2. Each block column holds its diagonal block first, then the blocks
+/// below.
 struct BlockPattern {
     int free_count = 0;
-    std::vector<int> free_index;    // per node: its number among the free nodes, or -1 when clamped
-    std::vector<int> free_nodes;    // the inverse
-    std::vector<int> cell_blocks;   // per cell, a + nodes_per_cell * b: rank in the block column of b, or -1: not stored
-    SymmetricSparse zero;           // the pattern, all values 0
+    std::vector<int> free_index;   // per node: its number among the free nodes, or -1 when clamped
+    std::vector<int> free_nodes;   // the inverse
+    std::vector<int> cell_blocks;  // per cell, a + nodes_per_cell * b: rank in the block column of b, or -1: not stored
+    solver::SymmetricSparse zero;  // the pattern, all values 0
 
     int unknowns() const { return 3 * free_count; }
 
@@ -26,9 +27,11 @@ struct BlockPattern {
         return cell_blocks[static_cast<std::size_t>((cell * nodes_per_cell + b) * nodes_per_cell + a)] >= 0;
     }
 
-    /// Adds the block (a, b) of a cell, where entry(r, s) is d2W / dx_ra dx_sb. Skips what is clamped or above the diagonal.
+    /// Adds the block (a, b) of a cell, where entry(r, s) is d2W / dx_ra dx_sb. Skips what is clamped or above the
+    /// diagonal.
     template <class Block>
-    void add(SymmetricSparse& matrix, const Eigen::MatrixXi& cells, int cell, int a, int b, const Block& entry) const {
+    void add(solver::SymmetricSparse& matrix, const Eigen::MatrixXi& cells, int cell, int a, int b,
+             const Block& entry) const {
         const auto nodes = static_cast<int>(cells.rows());
         const int rank = cell_blocks[static_cast<std::size_t>((cell * nodes + b) * nodes + a)];
         if (rank < 0) return;
@@ -44,10 +47,10 @@ struct BlockPattern {
 };
 
 /// clamped: one flag per node.
-BlockPattern block_pattern(const VolumeMesh& mesh, const std::vector<bool>& clamped);
+BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped);
 
 /// Free columns of X (3 x n) as one vector (3 x free), and back (clamped columns are zero).
 Eigen::VectorXd gather(const BlockPattern& pattern, const Eigen::Matrix3Xd& X);
 Eigen::Matrix3Xd scatter(const BlockPattern& pattern, const Eigen::VectorXd& v);
 
-}  // namespace myo
+}  // namespace myo::model

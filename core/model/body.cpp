@@ -1,21 +1,22 @@
 #include "model/body.hpp"
 
-namespace myo {
+namespace myo::model {
 
-BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>& clamped_nodes) {
+BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes) {
     auto body = std::make_shared<Body>();
     body->mesh = std::move(mesh);
-    body->boundary = boundary_faces(body->mesh);
+    body->boundary = mesh::boundary_faces(body->mesh);
     body->kind = kind;
     body->incidence = node_incidence(body->mesh);
     body->clamped.assign(static_cast<std::size_t>(body->mesh.node_count()), false);
     for (const int node : clamped_nodes) body->clamped[static_cast<std::size_t>(node)] = true;
-    body->surroundings = cell_surroundings(body->mesh, body->clamped);
-    body->cells = pack_elements(make_elements(body->mesh, kind, body->surroundings));
+    body->surroundings = fem::cell_surroundings(body->mesh, body->clamped);
+    body->cells = pack_elements(fem::make_elements(body->mesh, kind, body->surroundings));
     body->pattern = block_pattern(body->mesh, body->clamped);
 
     std::vector<Eigen::Triplet<double>> triplets;
-    for (const MassEntry& entry : consistent_mass(body->mesh)) triplets.emplace_back(entry.row, entry.column, entry.value);
+    for (const fem::MassEntry& entry : fem::consistent_mass(body->mesh))
+        triplets.emplace_back(entry.row, entry.column, entry.value);
     body->unit_mass.resize(body->mesh.node_count(), body->mesh.node_count());
     body->unit_mass.setFromTriplets(triplets.begin(), triplets.end());
     body->volume_m3 = body->unit_mass.sum();
@@ -30,4 +31,4 @@ BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>&
     return body;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -11,23 +11,23 @@
 #include "model/block_pattern.hpp"
 #include "model/packed_cells.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// A discretised and clamped body: everything that depends on the mesh alone.
 struct Body {
-    VolumeMesh mesh;
-    BoundaryFaces boundary;
-    ElementKind kind = ElementKind::hex8;
+    mesh::VolumeMesh mesh;
+    mesh::BoundaryFaces boundary;
+    fem::ElementKind kind = fem::ElementKind::hex8;
     PackedElements cells;
     NodeIncidence incidence;
-    std::vector<bool> clamped;                    // per node
-    CellSurroundings surroundings;                // of hex8, as the body was made
+    std::vector<bool> clamped;           // per node
+    fem::CellSurroundings surroundings;  // of hex8, as the body was made
     BlockPattern pattern;
-    Eigen::SparseMatrix<double> unit_mass;        // n x n [m3]: consistent mass for density 1
+    Eigen::SparseMatrix<double> unit_mass;  // n x n [m3]: consistent mass for density 1
     double volume_m3 = 0.0;
-    int volume_points_per_cell = 1;               // independent volume measures (pressures) per cell
+    int volume_points_per_cell = 1;  // independent volume measures (pressures) per cell
     int strains_per_cell = 0;
-    int points_per_cell = 0;                      // at which the law is evaluated
+    int points_per_cell = 0;  // at which the law is evaluated
 
     int cell_count() const { return static_cast<int>(mesh.cell_count()); }
     int node_count() const { return static_cast<int>(mesh.node_count()); }
@@ -47,6 +47,6 @@ struct Body {
 using BodyPointer = std::shared_ptr<const Body>;
 
 /// clamped_nodes: nodes held still. Asserts that the kind fits the mesh.
-BodyPointer make_body(VolumeMesh mesh, ElementKind kind, const std::vector<int>& clamped_nodes);
+BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes);
 
-}  // namespace myo
+}  // namespace myo::model

@@ -13,7 +13,7 @@
 #include "mesh/face_shape.hpp"
 #include "model/loaded_face.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -21,11 +21,12 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// One wall's share of the volume, 1/3 of the integral of x . (x_u x x_v): the body's outward normal points into the cavity.
+/// One wall's share of the volume, 1/3 of the integral of x . (x_u x x_v): the body's outward normal points into the
+/// cavity.
 struct WallVolume {
     double value = 0.0;
     Matrix3Xd gradient;
-    std::vector<Matrix3d> hessian;   // d2V / dx_a dx_b at a + nodes * b; empty unless asked for
+    std::vector<Matrix3d> hessian;  // d2V / dx_a dx_b at a + nodes * b; empty unless asked for
 };
 
 WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
@@ -33,11 +34,11 @@ WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
     WallVolume V;
     V.gradient = Matrix3Xd::Zero(3, count);
     if (with_hessian) V.hessian.assign(static_cast<std::size_t>(count * count), Matrix3d::Zero());
-    for (const FacePoint& point : face_quadrature(static_cast<int>(count))) {
-        const VectorXd N = face_shape(static_cast<int>(count), point.uv);
-        const Eigen::MatrixX2d D = face_shape_gradient(static_cast<int>(count), point.uv);
+    for (const mesh::FacePoint& point : mesh::face_quadrature(static_cast<int>(count))) {
+        const VectorXd N = mesh::face_shape(static_cast<int>(count), point.uv);
+        const Eigen::MatrixX2d D = mesh::face_shape_gradient(static_cast<int>(count), point.uv);
         const Vector3d at = x * N, u = x * D.col(0), v = x * D.col(1);
-        const double w = -point.weight / 3.0;   // outward of the cavity is into the body
+        const double w = -point.weight / 3.0;  // outward of the cavity is into the body
         V.value += w * at.dot(u.cross(v));
         const Vector3d uv = u.cross(v), vx = v.cross(at), xu = at.cross(u);
         for (Eigen::Index a = 0; a < count; ++a) V.gradient.col(a) += w * (N(a) * uv + D(a, 0) * vx + D(a, 1) * xu);
@@ -45,15 +46,17 @@ WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
         const Matrix3d X = cross_matrix(at), U = cross_matrix(u), W = cross_matrix(v);
         for (Eigen::Index b = 0; b < count; ++b)
             for (Eigen::Index a = 0; a < count; ++a)
-                V.hessian[static_cast<std::size_t>(a + count * b)] += w * ((N(a) * D(b, 1) - D(a, 1) * N(b)) * U + (D(a, 0) * N(b) - N(a) * D(b, 0)) * W +
-                                                                          (D(a, 1) * D(b, 0) - D(a, 0) * D(b, 1)) * X);
+                V.hessian[static_cast<std::size_t>(a + count * b)] += w * ((N(a) * D(b, 1) - D(a, 1) * N(b)) * U +
+                                                                           (D(a, 0) * N(b) - N(a) * D(b, 0)) * W +
+                                                                           (D(a, 1) * D(b, 0) - D(a, 0) * D(b, 1)) * X);
     }
     return V;
 }
 
 class CavityPressure : public ForceElement {
 public:
-    CavityPressure(std::shared_ptr<const std::vector<LoadedFace>> walls, Signal pressure) : walls_(std::move(walls)), pressure_(std::move(pressure)) {}
+    CavityPressure(std::shared_ptr<const std::vector<LoadedFace>> walls, fibre::Signal pressure)
+        : walls_(std::move(walls)), pressure_(std::move(pressure)) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         const double p = at.before_jump ? pressure_.value_before(at.time_s) : pressure_.value(at.time_s);
@@ -61,9 +64,12 @@ public:
         for (const LoadedFace& wall : *walls_) {
             const WallVolume V = wall_volume(at.x(Eigen::all, wall.nodes), kind == HessianKind::exact);
             out.energy -= p * V.value;
-            for (std::size_t a = 0; a < wall.nodes.size(); ++a) out.gradient.col(wall.nodes[a]) -= p * V.gradient.col(static_cast<Eigen::Index>(a));
-            if (kind != HessianKind::exact) continue;   // never definite: its blocks have no diagonal
-            add_face_hessian(body, wall, out.hessian, [&](std::size_t a, std::size_t b) { return Matrix3d(-p * V.hessian[a + wall.nodes.size() * b]); });
+            for (std::size_t a = 0; a < wall.nodes.size(); ++a)
+                out.gradient.col(wall.nodes[a]) -= p * V.gradient.col(static_cast<Eigen::Index>(a));
+            if (kind != HessianKind::exact) continue;  // never definite: its blocks have no diagonal
+            add_face_hessian(body, wall, out.hessian, [&](std::size_t a, std::size_t b) {
+                return Matrix3d(-p * V.hessian[a + wall.nodes.size() * b]);
+            });
         }
     }
 
@@ -72,30 +78,34 @@ public:
         double largest = 0.0;
         for (const double p : pressure_.values) largest = std::max(largest, std::abs(p));
         for (std::size_t k = 0; k < pressure_.values.size(); ++k)
-            knots.push_back({"pressure_Pa, knot " + std::to_string(k), pressure_.values[k], largest > 0.0 ? largest : 1e3});
+            knots.push_back(
+                {"pressure_Pa, knot " + std::to_string(k), pressure_.values[k], largest > 0.0 ? largest : 1e3});
         return knots;
     }
     ForceElementPointer changed(const VectorXd& values) const override {
-        return std::make_shared<CavityPressure>(walls_, Signal{pressure_.times_s, {values.begin(), values.end()}});
+        return std::make_shared<CavityPressure>(walls_,
+                                                fibre::Signal{pressure_.times_s, {values.begin(), values.end()}});
     }
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
-        const Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
+        const fibre::Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
         const double dp = w.left == w.right ? change(static_cast<Eigen::Index>(w.left))
-                                            : w.of_left * change(static_cast<Eigen::Index>(w.left)) + w.of_right * change(static_cast<Eigen::Index>(w.right));
+                                            : w.of_left * change(static_cast<Eigen::Index>(w.left)) +
+                                                  w.of_right * change(static_cast<Eigen::Index>(w.right));
         if (dp != 0.0) add_unit_pressure(at.x, dp, gradient);
     }
     void add_work(const Body&, const ForceState& at, const Matrix3Xd& p, VectorXd& by_parameter) const override {
         Matrix3Xd unit = Matrix3Xd::Zero(3, p.cols());
         add_unit_pressure(at.x, 1.0, unit);
         const double work = unit.cwiseProduct(p).sum();
-        const Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
+        const fibre::Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
         by_parameter(static_cast<Eigen::Index>(w.left)) += w.of_left * work;
         if (w.right != w.left) by_parameter(static_cast<Eigen::Index>(w.right)) += w.of_right * work;
     }
 
     bool steady(double from_s, double to_s) const override {
         const auto inside = [&](double t) { return t > from_s && t < to_s; };
-        return pressure_.value(from_s) == pressure_.value_before(to_s) && std::none_of(pressure_.times_s.begin(), pressure_.times_s.end(), inside);
+        return pressure_.value(from_s) == pressure_.value_before(to_s) &&
+               std::none_of(pressure_.times_s.begin(), pressure_.times_s.end(), inside);
     }
     std::vector<double> jumps() const override { return pressure_.jumps(); }
 
@@ -103,12 +113,13 @@ private:
     void add_unit_pressure(const Matrix3Xd& x, double dp, Matrix3Xd& gradient) const {
         for (const LoadedFace& wall : *walls_) {
             const WallVolume V = wall_volume(x(Eigen::all, wall.nodes), false);
-            for (std::size_t a = 0; a < wall.nodes.size(); ++a) gradient.col(wall.nodes[a]) -= dp * V.gradient.col(static_cast<Eigen::Index>(a));
+            for (std::size_t a = 0; a < wall.nodes.size(); ++a)
+                gradient.col(wall.nodes[a]) -= dp * V.gradient.col(static_cast<Eigen::Index>(a));
         }
     }
 
     std::shared_ptr<const std::vector<LoadedFace>> walls_;
-    Signal pressure_;
+    fibre::Signal pressure_;
 };
 
 /// Corners of a face in order round it: 3 of triangles, straight or curved.
@@ -127,13 +138,15 @@ void for_each_edge(const Body& body, int face, const Visit& visit) {
 
 }  // namespace
 
-ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& faces, Signal pressure_Pa) {
-    return std::make_shared<CavityPressure>(std::make_shared<const std::vector<LoadedFace>>(loaded_faces(body, faces)), std::move(pressure_Pa));
+ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& faces, fibre::Signal pressure_Pa) {
+    return std::make_shared<CavityPressure>(std::make_shared<const std::vector<LoadedFace>>(loaded_faces(body, faces)),
+                                            std::move(pressure_Pa));
 }
 
 double cavity_volume(const Body& body, const std::vector<int>& faces, const Matrix3Xd& x) {
     double volume = 0.0;
-    for (const LoadedFace& wall : loaded_faces(body, faces)) volume += wall_volume(x(Eigen::all, wall.nodes), false).value;
+    for (const LoadedFace& wall : loaded_faces(body, faces))
+        volume += wall_volume(x(Eigen::all, wall.nodes), false).value;
     return volume;
 }
 
@@ -142,7 +155,9 @@ int open_edges(const Body& body, const std::vector<int>& faces) {
     for (const int face : faces) for_each_edge(body, face, [&](const Edge& edge) { ++shared[edge]; });
     int open = 0;
     for (const auto& [edge, count] : shared)
-        if (count % 2 == 1 && !(body.clamped[static_cast<std::size_t>(edge.first)] && body.clamped[static_cast<std::size_t>(edge.second)])) ++open;
+        if (count % 2 == 1 && !(body.clamped[static_cast<std::size_t>(edge.first)] &&
+                                body.clamped[static_cast<std::size_t>(edge.second)]))
+            ++open;
     return open;
 }
 
@@ -151,7 +166,9 @@ std::vector<std::vector<int>> closed_cavities(const Body& body) {
     std::vector<int> part(static_cast<std::size_t>(count));
     std::iota(part.begin(), part.end(), 0);
     const auto root = [&](int face) {
-        while (part[static_cast<std::size_t>(face)] != face) face = part[static_cast<std::size_t>(face)] = part[static_cast<std::size_t>(part[static_cast<std::size_t>(face)])];
+        while (part[static_cast<std::size_t>(face)] != face)
+            face = part[static_cast<std::size_t>(face)] = part[static_cast<std::size_t>(
+                part[static_cast<std::size_t>(face)])];
         return face;
     };
     std::map<Edge, int> first;
@@ -164,8 +181,9 @@ std::vector<std::vector<int>> closed_cavities(const Body& body) {
     for (int face = 0; face < count; ++face) parts[root(face)].push_back(face);
     std::vector<std::vector<int>> cavities;
     for (auto& [number, faces] : parts)
-        if (cavity_volume(body, faces, body.mesh.nodes) > 0.0) cavities.push_back(std::move(faces));   // of an outer surface it is minus the body's
+        if (cavity_volume(body, faces, body.mesh.nodes) > 0.0)
+            cavities.push_back(std::move(faces));  // of an outer surface it is minus the body's
     return cavities;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -6,20 +6,21 @@
 
 #include "model/block_pattern.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Free nodes first ... end - 1: the block columns of one thread.
 struct OwnColumns {
     int first = 0, end = 0;
 };
 
-/// Where the blocks of one cell go in an assembled matrix: BlockPattern::add with what the blocks of a cell share looked up once,
-/// which is most of an assembly. Blocks out of the own columns are left out.
+/// Where the blocks of one cell go in an assembled matrix: BlockPattern::add with what the blocks of a cell share
+/// looked up once, which is most of an assembly. Blocks out of the own columns are left out.
 template <int N>
 class CellBlocks {
 public:
     CellBlocks() = default;
-    CellBlocks(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, const OwnColumns& own, SymmetricSparse& matrix)
+    CellBlocks(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, const OwnColumns& own,
+               solver::SymmetricSparse& matrix)
         : ranks_(pattern.cell_blocks.data() + static_cast<std::size_t>(cell) * N * N) {
         for (int b = 0; b < N; ++b) {
             const int j = pattern.free_index[static_cast<std::size_t>(cells(b, cell))];
@@ -29,17 +30,20 @@ public:
         }
     }
 
-    /// Adds the block (a, b), where entry(r, s) is d2W / dx_ra dx_sb, transposed where the free numbering turns the pair round.
+    /// Adds the block (a, b), where entry(r, s) is d2W / dx_ra dx_sb, transposed where the free numbering turns the
+    /// pair round.
     template <class Entry>
     void add(int a, int b, const Entry& entry) const {
-        if (ranks_[b * N + a] >= 0) add_to(ranks_[b * N + a], columns_[static_cast<std::size_t>(b)], entry);
-        else if (ranks_[a * N + b] >= 0) add_to(ranks_[a * N + b], columns_[static_cast<std::size_t>(a)], [&](int r, int s) { return entry(s, r); });
+        if (ranks_[b * N + a] >= 0)
+            add_to(ranks_[b * N + a], columns_[static_cast<std::size_t>(b)], entry);
+        else if (ranks_[a * N + b] >= 0)
+            add_to(ranks_[a * N + b], columns_[static_cast<std::size_t>(a)], [&](int r, int s) { return entry(s, r); });
     }
 
 private:
     struct BlockColumn {
-        double* first = nullptr;   // of its first column; null: not ours
-        int length = 0;            // of that column; the next two are shorter by one each
+        double* first = nullptr;  // of its first column; null: not ours
+        int length = 0;           // of that column; the next two are shorter by one each
     };
 
     template <class Entry>
@@ -56,4 +60,4 @@ private:
     std::array<BlockColumn, N> columns_;
 };
 
-}  // namespace myo
+}  // namespace myo::model

@@ -13,24 +13,25 @@
 #include "model/point_bulk.hpp"
 #include "model/point_kinematics.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Entry i of a per-cell field, from its pack's part on.
 inline Pack entry(const double* field, int i) { return load_pack(field + i * pack_width); }
 
 /// What the energy of a pack of cells is evaluated with. Pointers may be null: that part is left out.
 struct PackInput {
-    const Material* material = nullptr;
+    const material::Material* material = nullptr;
     bool elastic = false, viscous = false;
-    Pack poissons_ratio = 0.0;              // by which cells of assumed strain thin as they bend
-    Pack mu = 0.0, kappa = 0.0;             // [Pa]
-    const double* elastic_factors = nullptr;   // of both, per point
-    PointBulk point_bulk;                   // of cells with a mean volume
-    Pack viscous_mu = 0.0;                  // damping times mu [Pa s]; needs `rate_history`
-    const double* viscous_factors = nullptr;   // of it, per point
-    double rate_factor = 0.0;               // strain rate = rate_factor * strain + rate_history
-    const double* rate_history = nullptr;   // strains_per_cell packs
-    const double* pressure = nullptr;       // volumes_per_cell packs: pressure of the geometric stiffness; null = the current one
+    Pack poissons_ratio = 0.0;                // by which cells of assumed strain thin as they bend
+    Pack mu = 0.0, kappa = 0.0;               // [Pa]
+    const double* elastic_factors = nullptr;  // of both, per point
+    PointBulk point_bulk;                     // of cells with a mean volume
+    Pack viscous_mu = 0.0;                    // damping times mu [Pa s]; needs `rate_history`
+    const double* viscous_factors = nullptr;  // of it, per point
+    double rate_factor = 0.0;                 // strain rate = rate_factor * strain + rate_history
+    const double* rate_history = nullptr;     // strains_per_cell packs
+    const double*
+        pressure = nullptr;  // volumes_per_cell packs: pressure of the geometric stiffness; null = the current one
 
     Pack elastic_factor(int q) const { return elastic_factors ? entry(elastic_factors, q) : Pack(1.0); }
     Pack viscous_factor(int q) const { return viscous_factors ? entry(viscous_factors, q) : Pack(1.0); }
@@ -39,14 +40,15 @@ struct PackInput {
 template <int N>
 struct PackOutput {
     Pack energy;
-    PackNodes<N> gradient;    // dW/dx
-    PackMatrix<N> hessian;    // untouched unless asked for
-    LawResponse<Pack>
-        law;   // of the last point; kept with the output, since a new one for every pack would be cleared every time
+    PackNodes<N> gradient;  // dW/dx
+    PackMatrix<N> hessian;  // untouched unless asked for
+    material::LawResponse<Pack>
+        law;  // of the last point; kept with the output, since a new one for every pack would be cleared every time
 };
 
 /// Strain rate of a point: rate_factor E(F) + history.
-inline PackSymmetric strain_rate(const Matrix3<Pack>& F, double rate_factor, const double* rate_history, int q) {
+inline PackSymmetric strain_rate(const material::Matrix3<Pack>& F, double rate_factor, const double* rate_history,
+                                 int q) {
     PackSymmetric rate;
     if (rate_factor == 0.0) {
         for (int i = 0; i < 6; ++i) rate[static_cast<std::size_t>(i)] = entry(rate_history, 6 * q + i);
@@ -61,7 +63,7 @@ inline PackSymmetric strain_rate(const Matrix3<Pack>& F, double rate_factor, con
 }
 
 /// The schema's second Piola stress, 2 mu_v dev(rate).
-inline Matrix3<Pack> viscous_stress(const Pack& viscous_mu, const PackSymmetric& rate_deviator) {
+inline material::Matrix3<Pack> viscous_stress(const Pack& viscous_mu, const PackSymmetric& rate_deviator) {
     PackSymmetric S = rate_deviator;
     for (Pack& s : S) s *= 2.0 * viscous_mu;
     return full(S);
@@ -71,18 +73,19 @@ inline Matrix3<Pack> viscous_stress(const Pack& viscous_mu, const PackSymmetric&
 /// history. Its gradient is F S with S = 2 mu_v dev Edot and its Hessian is symmetric: a strain rate differenced like
 /// the velocity keeps every step a minimisation.
 template <bool WithHessian>
-void add_viscous_response(const Matrix3<Pack>& F, const Pack& viscous_mu, double rate_factor, const double* history,
-                          int q, Pack& value, Matrix3<Pack>& P, Matrix9<Pack>& A) {
+void add_viscous_response(const material::Matrix3<Pack>& F, const Pack& viscous_mu, double rate_factor,
+                          const double* history, int q, Pack& value, material::Matrix3<Pack>& P,
+                          material::Matrix9<Pack>& A) {
     const PackSymmetric D = deviator(strain_rate(F, rate_factor, history, q));
-    const Matrix3<Pack> S = viscous_stress(viscous_mu, D);
+    const material::Matrix3<Pack> S = viscous_stress(viscous_mu, D);
     if (rate_factor > 0.0) value += (1.0 / rate_factor) * viscous_mu * double_dot(D, D);
     P += product(F, S);
     if constexpr (WithHessian) {
-        Matrix3<Pack> B;
+        material::Matrix3<Pack> B;
         for (int j = 0; j < 3; ++j)
             for (int i = 0; i < 3; ++i) B(i, j) = F(i, 0) * F(j, 0) + F(i, 1) * F(j, 1) + F(i, 2) * F(j, 2);
         const Pack scale = 2.0 * viscous_mu * rate_factor;
-        for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
+        material::for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             Pack value_ikjl = F(i, l) * F(k, j);
             if (j == l) value_ikjl += B(i, k);
             A(row, column) += scale * (0.5 * value_ikjl - (1.0 / 3.0) * F(i, j) * F(k, l));
@@ -100,7 +103,7 @@ public:
     MeanVolume(const PointKinematics<Geometry>& points, const Pack& volume)
         : inverse_volume_(1.0 / volume), volume_(volume), gradient_(points) {}
 
-    void add(int q, const Pack& weight, const Pack& factor, const TensorFunctionOf<Pack>& theta) {
+    void add(int q, const Pack& weight, const Pack& factor, const material::TensorFunctionOf<Pack>& theta) {
         theta_ += weight * inverse_volume_ * theta.value;
         factor_ += weight * inverse_volume_ * factor;
         gradient_.add(q, theta.gradient * weight);
@@ -108,8 +111,8 @@ public:
     }
 
     void finish(const PointKinematics<Geometry>& points, const PackInput& in, PackOutput<N>& out) const {
-        const ScalarFunctionOf<Pack> U =
-            in.material->bulk(theta_, (in.kappa - in.point_bulk.of(in.mu, in.kappa)) * factor_);
+        const material::ScalarFunctionOf<Pack> U = in.material->bulk(
+            theta_, (in.kappa - in.point_bulk.of(in.mu, in.kappa)) * factor_);
         out.energy += volume_ * U.value;
         PackNodes<N> gradient = PackNodes<N>::Constant(Pack(0.0));
         gradient_.add_to(gradient);
@@ -122,7 +125,7 @@ public:
             const Pack stiffness = U.second * inverse_volume_;
             for (int b = 0; b < N; ++b)
                 for (int a = b; a < N; ++a) {
-                    Matrix3<Pack>& block = out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))];
+                    material::Matrix3<Pack>& block = out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))];
                     for (int j = 0; j < 3; ++j)
                         for (int i = 0; i < 3; ++i) block(i, j) += stiffness * gradient(i, a) * gradient(j, b);
                 }
@@ -132,17 +135,18 @@ public:
 private:
     Pack inverse_volume_, volume_, theta_ = 0.0, factor_ = 0.0;
     StressSum<Geometry> gradient_;
-    std::array<Matrix9<Pack>, WithHessian ? Q : 1> hessian_;
+    std::array<material::Matrix9<Pack>, WithHessian ? Q : 1> hessian_;
 };
 
 /// dU/dF at a point, and with a Hessian its second derivatives, p standing for U' in the geometric part.
 template <bool WithHessian>
-void add_bulk_response(const ScalarFunctionOf<Pack>& U, const Pack& p, const TensorFunctionOf<Pack>& theta, Pack& value,
-                       Matrix3<Pack>& P, Matrix9<Pack>& A) {
+void add_bulk_response(const material::ScalarFunctionOf<Pack>& U, const Pack& p,
+                       const material::TensorFunctionOf<Pack>& theta, Pack& value, material::Matrix3<Pack>& P,
+                       material::Matrix9<Pack>& A) {
     value += U.value;
     P += theta.gradient * U.first;
     if constexpr (WithHessian)
-        for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
+        material::for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             A(row, column) += U.second * theta.gradient(i, j) * theta.gradient(k, l) + p * theta.hessian(row, column);
         });
 }
@@ -159,7 +163,7 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
     out.energy = 0.0;
     out.gradient.setConstant(Pack(0.0));
     if constexpr (WithHessian)
-        for (Matrix3<Pack>& block : out.hessian) block.setConstant(Pack(0.0));
+        for (material::Matrix3<Pack>& block : out.hessian) block.setConstant(Pack(0.0));
     std::optional<StiffnessSum<Geometry>> stiffness;
     if constexpr (WithHessian) stiffness.emplace(points, out.hessian);
     const bool split = in.elastic && in.material->has_split();
@@ -170,13 +174,13 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
     const Pack point_kappa = mean ? in.point_bulk.of(in.mu, in.kappa) : in.kappa;
     const bool point_bulk = split && (!mean || !cells.point_bulk_over_mu.empty());
 
-    LawResponse<Pack>& law = out.law;
+    material::LawResponse<Pack>& law = out.law;
     for (int q = 0; q < Q; ++q) {
         const Pack weight = points.weight(q);
-        const Matrix3<Pack> F = points.gradient(q);
-        Matrix3<Pack> P = zero_tensor();
-        Pack pressure_change = 0.0;   // of the geometric stiffness, from the current one
-        Matrix9<Pack> A;
+        const material::Matrix3<Pack> F = points.gradient(q);
+        material::Matrix3<Pack> P = zero_tensor();
+        Pack pressure_change = 0.0;  // of the geometric stiffness, from the current one
+        material::Matrix9<Pack> A;
         Pack density = 0.0;
         if (in.elastic) {
             const Pack factor = in.elastic_factor(q);
@@ -190,7 +194,8 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
                 if constexpr (has_mean_volume)
                     if (mean) volume->add(q, weight, factor, law.volume);
                 if (point_bulk) {
-                    const ScalarFunctionOf<Pack> U = in.material->bulk(law.volume.value, point_kappa * factor);
+                    const material::ScalarFunctionOf<Pack> U = in.material->bulk(law.volume.value,
+                                                                                 point_kappa * factor);
                     const Pack p = in.pressure && !mean ? entry(in.pressure, q) : U.first;
                     pressure_change = p - U.first;
                     add_bulk_response<WithHessian>(U, p, law.volume, density, P, A);
@@ -215,4 +220,4 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
         if (mean) volume->finish(points, in, out);
 }
 
-}  // namespace myo
+}  // namespace myo::model

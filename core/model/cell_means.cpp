@@ -12,7 +12,7 @@
 #include "model/cell_kernel.hpp"
 #include "model/pack_model.hpp"
 
-namespace myo {
+namespace myo::model {
 
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
@@ -22,10 +22,10 @@ namespace {
 
 /// Integrals over the rest cell.
 struct CellIntegrals {
-    Matrix3d kirchhoff = Matrix3d::Zero();   // of P F' [J]
-    double volume = 0.0;                     // of J [m3]
-    double stretch = 0.0;                    // of the largest stretch [m3]
-    double rest_volume = 0.0;                // [m3]
+    Matrix3d kirchhoff = Matrix3d::Zero();  // of P F' [J]
+    double volume = 0.0;                    // of J [m3]
+    double stretch = 0.0;                   // of the largest stretch [m3]
+    double rest_volume = 0.0;               // [m3]
 };
 
 double largest_stretch(const Matrix3d& F) {
@@ -37,7 +37,7 @@ double largest_stretch(const Matrix3d& F) {
 template <class Geometry>
 void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
                    std::vector<CellIntegrals>& result) {
-    const Material& law = *model.material;
+    const material::Material& law = *model.material;
     const auto xe = nodes_of_pack(cells, pack, x);
     const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
     const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
@@ -46,14 +46,14 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
     const bool mean = cells.mean_volume && law.has_split();
     const Pack volume = cells.geometry(pack).volume,
                point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
-    Matrix3<Pack> kirchhoff = zero_tensor(), mean_part = zero_tensor();   // of P F' and of d theta/dF F'
+    material::Matrix3<Pack> kirchhoff = zero_tensor(), mean_part = zero_tensor();  // of P F' and of d theta/dF F'
     Pack mean_theta = 0.0, mean_factor = 0.0, now = 0.0;
-    LawResponse<Pack> response;
+    material::LawResponse<Pack> response;
     for (int q = 0; q < Geometry::points; ++q) {
         const Pack weight = points.weight(q), factor = factors ? entry(factors, q) : Pack(1.0);
-        const Matrix3<Pack> F = points.gradient(q), F_transposed = F.transpose();
+        const material::Matrix3<Pack> F = points.gradient(q), F_transposed = F.transpose();
         law.respond(F, mu * factor, kappa * factor, false, response);
-        Matrix3<Pack> P = response.distortion.gradient;
+        material::Matrix3<Pack> P = response.distortion.gradient;
         if (law.has_split())
             P += response.volume.gradient * law.bulk(response.volume.value, point_kappa * factor).first;
         if (mean) {
@@ -62,30 +62,34 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
             mean_part += product(response.volume.gradient, F_transposed) * weight;
         }
         kirchhoff += product(P, F_transposed) * weight;
-        const Matrix3<Pack> C = cofactor(F);
+        const material::Matrix3<Pack> C = material::cofactor(F);
         now += weight * (F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0));
         for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
-            result[static_cast<std::size_t>(pack * pack_width + lane)].stretch +=
-                static_cast<double>(weight[static_cast<std::size_t>(lane)]) * largest_stretch(lane_of(F, lane));
+            result[static_cast<std::size_t>(pack * pack_width + lane)]
+                .stretch += static_cast<double>(weight[static_cast<std::size_t>(lane)]) *
+                            largest_stretch(material::lane_of(F, lane));
     }
     if (mean) kirchhoff += mean_part * law.bulk(mean_theta, (kappa - point_kappa) * mean_factor).first;
     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
         const auto l = static_cast<std::size_t>(lane);
         CellIntegrals& cell = result[static_cast<std::size_t>(pack * pack_width + lane)];
-        cell.kirchhoff = lane_of(kirchhoff, lane);
+        cell.kirchhoff = material::lane_of(kirchhoff, lane);
         cell.volume = now[l];
         cell.rest_volume = volume[l];
     }
 }
 
 /// Of the fibres, P F' = d psi/ds s' with s = F m, in every cell [J].
-void add_fibres(const Model& model, const Eigen::MatrixXi& cells, const Matrix3Xd& x, const std::vector<double>& activation, std::vector<CellIntegrals>& result) {
+void add_fibres(const Model& model, const Eigen::MatrixXi& cells, const Matrix3Xd& x,
+                const std::vector<double>& activation, std::vector<CellIntegrals>& result) {
     for (std::size_t g = 0; g < model.fibres->size(); ++g) {
-        const FibreGroup& group = (*model.fibres)[g];
-        for (const FibrePoint& point : group.points) {
+        const fibre::FibreGroup& group = (*model.fibres)[g];
+        for (const fibre::FibrePoint& point : group.points) {
             Eigen::Vector3d s = Eigen::Vector3d::Zero();
             for (Eigen::Index a = 0; a < point.shape.size(); ++a) s += point.shape(a) * x.col(cells(a, point.cell));
-            result[static_cast<std::size_t>(point.cell)].kirchhoff += point.volume * fibre_response(s, activation[g], group.stiffness_Pa).gradient * s.transpose();
+            result[static_cast<std::size_t>(point.cell)]
+                .kirchhoff += point.volume * fibre::fibre_response(s, activation[g], group.stiffness_Pa).gradient *
+                              s.transpose();
         }
     }
 }
@@ -96,16 +100,19 @@ CellMeans cell_means(const Model& model, const Matrix3Xd& x, const std::vector<d
     assert(x.cols() == model.body->node_count() && activation.size() == model.fibres->size());
     const int count = model.body->cell_count();
     std::vector<CellIntegrals> integrals(static_cast<std::size_t>(count));
-    std::visit([&](const auto& cells) {
-        parallel_ranges(cells.pack_count(), 32, [&](int first, int end) {
-            for (int pack = first; pack < end; ++pack) add_integrals(cells, pack, model, x, integrals);
-        });
-    }, model.body->cells);
+    std::visit(
+        [&](const auto& cells) {
+            parallel_ranges(cells.pack_count(), 32, [&](int first, int end) {
+                for (int pack = first; pack < end; ++pack) add_integrals(cells, pack, model, x, integrals);
+            });
+        },
+        model.body->cells);
     add_fibres(model, model.body->mesh.cells, x, activation, integrals);
     CellMeans means{VectorXd(count), VectorXd(count), VectorXd(count)};
     for (int cell = 0; cell < count; ++cell) {
         const CellIntegrals& each = integrals[static_cast<std::size_t>(cell)];
-        const Matrix3d cauchy = each.volume > 0.0 ? Matrix3d(each.kirchhoff / each.volume) : Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+        const Matrix3d cauchy = each.volume > 0.0 ? Matrix3d(each.kirchhoff / each.volume)
+                                                  : Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
         means.stretch(cell) = each.stretch / each.rest_volume;
         means.pressure_Pa(cell) = -cauchy.trace() / 3.0;
         means.von_mises_Pa(cell) = std::sqrt(1.5) * (cauchy + means.pressure_Pa(cell) * Matrix3d::Identity()).norm();
@@ -113,7 +120,7 @@ CellMeans cell_means(const Model& model, const Matrix3Xd& x, const std::vector<d
     return means;
 }
 
-VectorXd at_nodes(const VolumeMesh& mesh, const VectorXd& cell_values, const VectorXd& volumes_m3) {
+VectorXd at_nodes(const mesh::VolumeMesh& mesh, const VectorXd& cell_values, const VectorXd& volumes_m3) {
     VectorXd sum = VectorXd::Zero(mesh.node_count()), weight = VectorXd::Zero(mesh.node_count());
     for (Eigen::Index cell = 0; cell < mesh.cell_count(); ++cell)
         for (const int node : mesh.cells.col(cell)) {
@@ -123,4 +130,4 @@ VectorXd at_nodes(const VolumeMesh& mesh, const VectorXd& cell_values, const Vec
     return (weight.array() > 0.0).select(sum.array() / weight.array(), 0.0);
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -7,7 +7,7 @@
 #include "mesh/face_quadrature.hpp"
 #include "mesh/face_shape.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Index;
@@ -19,7 +19,8 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 
 void add_block(Index a, Index b, const Matrix3d& block, Entries& entries) {
     for (Index s = 0; s < 3; ++s)
-        for (Index r = 0; r < 3; ++r) entries.emplace_back(static_cast<int>(3 * a + r), static_cast<int>(3 * b + s), block(r, s));
+        for (Index r = 0; r < 3; ++r)
+            entries.emplace_back(static_cast<int>(3 * a + r), static_cast<int>(3 * b + s), block(r, s));
 }
 
 DirectionalMass from_entries(Index nodes, const Entries& entries) {
@@ -38,9 +39,9 @@ DirectionalMass added_mass(const Body& body, const std::vector<int>& faces, doub
     for (const int f : faces) {
         const auto nodes = body.boundary.nodes.col(f);
         const Eigen::Matrix3Xd X = body.mesh.nodes(Eigen::all, nodes);
-        for (const FacePoint& point : face_quadrature(count)) {
-            const VectorXd N = face_shape(count, point.uv);
-            const Eigen::Matrix<double, 3, 2> T = X * face_shape_gradient(count, point.uv);
+        for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
+            const VectorXd N = mesh::face_shape(count, point.uv);
+            const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(count, point.uv);
             const Vector3d area = T.col(0).cross(T.col(1));
             const Matrix3d normals = surface_density_kg_m2 * point.weight / area.norm() * area * area.transpose();
             for (Index b = 0; b < count; ++b)
@@ -59,4 +60,4 @@ DirectionalMass line_mass(const VectorXd& share, const Vector3d& direction, doub
     return from_entries(share.size(), entries);
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -8,7 +8,7 @@
 #include "mesh/face_shape.hpp"
 #include "model/loaded_face.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -18,32 +18,41 @@ using Eigen::VectorXd;
 
 /// Shape function products of one face integrated over its rest area.
 struct BedFace : LoadedFace {
-    MatrixXd area;   // nodes x nodes [m2]
+    MatrixXd area;  // nodes x nodes [m2]
 };
 
 class ElasticBed : public ForceElement {
 public:
-    ElasticBed(std::shared_ptr<const std::vector<BedFace>> faces, double stiffness) : faces_(std::move(faces)), stiffness_(stiffness) {}
+    ElasticBed(std::shared_ptr<const std::vector<BedFace>> faces, double stiffness)
+        : faces_(std::move(faces)), stiffness_(stiffness) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         for (const BedFace& face : *faces_) {
             const Matrix3Xd u = at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes);
             const Matrix3Xd force = stiffness_ * u * face.area;
             out.energy += 0.5 * force.cwiseProduct(u).sum();
-            for (std::size_t a = 0; a < face.nodes.size(); ++a) out.gradient.col(face.nodes[a]) += force.col(static_cast<Eigen::Index>(a));
+            for (std::size_t a = 0; a < face.nodes.size(); ++a)
+                out.gradient.col(face.nodes[a]) += force.col(static_cast<Eigen::Index>(a));
             if (kind == HessianKind::none) continue;
             add_face_hessian(body, face, out.hessian, [&](std::size_t a, std::size_t b) {
-                return Matrix3d(stiffness_ * face.area(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) * Matrix3d::Identity());
+                return Matrix3d(stiffness_ * face.area(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) *
+                                Matrix3d::Identity());
             });
         }
     }
 
     std::vector<ForceParameter> parameters() const override { return {{"stiffness_Pa_per_m", stiffness_, stiffness_}}; }
-    ForceElementPointer changed(const VectorXd& values) const override { return std::make_shared<ElasticBed>(faces_, values(0)); }
-    void add_tangent(const Body& body, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
+    ForceElementPointer changed(const VectorXd& values) const override {
+        return std::make_shared<ElasticBed>(faces_, values(0));
+    }
+    void add_tangent(const Body& body, const ForceState& at, const VectorXd& change,
+                     Matrix3Xd& gradient) const override {
         for (const BedFace& face : *faces_) {
-            const Matrix3Xd force = change(0) * (at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes)) * face.area;
-            for (std::size_t a = 0; a < face.nodes.size(); ++a) gradient.col(face.nodes[a]) += force.col(static_cast<Eigen::Index>(a));
+            const Matrix3Xd force = change(0) *
+                                    (at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes)) *
+                                    face.area;
+            for (std::size_t a = 0; a < face.nodes.size(); ++a)
+                gradient.col(face.nodes[a]) += force.col(static_cast<Eigen::Index>(a));
         }
     }
 
@@ -62,9 +71,9 @@ ForceElementPointer elastic_bed(const Body& body, const std::vector<int>& faces,
         const auto count = static_cast<Eigen::Index>(face.nodes.size());
         face.area = MatrixXd::Zero(count, count);
         const Matrix3Xd X = body.mesh.nodes(Eigen::all, face.nodes);
-        for (const FacePoint& point : face_quadrature(static_cast<int>(count))) {
-            const VectorXd N = face_shape(static_cast<int>(count), point.uv);
-            const Eigen::Matrix<double, 3, 2> T = X * face_shape_gradient(static_cast<int>(count), point.uv);
+        for (const mesh::FacePoint& point : mesh::face_quadrature(static_cast<int>(count))) {
+            const VectorXd N = mesh::face_shape(static_cast<int>(count), point.uv);
+            const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(static_cast<int>(count), point.uv);
             face.area += point.weight * T.col(0).cross(T.col(1)).norm() * N * N.transpose();
         }
         bed->push_back(std::move(face));
@@ -72,4 +81,4 @@ ForceElementPointer elastic_bed(const Body& body, const std::vector<int>& faces,
     return std::make_shared<ElasticBed>(bed, stiffness_Pa_per_m);
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -7,7 +7,7 @@
 
 #include "model/model.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// One coordinate per column, so that the nodes of a cell lie side by side.
 template <int N>
@@ -21,18 +21,18 @@ CellVectors<N> cell_vectors(const Eigen::MatrixXi& cells, int cell, const Eigen:
 }
 
 template <int N>
-Eigen::Map<const Eigen::Matrix<double, N, 1>> shape_of(const FibrePoint& point) {
+Eigen::Map<const Eigen::Matrix<double, N, 1>> shape_of(const fibre::FibrePoint& point) {
     assert(point.shape.size() == N);
     return Eigen::Map<const Eigen::Matrix<double, N, 1>>(point.shape.data());
 }
 
-/// Calls visit(nodes per cell, group, first, last) for every run of points of one group in one cell; the number of nodes is an
-/// std::integral_constant.
+/// Calls visit(nodes per cell, group, first, last) for every run of points of one group in one cell; the number of
+/// nodes is an std::integral_constant.
 template <class Visit>
 void for_each_fibre_cell(const Model& model, const Visit& visit) {
     const auto all = [&](auto nodes) {
         for (std::size_t g = 0; g < model.fibres->size(); ++g) {
-            const std::vector<FibrePoint>& points = (*model.fibres)[g].points;
+            const std::vector<fibre::FibrePoint>& points = (*model.fibres)[g].points;
             for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
                 while (last < points.size() && points[last].cell == points[first].cell) ++last;
                 visit(nodes, g, first, last);
@@ -47,4 +47,4 @@ void for_each_fibre_cell(const Model& model, const Visit& visit) {
     }
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -7,7 +7,7 @@
 #include "model/cell_blocks.hpp"
 #include "model/fibre_cells.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -20,33 +20,42 @@ void add_at_nodes(const Eigen::MatrixXi& cells, int cell, const CellVectors<N>& 
 /// Points of one cell side by side.
 template <int N>
 struct FibreLanes {
-    int first = 0, count = 0;   // lanes past the last point repeat it without volume
-    std::array<Pack, 3> s;      // F m
-    Pack length, stiffness;     // |s|; volume times w
+    int first = 0, count = 0;  // lanes past the last point repeat it without volume
+    std::array<Pack, 3> s;     // F m
+    Pack length, stiffness;    // |s|; volume times w
 };
 
 /// Calls visit(lanes) for the points first ... last - 1, as many at once as a pack has lanes.
 template <int N, class Visit>
-void for_each_fibre_lanes(const FibreGroup& group, std::size_t first, std::size_t last, const CellVectors<N>& xe, const Visit& visit) {
+void for_each_fibre_lanes(const fibre::FibreGroup& group, std::size_t first, std::size_t last, const CellVectors<N>& xe,
+                          const Visit& visit) {
     for (std::size_t k = first; k < last; k += static_cast<std::size_t>(pack_width)) {
         FibreLanes<N> lanes;
         lanes.first = static_cast<int>(k);
         lanes.count = static_cast<int>(std::min(last - k, static_cast<std::size_t>(pack_width)));
-        const auto point = [&](auto lane) -> const FibrePoint& { return group.points[std::min(k + lane, last - 1)]; };
-        for (int r = 0; r < 3; ++r) lanes.s[static_cast<std::size_t>(r)] = Pack([&](auto lane) { return shape_of<N>(point(lane)).dot(xe.col(r)); });
+        const auto point = [&](auto lane) -> const fibre::FibrePoint& {
+            return group.points[std::min(k + lane, last - 1)];
+        };
+        for (int r = 0; r < 3; ++r)
+            lanes.s[static_cast<std::size_t>(r)] = Pack(
+                [&](auto lane) { return shape_of<N>(point(lane)).dot(xe.col(r)); });
         lanes.length = sqrt(lanes.s[0] * lanes.s[0] + lanes.s[1] * lanes.s[1] + lanes.s[2] * lanes.s[2]);
-        lanes.stiffness = Pack([&](auto lane) { return static_cast<int>(lane) < lanes.count ? group.stiffness_Pa * point(lane).volume : 0.0; });
+        lanes.stiffness = Pack([&](auto lane) {
+            return static_cast<int>(lane) < lanes.count ? group.stiffness_Pa * point(lane).volume : 0.0;
+        });
         visit(lanes);
     }
 }
 
 /// forces += shape scale s' of every point.
 template <int N>
-void add_along_fibres(const FibreGroup& group, const FibreLanes<N>& lanes, const Pack& scale, CellVectors<N>& forces) {
+void add_along_fibres(const fibre::FibreGroup& group, const FibreLanes<N>& lanes, const Pack& scale,
+                      CellVectors<N>& forces) {
     for (int r = 0; r < 3; ++r) {
         const Pack along = scale * lanes.s[static_cast<std::size_t>(r)];
         for (int k = 0; k < lanes.count; ++k)
-            forces.col(r) += static_cast<double>(along[static_cast<std::size_t>(k)]) * shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + k)]);
+            forces.col(r) += static_cast<double>(along[static_cast<std::size_t>(k)]) *
+                             shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + k)]);
     }
 }
 
@@ -61,7 +70,7 @@ struct CellMatrix {
     }
 
     /// The points' second derivatives are stiffness (across (I - n n') + n n'), n = s / |s|.
-    void add(const FibreGroup& group, const FibreLanes<N>& lanes, const Pack& across) {
+    void add(const fibre::FibreGroup& group, const FibreLanes<N>& lanes, const Pack& across) {
         std::array<Pack, 6> H;
         const Pack along = lanes.stiffness * (1.0 - across) / (lanes.length * lanes.length);
         for (std::size_t k = 0; k < 6; ++k) {
@@ -69,14 +78,14 @@ struct CellMatrix {
             H[k] = along * lanes.s[static_cast<std::size_t>(r)] * lanes.s[static_cast<std::size_t>(s)];
             if (r == s) H[k] += lanes.stiffness * across;
         }
-        for (std::size_t k = 0; k < 6; ++k)   // one part after the other: it stays in registers
+        for (std::size_t k = 0; k < 6; ++k)  // one part after the other: it stays in registers
             for (int point = 0; point < lanes.count; ++point) {
                 const auto shape = shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + point)]);
                 part[k] += shape * (static_cast<double>(H[k][static_cast<std::size_t>(point)]) * shape).transpose();
             }
     }
 
-    void assemble(const Body& body, int cell, SymmetricSparse& matrix) const {
+    void assemble(const Body& body, int cell, solver::SymmetricSparse& matrix) const {
         const CellBlocks<N> blocks(body.pattern, body.mesh.cells, cell, {0, body.pattern.free_count}, matrix);
         constexpr std::size_t of[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
         for (int b = 0; b < N; ++b)
@@ -86,11 +95,12 @@ struct CellMatrix {
 
 }  // namespace
 
-void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double>& activation, HessianKind kind, InternalEnergy& out) {
+void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double>& activation, HessianKind kind,
+                InternalEnergy& out) {
     const Eigen::MatrixXi& cells = model.body->mesh.cells;
     for_each_fibre_cell(model, [&](auto nodes, std::size_t g, std::size_t first, std::size_t last) {
         constexpr int N = decltype(nodes)::value;
-        const FibreGroup& group = (*model.fibres)[g];
+        const fibre::FibreGroup& group = (*model.fibres)[g];
         const int cell = group.points[first].cell;
         const CellVectors<N> xe = cell_vectors<N>(cells, cell, x);
         CellVectors<N> forces = CellVectors<N>::Zero();
@@ -101,8 +111,10 @@ void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double
             out.energy += reduce(0.5 * lanes.stiffness * stretch * stretch);
             add_along_fibres<N>(group, lanes, lanes.stiffness * relative, forces);
             // Shorter than a it pushes, and bends away: only across the fibre the curvature is ever negative.
-            if (kind == HessianKind::exact) matrix.add(group, lanes, relative);
-            else if (kind != HessianKind::none) matrix.add(group, lanes, max(relative, Pack(0.0)));
+            if (kind == HessianKind::exact)
+                matrix.add(group, lanes, relative);
+            else if (kind != HessianKind::none)
+                matrix.add(group, lanes, max(relative, Pack(0.0)));
         });
         add_at_nodes<N>(cells, cell, forces, out.gradient);
         if (kind != HessianKind::none) matrix.assemble(*model.body, cell, out.hessian);
@@ -114,7 +126,7 @@ Matrix3Xd activation_gradient(const Model& model, const Matrix3Xd& x, const std:
     const Eigen::MatrixXi& cells = model.body->mesh.cells;
     for_each_fibre_cell(model, [&](auto nodes, std::size_t g, std::size_t first, std::size_t last) {
         constexpr int N = decltype(nodes)::value;
-        const FibreGroup& group = (*model.fibres)[g];
+        const fibre::FibreGroup& group = (*model.fibres)[g];
         const int cell = group.points[first].cell;
         const CellVectors<N> xe = cell_vectors<N>(cells, cell, x);
         CellVectors<N> forces = CellVectors<N>::Zero();
@@ -126,4 +138,4 @@ Matrix3Xd activation_gradient(const Model& model, const Matrix3Xd& x, const std:
     return gradient;
 }
 
-}  // namespace myo
+}  // namespace myo::model

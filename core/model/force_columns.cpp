@@ -9,7 +9,7 @@
 #include "model/node_sums.hpp"
 #include "model/pack_model.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Index;
@@ -25,9 +25,9 @@ void add_viscous(const PointKinematics<Geometry>& points, const Pack& viscous_mu
                  const double* rate, PackNodes<Geometry::nodes>& gradient) {
     StressSum<Geometry> stress(points);
     Pack unused = 0.0;
-    Matrix9<Pack> no_tangent;
+    material::Matrix9<Pack> no_tangent;
     for (int q = 0; q < Geometry::points; ++q) {
-        Matrix3<Pack> P = zero_tensor();
+        material::Matrix3<Pack> P = zero_tensor();
         add_viscous_response<false>(points.gradient(q), factors ? viscous_mu * entry(factors, q) : viscous_mu, 0.0,
                                     rate, q, unused, P, no_tangent);
         stress.add(q, P * points.weight(q));
@@ -95,15 +95,15 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
     const bool mean = cells.mean_volume && model.material->has_split();
     const Pack point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
     std::array<PackNodes<N>, Q> forces;
-    std::array<LawResponse<Pack>, Q> laws;
+    std::array<material::LawResponse<Pack>, Q> laws;
     PackNodes<N> mean_gradient = PackNodes<N>::Constant(Pack(0.0));
     Pack theta = 0.0;
     for (std::size_t q = 0; q < Q; ++q) {
         const int point = static_cast<int>(q);
         const Pack factor = factors ? entry(factors, point) : Pack(1.0), weight = points.weight(point);
-        LawResponse<Pack>& law = laws[q];
+        material::LawResponse<Pack>& law = laws[q];
         model.material->respond(points.gradient(point), mu * factor, kappa * factor, false, law);
-        Matrix3<Pack> P = law.distortion.gradient;
+        material::Matrix3<Pack> P = law.distortion.gradient;
         if (model.material->has_split())
             P += law.volume.gradient * model.material->bulk(law.volume.value, point_kappa * factor).first;
         StressSum<Geometry> stress(points);
@@ -116,7 +116,7 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
         of_theta.add(point, law.volume.gradient * weight);
         of_theta.add_to(mean_gradient);
     }
-    if (mean)   // the cell's bulk modulus is the mean of those of its points
+    if (mean)  // the cell's bulk modulus is the mean of those of its points
         for (std::size_t q = 0; q < Q; ++q) {
             const int point = static_cast<int>(q);
             const Pack factor = factors ? entry(factors, point) : Pack(1.0),
@@ -130,7 +130,8 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
 template <int N>
 void add_weighted(const std::vector<Pack>& unit, int pack, const Pack& weight, PackOutput<N>& out) {
     if (unit.empty() || all_of(weight == 0.0)) return;
-    for (int k = 0; k < 3 * N; ++k) out.gradient(k % 3, k / 3) += weight * unit[static_cast<std::size_t>(pack * 3 * N + k)];
+    for (int k = 0; k < 3 * N; ++k)
+        out.gradient(k % 3, k / 3) += weight * unit[static_cast<std::size_t>(pack * 3 * N + k)];
 }
 
 template <class Geometry>
@@ -138,7 +139,7 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                           const UnitForces& forces, const GradientChanges& changes) {
     constexpr int N = Geometry::nodes;
     const auto columns = static_cast<Index>(changes.stiffness.size());
-    constexpr Index at_once = 8;   // columns for which a pack is looked at once; more would fill the cache with forces
+    constexpr Index at_once = 8;  // columns for which a pack is looked at once; more would fill the cache with forces
     const auto field = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
     std::vector<Pack> nodal(field * static_cast<std::size_t>(std::min(at_once, columns)));
     NodalColumns result = NodalColumns::Zero(3 * columns, x.cols());
@@ -152,7 +153,8 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                 Pack viscous_mu = 0.0;
                 if (changes.rates.size() > 0) {
                     points.emplace(points_of(cells, pack, model, xe));
-                    viscous_mu = lanes_of(cells, pack, [&](std::size_t c) { return viscous_scale(model) * model.moduli[c].mu; });
+                    viscous_mu = lanes_of(cells, pack,
+                                          [&](std::size_t c) { return viscous_scale(model) * model.moduli[c].mu; });
                 }
                 std::optional<std::array<PackNodes<N>, Geometry::points>> of_points;
                 if (changes.softening.size() > 0) of_points.emplace(point_forces_of(cells, pack, model, x));
@@ -160,26 +162,34 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                     const Stiffness& own = changes.stiffness[static_cast<std::size_t>(start + k)];
                     out.gradient.setConstant(Pack(0.0));
                     if (!own.elastic.empty()) {
-                        add_weighted<N>(forces.mu, pack, lanes_of(cells, pack, [&](std::size_t c) { return own.elastic[c].mu; }), out);
-                        add_weighted<N>(forces.kappa, pack, lanes_of(cells, pack, [&](std::size_t c) { return own.elastic[c].kappa; }), out);
+                        add_weighted<N>(forces.mu, pack,
+                                        lanes_of(cells, pack, [&](std::size_t c) { return own.elastic[c].mu; }), out);
+                        add_weighted<N>(forces.kappa, pack,
+                                        lanes_of(cells, pack, [&](std::size_t c) { return own.elastic[c].kappa; }),
+                                        out);
                     }
-                    if (!own.viscous.empty()) add_weighted<N>(forces.viscous, pack, lanes_of(cells, pack, [&](std::size_t c) { return own.viscous[c].mu; }), out);
+                    if (!own.viscous.empty())
+                        add_weighted<N>(forces.viscous, pack,
+                                        lanes_of(cells, pack, [&](std::size_t c) { return own.viscous[c].mu; }), out);
                     if (points)
                         add_viscous(*points, viscous_mu, factors_of(cells, pack, model.point_factors),
                                     changes.rates.col(start + k).data() + pack * cells.strains_per_cell() * pack_width,
                                     out.gradient);
                     if (of_points) {
-                        const double* const d =
-                            changes.softening.col(start + k).data() + pack * Geometry::points * pack_width;
+                        const double* const d = changes.softening.col(start + k).data() +
+                                                pack * Geometry::points * pack_width;
                         for (std::size_t q = 0; q < Geometry::points; ++q)
                             out.gradient += (*of_points)[q] * entry(d, static_cast<int>(q));
                     }
-                    std::copy(out.gradient.data(), out.gradient.data() + 3 * N, nodal.begin() + static_cast<std::ptrdiff_t>(field) * k + pack * 3 * N);
+                    std::copy(out.gradient.data(), out.gradient.data() + 3 * N,
+                              nodal.begin() + static_cast<std::ptrdiff_t>(field) * k + pack * 3 * N);
                 }
             }
         });
         for (Index k = 0; k < count; ++k)
-            add_at_nodes(model.body->incidence, reinterpret_cast<const double*>(nodal.data() + static_cast<std::ptrdiff_t>(field) * k), nodal_column(result, start + k));
+            add_at_nodes(model.body->incidence,
+                         reinterpret_cast<const double*>(nodal.data() + static_cast<std::ptrdiff_t>(field) * k),
+                         nodal_column(result, start + k));
     }
     return result;
 }
@@ -191,7 +201,7 @@ MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& mod
     const int per_cell = cells.strains_per_cell();
     MatrixXd result(cells.pack_count() * per_cell * pack_width, dx.rows() / 3);
     parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
-        std::array<Matrix3<Pack>, Geometry::points> F;
+        std::array<material::Matrix3<Pack>, Geometry::points> F;
         for (int pack = first; pack < end; ++pack) {
             const auto xe = nodes_of_pack(cells, pack, x);
             const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
@@ -200,12 +210,14 @@ MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& mod
             for (Index p = 0; p < result.cols(); ++p) {
                 PackNodes<N> de;
                 for (int a = 0; a < N; ++a)
-                    for (int r = 0; r < 3; ++r) de(r, a) = Pack([&](auto lane) { return dx(3 * p + r, nodes[static_cast<std::size_t>(a)][lane]); });
+                    for (int r = 0; r < 3; ++r)
+                        de(r, a) = Pack(
+                            [&](auto lane) { return dx(3 * p + r, nodes[static_cast<std::size_t>(a)][lane]); });
                 const auto motion = points.along(de);
                 double* to = result.col(p).data() + pack * per_cell * pack_width;
                 for (int q = 0; q < Geometry::points; ++q) {
-                    const PackSymmetric e =
-                        green_strain_tangent(F[static_cast<std::size_t>(q)], points.tangent(q, motion));
+                    const PackSymmetric e = green_strain_tangent(F[static_cast<std::size_t>(q)],
+                                                                 points.tangent(q, motion));
                     for (int i = 0; i < 6; ++i)
                         e[static_cast<std::size_t>(i)].copy_to(to + (6 * q + i) * pack_width,
                                                                std::experimental::element_aligned);
@@ -238,4 +250,4 @@ MatrixXd strain_tangents(const Model& model, const Matrix3Xd& x, const NodalColu
     return std::visit([&](const auto& cells) { return strain_tangents_of(cells, model, x, dx); }, model.body->cells);
 }
 
-}  // namespace myo
+}  // namespace myo::model

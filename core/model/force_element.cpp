@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace myo {
+namespace myo::model {
 
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
@@ -23,7 +23,8 @@ VectorXd parameter_values(const ForceElement& element) {
 }
 
 bool depends_on_velocity(const Model& model) {
-    return std::any_of(model.force_elements.begin(), model.force_elements.end(), [](const ForceElementPointer& e) { return e->depends_on_velocity(); });
+    return std::any_of(model.force_elements.begin(), model.force_elements.end(),
+                       [](const ForceElementPointer& e) { return e->depends_on_velocity(); });
 }
 
 void add_force_elements(const Model& model, const ForceState& at, HessianKind kind, InternalEnergy& out) {
@@ -32,8 +33,9 @@ void add_force_elements(const Model& model, const ForceState& at, HessianKind ki
 
 Matrix3Xd velocity_tangent(const Model& model, const ForceState& at, const Matrix3Xd& dv) {
     Matrix3Xd gradient = Matrix3Xd::Zero(3, at.x.cols());
-    for (const ForceElementPointer& element : model.force_elements) element->add_velocity_tangent(*model.body, at, dv, gradient);
+    for (const ForceElementPointer& element : model.force_elements)
+        element->add_velocity_tangent(*model.body, at, dv, gradient);
     return gradient;
 }
 
-}  // namespace myo
+}  // namespace myo::model

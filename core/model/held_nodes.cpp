@@ -1,6 +1,6 @@
 #include "model/held_nodes.hpp"
 
-namespace myo {
+namespace myo::model {
 
 std::vector<int> held_nodes(const Body& body) {
     std::vector<int> held;
@@ -9,4 +9,4 @@ std::vector<int> held_nodes(const Body& body) {
     return held;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -4,9 +4,9 @@
 
 #include "model/body.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// The clamped nodes of a body, ascending.
 std::vector<int> held_nodes(const Body& body);
 
-}  // namespace myo
+}  // namespace myo::model

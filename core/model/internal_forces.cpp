@@ -11,7 +11,7 @@
 #include "model/pack_model.hpp"
 #include "model/positive_part.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -53,13 +53,15 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
 
 /// Adds those of a pack's blocks to the assembled matrix that lie in the columns, cell by cell.
 template <int N>
-void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int pack, int lanes, const PackOutput<N>& out, const OwnColumns& own,
-                   SymmetricSparse& matrix) {
+void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int pack, int lanes,
+                   const PackOutput<N>& out, const OwnColumns& own, solver::SymmetricSparse& matrix) {
     for (int lane = 0; lane < lanes; ++lane) {
         const CellBlocks<N> blocks(pattern, cells, pack * pack_width + lane, own, matrix);
         for (int b = 0; b < N; ++b)
             for (int a = b; a < N; ++a) {
-                const auto* values = reinterpret_cast<const double*>(out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data()) + lane;
+                const auto* values = reinterpret_cast<const double*>(
+                                         out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))].data()) +
+                                     lane;
                 blocks.add(a, b, [&](int r, int s) { return values[(r + 3 * s) * pack_width]; });
             }
     }
@@ -73,7 +75,9 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
             for (int b = 0; b < N; ++b)
                 for (int a = b; a < N; ++a)
                     for (int s = 0; s < 3; ++s)
-                        for (int r = 0; r < 3; ++r) visit(3 * a + r, 3 * b + s, out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))](r, s));
+                        for (int r = 0; r < 3; ++r)
+                            visit(3 * a + r, 3 * b + s,
+                                  out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))](r, s));
         };
         for_each_entry([&](int row, int column, Pack& value) { K(row, column) = K(column, row) = value[lane]; });
         if (!K.allFinite()) continue;
@@ -82,7 +86,8 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
     }
 }
 
-/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is evaluated.
+/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is
+/// evaluated.
 template <bool WithHessian, class Geometry, class Output>
 void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                     const InternalInput& input, int first, int end, std::vector<Pack>& forces,
@@ -97,26 +102,29 @@ void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, cons
     }
 }
 
-/// Cells' matrices are made side by side for as many packs as fit in a cache, then every thread adds those that fall in its
-/// columns, one after the other, so that sums do not depend on the number of threads.
+/// Cells' matrices are made side by side for as many packs as fit in a cache, then every thread adds those that fall in
+/// its columns, one after the other, so that sums do not depend on the number of threads.
 template <class Geometry>
 void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                     const InternalInput& input, bool positive, std::vector<Pack>& forces, std::vector<Pack>& energies,
-                    SymmetricSparse& hessian) {
+                    solver::SymmetricSparse& hessian) {
     constexpr int packs_at_once = 32, N = Geometry::nodes;
     const BlockPattern& pattern = model.body->pattern;
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
         const int count = std::min(packs_at_once, cells.pack_count() - start);
         parallel_ranges(count, packs_per_task / 8, [&](int first, int end) {
-            evaluate_packs<true>(cells, model, x, input, start + first, start + end, forces, energies,
-                                 [&](int pack) -> PackOutput<N>& { return outputs[static_cast<std::size_t>(pack - start)]; });
+            evaluate_packs<true>(
+                cells, model, x, input, start + first, start + end, forces, energies,
+                [&](int pack) -> PackOutput<N>& { return outputs[static_cast<std::size_t>(pack - start)]; });
             if (positive)
-                for (int k = first; k < end; ++k) project_cells_positive(cells.lanes_used(start + k), outputs[static_cast<std::size_t>(k)]);
+                for (int k = first; k < end; ++k)
+                    project_cells_positive(cells.lanes_used(start + k), outputs[static_cast<std::size_t>(k)]);
         });
         parallel_ranges(pattern.free_count, 125, [&](int first, int end) {
             for (int pack = start; pack < start + count; ++pack)
-                assemble_pack<N>(pattern, model.body->mesh.cells, pack, cells.lanes_used(pack), outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
+                assemble_pack<N>(pattern, model.body->mesh.cells, pack, cells.lanes_used(pack),
+                                 outputs[static_cast<std::size_t>(pack - start)], {first, end}, hessian);
         });
     }
 }
@@ -125,18 +133,21 @@ template <class Geometry>
 void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input,
                HessianKind kind, InternalEnergy& out) {
     constexpr int N = Geometry::nodes;
-    static thread_local std::vector<Pack> forces, energies;   // kept, because this runs thousands of times a second
-    std::vector<Pack>&force_field = forces, &energy_field = energies;   // of this thread, for all that help it
+    static thread_local std::vector<Pack> forces, energies;  // kept, because this runs thousands of times a second
+    std::vector<Pack>&force_field = forces, &energy_field = energies;  // of this thread, for all that help it
     force_field.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
     energy_field.resize(static_cast<std::size_t>(cells.pack_count()));
     if (kind == HessianKind::none)
         parallel_ranges(cells.pack_count(), packs_per_task, [&](int first, int end) {
             PackOutput<N> result;
-            evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field, [&](int) -> PackOutput<N>& { return result; });
+            evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field,
+                                  [&](int) -> PackOutput<N>& { return result; });
         });
-    else assemble_packs(cells, model, x, input, kind == HessianKind::positive, force_field, energy_field, out.hessian);
+    else
+        assemble_packs(cells, model, x, input, kind == HessianKind::positive, force_field, energy_field, out.hessian);
     for (int pack = 0; pack < cells.pack_count(); ++pack)
-        for (int lane = 0; lane < cells.lanes_used(pack); ++lane) out.energy += energy_field[static_cast<std::size_t>(pack)][static_cast<std::size_t>(lane)];
+        for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
+            out.energy += energy_field[static_cast<std::size_t>(pack)][static_cast<std::size_t>(lane)];
     add_at_nodes(model.body->incidence, reinterpret_cast<const double*>(force_field.data()), out.gradient);
 }
 
@@ -157,7 +168,7 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
                                                in.poissons_ratio);
         const auto motion = points.along(de);
         const Pack kappa = cells.mean_volume ? in.kappa - in.point_bulk.of(in.mu, in.kappa) : in.kappa;
-        LawResponse<Pack> law;
+        material::LawResponse<Pack> law;
         Pack theta = 0.0, d_theta = 0.0, factor = 0.0;
         for (int q = 0; q < Q; ++q) {
             model.material->respond(points.gradient(q), in.mu, in.kappa, false, law);
@@ -165,11 +176,12 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
             if (!cells.mean_volume) theta = d_theta = factor = 0.0;
             theta += share * law.volume.value;
             factor += share * in.elastic_factor(q);
-            if (dx) d_theta += share * double_dot(law.volume.gradient, points.tangent(q, motion));
+            if (dx) d_theta += share * material::double_dot(law.volume.gradient, points.tangent(q, motion));
             if (cells.mean_volume && q + 1 < Q) continue;
-            const ScalarFunctionOf<Pack> U = model.material->bulk(theta, kappa * factor);
+            const material::ScalarFunctionOf<Pack> U = model.material->bulk(theta, kappa * factor);
             const Pack p = U.first + U.second * d_theta;
-            p.copy_to(pressure.data() + (pack * per_cell + (cells.mean_volume ? 0 : q)) * pack_width, std::experimental::element_aligned);
+            p.copy_to(pressure.data() + (pack * per_cell + (cells.mean_volume ? 0 : q)) * pack_width,
+                      std::experimental::element_aligned);
         }
     });
     return pressure;
@@ -209,7 +221,7 @@ Stiffness stiffness(const Model& model) {
     const double scale = viscous_scale(model);
     if (scale > 0.0) {
         s.viscous = model.moduli;
-        for (Moduli& m : s.viscous) m = {m.mu * scale, m.kappa * scale};
+        for (material::Moduli& m : s.viscous) m = {m.mu * scale, m.kappa * scale};
         s.viscous_factors = model.point_factors;
     }
     return s;
@@ -262,4 +274,4 @@ Matrix3Xd viscous_gradient(const Model& model, const Matrix3Xd& x, const VectorX
     return internal_energy(model, x, input, HessianKind::none).gradient;
 }
 
-}  // namespace myo
+}  // namespace myo::model

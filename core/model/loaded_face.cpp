@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace myo {
+namespace myo::model {
 
 std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& faces) {
     std::vector<LoadedFace> loaded;
@@ -25,7 +25,9 @@ std::vector<int> faces_of_nodes(const Body& body, const std::vector<int>& nodes)
     std::vector<int> faces;
     for (int f = 0; f < static_cast<int>(body.boundary.count()); ++f) {
         const auto corners = body.boundary.nodes.col(f);
-        if (std::all_of(corners.begin(), corners.end(), [&](int node) { return among[static_cast<std::size_t>(node)]; })) faces.push_back(f);
+        if (std::all_of(corners.begin(), corners.end(),
+                        [&](int node) { return among[static_cast<std::size_t>(node)]; }))
+            faces.push_back(f);
     }
     return faces;
 }
@@ -34,9 +36,11 @@ std::vector<int> free_faces(const Body& body) {
     std::vector<int> faces;
     for (int f = 0; f < static_cast<int>(body.boundary.count()); ++f) {
         const auto nodes = body.boundary.nodes.col(f);
-        if (!std::all_of(nodes.begin(), nodes.end(), [&](int node) { return body.clamped[static_cast<std::size_t>(node)]; })) faces.push_back(f);
+        if (!std::all_of(nodes.begin(), nodes.end(),
+                         [&](int node) { return body.clamped[static_cast<std::size_t>(node)]; }))
+            faces.push_back(f);
     }
     return faces;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -5,13 +5,13 @@
 
 #include "model/body.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// A face of the body's boundary with what its place in the body's matrix takes.
 struct LoadedFace {
     std::vector<int> nodes;
-    int cell = 0;                 // behind it
-    std::vector<int> cell_node;   // of each node, its number in the cell
+    int cell = 0;                // behind it
+    std::vector<int> cell_node;  // of each node, its number in the cell
 };
 
 /// Those of the body's boundary faces.
@@ -25,7 +25,7 @@ std::vector<int> free_faces(const Body& body);
 
 /// Adds block(a, b), 3 x 3, to the matrix for the pairs of a face's nodes that it stores.
 template <class Block>
-void add_face_hessian(const Body& body, const LoadedFace& face, SymmetricSparse& matrix, const Block& block) {
+void add_face_hessian(const Body& body, const LoadedFace& face, solver::SymmetricSparse& matrix, const Block& block) {
     const int per_cell = static_cast<int>(body.mesh.cells.rows());
     for (std::size_t b = 0; b < face.nodes.size(); ++b)
         for (std::size_t a = 0; a < face.nodes.size(); ++a)
@@ -33,4 +33,4 @@ void add_face_hessian(const Body& body, const LoadedFace& face, SymmetricSparse&
                 body.pattern.add(matrix, body.mesh.cells, face.cell, face.cell_node[a], face.cell_node[b], block(a, b));
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "model/model.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,8 +23,8 @@ Eigen::SparseMatrix<double> equal_vertex_mass(const Body& body) {
 }
 
 Eigen::SparseMatrix<double> isotropic_mass(const Model& model) {
-    Eigen::SparseMatrix<double> mass =
-        model.mass_model == MassModel::consistent ? model.body->unit_mass : equal_vertex_mass(*model.body);
+    Eigen::SparseMatrix<double> mass = model.mass_model == MassModel::consistent ? model.body->unit_mass
+                                                                                 : equal_vertex_mass(*model.body);
     mass *= model.density_kg_m3;
     for (const AttachedMass& attached : model.masses)
         for (int i = 0; i < model.body->node_count(); ++i)
@@ -39,7 +39,7 @@ Eigen::SparseMatrix<double> directional_mass(const Model& model, double at_s) {
         assert(mass.inertia_kg.rows() == sum.rows() && mass.inertia_kg.cols() == sum.cols());
         if (mass.active(at_s)) sum += mass.inertia_kg;
     }
-    sum.prune(0.0);   // masses of 0 cost nothing
+    sum.prune(0.0);  // masses of 0 cost nothing
     return sum.nonZeros() > 0 ? sum : Eigen::SparseMatrix<double>();
 }
 
@@ -86,7 +86,7 @@ Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {
     const double* const values = mass.isotropic.valuePtr();
     const int* const rows = mass.isotropic.innerIndexPtr();
     const int* const starts = mass.isotropic.outerIndexPtr();
-    const int* const counts = mass.isotropic.innerNonZeroPtr();   // null of a compressed matrix
+    const int* const counts = mass.isotropic.innerNonZeroPtr();  // null of a compressed matrix
     parallel_ranges(static_cast<int>(mass.isotropic.outerSize()), 1000, [&](int first, int end) {
         for (int j = first; j < end; ++j) {
             Eigen::Vector4d sum = Eigen::Vector4d::Zero();
@@ -99,15 +99,17 @@ Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {
     return result;
 }
 
-void add_directional(const Eigen::SparseMatrix<double>& directional, const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> result) {
+void add_directional(const Eigen::SparseMatrix<double>& directional, const Eigen::Ref<const Eigen::MatrixXd>& X,
+                     Eigen::Ref<Eigen::MatrixXd> result) {
     assert(directional.cols() == 3 * X.cols() && X.rows() == result.rows() && X.cols() == result.cols());
     // By symmetry the columns of a node are its rows, so that every node gathers its own sum.
     parallel_ranges(static_cast<int>(X.cols()), 1000, [&](int first, int end) {
         for (int j = first; j < end; ++j)
             for (int s = 0; s < 3; ++s)
                 for (Eigen::SparseMatrix<double>::InnerIterator entry(directional, 3 * j + s); entry; ++entry)
-                    for (Eigen::Index p = 0; p < X.rows(); p += 3) result(p + s, j) += entry.value() * X(p + entry.row() % 3, entry.row() / 3);
+                    for (Eigen::Index p = 0; p < X.rows(); p += 3)
+                        result(p + s, j) += entry.value() * X(p + entry.row() % 3, entry.row() / 3);
     });
 }
 
-}  // namespace myo
+}  // namespace myo::model

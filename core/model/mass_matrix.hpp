@@ -5,16 +5,16 @@
 
 #include <vector>
 
-namespace myo {
+namespace myo::model {
 
 struct Model;
 
 /// Inertia of all nodes: of one coordinate where it is the same along every direction, and what acts along some only.
 struct MassMatrix {
-    Eigen::SparseMatrix<double> isotropic;     // n x n [kg]; it also weighs
-    Eigen::SparseMatrix<double> directional;   // 3n x 3n [kg], row 3 i + r, symmetric, without weight; 0 x 0: none
+    Eigen::SparseMatrix<double> isotropic;    // n x n [kg]; it also weighs
+    Eigen::SparseMatrix<double> directional;  // 3n x 3n [kg], row 3 i + r, symmetric, without weight; 0 x 0: none
 
-    Eigen::VectorXd nodal_kg;                  // sums of the isotropic rows: what weighs at each node
+    Eigen::VectorXd nodal_kg;  // sums of the isotropic rows: what weighs at each node
 
     bool has_directional() const { return directional.size() > 0; }
 };
@@ -37,7 +37,9 @@ std::size_t span_at(const std::vector<MassSpan>& spans, double at_s);
 /// M X for nodal vectors X (3 x n).
 Eigen::Matrix3Xd times_mass(const Eigen::Matrix3Xd& X, const MassMatrix& mass);
 
-/// result += D X for nodal fields X, rows 3 p ... 3 p + 2 of which are field p (3 P x n), and a matrix D like MassMatrix::directional.
-void add_directional(const Eigen::SparseMatrix<double>& directional, const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> result);
+/// result += D X for nodal fields X, rows 3 p ... 3 p + 2 of which are field p (3 P x n), and a matrix D like
+/// MassMatrix::directional.
+void add_directional(const Eigen::SparseMatrix<double>& directional, const Eigen::Ref<const Eigen::MatrixXd>& X,
+                     Eigen::Ref<Eigen::MatrixXd> result);
 
-}  // namespace myo
+}  // namespace myo::model

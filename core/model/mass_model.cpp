@@ -2,7 +2,7 @@
 
 #include "base/name_table.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 constexpr NameTable<MassModel, 2> models{{{
@@ -16,4 +16,4 @@ std::string to_string(MassModel model) { return models.name(model); }
 std::vector<std::string> mass_model_ids() { return models.names(); }
 bool parse_mass_model(const std::string& id, MassModel& model) { return models.find(id, model); }
 
-}  // namespace myo
+}  // namespace myo::model

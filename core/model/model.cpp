@@ -5,16 +5,17 @@
 
 #include "model/force_element.hpp"
 
-namespace myo {
+namespace myo::model {
 
-std::vector<double> poissons_ratios(const std::vector<Moduli>& moduli) {
+std::vector<double> poissons_ratios(const std::vector<material::Moduli>& moduli) {
     std::vector<double> result;
-    for (const Moduli& m : moduli) result.push_back(young_from_moduli(m).poissons_ratio);
+    for (const material::Moduli& m : moduli) result.push_back(material::young_from_moduli(m).poissons_ratio);
     return result;
 }
 
-std::vector<Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio) {
-    return std::vector<Moduli>(static_cast<std::size_t>(cell_count), moduli_from_young(youngs_modulus_Pa, poissons_ratio));
+std::vector<material::Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio) {
+    return std::vector<material::Moduli>(static_cast<std::size_t>(cell_count),
+                                         material::moduli_from_young(youngs_modulus_Pa, poissons_ratio));
 }
 
 Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, double t, bool before) {
@@ -26,7 +27,7 @@ Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, dou
 
 std::vector<double> activations(const Model& model, double t, bool before) {
     std::vector<double> a;
-    for (const Signal& signal : model.activation) a.push_back(before ? signal.value_before(t) : signal.value(t));
+    for (const fibre::Signal& signal : model.activation) a.push_back(before ? signal.value_before(t) : signal.value(t));
     return a;
 }
 
@@ -38,7 +39,7 @@ std::vector<double> jump_times(const Model& model) {
     for (const DirectionalMass& mass : model.directional_masses)
         for (const double t : {mass.from_s, mass.until_s})
             if (std::isfinite(t)) times.push_back(t);
-    for (const Signal& signal : model.activation)
+    for (const fibre::Signal& signal : model.activation)
         for (const double t : signal.jumps()) times.push_back(t);
     for (const ForceElementPointer& element : model.force_elements)
         for (const double t : element->jumps()) times.push_back(t);
@@ -47,4 +48,4 @@ std::vector<double> jump_times(const Model& model) {
     return times;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -6,26 +6,26 @@
 #include "material/polar.hpp"
 #include "model/pack_tensors.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Rotations = Eigen::Matrix<double, 9, Eigen::Dynamic>;
 
 /// Mean deformation gradients times volumes.
 template <int N, int Q>
-Matrix3<Pack> mean_gradient(const PackGeometry<N, Q>& geometry, const PackNodes<N>& x) {
-    Matrix3<Pack> sum = zero_tensor();
+material::Matrix3<Pack> mean_gradient(const PackGeometry<N, Q>& geometry, const PackNodes<N>& x) {
+    material::Matrix3<Pack> sum = zero_tensor();
     for (std::size_t q = 0; q < Q; ++q) sum += nodal_product(x, geometry.gradient[q]) * geometry.weight[q];
     return sum;
 }
-Matrix3<Pack> mean_gradient(const PackAssumedStrain& geometry, const PackNodes<8>& x) {
+material::Matrix3<Pack> mean_gradient(const PackAssumedStrain& geometry, const PackNodes<8>& x) {
     return nodal_product(x, geometry.gradient) * geometry.volume;
 }
 
 /// Sum of the cells' mean deformation gradients at each node, weighted with their volumes.
 template <class Geometry>
 Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, const Eigen::Matrix3Xd& x) {
-    std::vector<Matrix3<Pack>> means(static_cast<std::size_t>(cells.pack_count()));
+    std::vector<material::Matrix3<Pack>> means(static_cast<std::size_t>(cells.pack_count()));
     parallel_ranges(cells.pack_count(), 50, [&](int first, int end) {
         for (auto pack = static_cast<std::size_t>(first); pack < static_cast<std::size_t>(end); ++pack) {
             const auto xe = nodes_of_pack(cells, static_cast<int>(pack), x);
@@ -36,7 +36,8 @@ Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, c
     const auto* values = reinterpret_cast<const double*>(means.data());
     parallel_ranges(body.node_count(), 500, [&](int first, int end) {
         for (int i = first; i < end; ++i)
-            for (int k = body.incidence.start[static_cast<std::size_t>(i)]; k < body.incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
+            for (int k = body.incidence.start[static_cast<std::size_t>(i)];
+                 k < body.incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
                 const int cell = incident_cell<Geometry::nodes>(body.incidence, k);
                 const double* mean = values + cell / pack_width * 9 * pack_width + cell % pack_width;
                 for (int e = 0; e < 9; ++e) sum(e, i) += mean[e * pack_width];
@@ -49,16 +50,16 @@ Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, c
 void turn_into_rotations(Rotations& field, Eigen::Index first) {
     const Eigen::Index last = field.cols() - 1;
     const auto column = [&](auto lane) { return std::min(first + static_cast<Eigen::Index>(lane), last); };
-    Matrix3<Pack> F;
+    material::Matrix3<Pack> F;
     Pack size = 0.0;
     for (int k = 0; k < 9; ++k) {
         F(k % 3, k / 3) = Pack([&](auto lane) { return field(k, column(lane)); });
         size += F(k % 3, k / 3) * F(k % 3, k / 3);
     }
     F *= 1.0 / sqrt((1.0 / 3.0) * size);
-    const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);   // nothing to turn, or not a number
+    const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);  // nothing to turn, or not a number
     for (int k = 0; k < 9; ++k) std::experimental::where(degenerate, F(k % 3, k / 3)) = k % 4 == 0 ? 1.0 : 0.0;
-    const Matrix3<Pack> R = polar_rotation(F);
+    const material::Matrix3<Pack> R = material::polar_rotation(F);
     for (Eigen::Index i = first; i <= std::min(first + pack_width - 1, last); ++i)
         for (int k = 0; k < 9; ++k) field(k, i) = R(k % 3, k / 3)[static_cast<std::size_t>(i - first)];
 }
@@ -73,4 +74,4 @@ Rotations nodal_rotations(const Body& body, const Eigen::Matrix3Xd& x) {
     return field;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -5,16 +5,18 @@
 #include "base/parallel.hpp"
 #include "model/packed_cells.hpp"
 
-namespace myo {
+namespace myo::model {
 
-/// Sums the cells' nodal vectors (see NodeIncidence) at the nodes: nodal (three rows, n columns, of a larger matrix or all of one) += ...
+/// Sums the cells' nodal vectors (see NodeIncidence) at the nodes: nodal (three rows, n columns, of a larger matrix or
+/// all of one) += ...
 template <class Rows>
 void add_at_nodes(const NodeIncidence& incidence, const double* field, Rows&& nodal) {
-    constexpr int nodes_per_thread = 1000;   // the least work that pays for handing it to another one
+    constexpr int nodes_per_thread = 1000;  // the least work that pays for handing it to another one
     parallel_ranges(static_cast<int>(nodal.cols()), nodes_per_thread, [&](int first, int end) {
         for (int i = first; i < end; ++i) {
             double x = 0.0, y = 0.0, z = 0.0;
-            for (int k = incidence.start[static_cast<std::size_t>(i)]; k < incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
+            for (int k = incidence.start[static_cast<std::size_t>(i)];
+                 k < incidence.start[static_cast<std::size_t>(i) + 1]; ++k) {
                 const double* at = field + incidence.offset[static_cast<std::size_t>(k)];
                 x += at[0];
                 y += at[pack_width];
@@ -25,4 +27,4 @@ void add_at_nodes(const NodeIncidence& incidence, const double* field, Rows&& no
     });
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -5,7 +5,7 @@
 #include "model/packed_cells.hpp"
 #include "model/point_kinematics.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Poisson's ratio by which the cells of a pack thin as they bend; see Model::poissons_ratio.
 template <class Geometry>
@@ -14,7 +14,7 @@ Pack poissons_ratio_of(const PackedCells<Geometry>& cells, int pack, const Model
         return pack_of(cells, pack, [&](std::size_t c) { return model.poissons_ratio[c]; });
     const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
     const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
-    return (3.0 * kappa - 2.0 * mu) / (2.0 * (3.0 * kappa + mu));   // as young_from_moduli()
+    return (3.0 * kappa - 2.0 * mu) / (2.0 * (3.0 * kappa + mu));  // as young_from_moduli()
 }
 
 /// A pack's part of a field over the body's points; null of an empty one.
@@ -30,4 +30,4 @@ PointKinematics<Geometry> points_of(const PackedCells<Geometry>& cells, int pack
     return {cells.geometry(pack), cells.surroundings_of(pack), x, poissons_ratio_of(cells, pack, model)};
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -6,31 +6,31 @@
 #include "material/tensors.hpp"
 #include "model/packed_cells.hpp"
 
-namespace myo {
+namespace myo::model {
 
 // Small products, written out: packs have no matrix kernels.
 
-inline Matrix3<Pack> zero_tensor() { return Matrix3<Pack>::Constant(Pack(0.0)); }
+inline material::Matrix3<Pack> zero_tensor() { return material::Matrix3<Pack>::Constant(Pack(0.0)); }
 
-inline Matrix3<Pack> product(const Matrix3<Pack>& A, const Matrix3<Pack>& B) {
-    Matrix3<Pack> C;
+inline material::Matrix3<Pack> product(const material::Matrix3<Pack>& A, const material::Matrix3<Pack>& B) {
+    material::Matrix3<Pack> C;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) C(i, j) = A(i, 0) * B(0, j) + A(i, 1) * B(1, j) + A(i, 2) * B(2, j);
     return C;
 }
 
 /// A'B.
-inline Matrix3<Pack> transposed_product(const Matrix3<Pack>& A, const Matrix3<Pack>& B) {
-    Matrix3<Pack> C;
+inline material::Matrix3<Pack> transposed_product(const material::Matrix3<Pack>& A, const material::Matrix3<Pack>& B) {
+    material::Matrix3<Pack> C;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) C(i, j) = A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j);
     return C;
 }
 
-inline Matrix3<Pack> inverse(const Matrix3<Pack>& A) {
-    const Matrix3<Pack> C = cofactor(A);
+inline material::Matrix3<Pack> inverse(const material::Matrix3<Pack>& A) {
+    const material::Matrix3<Pack> C = material::cofactor(A);
     const Pack scale = 1.0 / (A(0, 0) * C(0, 0) + A(1, 0) * C(1, 0) + A(2, 0) * C(2, 0));
-    Matrix3<Pack> B;
+    material::Matrix3<Pack> B;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) B(i, j) = scale * C(j, i);
     return B;
@@ -60,8 +60,8 @@ void add_nodal(const Eigen::Matrix<Pack, 3, K>& P, const Eigen::Matrix<Pack, N, 
         }
 }
 
-inline Matrix3<Pack> full(const PackSymmetric& s) {
-    Matrix3<Pack> A;
+inline material::Matrix3<Pack> full(const PackSymmetric& s) {
+    material::Matrix3<Pack> A;
     A(0, 0) = s[0], A(1, 1) = s[1], A(2, 2) = s[2];
     A(0, 1) = A(1, 0) = s[3];
     A(1, 2) = A(2, 1) = s[4];
@@ -70,8 +70,8 @@ inline Matrix3<Pack> full(const PackSymmetric& s) {
 }
 
 /// A s.
-inline Matrix3<Pack> times_symmetric(const Matrix3<Pack>& A, const PackSymmetric& s) {
-    Matrix3<Pack> C;
+inline material::Matrix3<Pack> times_symmetric(const material::Matrix3<Pack>& A, const PackSymmetric& s) {
+    material::Matrix3<Pack> C;
     for (int i = 0; i < 3; ++i) {
         C(i, 0) = A(i, 0) * s[0] + A(i, 1) * s[3] + A(i, 2) * s[5];
         C(i, 1) = A(i, 0) * s[3] + A(i, 1) * s[1] + A(i, 2) * s[4];
@@ -80,7 +80,7 @@ inline Matrix3<Pack> times_symmetric(const Matrix3<Pack>& A, const PackSymmetric
     return C;
 }
 
-inline PackSymmetric symmetric_part(const Matrix3<Pack>& A) {
+inline PackSymmetric symmetric_part(const material::Matrix3<Pack>& A) {
     return {A(0, 0), A(1, 1), A(2, 2), 0.5 * (A(0, 1) + A(1, 0)), 0.5 * (A(1, 2) + A(2, 1)), 0.5 * (A(2, 0) + A(0, 2))};
 }
 
@@ -100,19 +100,19 @@ inline PackSymmetric anticommutator_half(const PackSymmetric& a, const PackSymme
             0.5 * ((a[2] + a[0]) * b[5] + (b[2] + b[0]) * a[5] + a[4] * b[3] + a[3] * b[4])};
 }
 
-inline Pack column_dot(const Matrix3<Pack>& A, int i, const Matrix3<Pack>& B, int j) {
+inline Pack column_dot(const material::Matrix3<Pack>& A, int i, const material::Matrix3<Pack>& B, int j) {
     return A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j);
 }
 
 /// Green's strain.
-inline PackSymmetric green_strain(const Matrix3<Pack>& F) {
+inline PackSymmetric green_strain(const material::Matrix3<Pack>& F) {
     return {0.5 * (column_dot(F, 0, F, 0) - 1.0), 0.5 * (column_dot(F, 1, F, 1) - 1.0),
             0.5 * (column_dot(F, 2, F, 2) - 1.0), 0.5 * column_dot(F, 0, F, 1),
             0.5 * column_dot(F, 1, F, 2),         0.5 * column_dot(F, 2, F, 0)};
 }
 
 /// Its derivative along dF: the symmetric part of F'dF.
-inline PackSymmetric green_strain_tangent(const Matrix3<Pack>& F, const Matrix3<Pack>& dF) {
+inline PackSymmetric green_strain_tangent(const material::Matrix3<Pack>& F, const material::Matrix3<Pack>& dF) {
     return symmetric_part(transposed_product(F, dF));
 }
 
@@ -123,4 +123,4 @@ inline PackSymmetric deviator(PackSymmetric e) {
     return e;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Lane = std::size_t;
@@ -13,7 +13,7 @@ void set_lane_of(Packs& packs, Lane lane, const Values& values) {
 }
 
 template <int N, int Q>
-void set_lane_of(PackGeometry<N, Q>& to, Lane lane, const CellGeometry<N, Q>& from) {
+void set_lane_of(PackGeometry<N, Q>& to, Lane lane, const fem::CellGeometry<N, Q>& from) {
     for (std::size_t q = 0; q < Q; ++q) {
         set_lane_of(to.gradient[q], lane, from.gradient[q]);
         to.weight[q][lane] = from.weight[q];
@@ -21,7 +21,7 @@ void set_lane_of(PackGeometry<N, Q>& to, Lane lane, const CellGeometry<N, Q>& fr
     to.volume[lane] = from.volume;
 }
 
-void set_lane_of(PackAssumedStrain& to, Lane lane, const AssumedStrainGeometry& from) {
+void set_lane_of(PackAssumedStrain& to, Lane lane, const fem::AssumedStrainGeometry& from) {
     set_lane_of(to.gradient, lane, from.gradient);
     set_lane_of(to.gamma, lane, from.gamma);
     set_lane_of(to.edges, lane, from.edges);
@@ -64,7 +64,8 @@ PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
     for (std::size_t pack = 0; pack < packed.lane_nodes.size(); ++pack) {
         Geometry geometry;
         for (Lane lane = 0; lane < static_cast<Lane>(pack_width); ++lane) {
-            const int cell = std::min(static_cast<int>(pack) * pack_width + static_cast<int>(lane), block.cell_count() - 1);
+            const int cell = std::min(static_cast<int>(pack) * pack_width + static_cast<int>(lane),
+                                      block.cell_count() - 1);
             for (int a = 0; a < Geometry::nodes; ++a)
                 packed.lane_nodes[pack][static_cast<std::size_t>(a)][lane] = block.cells(a, cell);
             set_lane_of(geometry, lane, block.geometry[static_cast<std::size_t>(cell)]);
@@ -88,19 +89,21 @@ PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
     return packed;
 }
 
-PackedCells<PackAssumedStrain> packed(const AssumedStrainBlock& block) { return pack_cells<PackAssumedStrain>(block); }
+PackedCells<PackAssumedStrain> packed(const fem::AssumedStrainBlock& block) {
+    return pack_cells<PackAssumedStrain>(block);
+}
 template <int N, int Q>
-PackedCells<PackGeometry<N, Q>> packed(const ElementBlock<N, Q>& block) {
+PackedCells<PackGeometry<N, Q>> packed(const fem::ElementBlock<N, Q>& block) {
     return pack_cells<PackGeometry<N, Q>>(block);
 }
 
 }  // namespace
 
-PackedElements pack_elements(const Elements& elements) {
+PackedElements pack_elements(const fem::Elements& elements) {
     return std::visit([](const auto& block) -> PackedElements { return packed(block); }, elements);
 }
 
-NodeIncidence node_incidence(const VolumeMesh& mesh) {
+NodeIncidence node_incidence(const mesh::VolumeMesh& mesh) {
     const auto nodes = static_cast<int>(mesh.cells.rows());
     NodeIncidence incidence;
     incidence.start.assign(static_cast<std::size_t>(mesh.node_count()) + 1, 0);
@@ -112,9 +115,10 @@ NodeIncidence node_incidence(const VolumeMesh& mesh) {
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c)
         for (int a = 0; a < nodes; ++a) {
             int& at = next[static_cast<std::size_t>(mesh.cells(a, c))];
-            incidence.offset[static_cast<std::size_t>(at++)] = (c / pack_width * 3 * nodes + 3 * a) * pack_width + c % pack_width;
+            incidence.offset[static_cast<std::size_t>(at++)] = (c / pack_width * 3 * nodes + 3 * a) * pack_width +
+                                                               c % pack_width;
         }
     return incidence;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -11,7 +11,7 @@
 #include "fem/element_block.hpp"
 #include "material/material.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Vectors at the nodes of as many cells as a pack has lanes.
 template <int N>
@@ -24,17 +24,17 @@ using PackSymmetric = std::array<Pack, 6>;
 template <int N, int Q>
 struct PackGeometry {
     static constexpr int nodes = N, points = Q;
-    using Block = ElementBlock<N, Q>;
+    using Block = fem::ElementBlock<N, Q>;
 
-    std::array<Eigen::Matrix<Pack, N, 3>, Q> gradient;   // [1/m]
-    std::array<Pack, Q> weight;                          // [m3]
+    std::array<Eigen::Matrix<Pack, N, 3>, Q> gradient;  // [1/m]
+    std::array<Pack, Q> weight;                         // [m3]
     Pack volume;
 };
 
 /// See AssumedStrainGeometry.
 struct PackAssumedStrain {
-    static constexpr int nodes = 8, points = assumed_strain_rule::points;
-    using Block = AssumedStrainBlock;
+    static constexpr int nodes = 8, points = fem::assumed_strain_rule::points;
+    using Block = fem::AssumedStrainBlock;
     struct Plane {
         std::array<PackSymmetric, 3> in_plane;
         std::array<Pack, 3> trace;
@@ -43,7 +43,7 @@ struct PackAssumedStrain {
 
     Eigen::Matrix<Pack, 8, 3> gradient;
     Eigen::Matrix<Pack, 8, 4> gamma;
-    Matrix3<Pack> edges;
+    material::Matrix3<Pack> edges;
     std::array<Plane, 3> planes;
     std::array<PackSymmetric, 3> along;
     Pack volume;
@@ -65,12 +65,12 @@ struct PackedCells {
     using LaneNodes = std::array<std::array<int, pack_width>, Geometry::nodes>;
 
     bool mean_volume = false;
-    std::vector<Pack> point_bulk_over_mu;   // per pack, see PointBulkPolicy; empty: 0
+    std::vector<Pack> point_bulk_over_mu;  // per pack, see PointBulkPolicy; empty: 0
     int cell_count = 0;
-    std::vector<LaneNodes> lane_nodes;      // per pack
+    std::vector<LaneNodes> lane_nodes;  // per pack
     std::vector<Geometry> shapes;
     std::vector<int> shape_of_pack;
-    std::vector<PackSurroundings> surroundings;   // per pack of cells of assumed strain; else empty
+    std::vector<PackSurroundings> surroundings;  // per pack of cells of assumed strain; else empty
 
     int pack_count() const { return static_cast<int>(lane_nodes.size()); }
     int lanes_used(int pack) const { return std::min(pack_width, cell_count - pack * pack_width); }
@@ -86,19 +86,19 @@ struct PackedCells {
     int volumes_per_cell() const { return mean_volume ? 1 : points; }
 };
 
-using PackedElements =
-    std::variant<PackedCells<PackAssumedStrain>, PackedCells<PackGeometry<8, 8>>, PackedCells<PackGeometry<4, 1>>,
-                 PackedCells<PackGeometry<10, 4>>, PackedCells<PackGeometry<10, 10>>>;
-PackedElements pack_elements(const Elements& elements);
+using PackedElements = std::variant<PackedCells<PackAssumedStrain>, PackedCells<PackGeometry<8, 8>>,
+                                    PackedCells<PackGeometry<4, 1>>, PackedCells<PackGeometry<10, 4>>,
+                                    PackedCells<PackGeometry<10, 10>>>;
+PackedElements pack_elements(const fem::Elements& elements);
 
-/// Where each node finds its share of a field of cell vectors (3 entries per node of a cell, node by node): first entries of
-/// node i are offset[start[i]] ... offset[start[i + 1] - 1], the other two each one pack further.
-/// Sums taken in this order do not depend on how the cells were shared between threads.
+/// Where each node finds its share of a field of cell vectors (3 entries per node of a cell, node by node): first
+/// entries of node i are offset[start[i]] ... offset[start[i + 1] - 1], the other two each one pack further. Sums taken
+/// in this order do not depend on how the cells were shared between threads.
 struct NodeIncidence {
     std::vector<int> start;
     std::vector<int> offset;
 };
-NodeIncidence node_incidence(const VolumeMesh& mesh);
+NodeIncidence node_incidence(const mesh::VolumeMesh& mesh);
 
 /// The cell of an offset.
 template <int N>
@@ -132,4 +132,4 @@ Pack pack_of(const PackedCells<Geometry>& cells, int pack, const Value& value) {
     });
 }
 
-}  // namespace myo
+}  // namespace myo::model

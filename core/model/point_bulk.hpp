@@ -5,7 +5,7 @@
 #include "material/moduli.hpp"
 #include "model/packed_cells.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// The bulk modulus that acts at the points of cells with a mean volume: of_mu mu + of_kappa kappa, see
 /// PointBulkPolicy. Linear in the moduli while their ratio stays on one side of the element's bound.
@@ -17,7 +17,7 @@ struct PointBulk {
 
 /// That of a pack's cells, whose moduli in Pa are given per cell.
 template <class Geometry>
-PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::vector<Moduli>& moduli) {
+PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::vector<material::Moduli>& moduli) {
     PointBulk result;
     if (cells.point_bulk_over_mu.empty()) return result;
     const Pack bound = cells.point_bulk_over_mu[static_cast<std::size_t>(pack)];
@@ -30,4 +30,4 @@ PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::ve
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -6,7 +6,7 @@
 #include "model/cell_kernel.hpp"
 #include "model/pack_model.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 template <class Geometry>
@@ -14,7 +14,7 @@ Eigen::VectorXd densities_of(const PackedCells<Geometry>& cells, const Model& mo
     constexpr int Q = Geometry::points;
     Eigen::VectorXd result(cells.pack_count() * Q * pack_width);
     parallel_ranges(cells.pack_count(), 24, [&](int first, int end) {
-        LawResponse<Pack> law;
+        material::LawResponse<Pack> law;
         for (int pack = first; pack < end; ++pack) {
             const auto xe = nodes_of_pack(cells, pack, x);
             const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
@@ -38,4 +38,4 @@ Eigen::VectorXd isochoric_energy_densities(const Model& model, const Eigen::Matr
     return std::visit([&](const auto& cells) { return densities_of(cells, model, x); }, model.body->cells);
 }
 
-}  // namespace myo
+}  // namespace myo::model

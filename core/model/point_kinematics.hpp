@@ -3,7 +3,7 @@
 #include "model/pack_tensors.hpp"
 #include "model/packed_cells.hpp"
 
-namespace myo {
+namespace myo::model {
 
 /// Number of the block (a, b), a >= b, of a cell's symmetric matrix: column by column of the lower triangle.
 template <int N>
@@ -13,7 +13,7 @@ constexpr int lower_block(int a, int b) {
 
 /// 3 x 3 blocks of a cell's symmetric matrix, see lower_block().
 template <int N>
-using PackMatrix = std::array<Matrix3<Pack>, static_cast<std::size_t>(N * (N + 1) / 2)>;
+using PackMatrix = std::array<material::Matrix3<Pack>, static_cast<std::size_t>(N*(N + 1) / 2)>;
 
 // How the points of a pack of cells deform as functions of its nodes. Each kind of cell gives, for its geometry,
 //
@@ -41,12 +41,14 @@ public:
     PointKinematics(const PackGeometry<N, Q>& geometry, const PackSurroundings&, const PackNodes<N>& x, const Pack&)
         : geometry_(geometry), x_(x) {}
 
-    Matrix3<Pack> gradient(int q) const { return nodal_product(x_, geometry_.gradient[static_cast<std::size_t>(q)]); }
+    material::Matrix3<Pack> gradient(int q) const {
+        return nodal_product(x_, geometry_.gradient[static_cast<std::size_t>(q)]);
+    }
     Pack weight(int q) const { return geometry_.weight[static_cast<std::size_t>(q)]; }
     const PackGeometry<N, Q>& geometry() const { return geometry_; }
 
     Motion along(const PackNodes<N>& dx) const { return &dx; }
-    Matrix3<Pack> tangent(int q, Motion dx) const {
+    material::Matrix3<Pack> tangent(int q, Motion dx) const {
         return nodal_product(*dx, geometry_.gradient[static_cast<std::size_t>(q)]);
     }
 
@@ -61,7 +63,9 @@ public:
     explicit StressSum(const PointKinematics<PackGeometry<N, Q>>& points)
         : geometry_(points.geometry()), forces_(PackNodes<N>::Constant(Pack(0.0))) {}
 
-    void add(int q, const Matrix3<Pack>& P) { add_nodal(P, geometry_.gradient[static_cast<std::size_t>(q)], forces_); }
+    void add(int q, const material::Matrix3<Pack>& P) {
+        add_nodal(P, geometry_.gradient[static_cast<std::size_t>(q)], forces_);
+    }
     void add_to(PackNodes<N>& forces) const { forces += forces_; }
 
 private:
@@ -71,7 +75,7 @@ private:
 
 /// Blocks K_ab += G_a A G_b for a >= b: the pull-back of a 9 x 9 tangent to the nodes. A is symmetric.
 template <int N>
-void add_pulled_back(const Matrix9<Pack>& A, const Eigen::Matrix<Pack, N, 3>& G, const Pack& weight,
+void add_pulled_back(const material::Matrix9<Pack>& A, const Eigen::Matrix<Pack, N, 3>& G, const Pack& weight,
                      PackMatrix<N>& matrix) {
     for (int b = 0; b < N; ++b) {
         const Pack g0 = weight * G(b, 0), g1 = weight * G(b, 1), g2 = weight * G(b, 2);
@@ -79,7 +83,7 @@ void add_pulled_back(const Matrix9<Pack>& A, const Eigen::Matrix<Pack, N, 3>& G,
         for (int k = 0; k < 3; ++k)
             for (int row = 0; row < 9; ++row) AG(row, k) = A(row, k) * g0 + A(row, k + 3) * g1 + A(row, k + 6) * g2;
         for (int a = b; a < N; ++a) {
-            Matrix3<Pack>& block = matrix[static_cast<std::size_t>(lower_block<N>(a, b))];
+            material::Matrix3<Pack>& block = matrix[static_cast<std::size_t>(lower_block<N>(a, b))];
             for (int k = 0; k < 3; ++k)
                 for (int i = 0; i < 3; ++i)
                     block(i, k) += G(a, 0) * AG(i, k) + G(a, 1) * AG(i + 3, k) + G(a, 2) * AG(i + 6, k);
@@ -94,7 +98,7 @@ public:
     StiffnessSum(const PointKinematics<PackGeometry<N, Q>>& points, PackMatrix<N>& matrix)
         : geometry_(points.geometry()), matrix_(matrix) {}
 
-    void add(int q, const Matrix9<Pack>& A, const Matrix3<Pack>&) {
+    void add(int q, const material::Matrix9<Pack>& A, const material::Matrix3<Pack>&) {
         add_pulled_back<N>(A, geometry_.gradient[static_cast<std::size_t>(q)], Pack(1.0), matrix_);
     }
     void finish() {}
@@ -104,4 +108,4 @@ private:
     PackMatrix<N>& matrix_;
 };
 
-}  // namespace myo
+}  // namespace myo::model

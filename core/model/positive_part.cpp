@@ -2,7 +2,7 @@
 
 #include "base/decompositions.hpp"
 
-namespace myo {
+namespace myo::model {
 
 // Of any size at run time: this path is rare.
 void project_positive(Eigen::Ref<Eigen::MatrixXd> K) {
@@ -11,4 +11,4 @@ void project_positive(Eigen::Ref<Eigen::MatrixXd> K) {
     K = eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
 }
 
-}  // namespace myo
+}  // namespace myo::model

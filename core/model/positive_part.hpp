@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-namespace myo {
+namespace myo::model {
 
 /// Replaces a symmetric matrix by the nearest positive semi-definite one.
 void project_positive(Eigen::Ref<Eigen::MatrixXd> K);
 
-}  // namespace myo
+}  // namespace myo::model

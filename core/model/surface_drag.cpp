@@ -9,7 +9,7 @@
 #include "mesh/face_shape.hpp"
 #include "model/loaded_face.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 struct DragPoint {
     VectorXd shape;
-    double area = 0.0;   // at rest [m2]
+    double area = 0.0;  // at rest [m2]
 };
 
 struct DragFace : LoadedFace {
@@ -39,19 +39,22 @@ public:
             for (const DragPoint& point : face.points) {
                 const Vector3d u = v * point.shape;
                 const double speed = u.norm();
-                if (factor > 0.0) out.energy += point.area / factor * speed * speed * (0.5 * linear_ + quadratic_ * speed / 3.0);
+                if (factor > 0.0)
+                    out.energy += point.area / factor * speed * speed * (0.5 * linear_ + quadratic_ * speed / 3.0);
                 add_force(face, point, point.area * (linear_ + quadratic_ * speed) * u, out.gradient);
                 if (kind == HessianKind::none || factor == 0.0) continue;
                 const Matrix3d H = factor * point.area * by_velocity(u);
                 add_face_hessian(body, face, out.hessian, [&](std::size_t a, std::size_t b) {
-                    return Matrix3d(point.shape(static_cast<Eigen::Index>(a)) * point.shape(static_cast<Eigen::Index>(b)) * H);
+                    return Matrix3d(point.shape(static_cast<Eigen::Index>(a)) *
+                                    point.shape(static_cast<Eigen::Index>(b)) * H);
                 });
             }
         }
     }
 
     bool depends_on_velocity() const override { return true; }
-    void add_velocity_tangent(const Body&, const ForceState& at, const Matrix3Xd& dv, Matrix3Xd& gradient) const override {
+    void add_velocity_tangent(const Body&, const ForceState& at, const Matrix3Xd& dv,
+                              Matrix3Xd& gradient) const override {
         for_each_point(at, [&](const DragFace& face, const DragPoint& point, const Vector3d& u) {
             const Vector3d du = dv(Eigen::all, face.nodes) * point.shape;
             add_force(face, point, point.area * by_velocity(u) * du, gradient);
@@ -59,9 +62,12 @@ public:
     }
 
     std::vector<ForceParameter> parameters() const override {
-        return {{"linear_Pa_s_m", linear_, std::max(linear_, 1.0)}, {"quadratic_kg_m3", quadratic_, std::max(quadratic_, 100.0)}};
+        return {{"linear_Pa_s_m", linear_, std::max(linear_, 1.0)},
+                {"quadratic_kg_m3", quadratic_, std::max(quadratic_, 100.0)}};
     }
-    ForceElementPointer changed(const VectorXd& values) const override { return std::make_shared<SurfaceDrag>(faces_, values(0), values(1)); }
+    ForceElementPointer changed(const VectorXd& values) const override {
+        return std::make_shared<SurfaceDrag>(faces_, values(0), values(1));
+    }
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
         for_each_point(at, [&](const DragFace& face, const DragPoint& point, const Vector3d& u) {
             add_force(face, point, point.area * (change(0) + change(1) * u.norm()) * u, gradient);
@@ -78,7 +84,8 @@ private:
     }
 
     static void add_force(const DragFace& face, const DragPoint& point, const Vector3d& force, Matrix3Xd& gradient) {
-        for (std::size_t a = 0; a < face.nodes.size(); ++a) gradient.col(face.nodes[a]) += point.shape(static_cast<Eigen::Index>(a)) * force;
+        for (std::size_t a = 0; a < face.nodes.size(); ++a)
+            gradient.col(face.nodes[a]) += point.shape(static_cast<Eigen::Index>(a)) * force;
     }
 
     template <class Visit>
@@ -96,19 +103,20 @@ private:
 
 }  // namespace
 
-ForceElementPointer surface_drag(const Body& body, const std::vector<int>& faces, double linear_Pa_s_m, double quadratic_kg_m3) {
+ForceElementPointer surface_drag(const Body& body, const std::vector<int>& faces, double linear_Pa_s_m,
+                                 double quadratic_kg_m3) {
     auto wetted = std::make_shared<std::vector<DragFace>>();
     for (const LoadedFace& loaded : loaded_faces(body, faces)) {
         DragFace face{loaded, {}};
         const auto count = static_cast<int>(face.nodes.size());
         const Matrix3Xd X = body.mesh.nodes(Eigen::all, face.nodes);
-        for (const FacePoint& point : face_quadrature(count)) {
-            const Eigen::Matrix<double, 3, 2> T = X * face_shape_gradient(count, point.uv);
-            face.points.push_back({face_shape(count, point.uv), point.weight * T.col(0).cross(T.col(1)).norm()});
+        for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
+            const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(count, point.uv);
+            face.points.push_back({mesh::face_shape(count, point.uv), point.weight * T.col(0).cross(T.col(1)).norm()});
         }
         wetted->push_back(std::move(face));
     }
     return std::make_shared<SurfaceDrag>(wetted, linear_Pa_s_m, quadratic_kg_m3);
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -5,7 +5,7 @@
 
 #include "model/loaded_face.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -16,7 +16,11 @@ using Eigen::VectorXd;
 class TiedSpring : public ForceElement {
 public:
     TiedSpring(LoadedFace nodes, VectorXd shares, const Vector3d& anchor, double rest_length, double stiffness)
-        : at_(std::move(nodes)), shares_(std::move(shares)), anchor_(anchor), rest_length_(rest_length), stiffness_(stiffness) {}
+        : at_(std::move(nodes)),
+          shares_(std::move(shares)),
+          anchor_(anchor),
+          rest_length_(rest_length),
+          stiffness_(stiffness) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         const Vector3d arm = at.x(Eigen::all, at_.nodes) * shares_ - anchor_;
@@ -25,7 +29,7 @@ public:
         out.energy += 0.5 * stiffness_ * stretch * stretch;
         add_force(stiffness_ * stretch * d, out.gradient);
         if (kind == HessianKind::none) return;
-        double across = stretch / length;   // the spring turns: it pushes away from its line when it is shortened
+        double across = stretch / length;  // the spring turns: it pushes away from its line when it is shortened
         if (kind != HessianKind::exact) across = std::max(0.0, across);
         const Matrix3d H = stiffness_ * (d * d.transpose() + across * (Matrix3d::Identity() - d * d.transpose()));
         add_face_hessian(body, at_, out.hessian, [&](std::size_t a, std::size_t b) {
@@ -33,7 +37,9 @@ public:
         });
     }
 
-    std::vector<ForceParameter> parameters() const override { return {{"stiffness_N_m", stiffness_, std::max(stiffness_, 1.0)}}; }
+    std::vector<ForceParameter> parameters() const override {
+        return {{"stiffness_N_m", stiffness_, std::max(stiffness_, 1.0)}};
+    }
     ForceElementPointer changed(const VectorXd& values) const override {
         return std::make_shared<TiedSpring>(at_, shares_, anchor_, rest_length_, values(0));
     }
@@ -44,7 +50,8 @@ public:
 
 private:
     void add_force(const Vector3d& force, Matrix3Xd& gradient) const {
-        for (std::size_t a = 0; a < at_.nodes.size(); ++a) gradient.col(at_.nodes[a]) += shares_(static_cast<Eigen::Index>(a)) * force;
+        for (std::size_t a = 0; a < at_.nodes.size(); ++a)
+            gradient.col(at_.nodes[a]) += shares_(static_cast<Eigen::Index>(a)) * force;
     }
 
     LoadedFace at_;
@@ -55,8 +62,8 @@ private:
 
 }  // namespace
 
-ForceElementPointer tied_spring(const Body& body, int cell, const std::vector<int>& nodes, const VectorXd& shares, const Vector3d& anchor_m,
-                                double stiffness_N_m) {
+ForceElementPointer tied_spring(const Body& body, int cell, const std::vector<int>& nodes, const VectorXd& shares,
+                                const Vector3d& anchor_m, double stiffness_N_m) {
     LoadedFace at{nodes, cell, {}};
     for (const int node : nodes) {
         const auto column = body.mesh.cells.col(cell);
@@ -67,4 +74,4 @@ ForceElementPointer tied_spring(const Body& body, int cell, const std::vector<in
     return std::make_shared<TiedSpring>(std::move(at), shares, anchor_m, length, stiffness_N_m);
 }
 
-}  // namespace myo
+}  // namespace myo::model

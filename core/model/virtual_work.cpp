@@ -7,7 +7,7 @@
 #include "model/fibre_cells.hpp"
 #include "model/pack_model.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -20,24 +20,25 @@ struct PackWork {
 template <class Geometry>
 PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
                    const Matrix3Xd& p, const StrainRate& rate) {
-    const Material& material = *model.material;
+    const material::Material& material = *model.material;
     const PointBulk bulk = point_bulk(cells, pack, model.moduli);
     const auto xe = nodes_of_pack(cells, pack, x), pe = nodes_of_pack(cells, pack, p);
     const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
     const auto motion = points.along(pe);
-    const double* history = rate.history ? rate.history->data() + pack * cells.strains_per_cell() * pack_width : nullptr;
+    const double* history = rate.history ? rate.history->data() + pack * cells.strains_per_cell() * pack_width
+                                         : nullptr;
     const double* factors = factors_of(cells, pack, model.point_factors);
-    const Pack one = 1.0, zero = 0.0;   // the work is linear in the moduli
+    const Pack one = 1.0, zero = 0.0;  // the work is linear in the moduli
     const bool split = material.has_split();
     PackWork work;
-    Pack theta = 0.0, d_theta = 0.0, mean_factor = 0.0;   // means over the cell
-    LawResponse<Pack> law;
+    Pack theta = 0.0, d_theta = 0.0, mean_factor = 0.0;  // means over the cell
+    material::LawResponse<Pack> law;
     for (int q = 0; q < Geometry::points; ++q) {
         const Pack factor = factors ? entry(factors, q) : one, weight = points.weight(q);
-        const Matrix3<Pack> F = points.gradient(q), dF = points.tangent(q, motion);
+        const material::Matrix3<Pack> F = points.gradient(q), dF = points.tangent(q, motion);
         material.respond(F, factor, zero, false, law);
-        work.mu += weight * double_dot(law.distortion.gradient, dF);
-        const Pack change = double_dot(law.volume.gradient, dF);
+        work.mu += weight * material::double_dot(law.distortion.gradient, dF);
+        const Pack change = material::double_dot(law.volume.gradient, dF);
         if (!split) {
             work.kappa += weight * factor * change;
         } else if (!cells.mean_volume) {
@@ -69,10 +70,11 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
 
 ModuliWork no_moduli_work(const Model& model) {
     const auto cells = static_cast<std::size_t>(model.body->cell_count());
-    return {std::vector<Moduli>(cells), std::vector<double>(cells, 0.0)};
+    return {std::vector<material::Moduli>(cells), std::vector<double>(cells, 0.0)};
 }
 
-void add_moduli_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, const StrainRate& rate, ModuliWork& work) {
+void add_moduli_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, const StrainRate& rate,
+                     ModuliWork& work) {
     assert(x.cols() == model.body->node_count() && p.cols() == x.cols());
     std::visit(
         [&](const auto& cells) {
@@ -80,7 +82,8 @@ void add_moduli_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p,
                 for (int pack = first; pack < end; ++pack) {
                     const PackWork of_pack = pack_work(cells, pack, model, x, p, rate);
                     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
-                        const auto l = static_cast<std::size_t>(lane), c = static_cast<std::size_t>(pack * pack_width + lane);
+                        const auto l = static_cast<std::size_t>(lane),
+                                   c = static_cast<std::size_t>(pack * pack_width + lane);
                         work.elastic[c].mu += of_pack.mu[l];
                         work.elastic[c].kappa += of_pack.kappa[l];
                         work.viscous[c] += of_pack.viscous[l];
@@ -96,32 +99,34 @@ FibreWork no_fibre_work(const Model& model, bool with_shapes) {
     work.by_activation.assign(model.fibres->size(), 0.0);
     work.by_stiffness.assign(model.fibres->size(), 0.0);
     if (!with_shapes) return work;
-    for (const FibreGroup& group : *model.fibres) {
+    for (const fibre::FibreGroup& group : *model.fibres) {
         work.by_shape.emplace_back();
-        for (const FibrePoint& point : group.points) work.by_shape.back().push_back(Eigen::VectorXd::Zero(point.shape.size()));
+        for (const fibre::FibrePoint& point : group.points)
+            work.by_shape.back().push_back(Eigen::VectorXd::Zero(point.shape.size()));
     }
     return work;
 }
 
-void add_fibre_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, const std::vector<double>& activation, FibreWork& work) {
+void add_fibre_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, const std::vector<double>& activation,
+                    FibreWork& work) {
     const Eigen::MatrixXi& cells = model.body->mesh.cells;
     for_each_fibre_cell(model, [&](auto nodes, std::size_t g, std::size_t first, std::size_t last) {
         constexpr int N = decltype(nodes)::value;
-        const FibreGroup& group = (*model.fibres)[g];
+        const fibre::FibreGroup& group = (*model.fibres)[g];
         const int cell = group.points[first].cell;
         const CellVectors<N> xe = cell_vectors<N>(cells, cell, x), pe = cell_vectors<N>(cells, cell, p);
         for (std::size_t k = first; k < last; ++k) {
-            const FibrePoint& point = group.points[k];
+            const fibre::FibrePoint& point = group.points[k];
             const auto shape = shape_of<N>(point);
             const Eigen::Vector3d s = xe.transpose() * shape, ds = pe.transpose() * shape;
             const double length = s.norm(), along = s.dot(ds) / length * point.volume;
             work.by_activation[g] -= group.stiffness_Pa * along;
             work.by_stiffness[g] += (length - activation[g]) * along;
             if (work.by_shape.empty()) continue;
-            const FibreResponse response = fibre_response(s, activation[g], group.stiffness_Pa);
+            const fibre::FibreResponse response = fibre::fibre_response(s, activation[g], group.stiffness_Pa);
             work.by_shape[g][k] += point.volume * (xe * (response.hessian * ds) + pe * response.gradient);
         }
     });
 }
 
-}  // namespace myo
+}  // namespace myo::model

@@ -3,7 +3,7 @@
 
 #include "report/frame.hpp"
 
-namespace myo {
+namespace myo::report {
 
 double label_room(const Ticks& ticks) {
     double widest = 0.0;
@@ -19,13 +19,14 @@ std::string draw_vertical_axis(const Axis& axis, const PlannedAxis& plan, const 
         out += svg_line(area.left, y, area.right(), y, zero ? ink::axis : ink::grid, zero ? 0.8 : 1.0);
         out += svg_text(area.left - 7.0, y + 4.0, plan.ticks.labels[i], {.anchor = Anchor::end});
     }
-    return out + svg_text(area.left, area.top - 7.0, axis_title(axis, plan.ticks), {.size = 11.5, .colour = ink::quiet});
+    return out +
+           svg_text(area.left, area.top - 7.0, axis_title(axis, plan.ticks), {.size = 11.5, .colour = ink::quiet});
 }
 
 std::string draw_horizontal_axis(const Axis& axis, const PlannedAxis& plan, const Rectangle& area, bool with_labels) {
     const double y = area.bottom();
     std::string out = svg_line(area.left, y, area.right(), y, ink::axis, 1.0);
-    double free_from = -1e9;   // labels of a narrow logarithmic axis can meet
+    double free_from = -1e9;  // labels of a narrow logarithmic axis can meet
     for (std::size_t i = 0; i < plan.ticks.values.size(); ++i) {
         const double x = plan.scale(plan.ticks.values[i]);
         out += svg_line(x, y, x, y + 4.0, ink::axis, 1.0);
@@ -35,13 +36,15 @@ std::string draw_horizontal_axis(const Axis& axis, const PlannedAxis& plan, cons
         free_from = x + half + 4.0;
     }
     if (with_labels)
-        out += svg_text(area.left + 0.5 * area.width, y + 33.0, axis_title(axis, plan.ticks), {.size = 11.5, .anchor = Anchor::middle});
+        out += svg_text(area.left + 0.5 * area.width, y + 33.0, axis_title(axis, plan.ticks),
+                        {.size = 11.5, .anchor = Anchor::middle});
     return out;
 }
 
-std::string draw_vertical_references(const std::vector<ReferenceLine>& lines, const Scale& scale, const Rectangle& area) {
+std::string draw_vertical_references(const std::vector<ReferenceLine>& lines, const Scale& scale,
+                                     const Rectangle& area) {
     std::string out;
-    int row = 0;   // words of neighbouring lines step down so that they do not meet
+    int row = 0;  // words of neighbouring lines step down so that they do not meet
     for (const ReferenceLine& line : lines) {
         const double x = scale(line.value);
         if (!std::isfinite(x) || x < area.left - 0.5 || x > area.right() + 0.5) continue;
@@ -54,4 +57,4 @@ std::string draw_vertical_references(const std::vector<ReferenceLine>& lines, co
     return out;
 }
 
-}  // namespace myo
+}  // namespace myo::report

@@ -5,14 +5,16 @@
 #include "report/frame.hpp"
 #include "report/markup.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 constexpr double right_margin = 22.0, title_of_panel = 24.0;
 
 // From zero to the value, whichever is above; nothing for a value that cannot be drawn.
-std::string draw_bar(const PlannedAxis& y, const Rectangle& area, double left, double width, double value, std::string_view colour) {
-    const double base = y.scale(y.scale.logarithmic ? y.scale.lowest : std::clamp(0.0, y.scale.lowest, y.scale.highest));
+std::string draw_bar(const PlannedAxis& y, const Rectangle& area, double left, double width, double value,
+                     std::string_view colour) {
+    const double base = y.scale(y.scale.logarithmic ? y.scale.lowest
+                                                    : std::clamp(0.0, y.scale.lowest, y.scale.highest));
     const double end = std::clamp(y.scale(value), area.top, area.bottom());
     if (!std::isfinite(y.scale(value))) return {};
     return svg_box({left, std::min(base, end), width, std::abs(end - base)}, colour, width > 8.0 ? 1.5 : 0.0);
@@ -25,8 +27,8 @@ std::string draw_categories(const std::vector<std::string>& names, const Rectang
     for (std::size_t i = 0; i < names.size(); ++i) {
         const double x = area.left + (static_cast<double>(i) + 0.5) * slot;
         if (turned)
-            out += "<g transform=\"translate(" + pixel(x + 4.0) + " " + pixel(area.bottom() + 14.0) + ") rotate(-35)\">" +
-                   svg_text(0, 0, names[i], {.anchor = Anchor::end}) + "</g>\n";
+            out += "<g transform=\"translate(" + pixel(x + 4.0) + " " + pixel(area.bottom() + 14.0) +
+                   ") rotate(-35)\">" + svg_text(0, 0, names[i], {.anchor = Anchor::end}) + "</g>\n";
         else
             out += svg_text(x, area.bottom() + 16.0, names[i], {.anchor = Anchor::middle});
     }
@@ -70,8 +72,9 @@ std::string svg(const BarChart& chart) {
     const double bar = std::min(0.72 * slot / groups, 56.0);
     for (std::size_t g = 0; g < chart.groups.size(); ++g)
         for (std::size_t i = 0; i < std::min(chart.groups[g].values.size(), chart.categories.size()); ++i)
-            body += draw_bar(y, area, left + (static_cast<double>(i) + 0.5) * slot + (static_cast<double>(g) - 0.5 * groups) * bar,
-                             bar - 1.0, chart.groups[g].values[i], slot_colour(static_cast<int>(g)));
+            body += draw_bar(
+                y, area, left + (static_cast<double>(i) + 0.5) * slot + (static_cast<double>(g) - 0.5 * groups) * bar,
+                bar - 1.0, chart.groups[g].values[i], slot_colour(static_cast<int>(g)));
     body += draw_categories(chart.categories, area, turned);
     const double below = turned ? 22.0 + std::min(0.6 * widest, 140.0) : 26.0;
     return open_svg(left + width + right_margin, area.bottom() + below, chart.title) + body + "</svg>\n";
@@ -100,8 +103,10 @@ std::string svg(const Histogram& histogram) {
         if (!(to > from)) continue;
         body += draw_bar(y, area, from + 0.5, std::max(0.5, to - from - 1.0), histogram.counts[i], slot_colour(0));
     }
-    body += draw_horizontal_axis(histogram.x, x, area, true) + draw_vertical_references(histogram.vertical, x.scale, area);
-    return open_svg(left + width + right_margin, area.bottom() + horizontal_axis_height, histogram.title) + body + "</svg>\n";
+    body += draw_horizontal_axis(histogram.x, x, area, true) +
+            draw_vertical_references(histogram.vertical, x.scale, area);
+    return open_svg(left + width + right_margin, area.bottom() + horizontal_axis_height, histogram.title) + body +
+           "</svg>\n";
 }
 
-}  // namespace myo
+}  // namespace myo::report

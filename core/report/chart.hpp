@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::report {
 
 /// Figures as values; svg() turns each into one SVG document without width, so that it fills its column.
 /// Same value, same text. NaN and infinite samples are gaps; nothing but finite numbers is written.
@@ -13,26 +13,26 @@ namespace myo {
 /// What an axis shows. The range follows the data unless it is given.
 struct Axis {
     std::string label = {};
-    std::string unit = {};   // in brackets after the label; empty for numbers without unit
+    std::string unit = {};  // in brackets after the label; empty for numbers without unit
     std::optional<double> lowest = std::nullopt;
     std::optional<double> highest = std::nullopt;
-    bool logarithmic = false;   // values <= 0 are then gaps
+    bool logarithmic = false;  // values <= 0 are then gaps
     bool include_zero = false;
 };
 
 enum class SeriesStyle { line, dashed, dots, line_and_dots };
 
 /// Colour slots: 0 ... 5 of series_palette, or these.
-inline constexpr int automatic_colour = -1;   // the next slot; one name has one colour in all panels
-inline constexpr int ink_colour = -2;         // black, for what was measured
+inline constexpr int automatic_colour = -1;  // the next slot; one name has one colour in all panels
+inline constexpr int ink_colour = -2;        // black, for what was measured
 
 struct Series {
-    std::string name = {};        // in the legend; empty = not listed
-    std::vector<double> x = {};   // same length as y
+    std::string name = {};       // in the legend; empty = not listed
+    std::vector<double> x = {};  // same length as y
     std::vector<double> y = {};
     SeriesStyle style = SeriesStyle::line;
     int colour = automatic_colour;
-    std::vector<double> half_width = {};   // a pale band y ± half_width; empty or as long as y
+    std::vector<double> half_width = {};  // a pale band y ± half_width; empty or as long as y
 };
 
 /// A thin line across the panel at one value, with a word beside it.
@@ -68,8 +68,8 @@ std::string svg(const LineChart& chart);
 
 /// Bars side by side for each category, from zero.
 struct BarGroup {
-    std::string name = {};             // in the legend when there are several groups
-    std::vector<double> values = {};   // one per category; NaN = no bar
+    std::string name = {};            // in the legend when there are several groups
+    std::vector<double> values = {};  // one per category; NaN = no bar
 };
 struct BarChart {
     std::string title = {};
@@ -85,7 +85,7 @@ std::string svg(const BarChart& chart);
 struct Histogram {
     std::string title = {};
     Axis x = {};
-    std::vector<double> edges = {};    // ascending, one more than counts
+    std::vector<double> edges = {};  // ascending, one more than counts
     std::vector<double> counts = {};
     std::string count_label = "count";
     std::vector<ReferenceLine> vertical = {};
@@ -103,18 +103,18 @@ Histogram histogram_of(const std::vector<double>& samples, int wanted_bins = 0);
 struct ErrorBarRow {
     std::string name = {};
     double value = 0.0;
-    double lowest = std::numeric_limits<double>::quiet_NaN();    // end of the interval; NaN = none
+    double lowest = std::numeric_limits<double>::quiet_NaN();  // end of the interval; NaN = none
     double highest = std::numeric_limits<double>::quiet_NaN();
     std::optional<double> reference = std::nullopt;
 };
 struct ErrorBarChart {
     std::string title = {};
     Axis x = {};
-    std::vector<ErrorBarRow> rows = {};   // from top to bottom
-    std::string reference_name = {};      // in the legend
+    std::vector<ErrorBarRow> rows = {};  // from top to bottom
+    std::string reference_name = {};     // in the legend
     std::vector<ReferenceLine> vertical = {};
     double width_px = 760.0;
 };
 std::string svg(const ErrorBarChart& chart);
 
-}  // namespace myo
+}  // namespace myo::report

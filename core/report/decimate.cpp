@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 void append(Polyline& out, const Polyline& in, std::size_t i) {
@@ -52,4 +52,4 @@ Polyline decimate(const Polyline& curve, double columns_per_px) {
     return out;
 }
 
-}  // namespace myo
+}  // namespace myo::report

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace myo {
+namespace myo::report {
 
 /// Points of a curve in pixels; a point with NaN is a gap.
 struct Polyline {
@@ -16,4 +16,4 @@ struct Polyline {
 /// @param columns_per_px  columns per pixel; 2 keeps prints sharp
 Polyline decimate(const Polyline& curve, double columns_per_px = 2.0);
 
-}  // namespace myo
+}  // namespace myo::report

@@ -5,10 +5,11 @@
 
 #include "report/markup.hpp"
 
-namespace myo {
+namespace myo::report {
 
 double Scale::operator()(double value) const {
-    const double s = logarithmic ? std::log(value / lowest) / std::log(highest / lowest) : (value - lowest) / (highest - lowest);
+    const double s = logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
+                                 : (value - lowest) / (highest - lowest);
     return from_px + s * (to_px - from_px);
 }
 
@@ -67,25 +68,29 @@ std::string open_svg(double width, double height, const std::string& title) {
 
 std::string svg_text(double x, double y, std::string_view text, const TextStyle& style) {
     if (text.empty()) return {};
-    std::string out = "<text x=\"" + pixel(x) + "\" y=\"" + pixel(y) + "\" font-size=\"" + pixel(style.size) + "\" fill=\"" +
-                      std::string(style.colour) + "\"";
+    std::string out = "<text x=\"" + pixel(x) + "\" y=\"" + pixel(y) + "\" font-size=\"" + pixel(style.size) +
+                      "\" fill=\"" + std::string(style.colour) + "\"";
     if (style.anchor == Anchor::middle) out += " text-anchor=\"middle\"";
     if (style.anchor == Anchor::end) out += " text-anchor=\"end\"";
     if (style.bold) out += " font-weight=\"600\"";
-    if (style.halo) out += " stroke=\"" + std::string(ink::paper) + "\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+    if (style.halo)
+        out += " stroke=\"" + std::string(ink::paper) +
+               "\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
     return out + ">" + escape_markup(text) + "</text>\n";
 }
 
-std::string svg_line(double x1, double y1, double x2, double y2, std::string_view colour, double width, std::string_view dash) {
-    std::string out = "<line x1=\"" + pixel(x1) + "\" y1=\"" + pixel(y1) + "\" x2=\"" + pixel(x2) + "\" y2=\"" + pixel(y2) +
-                      "\" stroke=\"" + std::string(colour) + "\" stroke-width=\"" + pixel(width) + "\"";
+std::string svg_line(double x1, double y1, double x2, double y2, std::string_view colour, double width,
+                     std::string_view dash) {
+    std::string out = "<line x1=\"" + pixel(x1) + "\" y1=\"" + pixel(y1) + "\" x2=\"" + pixel(x2) + "\" y2=\"" +
+                      pixel(y2) + "\" stroke=\"" + std::string(colour) + "\" stroke-width=\"" + pixel(width) + "\"";
     if (!dash.empty()) out += " stroke-dasharray=\"" + std::string(dash) + "\"";
     return out + "/>\n";
 }
 
 std::string svg_box(const Rectangle& box, std::string_view colour, double radius, double opacity) {
-    std::string out = "<rect x=\"" + pixel(box.left) + "\" y=\"" + pixel(box.top) + "\" width=\"" + pixel(std::max(0.0, box.width)) +
-                      "\" height=\"" + pixel(std::max(0.0, box.height)) + "\" fill=\"" + std::string(colour) + "\"";
+    std::string out = "<rect x=\"" + pixel(box.left) + "\" y=\"" + pixel(box.top) + "\" width=\"" +
+                      pixel(std::max(0.0, box.width)) + "\" height=\"" + pixel(std::max(0.0, box.height)) +
+                      "\" fill=\"" + std::string(colour) + "\"";
     if (radius > 0.0) out += " rx=\"" + pixel(radius) + "\"";
     if (opacity < 1.0) out += " fill-opacity=\"" + pixel(opacity) + "\"";
     return out + "/>\n";
@@ -103,7 +108,8 @@ std::string draw_title(const std::string& title, double left, double& height) {
     return svg_text(left, 20.0, title, {.size = 14.0, .colour = ink::text, .bold = true});
 }
 
-std::string draw_legend(const std::vector<LegendEntry>& entries, double left, double top, double width, double& height) {
+std::string draw_legend(const std::vector<LegendEntry>& entries, double left, double top, double width,
+                        double& height) {
     std::string out;
     double x = left, y = top + 12.0;
     for (const LegendEntry& entry : entries) {
@@ -120,4 +126,4 @@ std::string draw_legend(const std::vector<LegendEntry>& entries, double left, do
     return out;
 }
 
-}  // namespace myo
+}  // namespace myo::report

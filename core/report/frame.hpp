@@ -9,7 +9,7 @@
 #include "report/palette.hpp"
 #include "report/ticks.hpp"
 
-namespace myo {
+namespace myo::report {
 
 /// The parts that all figures share: document, text, axes, legend. Coordinates in pixels, y down.
 
@@ -26,7 +26,7 @@ struct Rectangle {
 struct Scale {
     double lowest = 0.0;
     double highest = 1.0;
-    double from_px = 0.0;   // pixel of `lowest`
+    double from_px = 0.0;  // pixel of `lowest`
     double to_px = 1.0;
     bool logarithmic = false;
     double operator()(double value) const;
@@ -60,10 +60,11 @@ struct TextStyle {
     Anchor anchor = Anchor::start;
     std::string_view colour = ink::quiet;
     bool bold = false;
-    bool halo = false;   // white rim, for text over curves
+    bool halo = false;  // white rim, for text over curves
 };
 std::string svg_text(double x, double y, std::string_view text, const TextStyle& style = {});
-std::string svg_line(double x1, double y1, double x2, double y2, std::string_view colour, double width, std::string_view dash = {});
+std::string svg_line(double x1, double y1, double x2, double y2, std::string_view colour, double width,
+                     std::string_view dash = {});
 std::string svg_box(const Rectangle& box, std::string_view colour, double radius = 0.0, double opacity = 1.0);
 
 /// Estimated width of text in the system font.
@@ -80,12 +81,13 @@ std::string draw_horizontal_axis(const Axis& axis, const PlannedAxis& plan, cons
 inline constexpr double horizontal_axis_height = 40.0;
 
 /// Thin lines at values of a horizontal scale, over the height of the area, their words at its top.
-std::string draw_vertical_references(const std::vector<ReferenceLine>& lines, const Scale& scale, const Rectangle& area);
+std::string draw_vertical_references(const std::vector<ReferenceLine>& lines, const Scale& scale,
+                                     const Rectangle& area);
 
 /// How a legend entry shows its series.
 struct LegendEntry {
     std::string name;
-    std::string sign;     // SVG drawn around (0, 0), 22 px wide
+    std::string sign;  // SVG drawn around (0, 0), 22 px wide
 };
 
 /// Lines of entries that start at (left, top) and wrap at `width`; `height` gets what they take.
@@ -97,4 +99,4 @@ std::string_view slot_colour(int slot);
 /// Title line and the height that it takes (0 when empty).
 std::string draw_title(const std::string& title, double left, double& height);
 
-}  // namespace myo
+}  // namespace myo::report

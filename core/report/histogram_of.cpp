@@ -4,7 +4,7 @@
 #include "report/chart.hpp"
 #include "report/ticks.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 double quantile(const std::vector<double>& sorted, double q) {
@@ -13,7 +13,8 @@ double quantile(const std::vector<double>& sorted, double q) {
 
 // Freedman & Diaconis 1981: width 2 IQR n^(-1/3).
 int bins_by_spread(const std::vector<double>& sorted) {
-    const double width = 2.0 * (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / std::cbrt(static_cast<double>(sorted.size()));
+    const double width = 2.0 * (quantile(sorted, 0.75) - quantile(sorted, 0.25)) /
+                         std::cbrt(static_cast<double>(sorted.size()));
     const double range = sorted.back() - sorted.front();
     if (!(width > 0.0) || !(range > 0.0)) return 10;
     return static_cast<int>(std::clamp(std::ceil(range / width), 5.0, 60.0));
@@ -23,7 +24,8 @@ int bins_by_spread(const std::vector<double>& sorted) {
 
 Histogram histogram_of(const std::vector<double>& samples, int wanted_bins) {
     std::vector<double> sorted;
-    std::copy_if(samples.begin(), samples.end(), std::back_inserter(sorted), [](double v) { return std::abs(v) < 1e150; });
+    std::copy_if(samples.begin(), samples.end(), std::back_inserter(sorted),
+                 [](double v) { return std::abs(v) < 1e150; });
     Histogram histogram;
     if (sorted.empty()) return histogram;
     std::sort(sorted.begin(), sorted.end());
@@ -42,4 +44,4 @@ Histogram histogram_of(const std::vector<double>& samples, int wanted_bins) {
     return histogram;
 }
 
-}  // namespace myo
+}  // namespace myo::report

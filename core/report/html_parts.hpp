@@ -5,7 +5,7 @@
 
 #include "report/html_report.hpp"
 
-namespace myo {
+namespace myo::report {
 
 /// The page's style sheet.
 std::string_view html_style();
@@ -13,4 +13,4 @@ std::string_view html_style();
 /// A table as HTML.
 std::string html_table(const Table& table);
 
-}  // namespace myo
+}  // namespace myo::report

@@ -6,7 +6,7 @@
 #include "report/html_parts.hpp"
 #include "report/markup.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 std::string element(const std::string& name, const std::string& escaped_content) {
@@ -53,10 +53,14 @@ std::string block(const Preformatted& text) { return element("pre", escape_marku
 std::string block(const EmbeddedJson& json) {
     std::string safe;
     for (const char c : json_line(json.value)) {
-        if (c == '<') safe += "\\u003c";
-        else if (c == '>') safe += "\\u003e";
-        else if (c == '&') safe += "\\u0026";
-        else safe += c;
+        if (c == '<')
+            safe += "\\u003c";
+        else if (c == '>')
+            safe += "\\u003e";
+        else if (c == '&')
+            safe += "\\u0026";
+        else
+            safe += c;
     }
     return "<script type=\"application/json\" id=\"" + escape_markup(json.id) + "\">" + safe + "</script>\n";
 }
@@ -64,7 +68,8 @@ std::string block(const EmbeddedJson& json) {
 std::string blocks(const std::vector<Block>& content);
 
 std::string block(const Details& details) {
-    return "<details><summary>" + escape_markup(details.summary) + "</summary>\n" + blocks(details.blocks) + "</details>\n";
+    return "<details><summary>" + escape_markup(details.summary) + "</summary>\n" + blocks(details.blocks) +
+           "</details>\n";
 }
 
 std::string blocks(const std::vector<Block>& content) {
@@ -89,11 +94,13 @@ std::string tiles(const std::vector<KeyFigure>& figures) {
 
 std::string html(const HtmlReport& report) {
     const std::string title = escape_markup(report.title);
-    std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-                      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-                      // An icon in the page itself: browsers would ask the network for one.
-                      "<link rel=\"icon\" href=\"data:,\"/>\n<title>" + title + "</title>\n<style>" +
-                      std::string(html_style()) + "</style>\n</head>\n<body>\n<main>\n<header>\n<h1>" + title + "</h1>\n";
+    std::string out =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        // An icon in the page itself: browsers would ask the network for one.
+        "<link rel=\"icon\" href=\"data:,\"/>\n<title>" +
+        title + "</title>\n<style>" + std::string(html_style()) + "</style>\n</head>\n<body>\n<main>\n<header>\n<h1>" +
+        title + "</h1>\n";
     for (const std::string& line : report.summary) out += element("p", escape_markup(line));
     out += tiles(report.key_figures) + "</header>\n" + block(report.warnings);
     for (const Section& section : report.sections) {
@@ -105,6 +112,8 @@ std::string html(const HtmlReport& report) {
     return out + "</main>\n</body>\n</html>\n";
 }
 
-Result<void> write_html(const std::filesystem::path& path, const HtmlReport& report) { return write_file(path, html(report)); }
+Result<void> write_html(const std::filesystem::path& path, const HtmlReport& report) {
+    return write_file(path, html(report));
+}
 
-}  // namespace myo
+}  // namespace myo::report

@@ -11,7 +11,7 @@
 #include "base/result.hpp"
 #include "report/json.hpp"
 
-namespace myo {
+namespace myo::report {
 
 /// A report as a value; html() turns it into one self-contained page: no script, no network, prints well.
 ///
@@ -31,8 +31,8 @@ struct BulletList {
 
 struct Column {
     std::string title = {};
-    std::string unit = {};    // shown under the title; empty for none
-    int digits = 4;      // significant digits of the column's largest number
+    std::string unit = {};  // shown under the title; empty for none
+    int digits = 4;         // significant digits of the column's largest number
 };
 
 /// Text or a number. A number that is not finite shows as a dash.
@@ -41,8 +41,8 @@ struct Cell {
     Cell(std::string text) : content(std::move(text)) {}
     Cell(const char* text) : content(std::string(text)) {}
     template <class Number>
-        requires(std::floating_point<Number> || std::integral<Number>)
-    Cell(Number value) : content(static_cast<double>(value)) {}
+    requires(std::floating_point<Number> || std::integral<Number>) Cell(Number value)
+        : content(static_cast<double>(value)) {}
 };
 
 /// Columns whose cells are all numbers are set in figures of equal width, aligned at the point. Rows shorter than the
@@ -60,7 +60,7 @@ struct Figure {
 };
 
 struct WarningBox {
-    std::vector<std::string> lines = {};   // none = no box
+    std::vector<std::string> lines = {};  // none = no box
 };
 
 /// Monospaced text as it is.
@@ -85,8 +85,7 @@ struct Details {
 struct Block {
     std::variant<Paragraph, BulletList, Table, Figure, WarningBox, Preformatted, EmbeddedJson, Details> content;
     template <class Kind>
-        requires(!std::same_as<std::remove_cvref_t<Kind>, Block>)
-    Block(Kind&& kind) : content(std::forward<Kind>(kind)) {}
+    requires(!std::same_as<std::remove_cvref_t<Kind>, Block>) Block(Kind&& kind) : content(std::forward<Kind>(kind)) {}
 };
 
 struct Section {
@@ -97,18 +96,18 @@ struct Section {
 /// A number worth a tile at the top.
 struct KeyFigure {
     std::string label = {};
-    std::string value = {};   // "2.61 × 10⁵"
+    std::string value = {};  // "2.61 × 10⁵"
     std::string unit = {};
-    std::string note = {};    // "± 0.02", "was 3.1"
+    std::string note = {};  // "± 0.02", "was 3.1"
 };
 
 struct HtmlReport {
     std::string title = {};
-    std::vector<std::string> summary = {};     // lines below the title
+    std::vector<std::string> summary = {};  // lines below the title
     std::vector<KeyFigure> key_figures = {};
     WarningBox warnings = {};
     std::vector<Section> sections = {};
-    std::string footer = {};                   // versions, options, when
+    std::string footer = {};  // versions, options, when
 };
 
 /// The page. Well-formed as XML as well; text is escaped, JSON cannot end its script element.
@@ -117,4 +116,4 @@ std::string html(const HtmlReport& report);
 /// Writes the page at once (temporary name, then renamed).
 Result<void> write_html(const std::filesystem::path& path, const HtmlReport& report);
 
-}  // namespace myo
+}  // namespace myo::report

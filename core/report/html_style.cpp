@@ -1,6 +1,6 @@
 #include "report/html_parts.hpp"
 
-namespace myo {
+namespace myo::report {
 
 std::string_view html_style() {
     return R"css(
@@ -63,4 +63,4 @@ footer { margin-top: 3.5rem; padding-top: 1rem; border-top: 1px solid var(--rule
 )css";
 }
 
-}  // namespace myo
+}  // namespace myo::report

@@ -4,7 +4,7 @@
 #include "report/html_parts.hpp"
 #include "report/markup.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 // How the numbers of one column are written: with common decimals, so that points stand below each other, unless their
@@ -12,7 +12,7 @@ namespace {
 struct NumberFormat {
     bool numeric = false;
     int digits = 4;
-    int decimals = -1;   // -1: each number by itself
+    int decimals = -1;  // -1: each number by itself
     std::string operator()(double value) const {
         if (!std::isfinite(value)) return "–";
         return decimals < 0 ? readable_number(value, digits) : fixed_decimals(value, decimals);
@@ -33,7 +33,7 @@ NumberFormat format_of_column(const Table& table, std::size_t column) {
         whole = whole && *value == std::round(*value);
     }
     if (largest == 0.0 || (whole && largest < 1e15)) {
-        format.decimals = 0;   // counts
+        format.decimals = 0;  // counts
     } else if (largest < 1e7 && smallest >= 1e-4 && largest / smallest <= 1e3) {
         format.decimals = std::max(0, format.digits - 1 - static_cast<int>(std::floor(std::log10(largest))));
     }
@@ -75,4 +75,4 @@ std::string html_table(const Table& table) {
     return out + "</tbody></table></div>\n";
 }
 
-}  // namespace myo
+}  // namespace myo::report

@@ -6,7 +6,7 @@
 
 #include "base/files.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 Json array_of(std::span<const double> values) {
@@ -39,7 +39,9 @@ std::string json_text(const Json& value) { return value.dump(1, ' ', false, repl
 
 std::string json_line(const Json& value) { return value.dump(-1, ' ', false, replace_bad_bytes); }
 
-Result<void> write_json(const std::filesystem::path& path, const Json& value) { return write_file(path, json_text(value)); }
+Result<void> write_json(const std::filesystem::path& path, const Json& value) {
+    return write_file(path, json_text(value));
+}
 
 Result<Json> read_json(const std::filesystem::path& path) {
     const Result<std::string> text = read_file(path);
@@ -56,4 +58,4 @@ Result<Json> read_json(const std::filesystem::path& path) {
     }
 }
 
-}  // namespace myo
+}  // namespace myo::report

@@ -2,7 +2,7 @@
 
 #include "report/markup.hpp"
 
-namespace myo {
+namespace myo::report {
 
 std::string in_mm(double metres) { return readable_number(1e3 * metres, 3); }
 
@@ -13,4 +13,4 @@ std::vector<double> curve_in_mm(const Eigen::VectorXd& metres) {
     return {scaled.begin(), scaled.end()};
 }
 
-}  // namespace myo
+}  // namespace myo::report

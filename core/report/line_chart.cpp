@@ -7,7 +7,7 @@
 #include "report/frame.hpp"
 #include "report/markup.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 struct Look {
@@ -29,18 +29,22 @@ std::map<std::string, int> slots_of_names(const LineChart& chart) {
 
 Look look_of(const Series& series, const std::map<std::string, int>& slots) {
     const int slot = series.colour == automatic_colour ? slots.at(series.name) : series.colour;
-    Look look{slot_colour(slot), series.style != SeriesStyle::dots,
-              series.style == SeriesStyle::dots || series.style == SeriesStyle::line_and_dots, {}};
-    if (series.style == SeriesStyle::dashed) look.dash = "6 4";
-    else if (slot >= static_cast<int>(series_palette.size())) look.dash = "2 3";
+    Look look{slot_colour(slot),
+              series.style != SeriesStyle::dots,
+              series.style == SeriesStyle::dots || series.style == SeriesStyle::line_and_dots,
+              {}};
+    if (series.style == SeriesStyle::dashed)
+        look.dash = "6 4";
+    else if (slot >= static_cast<int>(series_palette.size()))
+        look.dash = "2 3";
     return look;
 }
 
 // A dot is a stroke of no length with round ends: the shortest text for many of them.
 std::string dots_path(const std::string& data, const Look& look, double diameter) {
     if (data.empty()) return {};
-    return "<path d=\"" + data + "\" fill=\"none\" stroke=\"" + std::string(look.colour) + "\" stroke-width=\"" + pixel(diameter) +
-           "\" stroke-linecap=\"round\"/>\n";
+    return "<path d=\"" + data + "\" fill=\"none\" stroke=\"" + std::string(look.colour) + "\" stroke-width=\"" +
+           pixel(diameter) + "\" stroke-linecap=\"round\"/>\n";
 }
 
 std::string line_path(const std::string& data, const Look& look) {
@@ -117,8 +121,10 @@ std::string draw_spans(const ChartPanel& panel, const Scale& scale, const Rectan
         const double to = std::clamp(scale(span.to), area.left, area.right());
         if (!(to > from)) continue;
         // The words come after the grid, which would run through them.
-        if (words) out += svg_text(from + 5.0, area.bottom() - 6.0, span.label, {.halo = true});
-        else out += svg_box({from, area.top, to - from, area.height}, ink::shade);
+        if (words)
+            out += svg_text(from + 5.0, area.bottom() - 6.0, span.label, {.halo = true});
+        else
+            out += svg_box({from, area.top, to - from, area.height}, ink::shade);
     }
     return out;
 }
@@ -127,7 +133,8 @@ std::vector<LegendEntry> legend_of(const LineChart& chart, const std::map<std::s
     std::vector<LegendEntry> entries;
     for (const ChartPanel& panel : chart.panels)
         for (const Series& series : panel.series) {
-            const bool listed = std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& e) { return e.name == series.name; });
+            const bool listed = std::any_of(entries.begin(), entries.end(),
+                                            [&](const LegendEntry& e) { return e.name == series.name; });
             if (series.name.empty() || listed) continue;
             const Look look = look_of(series, slots);
             entries.push_back({series.name, (look.line ? line_path("M0 0L22 0", look) : std::string{}) +
@@ -162,16 +169,17 @@ std::string draw_panel(const LineChart& chart, const ChartPanel& panel, const Re
     std::string out = draw_spans(panel, x.scale, area, false) + draw_vertical_axis(panel.y, y, area) +
                       draw_horizontal_axis(chart.x, x, area, last) + draw_spans(panel, x.scale, area, true);
     // An inner document clips by itself, without an id that could clash with another figure of the page.
-    out += "<svg x=\"" + pixel(area.left) + "\" y=\"" + pixel(area.top) + "\" width=\"" + pixel(area.width) + "\" height=\"" +
-           pixel(area.height) + "\" viewBox=\"" + pixel(area.left) + " " + pixel(area.top) + " " + pixel(area.width) + " " +
-           pixel(area.height) + "\" overflow=\"hidden\">\n";
+    out += "<svg x=\"" + pixel(area.left) + "\" y=\"" + pixel(area.top) + "\" width=\"" + pixel(area.width) +
+           "\" height=\"" + pixel(area.height) + "\" viewBox=\"" + pixel(area.left) + " " + pixel(area.top) + " " +
+           pixel(area.width) + " " + pixel(area.height) + "\" overflow=\"hidden\">\n";
     // What was measured lies on top of what was computed: dots leave lines visible, lines hide dots.
     for (const bool dots : {false, true})
         for (const Series& series : panel.series)
             if ((series.style == SeriesStyle::dots) == dots)
                 out += draw_series(series, x.scale, y.scale, look_of(series, slots));
     out += "</svg>\n";
-    return out + draw_horizontal_references(panel, y.scale, area) + draw_vertical_references(panel.vertical, x.scale, area);
+    return out + draw_horizontal_references(panel, y.scale, area) +
+           draw_vertical_references(panel.vertical, x.scale, area);
 }
 
 }  // namespace
@@ -179,7 +187,8 @@ std::string draw_panel(const LineChart& chart, const ChartPanel& panel, const Re
 std::string svg(const LineChart& chart) {
     for ([[maybe_unused]] const ChartPanel& panel : chart.panels)
         for ([[maybe_unused]] const Series& series : panel.series)
-            assert(series.x.size() == series.y.size() && (series.half_width.empty() || series.half_width.size() == series.y.size()));
+            assert(series.x.size() == series.y.size() &&
+                   (series.half_width.empty() || series.half_width.size() == series.y.size()));
     constexpr double right_margin = 22.0, title_of_panel = 24.0;
     double left = 30.0;
     std::vector<PlannedAxis> y_axes;
@@ -209,4 +218,4 @@ std::string svg(const LineChart& chart) {
     return open_svg(left + width + right_margin, top, chart.title) + body + "</svg>\n";
 }
 
-}  // namespace myo
+}  // namespace myo::report

@@ -6,17 +6,22 @@
 #include <charconv>
 #include <cmath>
 
-namespace myo {
+namespace myo::report {
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";   // U+FFFD
-constexpr std::string_view minus = "\xE2\x88\x92";         // U+2212
+constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
+constexpr std::string_view minus = "\xE2\x88\x92";        // U+2212
 
 // Length of the UTF-8 sequence at the front, 0 when it is broken, overlong or a surrogate.
 std::size_t sequence_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xC2 ? 0
+                               : first < 0xE0 ? 2
+                               : first < 0xF0 ? 3
+                               : first < 0xF5 ? 4
+                                              : 0;
     if (length == 0 || text.size() < length) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xC0) != 0x80) return 0;
@@ -42,8 +47,8 @@ std::string_view entity(char c) {
 
 std::string fixed_ascii(double value, int decimals) {
     std::array<char, 400> buffer;
-    const auto [end, code] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                           std::chars_format::fixed, decimals);
     assert(code == std::errc{});
     std::string text(buffer.data(), end);
     if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
@@ -61,7 +66,8 @@ std::string escape_markup(std::string_view text) {
     out.reserve(text.size());
     while (!text.empty()) {
         const std::size_t length = sequence_length(text);
-        const bool control = length == 1 && static_cast<unsigned char>(text[0]) < 0x20 && text[0] != '\t' && text[0] != '\n' && text[0] != '\r';
+        const bool control = length == 1 && static_cast<unsigned char>(text[0]) < 0x20 && text[0] != '\t' &&
+                             text[0] != '\n' && text[0] != '\r';
         if (length == 0 || control) {
             out += replacement;
         } else if (const std::string_view escaped = entity(text[0]); !escaped.empty()) {
@@ -75,7 +81,8 @@ std::string escape_markup(std::string_view text) {
 }
 
 int character_count(std::string_view text) {
-    return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    return static_cast<int>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string pixel(double value) {
@@ -105,14 +112,14 @@ std::string readable_number(double value, int digits) {
     if (!std::isfinite(value)) return "–";
     if (value == 0.0) return "0";
     std::array<char, 64> buffer;
-    const auto [end, code] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, digits - 1);
+    const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                           std::chars_format::scientific, digits - 1);
     assert(code == std::errc{});
-    const std::string text(buffer.data(), end);   // "-2.600e+05": the exponent after rounding
+    const std::string text(buffer.data(), end);  // "-2.600e+05": the exponent after rounding
     const std::size_t e = text.find('e');
     const int exponent = std::stoi(text.substr(e + 1));
     if (exponent >= -4 && exponent < 7) return fixed_decimals(value, std::max(0, digits - 1 - exponent));
     return with_true_minus(text.substr(0, e)) + " × " + power_of_ten(exponent);
 }
 
-}  // namespace myo
+}  // namespace myo::report

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace myo {
+namespace myo::report {
 
 /// Text as XML or HTML content or attribute value: & < > " ' escaped, bytes that are not UTF-8 and characters that XML
 /// forbids replaced by U+FFFD.
@@ -22,7 +22,8 @@ std::string fixed_decimals(double value, int decimals);
 /// "10⁻³"
 std::string power_of_ten(int exponent);
 
-/// Readable number for tables: `digits` significant digits, "2.600 × 10⁵"-style beyond 10⁷ or below 10⁻⁴; "–" when not finite.
+/// Readable number for tables: `digits` significant digits, "2.600 × 10⁵"-style beyond 10⁷ or below 10⁻⁴; "–" when not
+/// finite.
 std::string readable_number(double value, int digits);
 
-}  // namespace myo
+}  // namespace myo::report

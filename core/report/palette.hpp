@@ -3,10 +3,10 @@
 #include <array>
 #include <string_view>
 
-namespace myo {
+namespace myo::report {
 
-/// Series colours on white: each has a contrast of at least 3 : 1, and any two stay apart (CIE76 difference above 30) for
-/// readers without red, green or blue cones. Found by random search under these two conditions; a test holds them.
+/// Series colours on white: each has a contrast of at least 3 : 1, and any two stay apart (CIE76 difference above 30)
+/// for readers without red, green or blue cones. Found by random search under these two conditions; a test holds them.
 inline constexpr std::array<std::string_view, 6> series_palette = {"#0072b2", "#d55e00", "#873ff1",
                                                                    "#493b10", "#c3807b", "#72144e"};
 
@@ -20,4 +20,4 @@ inline constexpr std::string_view grid = "#e6e8eb";
 inline constexpr std::string_view shade = "#f1f3f5";
 }  // namespace ink
 
-}  // namespace myo
+}  // namespace myo::report

@@ -6,7 +6,7 @@
 
 #include "report/markup.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 double round_step(double raw) {
@@ -100,7 +100,7 @@ Ticks logarithmic_ticks(double lowest, double highest, int wanted) {
         const Ticks ticks = decade_ticks(lowest, highest, every, decades < 2.5);
         if (ticks.values.size() >= 2) return ticks;
     }
-    return linear_ticks(lowest, highest, wanted);   // less than from one round number to the next
+    return linear_ticks(lowest, highest, wanted);  // less than from one round number to the next
 }
 
-}  // namespace myo
+}  // namespace myo::report

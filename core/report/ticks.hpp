@@ -3,19 +3,19 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::report {
 
 /// Range, tick positions and their labels of one axis.
 struct Ticks {
     double lowest = 0.0;
     double highest = 1.0;
-    std::vector<double> values;        // ascending, inside [lowest, highest]
-    std::vector<std::string> labels;   // values divided by `factor`
-    std::string factor;                // "10⁻³" when the labels are scaled, else empty
+    std::vector<double> values;       // ascending, inside [lowest, highest]
+    std::vector<std::string> labels;  // values divided by `factor`
+    std::string factor;               // "10⁻³" when the labels are scaled, else empty
 };
 
-/// A drawable range around [lowest, highest]: finite, and wide enough for ticks that differ. An empty or non-finite range
-/// becomes [0, 1].
+/// A drawable range around [lowest, highest]: finite, and wide enough for ticks that differ. An empty or non-finite
+/// range becomes [0, 1].
 void make_drawable(double& lowest, double& highest);
 
 /// Round ticks (1, 2 or 5 times a power of ten) inside a range, about `wanted` of them, at least two. The range is kept
@@ -26,4 +26,4 @@ Ticks linear_ticks(double lowest, double highest, int wanted);
 /// distances of the value when there is less than that.
 Ticks logarithmic_ticks(double lowest, double highest, int wanted);
 
-}  // namespace myo
+}  // namespace myo::report

@@ -8,14 +8,15 @@
 #include "sensitivity/adjoint_step.hpp"
 #include "sensitivity/run_parts.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using Eigen::Matrix3Xd;
 
 class GradientOfRun {
 public:
-    GradientOfRun(const Model& model, const SimulationOptions& options, const LossOfMotion& loss, const AdjointOptions& adjoint, const Progress& progress)
+    GradientOfRun(const model::Model& model, const dynamics::SimulationOptions& options, const LossOfMotion& loss,
+                  const AdjointOptions& adjoint, const Progress& progress)
         : model_(model),
           options_(options),
           loss_(loss),
@@ -26,8 +27,9 @@ public:
     }
 
     GradientRun run(double budget_bytes) {
-        const auto steps = static_cast<int>(step_ends(model_, options_.h_s, options_.end_s).size());
-        const Result<RunParts> plan = plan_parts(steps, tape_bytes(model_, options_.integrator, with_strains_), budget_bytes);
+        const auto steps = static_cast<int>(dynamics::step_ends(model_, options_.h_s, options_.end_s).size());
+        const Result<RunParts> plan = plan_parts(steps, tape_bytes(model_, options_.integrator, with_strains_),
+                                                 budget_bytes);
         if (!plan) return failed(plan.error().what);
         plan_ = *plan;
         result_.parts = plan_.parts;
@@ -42,13 +44,13 @@ public:
             if (!transpose_part(loss)) return std::move(result_);
         }
         result_.gradient = follower_.take();
-        result_.status = RunStatus::complete;
+        result_.status = dynamics::RunStatus::complete;
         return std::move(result_);
     }
 
 private:
     GradientRun failed(const std::string& message) {
-        result_.status = RunStatus::failed;
+        result_.status = dynamics::RunStatus::failed;
         result_.message = message;
         return std::move(result_);
     }
@@ -56,22 +58,23 @@ private:
     /// Runs a part and keeps its tape. Every part begins with a new solver, so that the second run repeats the first.
     bool run_part(int part, bool first_time) {
         tape_ = std::make_unique<RunTape>(plan_.points_every, with_strains_);
-        solver_ = std::make_unique<StageSolver>(model_, options_.solver);
-        RunPart of_run;
+        solver_ = std::make_unique<dynamics::StageSolver>(model_, options_.solver);
+        dynamics::RunPart of_run;
         if (part > 0) of_run.from = &cuts_[static_cast<std::size_t>(part - 1)];
         of_run.until_step = static_cast<std::size_t>((part + 1) * plan_.steps_per_part);
         of_run.keep_motion = false;
-        RunObserver observer;
+        dynamics::RunObserver observer;
         tape_->record(observer);
-        RunPoint end;
-        bool repeated = part > 0;   // the point that a part begins with ended the last
-        observer.stood = [&, taped = std::move(observer.stood)](const RunPoint& point) {
+        dynamics::RunPoint end;
+        bool repeated = part > 0;  // the point that a part begins with ended the last
+        observer.stood = [&, taped = std::move(observer.stood)](const dynamics::RunPoint& point) {
             taped(point);
             if (!first_time) return;
             if (!std::exchange(repeated, false)) keep_motion(point);
             if (point.step == of_run.until_step && part + 1 < plan_.parts) end = point;
         };
-        const Trace trace = simulate_part(*solver_, options_, of_run, first_time ? progress_ : progress_.with_sink({}), observer);
+        const dynamics::Trace trace = dynamics::simulate_part(
+            *solver_, options_, of_run, first_time ? progress_ : progress_.with_sink({}), observer);
         result_.status = trace.status;
         result_.message = trace.message;
         if (!trace.complete()) return false;
@@ -83,7 +86,7 @@ private:
         return true;
     }
 
-    void keep_motion(const RunPoint& point) {
+    void keep_motion(const dynamics::RunPoint& point) {
         result_.motion.times_s.push_back(point.time_s);
         result_.motion.positions.emplace_back(point.state.x(Eigen::all, loss_.nodes));
         result_.motion.velocities.emplace_back(point.state.v(Eigen::all, loss_.nodes));
@@ -92,7 +95,7 @@ private:
     bool transpose_part(const MotionLoss& loss) {
         while (!tape_->empty()) {
             if (progress_.cancelled()) {
-                result_.status = RunStatus::cancelled;
+                result_.status = dynamics::RunStatus::cancelled;
                 result_.message = "stopped on the way back";
                 return false;
             }
@@ -103,7 +106,8 @@ private:
                 add_loss(loss);
                 if (!follower_.step(*solver_, record)) return no_derivative(record.time_s + record.h_s);
             }
-            progress_.report({"gradient", static_cast<double>(transposed_), static_cast<double>(result_.steps), "steps", {}});
+            progress_.report(
+                {"gradient", static_cast<double>(transposed_), static_cast<double>(result_.steps), "steps", {}});
         }
         if (!tape_->start()) return true;
         follower_.jump(*solver_, *tape_->start());
@@ -122,37 +126,39 @@ private:
             if (at >= d.size() || d[at].size() == 0) return;
             Matrix3Xd& adjoint = follower_.state().nodal[field];
             if (adjoint.size() == 0) adjoint = Matrix3Xd::Zero(3, model_.body->node_count());
-            for (std::size_t k = 0; k < loss_.nodes.size(); ++k) adjoint.col(loss_.nodes[k]) += d[at].col(static_cast<Eigen::Index>(k));
+            for (std::size_t k = 0; k < loss_.nodes.size(); ++k)
+                adjoint.col(loss_.nodes[k]) += d[at].col(static_cast<Eigen::Index>(k));
         };
         add(loss.d_positions, x_field);
         add(loss.d_velocities, v_field);
     }
 
-    const Model& model_;
-    SimulationOptions options_;
+    const model::Model& model_;
+    dynamics::SimulationOptions options_;
     const LossOfMotion& loss_;
     const Progress& progress_;
     bool with_strains_;
     AdjointFollower follower_;
     RunParts plan_;
-    std::vector<RunPoint> cuts_;             // starts of the parts but the first
-    std::unique_ptr<StageSolver> solver_;    // of the part at hand
+    std::vector<dynamics::RunPoint> cuts_;           // starts of the parts but the first
+    std::unique_ptr<dynamics::StageSolver> solver_;  // of the part at hand
     std::unique_ptr<RunTape> tape_;
-    int transposed_ = 0;                     // steps
+    int transposed_ = 0;  // steps
     GradientRun result_;
 };
 
 }  // namespace
 
-GradientRun simulate_with_gradient(const Model& model, const SimulationOptions& options, const LossOfMotion& loss, const AdjointOptions& adjoint,
-                                   const Progress& progress) {
+GradientRun simulate_with_gradient(const model::Model& model, const dynamics::SimulationOptions& options,
+                                   const LossOfMotion& loss, const AdjointOptions& adjoint, const Progress& progress) {
     if (model.creep || model.softening) {
         GradientRun refused;
-        refused.status = RunStatus::failed;
-        refused.message = std::string("the adjoint does not know bodies that ") + (model.creep ? "creep" : "soften") + ": take tangents or differences of runs";
+        refused.status = dynamics::RunStatus::failed;
+        refused.message = std::string("the adjoint does not know bodies that ") + (model.creep ? "creep" : "soften") +
+                          ": take tangents or differences of runs";
         return refused;
     }
     return GradientOfRun(model, options, loss, adjoint, progress).run(adjoint.memory_bytes);
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -8,7 +8,7 @@
 #include "dynamics/statics.hpp"
 #include "solver/conjugate_gradient.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -19,8 +19,10 @@ using Eigen::VectorXd;
 template <class Field>
 void add_to(Field& to, double factor, const Field& from) {
     if (factor == 0.0 || from.size() == 0) return;
-    if (to.size() == 0) to = factor * from;
-    else to += factor * from;
+    if (to.size() == 0)
+        to = factor * from;
+    else
+        to += factor * from;
 }
 
 const Matrix3Xd& motion(const StepRecord& record, int column) {
@@ -46,7 +48,7 @@ Matrix3Xd accelerations(const StepCoefficients& coefficients, const StepRecord& 
 
 }  // namespace
 
-VectorXd AdjointFollower::Guess::next(const SymmetricSparse& H, const VectorXd& b) const {
+VectorXd AdjointFollower::Guess::next(const solver::SymmetricSparse& H, const VectorXd& b) const {
     const Eigen::Index size = last_.cols();
     if (size == 0) return {};
     // Their differences span the same and are far from parallel.
@@ -54,14 +56,14 @@ VectorXd AdjointFollower::Guess::next(const SymmetricSparse& H, const VectorXd& 
     for (Eigen::Index order = 1; order < size; ++order)
         for (Eigen::Index k = size - 1; k >= order; --k) D.col(k) = D.col(k - 1) - D.col(k);
     for (Eigen::Index k = 0; k < size; ++k) D.col(k) /= std::max(D.col(k).norm(), std::numeric_limits<double>::min());
-    const MatrixXd G = D.transpose() * symmetric_product(H, D);
+    const MatrixXd G = D.transpose() * solver::symmetric_product(H, D);
     return D * G.ldlt().solve(D.transpose() * b);
 }
 
 void AdjointFollower::Guess::add(const VectorXd& solution) {
     if (solution.isZero(0.0)) return;
-    // Iterations per solve to 1e-6 on the beam with 4, 8, 12 of them: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7 (TR-BDF2); extrapolating
-    // four as a cubic: 2.9, 3.9.
+    // Iterations per solve to 1e-6 on the beam with 4, 8, 12 of them: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7 (TR-BDF2);
+    // extrapolating four as a cubic: 2.9, 3.9.
     constexpr Eigen::Index most = 8;
     MatrixXd next(solution.size(), std::min(last_.cols() + 1, most));
     next.col(0) = solution;
@@ -69,55 +71,62 @@ void AdjointFollower::Guess::add(const VectorXd& solution) {
     last_ = std::move(next);
 }
 
-AdjointFollower::AdjointFollower(const Model& model, bool with_strains, bool fibre_shapes)
+AdjointFollower::AdjointFollower(const model::Model& model, bool with_strains, bool fibre_shapes)
     : model_(model), with_strains_(with_strains), gradient_(model, fibre_shapes) {}
 
-const AdjointFollower::Known& AdjointFollower::coefficients(const TimeScheme& scheme, double h, double step_before) {
-    const auto same = [&](const Known& known) { return known.scheme == scheme && known.h == h && known.step_before == step_before; };
+const AdjointFollower::Known& AdjointFollower::coefficients(const dynamics::TimeScheme& scheme, double h,
+                                                            double step_before) {
+    const auto same = [&](const Known& known) {
+        return known.scheme == scheme && known.h == h && known.step_before == step_before;
+    };
     const auto found = std::find_if(known_.begin(), known_.end(), same);
     if (found != known_.end()) return *found;
-    if (known_.size() > 16) known_.clear();   // steps that differ by rounding
+    if (known_.size() > 16) known_.clear();  // steps that differ by rounding
     const double lambda = model_.velocity_force_1_s;
     known_.push_back({scheme, h, step_before, step_coefficients(scheme, h, step_before, lambda),
                       step_coefficients_by_velocity_force(scheme, h, step_before, lambda)});
     return known_.back();
 }
 
-void AdjointFollower::jump(StageSolver& solver, const JumpRecord& at) {
-    const Kinematics& s = at.state;
-    const BlockPattern& pattern = model_.body->pattern;
+void AdjointFollower::jump(dynamics::StageSolver& solver, const JumpRecord& at) {
+    const dynamics::Kinematics& s = at.state;
+    const model::BlockPattern& pattern = model_.body->pattern;
     Matrix3Xd& adjoint = state_.nodal[force_field];
     if (adjoint.size() == 0) return;
-    const Matrix3Xd times_M = times_mass(adjoint, solver.mass(at.time_s));
-    const Stage stage = jump_stage(s, at.time_s);
-    const SymmetricSparse K = solver.hessian(stage, s.x);
-    add_to(state_.nodal[x_field], -1.0, scatter(pattern, K.selfadjointView<Eigen::Lower>() * gather(pattern, adjoint)));
+    const Matrix3Xd times_M = model::times_mass(adjoint, solver.mass(at.time_s));
+    const dynamics::Stage stage = dynamics::jump_stage(s, at.time_s);
+    const solver::SymmetricSparse K = solver.hessian(stage, s.x);
+    add_to(state_.nodal[x_field], -1.0,
+           model::scatter(pattern, K.selfadjointView<Eigen::Lower>() * model::gather(pattern, adjoint)));
     add_to(state_.nodal[v_field], model_.velocity_force_1_s, times_M);
-    if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, strain_tangent(model_, s.x, adjoint));
-    if (depends_on_velocity(model_)) add_to(state_.nodal[v_field], -1.0, velocity_tangent(model_, force_state(stage, s.x, s.v), adjoint));
+    if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, model::strain_tangent(model_, s.x, adjoint));
+    if (model::depends_on_velocity(model_))
+        add_to(state_.nodal[v_field], -1.0,
+               model::velocity_tangent(model_, dynamics::force_state(stage, s.x, s.v), adjoint));
     const Matrix3Xd u = model_.velocity_force_1_s * s.v;
     gradient_.add({s.x, &s.v, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, at.time_s, &u, &s.v}, adjoint,
                   times_M);
     adjoint.resize(3, 0);
 }
 
-bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
-    const Body& body = *model_.body;
-    const auto& [scheme, h, before, plain, by_lambda] = coefficients(record.scheme, record.h_s, record.start.step_before_s);
+bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& record) {
+    const model::Body& body = *model_.body;
+    const auto& [scheme, h, before, plain, by_lambda] = coefficients(record.scheme, record.h_s,
+                                                                     record.start.step_before_s);
     const int stages = plain.stages();
     const double middle_s = record.time_s + 0.5 * h;
-    const MassMatrix& mass = solver.mass(middle_s);
+    const model::MassMatrix& mass = solver.mass(middle_s);
     const auto rows_count = static_cast<std::size_t>(nodal_fields + stages);
     // Adjoints of the fields after the step and of the stages' constants, momenta also times the mass.
     std::vector<Matrix3Xd> rows(rows_count), mass_rows(rows_count);
     std::vector<VectorXd> strain_rows(static_cast<std::size_t>(strain_fields + stages));
-    std::vector<Matrix3Xd> velocity_rows(static_cast<std::size_t>(stages));   // of the stages' velocity histories
+    std::vector<Matrix3Xd> velocity_rows(static_cast<std::size_t>(stages));  // of the stages' velocity histories
     std::move(state_.nodal.begin(), state_.nodal.end(), rows.begin());
     std::move(state_.strain.begin(), state_.strain.end(), strain_rows.begin());
     for (const int row : {force_field, force_lag_field}) {
         const auto r = static_cast<std::size_t>(row);
         if (rows[r].size() == 0) continue;
-        mass_rows[r] = times_mass(rows[r], mass);
+        mass_rows[r] = model::times_mass(rows[r], mass);
         const Matrix3Xd by_velocity_force = accelerations(by_lambda, record, row);
         gradient_.add_momentum(middle_s, rows[r], mass_rows[r], accelerations(plain, record, row), &by_velocity_force);
     }
@@ -130,12 +139,14 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
         // Velocities of a stage depend on motions as rates of strain on strains.
         const int beside = c < strain_fields ? c : c - nodal_fields + strain_fields;
         if (c < strain_fields || c >= nodal_fields)
-            for (int k = 0; k < stages; ++k) add_to(sum, plain.strain(strain_fields + k, beside), velocity_rows[static_cast<std::size_t>(k)]);
+            for (int k = 0; k < stages; ++k)
+                add_to(sum, plain.strain(strain_fields + k, beside), velocity_rows[static_cast<std::size_t>(k)]);
         return sum;
     };
     const auto strain_column = [&](int c) {
         VectorXd sum;
-        for (int row = 0; row < plain.strain.rows(); ++row) add_to(sum, plain.strain(row, c), strain_rows[static_cast<std::size_t>(row)]);
+        for (int row = 0; row < plain.strain.rows(); ++row)
+            add_to(sum, plain.strain(row, c), strain_rows[static_cast<std::size_t>(row)]);
         return sum;
     };
 
@@ -145,63 +156,74 @@ bool AdjointFollower::step(StageSolver& solver, const StepRecord& record) {
         const auto row = static_cast<std::size_t>(nodal_fields + k);
         Matrix3Xd load = column(nodal_fields + k);
         const VectorXd strain_load = strain_column(strain_fields + k);
-        if (strain_load.size() > 0) add_to(load, 1.0, viscous_gradient(model_, solution.x, strain_load));
+        if (strain_load.size() > 0) add_to(load, 1.0, model::viscous_gradient(model_, solution.x, strain_load));
         if (load.size() == 0) load = Matrix3Xd::Zero(3, body.node_count());
         Guess& guess = guesses_[static_cast<std::size_t>(k)];
-        const SymmetricSparse H = solver.hessian(stage, solution.x);
-        const VectorXd b = gather(body.pattern, load);
+        const solver::SymmetricSparse H = solver.hessian(stage, solution.x);
+        const VectorXd b = model::gather(body.pattern, load);
         const VectorXd p = solver.solve_linear(H, stage, solution.x, b, guess.next(H, b));
         if (!p.allFinite()) return false;
         guess.add(p);
-        rows[row] = scatter(body.pattern, p);
-        mass_rows[row] = times_mass(rows[row], mass);
+        rows[row] = model::scatter(body.pattern, p);
+        mass_rows[row] = model::times_mass(rows[row], mass);
         if (model_.damping_s > 0.0)
-            strain_rows[static_cast<std::size_t>(strain_fields + k)] = -strain_tangent(model_, solution.x, rows[row]);
-        const Matrix3Xd v = depends_on_velocity(model_) ? stage_velocities(stage, solution.x) : Matrix3Xd();   // nothing else looks at it
-        if (depends_on_velocity(model_)) velocity_rows[static_cast<std::size_t>(k)] = -velocity_tangent(model_, force_state(stage, solution.x, v), rows[row]);
-        const Matrix3Xd u = accelerations(plain, record, nodal_fields + k), by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
-        const StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
+            strain_rows[static_cast<std::size_t>(strain_fields + k)] = -model::strain_tangent(model_, solution.x,
+                                                                                              rows[row]);
+        const Matrix3Xd v = model::depends_on_velocity(model_) ? dynamics::stage_velocities(stage, solution.x)
+                                                               : Matrix3Xd();  // nothing else looks at it
+        if (model::depends_on_velocity(model_))
+            velocity_rows[static_cast<std::size_t>(k)] = -model::velocity_tangent(
+                model_, dynamics::force_state(stage, solution.x, v), rows[row]);
+        const Matrix3Xd u = accelerations(plain, record, nodal_fields + k),
+                        by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
+        const model::StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
         gradient_.add({solution.x, v.size() > 0 ? &v : nullptr, rate, stage.time_s, stage.before_jump,
                        stage.inertia_at_s, &u, &by_velocity_force},
                       rows[row], mass_rows[row]);
     }
     for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = column(field);
-    for (int field = 0; field < strain_fields; ++field) state_.strain[static_cast<std::size_t>(field)] = strain_column(field);
+    for (int field = 0; field < strain_fields; ++field)
+        state_.strain[static_cast<std::size_t>(field)] = strain_column(field);
     return true;
 }
 
-bool AdjointFollower::start(StageSolver& solver, const SimulationOptions& options, const Kinematics& at) {
-    const Body& body = *model_.body;
+bool AdjointFollower::start(dynamics::StageSolver& solver, const dynamics::SimulationOptions& options,
+                            const dynamics::Kinematics& at) {
+    const model::Body& body = *model_.body;
     const auto free_part = [&](const Matrix3Xd& X) {
-        return X.size() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, body.node_count())) : scatter(body.pattern, gather(body.pattern, X));
+        return X.size() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, body.node_count()))
+                             : model::scatter(body.pattern, model::gather(body.pattern, X));
     };
     Matrix3Xd& x = state_.nodal[x_field];
     const VectorXd& strain = state_.strain[strain_field];
     const VectorXd& rate = state_.strain[rate_field];
-    if (strain.size() > 0) add_to(x, 1.0, viscous_gradient(model_, at.x, strain));
+    if (strain.size() > 0) add_to(x, 1.0, model::viscous_gradient(model_, at.x, strain));
     if (rate.size() > 0) {
         // The rates of the start are the strain tangent along its velocities.
-        add_to(state_.nodal[v_field], 1.0, viscous_gradient(model_, at.x, rate));
+        add_to(state_.nodal[v_field], 1.0, model::viscous_gradient(model_, at.x, rate));
         if (!at.v.isZero(0.0)) {
-            Stiffness viscous_only = stiffness(model_);
+            model::Stiffness viscous_only = model::stiffness(model_);
             viscous_only.elastic.clear();
             viscous_only.fibres = false;
-            InternalInput input;
+            model::InternalInput input;
             input.stiffness = &viscous_only;
             input.rate = {0.0, &rate};
-            const SymmetricSparse K = internal_energy(model_, at.x, input, HessianKind::exact).hessian;
-            add_to(x, 1.0, scatter(body.pattern, K.selfadjointView<Eigen::Lower>() * gather(body.pattern, at.v)));
+            const solver::SymmetricSparse K = model::internal_energy(model_, at.x, input, model::HessianKind::exact)
+                                                  .hessian;
+            add_to(x, 1.0,
+                   model::scatter(body.pattern, K.selfadjointView<Eigen::Lower>() * model::gather(body.pattern, at.v)));
         }
     }
     initial_.initial_positions = free_part(x);
     initial_.initial_velocities = free_part(state_.nodal[v_field]);
     if (!options.starts_at_equilibrium() || x.size() == 0) return true;
-    const Stage stage = static_stage(body, 0.0);
-    const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x, gather(body.pattern, initial_.initial_positions));
+    const dynamics::Stage stage = dynamics::static_stage(body, 0.0);
+    const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x,
+                                                model::gather(body.pattern, initial_.initial_positions));
     if (!solved.allFinite()) return false;
-    const Matrix3Xd p = scatter(body.pattern, solved);
+    const Matrix3Xd p = model::scatter(body.pattern, solved);
     gradient_.add({at.x, nullptr, {}, stage.time_s, stage.before_jump, stage.inertia_at_s}, p,
-                  times_mass(p, solver.mass(stage.inertia_at_s)));
+                  model::times_mass(p, solver.mass(stage.inertia_at_s)));
     initial_.initial_positions.setZero();
     return true;
 }
@@ -213,4 +235,4 @@ ModelGradient AdjointFollower::take() {
     return gradient;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -4,38 +4,38 @@
 #include "model/force_element.hpp"
 #include "sensitivity/gradient_check.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-const Vector3d direction = Vector3d(0.6, -0.5, 0.62).normalized();   // along no axis
+const Vector3d direction = Vector3d(0.6, -0.5, 0.62).normalized();  // along no axis
 
 /// A rough field over the free nodes.
-Matrix3Xd rough_field(const Body& body) {
+Matrix3Xd rough_field(const model::Body& body) {
     Matrix3Xd field(3, body.node_count());
     for (Eigen::Index i = 0; i < field.size(); ++i) field(i) = std::sin(0.3 + 1.7 * static_cast<double>(i));
-    return scatter(body.pattern, gather(body.pattern, field));
+    return model::scatter(body.pattern, model::gather(body.pattern, field));
 }
 
 /// Shifts E or nu of every cell.
-void shift_elasticity(Model& model, double by_modulus, double by_ratio) {
-    for (Moduli& m : model.moduli) {
-        const auto [E, nu] = young_from_moduli(m);
-        m = moduli_from_young(E + by_modulus, nu + by_ratio);
+void shift_elasticity(model::Model& model, double by_modulus, double by_ratio) {
+    for (material::Moduli& m : model.moduli) {
+        const auto [E, nu] = material::young_from_moduli(m);
+        m = material::moduli_from_young(E + by_modulus, nu + by_ratio);
     }
 }
 
 /// The model's fibres, to be changed.
-std::vector<FibreGroup>& own_fibres(Model& model) {
-    auto copy = std::make_shared<std::vector<FibreGroup>>(*model.fibres);
+std::vector<fibre::FibreGroup>& own_fibres(model::Model& model) {
+    auto copy = std::make_shared<std::vector<fibre::FibreGroup>>(*model.fibres);
     model.fibres = copy;
     return *copy;
 }
 
 /// A cell that can deform, from the middle on: held at all nodes it has no influence.
-std::size_t movable_cell(const Body& body) {
+std::size_t movable_cell(const model::Body& body) {
     const int count = body.cell_count();
     for (int i = 0; i < count; ++i) {
         const int cell = (count / 2 + i) % count;
@@ -45,70 +45,92 @@ std::size_t movable_cell(const Body& body) {
     return 0;
 }
 
-void add_material(const Model& model, std::vector<CheckedParameter>& list) {
-    const auto [E, nu] = young_from_moduli(model.moduli.front());
-    list.push_back({"Young's modulus", 1e-3 * E, [](Model& m, SimulationOptions&, double by) { shift_elasticity(m, by, 0.0); },
+void add_material(const model::Model& model, std::vector<CheckedParameter>& list) {
+    const auto [E, nu] = material::young_from_moduli(model.moduli.front());
+    list.push_back({"Young's modulus", 1e-3 * E,
+                    [](model::Model& m, dynamics::SimulationOptions&, double by) { shift_elasticity(m, by, 0.0); },
                     [&model](const ModelGradient& g) { return young_gradient(model, g).youngs_modulus_Pa; }});
-    list.push_back({"Poisson's ratio", 1e-2 * (0.5 - nu), [](Model& m, SimulationOptions&, double by) { shift_elasticity(m, 0.0, by); },
+    list.push_back({"Poisson's ratio", 1e-2 * (0.5 - nu),
+                    [](model::Model& m, dynamics::SimulationOptions&, double by) { shift_elasticity(m, 0.0, by); },
                     [&model](const ModelGradient& g) { return young_gradient(model, g).poissons_ratio; }});
     const std::size_t cell = movable_cell(*model.body);
-    list.push_back({"mu of cell " + std::to_string(cell), 1e-3 * model.moduli[cell].mu, [cell](Model& m, SimulationOptions&, double by) { m.moduli[cell].mu += by; },
+    list.push_back({"mu of cell " + std::to_string(cell), 1e-3 * model.moduli[cell].mu,
+                    [cell](model::Model& m, dynamics::SimulationOptions&, double by) { m.moduli[cell].mu += by; },
                     [cell](const ModelGradient& g) { return g.moduli[cell].mu; }});
     if (model.damping_s > 0.0)
-        list.push_back({"damping time", 1e-2 * model.damping_s, [](Model& m, SimulationOptions&, double by) { m.damping_s += by; },
+        list.push_back({"damping time", 1e-2 * model.damping_s,
+                        [](model::Model& m, dynamics::SimulationOptions&, double by) { m.damping_s += by; },
                         [](const ModelGradient& g) { return g.damping_s; }});
-    list.push_back({"density", 1e-3 * model.density_kg_m3, [](Model& m, SimulationOptions&, double by) { m.density_kg_m3 += by; },
+    list.push_back({"density", 1e-3 * model.density_kg_m3,
+                    [](model::Model& m, dynamics::SimulationOptions&, double by) { m.density_kg_m3 += by; },
                     [](const ModelGradient& g) { return g.density_kg_m3; }});
-    list.push_back({"velocity force", 0.01, [](Model& m, SimulationOptions&, double by) { m.velocity_force_1_s += by; },
+    list.push_back({"velocity force", 0.01,
+                    [](model::Model& m, dynamics::SimulationOptions&, double by) { m.velocity_force_1_s += by; },
                     [](const ModelGradient& g) { return g.velocity_force_1_s; }});
 }
 
-void add_loads(const Model& model, std::vector<CheckedParameter>& list) {
+void add_loads(const model::Model& model, std::vector<CheckedParameter>& list) {
     const double mass = model.density_kg_m3 * model.body->volume_m3;
-    list.push_back({"gravity", 1e-2, [](Model& m, SimulationOptions&, double by) { m.gravity_m_s2 += by * direction; },
+    list.push_back({"gravity", 1e-2,
+                    [](model::Model& m, dynamics::SimulationOptions&, double by) { m.gravity_m_s2 += by * direction; },
                     [](const ModelGradient& g) { return g.gravity_m_s2.dot(direction); }});
     for (std::size_t f = 0; f < model.forces.size(); ++f)
-        list.push_back({"force " + std::to_string(f), 1e-2 * mass, [f](Model& m, SimulationOptions&, double by) { m.forces[f].force_N += by * direction; },
-                        [f](const ModelGradient& g) { return g.forces_N[f].dot(direction); }});
+        list.push_back(
+            {"force " + std::to_string(f), 1e-2 * mass,
+             [f](model::Model& m, dynamics::SimulationOptions&, double by) { m.forces[f].force_N += by * direction; },
+             [f](const ModelGradient& g) { return g.forces_N[f].dot(direction); }});
     for (std::size_t k = 0; k < model.masses.size(); ++k)
-        list.push_back({"attached mass " + std::to_string(k), 1e-3 * mass, [k](Model& m, SimulationOptions&, double by) { m.masses[k].mass_kg += by; },
+        list.push_back({"attached mass " + std::to_string(k), 1e-3 * mass,
+                        [k](model::Model& m, dynamics::SimulationOptions&, double by) { m.masses[k].mass_kg += by; },
                         [k](const ModelGradient& g) { return g.attached_masses_kg[k]; }});
     for (std::size_t k = 0; k < model.directional_masses.size(); ++k)
-        list.push_back({"directional mass " + std::to_string(k), 1e-3, [k](Model& m, SimulationOptions&, double by) { m.directional_masses[k].inertia_kg *= 1.0 + by; },
+        list.push_back({"directional mass " + std::to_string(k), 1e-3,
+                        [k](model::Model& m, dynamics::SimulationOptions&, double by) {
+                            m.directional_masses[k].inertia_kg *= 1.0 + by;
+                        },
                         [k](const ModelGradient& g) { return g.directional_masses[k]; }});
 }
 
-void add_fibres(const Model& model, const SimulationOptions& options, std::vector<CheckedParameter>& list) {
+void add_fibres(const model::Model& model, const dynamics::SimulationOptions& options,
+                std::vector<CheckedParameter>& list) {
     for (std::size_t g = 0; g < model.fibres->size(); ++g) {
         const std::string name = (*model.fibres)[g].name;
-        list.push_back({"stiffness of " + name, 1e-3 * (*model.fibres)[g].stiffness_Pa,
-                        [g](Model& m, SimulationOptions&, double by) { own_fibres(m)[g].stiffness_Pa += by; },
-                        [g](const ModelGradient& d) { return d.fibre_stiffness_Pa[g]; }});
+        list.push_back(
+            {"stiffness of " + name, 1e-3 * (*model.fibres)[g].stiffness_Pa,
+             [g](model::Model& m, dynamics::SimulationOptions&, double by) { own_fibres(m)[g].stiffness_Pa += by; },
+             [g](const ModelGradient& d) { return d.fibre_stiffness_Pa[g]; }});
         list.push_back({"directions of " + name, 1e-3,
-                        [g](Model& m, SimulationOptions&, double by) {
-                            FibreGroup& group = own_fibres(m)[g];
-                            for (std::size_t k = 0; k < group.points.size(); ++k) group.points[k].shape += by * (group.gradients[k] * direction);
+                        [g](model::Model& m, dynamics::SimulationOptions&, double by) {
+                            fibre::FibreGroup& group = own_fibres(m)[g];
+                            for (std::size_t k = 0; k < group.points.size(); ++k)
+                                group.points[k].shape += by * (group.gradients[k] * direction);
                         },
-                        [&model, g](const ModelGradient& d) { return direction.dot(fibre_direction_gradient(model, d, g).rowwise().sum()); }});
-        const Signal& signal = model.activation[g];
+                        [&model, g](const ModelGradient& d) {
+                            return direction.dot(fibre_direction_gradient(model, d, g).rowwise().sum());
+                        }});
+        const fibre::Signal& signal = model.activation[g];
         for (std::size_t k = 0; k < signal.values.size(); ++k) {
             // Before the start only the last knot acts.
             const bool acts = k + 1 == signal.values.size() || signal.times_s[k + 1] >= 0.0;
             if (acts && signal.times_s[k] <= options.end_s)
-                list.push_back({"activation of " + name + ", knot " + std::to_string(k), 1e-3, [g, k](Model& m, SimulationOptions&, double by) { m.activation[g].values[k] += by; },
+                list.push_back({"activation of " + name + ", knot " + std::to_string(k), 1e-3,
+                                [g, k](model::Model& m, dynamics::SimulationOptions&, double by) {
+                                    m.activation[g].values[k] += by;
+                                },
                                 [g, k](const ModelGradient& d) { return d.activation[g][k]; }});
         }
     }
 }
 
-void add_force_elements(const Model& model, std::vector<CheckedParameter>& list) {
+void add_force_elements(const model::Model& model, std::vector<CheckedParameter>& list) {
     for (std::size_t e = 0; e < model.force_elements.size(); ++e) {
-        const std::vector<ForceParameter> parameters = model.force_elements[e]->parameters();
+        const std::vector<model::ForceParameter> parameters = model.force_elements[e]->parameters();
         for (std::size_t k = 0; k < parameters.size(); ++k) {
             const auto index = static_cast<Eigen::Index>(k);
-            list.push_back({"force element " + std::to_string(e) + ", " + parameters[k].name, 1e-3 * parameters[k].scale,
-                            [e, index](Model& m, SimulationOptions&, double by) {
-                                Eigen::VectorXd values = parameter_values(*m.force_elements[e]);
+            list.push_back({"force element " + std::to_string(e) + ", " + parameters[k].name,
+                            1e-3 * parameters[k].scale,
+                            [e, index](model::Model& m, dynamics::SimulationOptions&, double by) {
+                                Eigen::VectorXd values = model::parameter_values(*m.force_elements[e]);
                                 values(index) += by;
                                 m.force_elements[e] = m.force_elements[e]->changed(values);
                             },
@@ -117,19 +139,20 @@ void add_force_elements(const Model& model, std::vector<CheckedParameter>& list)
     }
 }
 
-void add_start(const Model& model, const SimulationOptions& options, std::vector<CheckedParameter>& list) {
+void add_start(const model::Model& model, const dynamics::SimulationOptions& options,
+               std::vector<CheckedParameter>& list) {
     const Matrix3Xd& X = model.body->mesh.nodes;
     const Matrix3Xd field = rough_field(*model.body);
     const double edge = std::cbrt(model.body->volume_m3 / model.body->cell_count());
     if (!options.starts_at_equilibrium())
         list.push_back({"initial positions", 1e-4 * edge,
-                        [X, field](Model&, SimulationOptions& o, double by) {
+                        [X, field](model::Model&, dynamics::SimulationOptions& o, double by) {
                             if (o.initial.positions.size() == 0) o.initial.positions = X;
                             o.initial.positions += by * field;
                         },
                         [field](const ModelGradient& g) { return g.initial_positions.cwiseProduct(field).sum(); }});
     list.push_back({"initial velocities", edge,
-                    [field](Model&, SimulationOptions& o, double by) {
+                    [field](model::Model&, dynamics::SimulationOptions& o, double by) {
                         if (o.initial.velocities.size() == 0) o.initial.velocities = Matrix3Xd::Zero(3, field.cols());
                         o.initial.velocities += by * field;
                     },
@@ -138,7 +161,8 @@ void add_start(const Model& model, const SimulationOptions& options, std::vector
 
 }  // namespace
 
-std::vector<CheckedParameter> checked_parameters(const Model& model, const SimulationOptions& options) {
+std::vector<CheckedParameter> checked_parameters(const model::Model& model,
+                                                 const dynamics::SimulationOptions& options) {
     std::vector<CheckedParameter> list;
     add_material(model, list);
     add_loads(model, list);
@@ -148,4 +172,4 @@ std::vector<CheckedParameter> checked_parameters(const Model& model, const Simul
     return list;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -6,7 +6,7 @@
 #include "dynamics/creep.hpp"
 #include "sensitivity/tangent_columns.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 
 using Eigen::Index;
 using Eigen::Matrix3Xd;
@@ -15,12 +15,14 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A model on both sides along a parameter's moduli; to its first order nothing else tells how much energy a cell has at a position.
-ModelPair pair_along(const Model& model, const ModelTangent& parameter) {
+/// A model on both sides along a parameter's moduli; to its first order nothing else tells how much energy a cell has
+/// at a position.
+ModelPair pair_along(const model::Model& model, const ModelTangent& parameter) {
     ModelPair pair{model, model, 1.0};
     if (parameter.moduli.empty()) return pair;
     double most = 0.0;
-    for (std::size_t c = 0; c < model.moduli.size(); ++c) most = std::max(most, std::abs(parameter.moduli[c].mu / model.moduli[c].mu));
+    for (std::size_t c = 0; c < model.moduli.size(); ++c)
+        most = std::max(most, std::abs(parameter.moduli[c].mu / model.moduli[c].mu));
     if (most > 0.0) pair.width = 1e-3 / most;
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
         pair.over.moduli[c].mu += 0.5 * pair.width * parameter.moduli[c].mu;
@@ -31,7 +33,8 @@ ModelPair pair_along(const Model& model, const ModelTangent& parameter) {
 
 }  // namespace
 
-ExplicitChanges::ExplicitChanges(const Model& model, const std::vector<ModelTangent>& parameters) : model_(model), parameters_(parameters) {
+ExplicitChanges::ExplicitChanges(const model::Model& model, const std::vector<ModelTangent>& parameters)
+    : model_(model), parameters_(parameters) {
     for (const ModelTangent& parameter : parameters) {
         stiffness_.push_back(stiffness_tangent(model, parameter));
         changes_.emplace_back();
@@ -41,16 +44,17 @@ ExplicitChanges::ExplicitChanges(const Model& model, const std::vector<ModelTang
 }
 
 bool ExplicitChanges::change_masses() const {
-    return std::any_of(changes_.begin(), changes_.end(), [](const auto& change) { return change && changes_mass(*change); });
+    return std::any_of(changes_.begin(), changes_.end(),
+                       [](const auto& change) { return change && changes_mass(*change); });
 }
 
-void ExplicitChanges::soften(const Matrix3Xd& x, const NodalColumns& dx, bool afresh) {
+void ExplicitChanges::soften(const Matrix3Xd& x, const model::NodalColumns& dx, bool afresh) {
     if (!model_.softening) return;
     if (afresh) peaks_ = {};
     raise_peaks(model_, x, dx, pairs_, peaks_);
 }
 
-void ExplicitChanges::add_mass_changes(double at_s, const MotionTerms& motion, NodalColumns& momentum) const {
+void ExplicitChanges::add_mass_changes(double at_s, const MotionTerms& motion, model::NodalColumns& momentum) const {
     Matrix3Xd sum;
     for (std::size_t p = 0; p < changes_.size(); ++p) {
         if (!changes_[p] || !changes_mass(*changes_[p])) continue;
@@ -59,75 +63,87 @@ void ExplicitChanges::add_mass_changes(double at_s, const MotionTerms& motion, N
             for (const auto& [factor, field] : motion)
                 if (factor != 0.0 && field->size() > 0) sum += factor * *field;
         }
-        if (momentum.size() == 0) momentum = NodalColumns::Zero(3 * static_cast<Index>(parameters_.size()), model_.body->node_count());
-        nodal_column(momentum, static_cast<Index>(p)) += times_mass(sum, mass_change(*changes_[p], at_s));
+        if (momentum.size() == 0)
+            momentum = model::NodalColumns::Zero(3 * static_cast<Index>(parameters_.size()), model_.body->node_count());
+        model::nodal_column(momentum, static_cast<Index>(p)) += model::times_mass(sum, mass_change(*changes_[p], at_s));
     }
 }
 
-void ExplicitChanges::add_strain_changes(const Stage& stage, const Matrix3Xd& x, MatrixXd& strains) const {
+void ExplicitChanges::add_strain_changes(const dynamics::Stage& stage, const Matrix3Xd& x, MatrixXd& strains) const {
     for (std::size_t p = 0; p < changes_.size(); ++p)
         if (changes_[p]) strains.col(static_cast<Index>(p)) += held_strain_change(*changes_[p], stage, x);
 }
 
-MatrixXd ExplicitChanges::viscous_changes(const Stage& stage, const VectorXd& rates, const MatrixXd& d_rates) const {
+MatrixXd ExplicitChanges::viscous_changes(const dynamics::Stage& stage, const VectorXd& rates,
+                                          const MatrixXd& d_rates) const {
     const Index count = rates.size() / 2;
-    MatrixXd result = d_rates.size() > 0 ? viscous_history(model_, stage.rate_factor_1_s, d_rates) : MatrixXd::Zero(count, static_cast<Index>(parameters_.size()));
+    MatrixXd result = d_rates.size() > 0 ? dynamics::viscous_history(model_, stage.rate_factor_1_s, d_rates)
+                                         : MatrixXd::Zero(count, static_cast<Index>(parameters_.size()));
     for (std::size_t p = 0; p < parameters_.size(); ++p)
-        if (parameters_[p].damping_s != 0.0) result.col(static_cast<Index>(p)) += parameters_[p].damping_s * rates.head(count);
+        if (parameters_[p].damping_s != 0.0)
+            result.col(static_cast<Index>(p)) += parameters_[p].damping_s * rates.head(count);
     return result;
 }
 
-MatrixXd ExplicitChanges::residuals(const StageSolver& solver, const Stage& stage, const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates, const NodalColumns& d_velocities) {
+MatrixXd ExplicitChanges::residuals(const dynamics::StageSolver& solver, const dynamics::Stage& stage,
+                                    const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates,
+                                    const model::NodalColumns& d_velocities) {
     MatrixXd result = gather_columns(model_.body->pattern, gradient(solver, stage, x, rates, d_rates, d_velocities));
     for (std::size_t p = 0; p < changes_.size(); ++p) {
         if (!changes_[p]) continue;
-        myo::soften(*changes_[p], solver.softening());
+        myo::sensitivity::soften(*changes_[p], solver.softening());
         result.col(static_cast<Index>(p)) += held_residual_change(*changes_[p], stage, x);
     }
     return result;
 }
 
-NodalColumns ExplicitChanges::gradient(const StageSolver& solver, const Stage& stage, const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates, const NodalColumns& d_velocities) const {
+model::NodalColumns ExplicitChanges::gradient(const dynamics::StageSolver& solver, const dynamics::Stage& stage,
+                                              const Matrix3Xd& x, const VectorXd& rates, const MatrixXd& d_rates,
+                                              const model::NodalColumns& d_velocities) const {
     bool elastic = false, viscous = false;
-    for (const Stiffness& s : stiffness_) {
+    for (const model::Stiffness& s : stiffness_) {
         elastic = elastic || !s.elastic.empty();
         viscous = viscous || !s.viscous.empty();
     }
-    UnitForces forces;
+    model::UnitForces forces;
     if (elastic || viscous)
-        forces = unit_forces(model_, x, solver.softening(),
-                             !viscous       ? VectorXd()
-                             : model_.creep ? VectorXd(viscous_history(model_, 0.0, rates))
-                                            : rates);
-    const MatrixXd changes = model_.creep ? viscous_changes(stage, rates, d_rates) : with_strains() ? d_rates : MatrixXd();
-    const MatrixXd d_factors =
-        solver.softening().size() > 0 ? factor_tangents(*model_.softening, pairs_, peaks_) : MatrixXd();
-    NodalColumns result = gradient_columns(model_, x, forces, {stiffness_, changes, d_factors});
+        forces = model::unit_forces(model_, x, solver.softening(),
+                                    !viscous       ? VectorXd()
+                                    : model_.creep ? VectorXd(dynamics::viscous_history(model_, 0.0, rates))
+                                                   : rates);
+    const MatrixXd changes = model_.creep     ? viscous_changes(stage, rates, d_rates)
+                             : with_strains() ? d_rates
+                                              : MatrixXd();
+    const MatrixXd d_factors = solver.softening().size() > 0 ? factor_tangents(*model_.softening, pairs_, peaks_)
+                                                             : MatrixXd();
+    model::NodalColumns result = model::gradient_columns(model_, x, forces, {stiffness_, changes, d_factors});
     for (std::size_t g = 0; g < model_.fibres->size(); ++g) {
-        Matrix3Xd of_group;   // per unit of its activation
+        Matrix3Xd of_group;  // per unit of its activation
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
             const std::vector<double> d = activation_tangent(parameters_[p], stage.time_s, stage.before_jump);
             if (d.empty() || d[g] == 0.0) continue;
             if (of_group.size() == 0) {
                 std::vector<double> unit(model_.fibres->size(), 0.0);
                 unit[g] = 1.0;
-                of_group = activation_gradient(model_, x, unit);
+                of_group = model::activation_gradient(model_, x, unit);
             }
-            nodal_column(result, static_cast<Index>(p)) += d[g] * of_group;
+            model::nodal_column(result, static_cast<Index>(p)) += d[g] * of_group;
         }
     }
     if (!model_.force_elements.empty()) add_force_elements(stage, x, d_velocities, result);
     return result;
 }
 
-void ExplicitChanges::add_force_elements(const Stage& stage, const Matrix3Xd& x, const NodalColumns& d_velocities, NodalColumns& result) const {
-    const Matrix3Xd v = stage_velocities(stage, x);
-    const ForceState at = force_state(stage, x, v);
+void ExplicitChanges::add_force_elements(const dynamics::Stage& stage, const Matrix3Xd& x,
+                                         const model::NodalColumns& d_velocities, model::NodalColumns& result) const {
+    const Matrix3Xd v = dynamics::stage_velocities(stage, x);
+    const model::ForceState at = dynamics::force_state(stage, x, v);
     for (std::size_t p = 0; p < parameters_.size(); ++p) {
-        auto column = nodal_column(result, static_cast<Index>(p));
+        auto column = model::nodal_column(result, static_cast<Index>(p));
         column += force_element_tangent(model_, parameters_[p], at);
-        if (d_velocities.size() > 0) column += velocity_tangent(model_, at, nodal_column(d_velocities, static_cast<Index>(p)));
+        if (d_velocities.size() > 0)
+            column += model::velocity_tangent(model_, at, model::nodal_column(d_velocities, static_cast<Index>(p)));
     }
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -6,22 +6,23 @@
 
 #include "base/parallel.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 /// The loss of one run; not a number where it failed, with the reason in `message`.
-double loss_of_run(const Model& model, const SimulationOptions& options, const LossOfMotion& loss, const Progress& progress, std::string& message) {
+double loss_of_run(const model::Model& model, const dynamics::SimulationOptions& options, const LossOfMotion& loss,
+                   const Progress& progress, std::string& message) {
     NodeMotion motion;
-    RunObserver observer;
-    observer.stood = [&](const RunPoint& point) {
+    dynamics::RunObserver observer;
+    observer.stood = [&](const dynamics::RunPoint& point) {
         motion.times_s.push_back(point.time_s);
         motion.positions.emplace_back(point.state.x(Eigen::all, loss.nodes));
         motion.velocities.emplace_back(point.state.v(Eigen::all, loss.nodes));
     };
-    StageSolver solver(model, options.solver);
-    RunPart whole;
+    dynamics::StageSolver solver(model, options.solver);
+    dynamics::RunPart whole;
     whole.keep_motion = false;
-    const Trace trace = simulate_part(solver, options, whole, progress.with_sink({}), observer);
+    const dynamics::Trace trace = dynamics::simulate_part(solver, options, whole, progress.with_sink({}), observer);
     if (trace.complete()) return loss.evaluate(motion).value;
     message = trace.message;
     return std::numeric_limits<double>::quiet_NaN();
@@ -49,8 +50,9 @@ double GradientCheck::worst_error() const {
     return worst;
 }
 
-GradientCheck check_gradient(const Model& model, SimulationOptions options, const LossOfMotion& loss, const std::vector<CheckedParameter>& parameters,
-                             AdjointOptions adjoint, int threads, const Progress& progress) {
+GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOptions options, const LossOfMotion& loss,
+                             const std::vector<CheckedParameter>& parameters, AdjointOptions adjoint, int threads,
+                             const Progress& progress) {
     options.solver.tolerance = 1e-10;
     adjoint.tolerance = 1e-10;
     adjoint.fibre_shapes = !model.fibres->empty();
@@ -66,10 +68,10 @@ GradientCheck check_gradient(const Model& model, SimulationOptions options, cons
     parallel_tasks(static_cast<int>(losses.size()), threads, [&](int task) {
         const auto i = static_cast<std::size_t>(task);
         const CheckedParameter& parameter = parameters[i / 4];
-        Model changed = model;
+        model::Model changed = model;
         if (changed.poissons_ratio.empty())
-            changed.poissons_ratio = poissons_ratios(model.moduli);   // which derivatives hold
-        SimulationOptions changed_options = options;
+            changed.poissons_ratio = model::poissons_ratios(model.moduli);  // which derivatives hold
+        dynamics::SimulationOptions changed_options = options;
         parameter.change(changed, changed_options, shifts[i % 4] * parameter.step);
         losses[i] = loss_of_run(changed, changed_options, loss, progress, messages[i]);
     });
@@ -78,18 +80,18 @@ GradientCheck check_gradient(const Model& model, SimulationOptions options, cons
         for (std::size_t k = 0; k < 4; ++k) {
             row.difference += weights[k] * losses[4 * p + k] / parameters[p].step;
             if (std::isfinite(losses[4 * p + k])) continue;
-            check.status = progress.cancelled() ? RunStatus::cancelled : RunStatus::failed;
+            check.status = progress.cancelled() ? dynamics::RunStatus::cancelled : dynamics::RunStatus::failed;
             check.message = parameters[p].name + ": " + messages[4 * p + k];
             return check;
         }
         // Runs solved to a tolerance tell no difference of the loss below that part of it.
         const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
-        const bool without_influence =
-            larger * parameters[p].step <= options.solver.tolerance * std::abs(losses[4 * p]);
+        const bool without_influence = larger * parameters[p].step <=
+                                       options.solver.tolerance * std::abs(losses[4 * p]);
         row.relative_error = without_influence ? 0.0 : relative_difference(row.adjoint, row.difference);
         check.rows.push_back(std::move(row));
     }
     return check;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

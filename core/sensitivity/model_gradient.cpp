@@ -5,7 +5,7 @@
 
 #include "model/force_element.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -14,19 +14,20 @@ using Eigen::Vector3d;
 double dot(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
 
 /// What M p has of the isotropic mass.
-Matrix3Xd isotropic_part(const MassMatrix& mass, const Matrix3Xd& p, Matrix3Xd Mp) {
-    if (mass.has_directional()) add_directional(mass.directional, -p, Mp);
+Matrix3Xd isotropic_part(const model::MassMatrix& mass, const Matrix3Xd& p, Matrix3Xd Mp) {
+    if (mass.has_directional()) model::add_directional(mass.directional, -p, Mp);
     return Mp;
 }
 
 }  // namespace
 
-YoungPoisson young_gradient(const Model& model, const ModelGradient& gradient, const std::vector<int>& cells) {
-    YoungPoisson result;
+material::YoungPoisson young_gradient(const model::Model& model, const ModelGradient& gradient,
+                                      const std::vector<int>& cells) {
+    material::YoungPoisson result;
     const auto add = [&](std::size_t c) {
-        const auto [E, nu] = young_from_moduli(model.moduli[c]);
-        const Moduli& m = model.moduli[c];
-        const Moduli& g = gradient.moduli[c];
+        const auto [E, nu] = material::young_from_moduli(model.moduli[c]);
+        const material::Moduli& m = model.moduli[c];
+        const material::Moduli& g = gradient.moduli[c];
         result.youngs_modulus_Pa += (g.mu * m.mu + g.kappa * m.kappa) / E;
         result.poissons_ratio += -g.mu * m.mu / (1.0 + nu) + g.kappa * 2.0 * m.kappa / (1.0 - 2.0 * nu);
     };
@@ -36,34 +37,36 @@ YoungPoisson young_gradient(const Model& model, const ModelGradient& gradient, c
     return result;
 }
 
-Matrix3Xd fibre_direction_gradient(const Model& model, const ModelGradient& gradient, std::size_t group) {
+Matrix3Xd fibre_direction_gradient(const model::Model& model, const ModelGradient& gradient, std::size_t group) {
     assert(group < gradient.fibre_shape.size());
-    const FibreGroup& fibres = (*model.fibres)[group];
+    const fibre::FibreGroup& fibres = (*model.fibres)[group];
     Matrix3Xd result = Matrix3Xd::Zero(3, model.body->cell_count());
     for (std::size_t k = 0; k < fibres.points.size(); ++k)
         result.col(fibres.points[k].cell) += fibres.gradients[k].transpose() * gradient.fibre_shape[group][k];
     return result;
 }
 
-GradientSum::GradientSum(const Model& model, bool fibre_shapes)
+GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
     : model_(model),
-      masses_(mass_spans(model)),
-      moduli_(no_moduli_work(model)),
-      fibres_(no_fibre_work(model, fibre_shapes)) {
-    for (const Signal& signal : model.activation) gradient_.activation.emplace_back(signal.values.size(), 0.0);
+      masses_(model::mass_spans(model)),
+      moduli_(model::no_moduli_work(model)),
+      fibres_(model::no_fibre_work(model, fibre_shapes)) {
+    for (const fibre::Signal& signal : model.activation) gradient_.activation.emplace_back(signal.values.size(), 0.0);
     gradient_.forces_N.assign(model.forces.size(), Vector3d::Zero());
     gradient_.attached_masses_kg.assign(model.masses.size(), 0.0);
     gradient_.directional_masses.assign(model.directional_masses.size(), 0.0);
-    for (const ForceElementPointer& element : model.force_elements) gradient_.force_elements.push_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(element->parameters().size())));
+    for (const model::ForceElementPointer& element : model.force_elements)
+        gradient_.force_elements.push_back(
+            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(element->parameters().size())));
 }
 
 void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp) {
-    add_moduli_work(model_, at.x, p, at.rate, moduli_);
+    model::add_moduli_work(model_, at.x, p, at.rate, moduli_);
     if (!model_.fibres->empty()) {
         std::fill(fibres_.by_activation.begin(), fibres_.by_activation.end(), 0.0);
-        add_fibre_work(model_, at.x, p, activations(model_, at.time_s, at.before_jump), fibres_);
+        model::add_fibre_work(model_, at.x, p, model::activations(model_, at.time_s, at.before_jump), fibres_);
         for (std::size_t g = 0; g < fibres_.by_activation.size(); ++g) {
-            const Signal::Weights w = model_.activation[g].weights(at.time_s, at.before_jump);
+            const fibre::Signal::Weights w = model_.activation[g].weights(at.time_s, at.before_jump);
             gradient_.activation[g][w.left] -= w.of_left * fibres_.by_activation[g];
             gradient_.activation[g][w.right] -= w.of_right * fibres_.by_activation[g];
         }
@@ -74,11 +77,12 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
         gradient_.force_elements[e] -= work;
     }
     for (std::size_t f = 0; f < model_.forces.size(); ++f) {
-        const DeadForce& load = model_.forces[f];
-        if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s)) gradient_.forces_N[f] += p * load.share;
+        const model::DeadForce& load = model_.forces[f];
+        if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s))
+            gradient_.forces_N[f] += p * load.share;
     }
-    const Matrix3Xd isotropic_p =
-        isotropic_part(masses_[span_at(masses_, at.inertia_at_s)].mass, p, Mp);   // what weighs
+    const Matrix3Xd isotropic_p = isotropic_part(masses_[model::span_at(masses_, at.inertia_at_s)].mass, p,
+                                                 Mp);  // what weighs
     gradient_.gravity_m_s2 += isotropic_p.rowwise().sum();
     add_isotropic(p, isotropic_p, model_.gravity_m_s2.replicate(1, p.cols()));
     if (at.accelerations) add_momentum(at.inertia_at_s, p, Mp, *at.accelerations, at.by_velocity_force);
@@ -86,12 +90,12 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
 
 void GradientSum::add_momentum(double at_s, const Matrix3Xd& p, const Matrix3Xd& Mp, const Matrix3Xd& u,
                                const Matrix3Xd* by_velocity_force) {
-    add_isotropic(p, isotropic_part(masses_[span_at(masses_, at_s)].mass, p, Mp), u);
+    add_isotropic(p, isotropic_part(masses_[model::span_at(masses_, at_s)].mass, p, Mp), u);
     for (std::size_t k = 0; k < model_.directional_masses.size(); ++k) {
-        const DirectionalMass& directional = model_.directional_masses[k];
+        const model::DirectionalMass& directional = model_.directional_masses[k];
         if (!directional.active(at_s)) continue;
         Matrix3Xd Du = Matrix3Xd::Zero(3, u.cols());
-        add_directional(directional.inertia_kg, u, Du);
+        model::add_directional(directional.inertia_kg, u, Du);
         gradient_.directional_masses[k] += dot(p, Du);
     }
     if (by_velocity_force) gradient_.velocity_force_1_s += dot(Mp, *by_velocity_force);
@@ -115,9 +119,10 @@ ModelGradient GradientSum::take() {
         for (Eigen::VectorXd& shape : group) shape = -shape;
     gradient_.fibre_shape = std::move(fibres_.by_shape);
     double attached = 0.0;
-    for (std::size_t k = 0; k < model_.masses.size(); ++k) attached += model_.masses[k].mass_kg * gradient_.attached_masses_kg[k];
+    for (std::size_t k = 0; k < model_.masses.size(); ++k)
+        attached += model_.masses[k].mass_kg * gradient_.attached_masses_kg[k];
     gradient_.density_kg_m3 = model_.density_kg_m3 > 0.0 ? (of_mass_ - attached) / model_.density_kg_m3 : 0.0;
     return std::move(gradient_);
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

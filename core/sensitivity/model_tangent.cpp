@@ -2,12 +2,13 @@
 
 #include <cassert>
 
-namespace myo {
+namespace myo::sensitivity {
 
-ModelTangent youngs_modulus_tangent(const Model& model, double youngs_modulus_Pa) {
+ModelTangent youngs_modulus_tangent(const model::Model& model, double youngs_modulus_Pa) {
     assert(youngs_modulus_Pa > 0.0);
     ModelTangent tangent;
-    for (const Moduli& m : model.moduli) tangent.moduli.push_back({m.mu / youngs_modulus_Pa, m.kappa / youngs_modulus_Pa});
+    for (const material::Moduli& m : model.moduli)
+        tangent.moduli.push_back({m.mu / youngs_modulus_Pa, m.kappa / youngs_modulus_Pa});
     return tangent;
 }
 
@@ -17,15 +18,17 @@ ModelTangent damping_tangent() {
     return tangent;
 }
 
-Eigen::Matrix3Xd force_element_tangent(const Model& model, const ModelTangent& tangent, const ForceState& at) {
+Eigen::Matrix3Xd force_element_tangent(const model::Model& model, const ModelTangent& tangent,
+                                       const model::ForceState& at) {
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, at.x.cols());
     for (std::size_t e = 0; e < tangent.force_elements.size(); ++e)
-        if (tangent.force_elements[e].size() > 0) model.force_elements[e]->add_tangent(*model.body, at, tangent.force_elements[e], gradient);
+        if (tangent.force_elements[e].size() > 0)
+            model.force_elements[e]->add_tangent(*model.body, at, tangent.force_elements[e], gradient);
     return gradient;
 }
 
-Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent) {
-    Stiffness derivative;
+model::Stiffness stiffness_tangent(const model::Model& model, const ModelTangent& tangent) {
+    model::Stiffness derivative;
     derivative.fibres = false;
     derivative.elastic = tangent.moduli;
     derivative.elastic_factors = derivative.viscous_factors = model.point_factors;
@@ -35,7 +38,7 @@ Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent) {
     }
     if (tangent.damping_s == 0.0 && (model.damping_s == 0.0 || tangent.moduli.empty())) return derivative;
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
-        const Moduli d = tangent.moduli.empty() ? Moduli{} : tangent.moduli[c];
+        const material::Moduli d = tangent.moduli.empty() ? material::Moduli{} : tangent.moduli[c];
         derivative.viscous.push_back({tangent.damping_s * model.moduli[c].mu + model.damping_s * d.mu,
                                       tangent.damping_s * model.moduli[c].kappa + model.damping_s * d.kappa});
     }
@@ -44,22 +47,24 @@ Stiffness stiffness_tangent(const Model& model, const ModelTangent& tangent) {
 
 std::vector<double> activation_tangent(const ModelTangent& tangent, double time_s, bool before_jump) {
     std::vector<double> derivative;
-    for (const Signal& signal : tangent.activation) derivative.push_back(before_jump ? signal.value_before(time_s) : signal.value(time_s));
+    for (const fibre::Signal& signal : tangent.activation)
+        derivative.push_back(before_jump ? signal.value_before(time_s) : signal.value(time_s));
     return derivative;
 }
 
-Eigen::Matrix3Xd gradient_tangent(const Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
+Eigen::Matrix3Xd gradient_tangent(const model::Model& model, const ModelTangent& tangent, const Eigen::Matrix3Xd& x,
                                   const Eigen::VectorXd& rate, double time_s, bool before_jump) {
-    const Stiffness derivative = stiffness_tangent(model, tangent);
+    const model::Stiffness derivative = stiffness_tangent(model, tangent);
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
     if (!derivative.elastic.empty() || !derivative.viscous.empty()) {
-        InternalInput input;
+        model::InternalInput input;
         input.stiffness = &derivative;
         if (rate.size() > 0) input.rate = {0.0, &rate};
-        gradient = internal_energy(model, x, input, HessianKind::none).gradient;
+        gradient = model::internal_energy(model, x, input, model::HessianKind::none).gradient;
     }
-    if (!tangent.activation.empty()) gradient += activation_gradient(model, x, activation_tangent(tangent, time_s, before_jump));
+    if (!tangent.activation.empty())
+        gradient += model::activation_gradient(model, x, activation_tangent(tangent, time_s, before_jump));
     return gradient;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 
 Result<RunParts> plan_parts(int steps, const TapeBytes& cost, double budget_bytes) {
     double least = 0.0;
@@ -17,13 +17,14 @@ Result<RunParts> plan_parts(int steps, const TapeBytes& cost, double budget_byte
         plan.points_every = std::max(1, static_cast<int>(std::lround(std::sqrt(plan.steps_per_part))));
         const int points = plan.steps_per_part / plan.points_every + 1;
         const double cuts = plan.parts > 1 ? plan.parts : 0;
-        plan.bytes = plan.steps_per_part * cost.per_step + (points + cuts) * cost.per_state + plan.points_every * cost.per_record;
+        plan.bytes = plan.steps_per_part * cost.per_step + (points + cuts) * cost.per_state +
+                     plan.points_every * cost.per_record;
         if (plan.bytes <= budget_bytes) return plan;
         least = parts == 1 ? plan.bytes : std::min(least, plan.bytes);
     }
-    return Error{"the gradient of " + std::to_string(steps) + " steps needs at least " + format_number(least / 1e6, 3) + " MB, more than its budget of " +
-                     format_number(budget_bytes / 1e6, 3) + " MB",
+    return Error{"the gradient of " + std::to_string(steps) + " steps needs at least " + format_number(least / 1e6, 3) +
+                     " MB, more than its budget of " + format_number(budget_bytes / 1e6, 3) + " MB",
                  {}};
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

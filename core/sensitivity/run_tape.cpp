@@ -4,69 +4,75 @@
 
 #include "sensitivity/step_coefficients.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-void RunTape::record(RunObserver& observer) {
-    observer.stepped = [this](StageSolver&, const TimeScheme& scheme, double t, double h, const std::vector<SolvedStage>& solved) {
+void RunTape::record(dynamics::RunObserver& observer) {
+    observer.stepped = [this](dynamics::StageSolver&, const dynamics::TimeScheme& scheme, double t, double h,
+                              const std::vector<dynamics::SolvedStage>& solved) {
         Block& block = blocks_.back();
         block.steps.push_back({scheme, t, h, {}, {}});
         const auto size = static_cast<std::size_t>(solved.front().solution.x.size());
-        if (block.positions.empty()) block.positions.reserve(static_cast<std::size_t>(points_every_) * solved.size() * size);
-        for (const SolvedStage& s : solved) {
+        if (block.positions.empty())
+            block.positions.reserve(static_cast<std::size_t>(points_every_) * solved.size() * size);
+        for (const dynamics::SolvedStage& s : solved) {
             block.steps.back().stages.push_back({s.stage.time_s, s.stage.before_jump});
             block.positions.insert(block.positions.end(), s.solution.x.data(), s.solution.x.data() + size);
         }
     };
-    observer.jumped = [this](StageSolver&, const Kinematics& state, double t) {
-        if (blocks_.empty()) start_ = {t, state};
-        else blocks_.back().steps.back().jump_s = t;
+    observer.jumped = [this](dynamics::StageSolver&, const dynamics::Kinematics& state, double t) {
+        if (blocks_.empty())
+            start_ = {t, state};
+        else
+            blocks_.back().steps.back().jump_s = t;
     };
-    observer.stood = [this](const RunPoint& point) {
+    observer.stood = [this](const dynamics::RunPoint& point) {
         if (!blocks_.empty() && static_cast<int>(blocks_.back().steps.size()) < points_every_) return;
         blocks_.push_back({{}, {}, point.state});
         if (with_strains_) return;
-        Kinematics& start = blocks_.back().start;
+        dynamics::Kinematics& start = blocks_.back().start;
         for (VectorXd* strain : {&start.strain, &start.rate, &start.rate_lag}) strain->resize(0);
     };
 }
 
-StepRecord RunTape::replay(StageSolver& solver, const TapedStep& step, const double* positions, Kinematics& state) const {
-    const Model& model = solver.model();
+StepRecord RunTape::replay(dynamics::StageSolver& solver, const TapedStep& step, const double* positions,
+                           dynamics::Kinematics& state) const {
+    const model::Model& model = solver.model();
     StepRecord record;
     record.scheme = step.scheme;
     record.time_s = step.time_s;
     record.h_s = step.h_s;
-    const auto solve = [&](Stage& stage, StageSolution& solution) {
+    const auto solve = [&](dynamics::Stage& stage, dynamics::StageSolution& solution) {
         const TapedStage& taped = step.stages[record.solved.size()];
         stage.time_s = taped.time_s;
         stage.before_jump = taped.before_jump;
-        solution.x = Eigen::Map<const Matrix3Xd>(positions + static_cast<Eigen::Index>(record.solved.size()) * state.x.size(), 3, state.x.cols());
+        solution.x = Eigen::Map<const Matrix3Xd>(
+            positions + static_cast<Eigen::Index>(record.solved.size()) * state.x.size(), 3, state.x.cols());
         record.solved.push_back({stage, {solution.x, {}}});
-        if (with_strains_) solution.strain = strains(model, solution.x);
+        if (with_strains_) solution.strain = model::strains(model, solution.x);
         return true;
     };
-    const StepProblem<decltype(solve)> problem{solver.mass(step.time_s + 0.5 * step.h_s), step.time_s, step.h_s,
-                                               model.velocity_force_1_s, solve};
-    Kinematics next;
-    take_step(step.scheme, problem, state, next);
+    const dynamics::StepProblem<decltype(solve)> problem{solver.mass(step.time_s + 0.5 * step.h_s), step.time_s,
+                                                         step.h_s, model.velocity_force_1_s, solve};
+    dynamics::Kinematics next;
+    dynamics::take_step(step.scheme, problem, state, next);
     record.start = std::move(state);
     for (VectorXd* strain : {&record.start.strain, &record.start.rate, &record.start.rate_lag}) strain->resize(0);
     state = std::move(next);
     if (step.jump_s) {
-        set_jump_force(solver, *step.jump_s, state);
+        dynamics::set_jump_force(solver, *step.jump_s, state);
         record.jump = {*step.jump_s, state};
     }
     return record;
 }
 
-std::vector<StepRecord> RunTape::take_last(StageSolver& solver) {
+std::vector<StepRecord> RunTape::take_last(dynamics::StageSolver& solver) {
     assert(!empty());
     const Block block = std::move(blocks_.back());
     blocks_.pop_back();
-    Kinematics state = block.start;
+    dynamics::Kinematics state = block.start;
     const double* positions = block.positions.data();
     std::vector<StepRecord> records;
     for (const TapedStep& step : block.steps) {
@@ -76,12 +82,14 @@ std::vector<StepRecord> RunTape::take_last(StageSolver& solver) {
     return records;
 }
 
-TapeBytes tape_bytes(const Model& model, const TimeScheme& scheme, bool with_strains) {
+TapeBytes tape_bytes(const model::Model& model, const dynamics::TimeScheme& scheme, bool with_strains) {
     const StepCoefficients steps = step_coefficients(scheme, 1.0, 1.0, 0.0);
-    const double nodal = 24.0 * model.body->node_count(), strain = with_strains ? 8.0 * model.body->strain_count() : 0.0;
+    const double nodal = 24.0 * model.body->node_count(),
+                 strain = with_strains ? 8.0 * model.body->strain_count() : 0.0;
     const bool remembers = steps.nodal.row(v_lag_field).any();
     const double stages = steps.stages(), fields = remembers ? 5.0 : 3.0;
-    return {stages * nodal, fields * nodal + (remembers ? 3.0 : 2.0) * strain, fields * nodal + stages * (3.0 * nodal + strain)};
+    return {stages * nodal, fields * nodal + (remembers ? 3.0 : 2.0) * strain,
+            fields * nodal + stages * (3.0 * nodal + strain)};
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -5,21 +5,25 @@
 #include "dynamics/start_state.hpp"
 #include "model/point_energy.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void raise_peaks(const Model& model, const Matrix3Xd& x, const NodalColumns& dx, const std::vector<ModelPair>& pairs, PeakTangents& peaks) {
-    const VectorXd now = isochoric_energy_densities(model, x);
+void raise_peaks(const model::Model& model, const Matrix3Xd& x, const model::NodalColumns& dx,
+                 const std::vector<ModelPair>& pairs, PeakTangents& peaks) {
+    const VectorXd now = model::isochoric_energy_densities(model, x);
     const auto count = static_cast<Index>(pairs.size());
     MatrixXd derivative(now.size(), count);
     for (Index p = 0; p < count; ++p) {
         const ModelPair& pair = pairs[static_cast<std::size_t>(p)];
-        const Matrix3Xd half = 0.5 * pair.width * nodal_column(dx, p);
-        derivative.col(p) = (isochoric_energy_densities(pair.over, held_by(*pair.over.body, x + half)) - isochoric_energy_densities(pair.under, held_by(*pair.under.body, x - half))) / pair.width;
+        const Matrix3Xd half = 0.5 * pair.width * model::nodal_column(dx, p);
+        derivative.col(
+            p) = (model::isochoric_energy_densities(pair.over, dynamics::held_by(*pair.over.body, x + half)) -
+                  model::isochoric_energy_densities(pair.under, dynamics::held_by(*pair.under.body, x - half))) /
+                 pair.width;
     }
     if (peaks.energy_J_m3.size() == 0) peaks = {VectorXd::Zero(now.size()), MatrixXd::Zero(now.size(), count)};
     for (Index c = 0; c < now.size(); ++c)
@@ -29,7 +33,8 @@ void raise_peaks(const Model& model, const Matrix3Xd& x, const NodalColumns& dx,
         }
 }
 
-MatrixXd factor_tangents(const StressSoftening& softening, const std::vector<ModelPair>& pairs, const PeakTangents& peaks) {
+MatrixXd factor_tangents(const material::StressSoftening& softening, const std::vector<ModelPair>& pairs,
+                         const PeakTangents& peaks) {
     MatrixXd result(peaks.energy_J_m3.size(), static_cast<Index>(pairs.size()));
     for (Index c = 0; c < result.rows(); ++c) {
         const double W = peaks.energy_J_m3(c);
@@ -42,4 +47,4 @@ MatrixXd factor_tangents(const StressSoftening& softening, const std::vector<Mod
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -1,6 +1,6 @@
 #include "sensitivity/step_coefficients.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -16,9 +16,9 @@ struct UnitStep {
     std::vector<double> nodal, strain, inertia_1_s2, rate_factor_1_s;
 };
 
-UnitStep unit_step(const TimeScheme& scheme, double h, double step_before, double lambda, int column) {
+UnitStep unit_step(const dynamics::TimeScheme& scheme, double h, double step_before, double lambda, int column) {
     const auto unit = [&](int field) { return field == column ? 1.0 : 0.0; };
-    Kinematics start;
+    dynamics::Kinematics start;
     start.x = node(unit(x_field));
     start.v = node(unit(v_field));
     start.v_lag = node(unit(v_lag_field));
@@ -28,11 +28,11 @@ UnitStep unit_step(const TimeScheme& scheme, double h, double step_before, doubl
     start.rate = measure(unit(rate_field));
     start.rate_lag = measure(unit(rate_lag_field));
     start.step_before_s = step_before;
-    MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}, {}};
+    model::MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}, {}};
     mass.isotropic.insert(0, 0) = 1.0;
     UnitStep result;
     std::vector<double> constants, histories;
-    const auto solve = [&](const Stage& stage, StageSolution& solution) {
+    const auto solve = [&](const dynamics::Stage& stage, dynamics::StageSolution& solution) {
         const double value = unit(nodal_fields + static_cast<int>(constants.size()));
         solution = {node(value), measure(value)};
         constants.push_back(first(stage.constant));
@@ -41,9 +41,9 @@ UnitStep unit_step(const TimeScheme& scheme, double h, double step_before, doubl
         result.rate_factor_1_s.push_back(stage.rate_factor_1_s);
         return true;
     };
-    const StepProblem<decltype(solve)> problem{mass, 0.0, h, lambda, solve};
-    Kinematics next;
-    take_step(scheme, problem, start, next);
+    const dynamics::StepProblem<decltype(solve)> problem{mass, 0.0, h, lambda, solve};
+    dynamics::Kinematics next;
+    dynamics::take_step(scheme, problem, start, next);
     result.nodal = {first(next.x), first(next.v), first(next.v_lag), first(next.force), first(next.force_lag)};
     result.strain = {first(next.strain), first(next.rate), first(next.rate_lag)};
     result.nodal.insert(result.nodal.end(), constants.begin(), constants.end());
@@ -53,7 +53,8 @@ UnitStep unit_step(const TimeScheme& scheme, double h, double step_before, doubl
 
 }  // namespace
 
-StepCoefficients step_coefficients(const TimeScheme& scheme, double h_s, double step_before_s, double velocity_force_1_s) {
+StepCoefficients step_coefficients(const dynamics::TimeScheme& scheme, double h_s, double step_before_s,
+                                   double velocity_force_1_s) {
     StepCoefficients result;
     const UnitStep zero = unit_step(scheme, h_s, step_before_s, velocity_force_1_s, -1);
     result.inertia_1_s2 = zero.inertia_1_s2;
@@ -66,12 +67,14 @@ StepCoefficients step_coefficients(const TimeScheme& scheme, double h_s, double 
         result.nodal.col(column) = Eigen::Map<const VectorXd>(step.nodal.data(), result.nodal.rows());
         // The strain fields stand beside the first nodal ones.
         const int beside = column < strain_fields ? column : column - nodal_fields + strain_fields;
-        if (column < strain_fields || column >= nodal_fields) result.strain.col(beside) = Eigen::Map<const VectorXd>(step.strain.data(), result.strain.rows());
+        if (column < strain_fields || column >= nodal_fields)
+            result.strain.col(beside) = Eigen::Map<const VectorXd>(step.strain.data(), result.strain.rows());
     }
     return result;
 }
 
-StepCoefficients step_coefficients_by_velocity_force(const TimeScheme& scheme, double h_s, double step_before_s, double velocity_force_1_s) {
+StepCoefficients step_coefficients_by_velocity_force(const dynamics::TimeScheme& scheme, double h_s,
+                                                     double step_before_s, double velocity_force_1_s) {
     const double change = 1.0 / h_s;
     StepCoefficients up = step_coefficients(scheme, h_s, step_before_s, velocity_force_1_s + change);
     const StepCoefficients down = step_coefficients(scheme, h_s, step_before_s, velocity_force_1_s - change);
@@ -84,4 +87,4 @@ StepCoefficients step_coefficients_by_velocity_force(const TimeScheme& scheme, d
     return up;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -4,38 +4,42 @@
 
 #include "base/parallel.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd gather_columns(const BlockPattern& pattern, const NodalColumns& fields) {
+MatrixXd gather_columns(const model::BlockPattern& pattern, const model::NodalColumns& fields) {
     MatrixXd result(pattern.unknowns(), fields.rows() / 3);
     for (Index p = 0; p < result.cols(); ++p)
         for (int i = 0; i < pattern.free_count; ++i)
-            result.col(p).segment<3>(3 * i) = fields.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p);
+            result.col(p).segment<3>(3 *
+                                     i) = fields.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p);
     return result;
 }
 
-NodalColumns scatter_columns(const BlockPattern& pattern, const MatrixXd& unknowns) {
-    NodalColumns result = NodalColumns::Zero(3 * unknowns.cols(), static_cast<Index>(pattern.free_index.size()));
+model::NodalColumns scatter_columns(const model::BlockPattern& pattern, const MatrixXd& unknowns) {
+    model::NodalColumns result = model::NodalColumns::Zero(3 * unknowns.cols(),
+                                                           static_cast<Index>(pattern.free_index.size()));
     for (Index p = 0; p < unknowns.cols(); ++p)
         for (int i = 0; i < pattern.free_count; ++i)
-            result.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p) = unknowns.col(p).segment<3>(3 * i);
+            result.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p) = unknowns.col(p).segment<3>(
+                3 * i);
     return result;
 }
 
-NodalColumns mass_times(const NodalColumns& fields, const MassMatrix& mass) {
+model::NodalColumns mass_times(const model::NodalColumns& fields, const model::MassMatrix& mass) {
     if (fields.size() == 0) return {};
-    NodalColumns result(fields.rows(), fields.cols());
+    model::NodalColumns result(fields.rows(), fields.cols());
     parallel_ranges(static_cast<int>(mass.isotropic.outerSize()), 50, [&](int first, int end) {
         for (int j = first; j < end; ++j) {
             result.col(j).setZero();
-            for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, j); entry; ++entry) result.col(j) += entry.value() * fields.col(entry.row());
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, j); entry; ++entry)
+                result.col(j) += entry.value() * fields.col(entry.row());
         }
     });
-    if (mass.has_directional()) add_directional(mass.directional, fields, result);
+    if (mass.has_directional()) model::add_directional(mass.directional, fields, result);
     return result;
 }
 
@@ -50,9 +54,10 @@ MatrixXd sum_of(const FieldTerms& terms) {
         Eigen::Map<VectorXd> part(result.data() + start, count);
         part.setZero();
         for (const auto& [factor, field] : terms)
-            if (factor != 0.0 && field->size() > 0) part += factor * Eigen::Map<const VectorXd>(field->data() + start, count);
+            if (factor != 0.0 && field->size() > 0)
+                part += factor * Eigen::Map<const VectorXd>(field->data() + start, count);
     }
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

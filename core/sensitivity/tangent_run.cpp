@@ -13,7 +13,7 @@
 #include "sensitivity/tangent_columns.hpp"
 #include "solver/conjugate_gradient.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using Eigen::Index;
@@ -23,41 +23,49 @@ using Eigen::VectorXd;
 
 constexpr int most_softening_rounds = 200;
 constexpr double softening_tolerance = 1e-9;
-/// Width of the differences at the start, in units of the body's size. Strains are nearly squares of positions: the error
-/// is the square of the width, and rounding over it.
+/// Width of the differences at the start, in units of the body's size. Strains are nearly squares of positions: the
+/// error is the square of the width, and rounding over it.
 constexpr double start_difference = 1e-5;
 
-/// Carries d(Kinematics)/d(parameter) along a run, all parameters side by side. A step is linear but for the solves of its stages (see
-/// StepCoefficients).
+/// Carries d(Kinematics)/d(parameter) along a run, all parameters side by side. A step is linear but for the solves of
+/// its stages (see StepCoefficients).
 class TangentFollower {
 public:
-    TangentFollower(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
-                    const std::vector<int>& nodes)
-        : model_(model), options_(options), parameters_(parameters), nodes_(nodes), explicit_(model, parameters), kept_(parameters.size()) {}
+    TangentFollower(const model::Model& model, const dynamics::SimulationOptions& options,
+                    const std::vector<ModelTangent>& parameters, const std::vector<int>& nodes)
+        : model_(model),
+          options_(options),
+          parameters_(parameters),
+          nodes_(nodes),
+          explicit_(model, parameters),
+          kept_(parameters.size()) {}
 
-    void start(StageSolver& solver, const Kinematics& state) {
+    void start(dynamics::StageSolver& solver, const dynamics::Kinematics& state) {
         if (parameters_.empty()) return;
-        const Body& body = *model_.body;
-        nodal_[x_field] = NodalColumns::Zero(3 * static_cast<Index>(parameters_.size()), body.node_count());
+        const model::Body& body = *model_.body;
+        nodal_[x_field] = model::NodalColumns::Zero(3 * static_cast<Index>(parameters_.size()), body.node_count());
         nodal_[v_field] = nodal_[x_field];
         if (options_.starts_at_equilibrium()) {
             rest(solver, state);
         } else {
             for (std::size_t p = 0; p < parameters_.size(); ++p)
-                if (parameters_[p].start_m.size() > 0) nodal_column(nodal_[x_field], static_cast<Index>(p)) = parameters_[p].start_m;
+                if (parameters_[p].start_m.size() > 0)
+                    model::nodal_column(nodal_[x_field], static_cast<Index>(p)) = parameters_[p].start_m;
         }
         if (explicit_.with_strains()) start_strains(state);
         explicit_.soften(state.x, nodal_[x_field], true);
         keep();
     }
 
-    void jump(StageSolver& solver, const Kinematics& state, double t) {
+    void jump(dynamics::StageSolver& solver, const dynamics::Kinematics& state, double t) {
         if (parameters_.empty()) return;
-        const BlockPattern& pattern = model_.body->pattern;
-        const Stage stage = jump_stage(state, t);
-        const SymmetricSparse K = solver.hessian(stage, state.x);
-        const MatrixXd held = explicit_.residuals(solver, stage, state.x, state.rate, strain_[rate_field], nodal_[v_field]);
-        nodal_[force_field] = scatter_columns(pattern, -symmetric_product(K, gather_columns(pattern, nodal_[x_field])) - held);
+        const model::BlockPattern& pattern = model_.body->pattern;
+        const dynamics::Stage stage = dynamics::jump_stage(state, t);
+        const solver::SymmetricSparse K = solver.hessian(stage, state.x);
+        const MatrixXd held = explicit_.residuals(solver, stage, state.x, state.rate, strain_[rate_field],
+                                                  nodal_[v_field]);
+        nodal_[force_field] = scatter_columns(
+            pattern, -solver::symmetric_product(K, gather_columns(pattern, nodal_[x_field])) - held);
         const double lambda = model_.velocity_force_1_s;
         if (lambda == 0.0) return;
         nodal_[force_field] += lambda * mass_times(nodal_[v_field], solver.mass(t));
@@ -65,21 +73,23 @@ public:
         clear_clamped();
     }
 
-    void step(StageSolver& solver, const TimeScheme& scheme, double t, double h,
-              const std::vector<SolvedStage>& solved) {
+    void step(dynamics::StageSolver& solver, const dynamics::TimeScheme& scheme, double t, double h,
+              const std::vector<dynamics::SolvedStage>& solved) {
         if (parameters_.empty()) return;
-        const Body& body = *model_.body;
-        const double middle_s = t + 0.5 * h;   // for the mass
+        const model::Body& body = *model_.body;
+        const double middle_s = t + 0.5 * h;  // for the mass
         const StepCoefficients step = step_coefficients(scheme, h, step_before_s_, model_.velocity_force_1_s);
-        std::vector<NodalColumns> solutions(solved.size());
+        std::vector<model::NodalColumns> solutions(solved.size());
         std::vector<MatrixXd> strains(solved.size());
         const auto nodal_row = [&](int row) {
             FieldTerms plain, through_mass;
             for (int c = 0; c < step.nodal.cols(); ++c) {
-                const MatrixXd* field = c < nodal_fields ? &nodal_[static_cast<std::size_t>(c)] : &solutions[static_cast<std::size_t>(c - nodal_fields)];
-                (is_momentum_row(row) && is_motion_column(c) ? through_mass : plain).emplace_back(step.nodal(row, c), field);
+                const MatrixXd* field = c < nodal_fields ? &nodal_[static_cast<std::size_t>(c)]
+                                                         : &solutions[static_cast<std::size_t>(c - nodal_fields)];
+                (is_momentum_row(row) && is_motion_column(c) ? through_mass : plain)
+                    .emplace_back(step.nodal(row, c), field);
             }
-            NodalColumns momentum = mass_times(sum_of(through_mass), solver.mass(middle_s));
+            model::NodalColumns momentum = mass_times(sum_of(through_mass), solver.mass(middle_s));
             if (is_momentum_row(row)) explicit_.add_mass_changes(middle_s, moved_of(step, row, solved), momentum);
             plain.emplace_back(1.0, &momentum);
             return sum_of(plain);
@@ -87,16 +97,20 @@ public:
         const auto strain_row = [&](int row) {
             FieldTerms terms;
             for (int c = 0; c < step.strain.cols(); ++c)
-                terms.emplace_back(step.strain(row, c), c < strain_fields ? &strain_[static_cast<std::size_t>(c)] : &strains[static_cast<std::size_t>(c - strain_fields)]);
+                terms.emplace_back(step.strain(row, c), c < strain_fields
+                                                            ? &strain_[static_cast<std::size_t>(c)]
+                                                            : &strains[static_cast<std::size_t>(c - strain_fields)]);
             return sum_of(terms);
         };
 
         // Velocities of a stage depend on motions as rates of strain on strains.
         const auto velocity_row = [&](int row) {
             FieldTerms terms;
-            if (!depends_on_velocity(model_)) return NodalColumns();
+            if (!model::depends_on_velocity(model_)) return model::NodalColumns();
             for (int c = 0; c < step.strain.cols(); ++c)
-                terms.emplace_back(step.strain(row, c), c < strain_fields ? &nodal_[static_cast<std::size_t>(c)] : &solutions[static_cast<std::size_t>(c - strain_fields)]);
+                terms.emplace_back(step.strain(row, c), c < strain_fields
+                                                            ? &nodal_[static_cast<std::size_t>(c)]
+                                                            : &solutions[static_cast<std::size_t>(c - strain_fields)]);
             return sum_of(terms);
         };
 
@@ -107,29 +121,33 @@ public:
             const auto stage_number = static_cast<int>(k);
             MatrixXd B = gather_columns(body.pattern, nodal_row(nodal_fields + stage_number));
             MatrixXd histories = strain_row(strain_fields + stage_number);
-            if (model_.creep && histories.size() == 0) histories = MatrixXd::Zero(rate.size(), static_cast<Index>(parameters_.size()));
-            B -= explicit_.residuals(solver, stage, solution.x, rate, histories, velocity_row(strain_fields + stage_number));
-            const MatrixXd X = solver.solve_linear(solver.hessian(stage, solution.x), stage, solution.x, B, guesses_[k].next());
+            if (model_.creep && histories.size() == 0)
+                histories = MatrixXd::Zero(rate.size(), static_cast<Index>(parameters_.size()));
+            B -= explicit_.residuals(solver, stage, solution.x, rate, histories,
+                                     velocity_row(strain_fields + stage_number));
+            const MatrixXd X = solver.solve_linear(solver.hessian(stage, solution.x), stage, solution.x, B,
+                                                   guesses_[k].next());
             guesses_[k].add(X);
             solutions[k] = scatter_columns(body.pattern, X);
-            if (explicit_.with_strains()) strains[k] = strain_tangents(model_, solution.x, solutions[k]);
-            if (model_.creep) strains[k] = with_dashpots(*model_.creep, stage.rate_factor_1_s, strains[k], histories);
+            if (explicit_.with_strains()) strains[k] = model::strain_tangents(model_, solution.x, solutions[k]);
+            if (model_.creep)
+                strains[k] = dynamics::with_dashpots(*model_.creep, stage.rate_factor_1_s, strains[k], histories);
             if (explicit_.with_strains()) explicit_.add_strain_changes(stage, solution.x, strains[k]);
         }
-        std::array<NodalColumns, nodal_fields> nodal;
+        std::array<model::NodalColumns, nodal_fields> nodal;
         std::array<MatrixXd, strain_fields> strain;
         for (int field = 0; field < nodal_fields; ++field) nodal[static_cast<std::size_t>(field)] = nodal_row(field);
         for (int field = 0; field < strain_fields; ++field) strain[static_cast<std::size_t>(field)] = strain_row(field);
         nodal_ = std::move(nodal);
         strain_ = std::move(strain);
         clear_clamped();
-        step_before_s_ = step.nodal.row(v_lag_field).any() ? h : 0.0;   // of schemes that look back
+        step_before_s_ = step.nodal.row(v_lag_field).any() ? h : 0.0;  // of schemes that look back
         explicit_.soften(solved.back().solution.x, nodal_[x_field], false);
         keep();
     }
 
     /// Where the next step begins.
-    void stood(const Kinematics& state) {
+    void stood(const dynamics::Kinematics& state) {
         if (explicit_.change_masses()) before_ = {state.x, state.v, state.v_lag};
     }
 
@@ -139,7 +157,7 @@ private:
     /// Where to start the linear solves: the polynomial through the solutions of the last four steps, of equal length
     /// mostly.
     struct Guess {
-        std::vector<MatrixXd> last;   // the latest first
+        std::vector<MatrixXd> last;  // the latest first
         MatrixXd next() const {
             constexpr std::array<std::array<double, 4>, 4> weights{
                 {{1.0}, {2.0, -1.0}, {3.0, -3.0, 1.0}, {4.0, -6.0, 4.0, -1.0}}};
@@ -155,46 +173,51 @@ private:
     };
 
     /// Motions of the run itself, with their factors.
-    ExplicitChanges::MotionTerms moved_of(const StepCoefficients& step, int row, const std::vector<SolvedStage>& solved) const {
+    ExplicitChanges::MotionTerms moved_of(const StepCoefficients& step, int row,
+                                          const std::vector<dynamics::SolvedStage>& solved) const {
         ExplicitChanges::MotionTerms terms;
         for (int c = 0; c < step.nodal.cols(); ++c)
             if (is_motion_column(c))
-                terms.emplace_back(step.nodal(row, c), c < nodal_fields ? &before_[static_cast<std::size_t>(c)] : &solved[static_cast<std::size_t>(c - nodal_fields)].solution.x);
+                terms.emplace_back(step.nodal(row, c),
+                                   c < nodal_fields ? &before_[static_cast<std::size_t>(c)]
+                                                    : &solved[static_cast<std::size_t>(c - nodal_fields)].solution.x);
         return terms;
     }
 
     /// Of an equilibrium; that of softened cells is a fixed point (see solve_equilibrium), and so is its derivative.
-    void rest(StageSolver& solver, const Kinematics& state) {
+    void rest(dynamics::StageSolver& solver, const dynamics::Kinematics& state) {
         const Matrix3Xd& x = state.x;
-        const BlockPattern& pattern = model_.body->pattern;
-        const Stage stage = static_stage(*model_.body, 0.0);
-        const SymmetricSparse K = solver.hessian(stage, x);
+        const model::BlockPattern& pattern = model_.body->pattern;
+        const dynamics::Stage stage = dynamics::static_stage(*model_.body, 0.0);
+        const solver::SymmetricSparse K = solver.hessian(stage, x);
         for (int iteration = 0; iteration < most_softening_rounds; ++iteration) {
             explicit_.soften(x, nodal_[x_field], true);
             const MatrixXd B = -explicit_.residuals(solver, stage, x, state.rate, {}, {});
-            const NodalColumns before = nodal_[x_field];
+            const model::NodalColumns before = nodal_[x_field];
             nodal_[x_field] = scatter_columns(pattern, solver.solve_linear(K, stage, x, B));
             if (!model_.softening || (nodal_[x_field] - before).norm() <= softening_tolerance * before.norm()) return;
         }
     }
 
     /// Strains and rates of the start by differences of both sides.
-    void start_strains(const Kinematics& state) {
-        for (MatrixXd* field : {&strain_[strain_field], &strain_[rate_field]}) *field = MatrixXd::Zero(state.strain.size(), static_cast<Index>(parameters_.size()));
+    void start_strains(const dynamics::Kinematics& state) {
+        for (MatrixXd* field : {&strain_[strain_field], &strain_[rate_field]})
+            *field = MatrixXd::Zero(state.strain.size(), static_cast<Index>(parameters_.size()));
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
             const auto column = static_cast<Index>(p);
-            const Matrix3Xd moved = nodal_column(nodal_[x_field], column);
+            const Matrix3Xd moved = model::nodal_column(nodal_[x_field], column);
             const double most = moved.cwiseAbs().maxCoeff(), size = std::cbrt(model_.body->volume_m3);
             const ModelPair* const pair = explicit_.pair(p);
             const double width = pair ? pair->width : most > 0.0 ? start_difference * size / most : 1.0;
-            const auto at = [&](const Model& model, double side) {
-                Kinematics beside;
-                beside.x = held_by(*model.body, state.x + 0.5 * side * width * moved);
+            const auto at = [&](const model::Model& model, double side) {
+                dynamics::Kinematics beside;
+                beside.x = dynamics::held_by(*model.body, state.x + 0.5 * side * width * moved);
                 beside.v = state.v;
-                set_start_strains(model, options_.start, beside);
+                dynamics::set_start_strains(model, options_.start, beside);
                 return beside;
             };
-            const Kinematics over = at(pair ? pair->over : model_, 1.0), under = at(pair ? pair->under : model_, -1.0);
+            const dynamics::Kinematics over = at(pair ? pair->over : model_, 1.0),
+                                       under = at(pair ? pair->under : model_, -1.0);
             strain_[strain_field].col(column) = (over.strain - under.strain) / width;
             strain_[rate_field].col(column) = (over.rate - under.rate) / width;
         }
@@ -203,46 +226,55 @@ private:
     /// The mass couples clamped nodes to their free neighbours; forces on them are reactions.
     void clear_clamped() {
         for (int i = 0; i < model_.body->node_count(); ++i)
-            if (model_.body->clamped[static_cast<std::size_t>(i)] && nodal_[force_field].size() > 0) nodal_[force_field].col(i).setZero();
+            if (model_.body->clamped[static_cast<std::size_t>(i)] && nodal_[force_field].size() > 0)
+                nodal_[force_field].col(i).setZero();
     }
 
     void keep() {
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
-            const auto of_nodes = [&](NodalField field) { return Matrix3Xd(nodal_column(nodal_[field], static_cast<Index>(p))(Eigen::all, nodes_)); };
+            const auto of_nodes = [&](NodalField field) {
+                return Matrix3Xd(model::nodal_column(nodal_[field], static_cast<Index>(p))(Eigen::all, nodes_));
+            };
             kept_[p].positions.push_back(of_nodes(x_field));
             kept_[p].velocities.push_back(of_nodes(v_field));
         }
     }
 
-    const Model& model_;
-    const SimulationOptions& options_;
+    const model::Model& model_;
+    const dynamics::SimulationOptions& options_;
     const std::vector<ModelTangent>& parameters_;
     const std::vector<int>& nodes_;
     ExplicitChanges explicit_;
-    std::array<Matrix3Xd, 3> before_;                   // x, v and v_lag of the run before a step, where masses change
-    std::array<NodalColumns, nodal_fields> nodal_;      // derivatives of the state; empty: zero
-    std::array<MatrixXd, strain_fields> strain_;        // a column per parameter; empty: zero
-    double step_before_s_ = 0.0;                        // see Kinematics
-    std::vector<Guess> guesses_;                        // per stage of a step
+    std::array<Matrix3Xd, 3> before_;  // x, v and v_lag of the run before a step, where masses change
+    std::array<model::NodalColumns, nodal_fields> nodal_;  // derivatives of the state; empty: zero
+    std::array<MatrixXd, strain_fields> strain_;           // a column per parameter; empty: zero
+    double step_before_s_ = 0.0;                           // see Kinematics
+    std::vector<Guess> guesses_;                           // per stage of a step
     std::vector<NodeTangent> kept_;
 };
 
 }  // namespace
 
-SensitiveTrace simulate_with_tangents(const Model& model, const SimulationOptions& options, const std::vector<ModelTangent>& parameters,
-                                      const std::vector<int>& nodes, const Progress& progress) {
+SensitiveTrace simulate_with_tangents(const model::Model& model, const dynamics::SimulationOptions& options,
+                                      const std::vector<ModelTangent>& parameters, const std::vector<int>& nodes,
+                                      const Progress& progress) {
     TangentFollower follower(model, options, parameters, nodes);
-    RunObserver observer;
-    observer.started = [&](StageSolver& solver, const Kinematics& state) { follower.start(solver, state); };
-    observer.jumped = [&](StageSolver& solver, const Kinematics& state, double t) { follower.jump(solver, state, t); };
-    observer.stepped = [&](StageSolver& solver, const TimeScheme& scheme, double t, double h, const std::vector<SolvedStage>& solved) {
+    dynamics::RunObserver observer;
+    observer.started = [&](dynamics::StageSolver& solver, const dynamics::Kinematics& state) {
+        follower.start(solver, state);
+    };
+    observer.jumped = [&](dynamics::StageSolver& solver, const dynamics::Kinematics& state, double t) {
+        follower.jump(solver, state, t);
+    };
+    observer.stepped = [&](dynamics::StageSolver& solver, const dynamics::TimeScheme& scheme, double t, double h,
+                           const std::vector<dynamics::SolvedStage>& solved) {
         follower.step(solver, scheme, t, h, solved);
     };
-    observer.stood = [&](const RunPoint& point) { follower.stood(point.state); };
+    observer.stood = [&](const dynamics::RunPoint& point) { follower.stood(point.state); };
     SensitiveTrace result;
-    result.trace = simulate(model, options, progress, observer);
+    result.trace = dynamics::simulate(model, options, progress, observer);
     result.tangents = follower.take();
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::sensitivity

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 void free_factor(cholmod_factor* factor) {
@@ -17,8 +17,8 @@ void free_factor(cholmod_factor* factor) {
 
 }  // namespace
 
-/// One thread at a time: the serial OpenBLAS underneath is not safe to call from two threads (seen: runs side by side gave
-/// solutions that were not numbers), and METIS's orderings would depend on what runs beside.
+/// One thread at a time: the serial OpenBLAS underneath is not safe to call from two threads (seen: runs side by side
+/// gave solutions that were not numbers), and METIS's orderings would depend on what runs beside.
 std::mutex& cholmod_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -59,11 +59,12 @@ CholmodFactor CholmodSession::analyse(cholmod_sparse& matrix) {
 }
 
 bool CholmodSession::factorise(cholmod_sparse& matrix, cholmod_factor& factor) {
-    // Debian's CHOLMOD opens OpenMP regions of four threads by itself; on small factors they cost more than they give, and
-    // threads belong to us. Level 0 makes every region of this thread serial.
+    // Debian's CHOLMOD opens OpenMP regions of four threads by itself; on small factors they cost more than they give,
+    // and threads belong to us. Level 0 makes every region of this thread serial.
     omp_set_max_active_levels(0);
     const std::lock_guard<std::mutex> lock(cholmod_mutex());
-    return cholmod_factorize(&matrix, &factor, &common_) != 0 && common_.status == CHOLMOD_OK && factor.minor == factor.n;
+    return cholmod_factorize(&matrix, &factor, &common_) != 0 && common_.status == CHOLMOD_OK &&
+           factor.minor == factor.n;
 }
 
 Eigen::MatrixXd CholmodSession::solve(cholmod_factor& factor, const Eigen::MatrixXd& B) {
@@ -87,4 +88,4 @@ void use_one_blas_thread() {
     ::setenv("OMP_NUM_THREADS", "1", 0);
 }
 
-}  // namespace myo
+}  // namespace myo::solver

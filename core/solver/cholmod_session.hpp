@@ -7,7 +7,7 @@
 
 #include "solver/sparse_cholesky.hpp"
 
-namespace myo {
+namespace myo::solver {
 
 /// Held by whoever is in CHOLMOD, or in METIS, which draws from one random generator.
 std::mutex& cholmod_mutex();
@@ -35,4 +35,4 @@ private:
     cholmod_common common_{};
 };
 
-}  // namespace myo
+}  // namespace myo::solver

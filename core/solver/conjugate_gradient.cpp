@@ -6,7 +6,7 @@
 
 #include "base/parallel.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 using Eigen::MatrixXd;
@@ -21,7 +21,9 @@ bool has_blocks_of_three(const SymmetricSparse& lower) {
     if (lower.outerSize() % 3 != 0) return false;
     for (int j = 0; j < lower.outerSize(); j += 3) {
         const int length = start[j + 1] - start[j];
-        if (length < 3 || length % 3 != 0 || rows[start[j]] != j || start[j + 2] - start[j + 1] != length - 1 || start[j + 3] - start[j + 2] != length - 2) return false;
+        if (length < 3 || length % 3 != 0 || rows[start[j]] != j || start[j + 2] - start[j + 1] != length - 1 ||
+            start[j + 3] - start[j + 2] != length - 2)
+            return false;
         for (int e = 0; e < length; e += 3)
             if (rows[start[j] + e + 2] != rows[start[j] + e] + 2) return false;
         if (!std::equal(rows + start[j] + 1, rows + start[j] + length, rows + start[j + 1]) ||
@@ -36,11 +38,12 @@ template <class Lane>
 void add_block_column(const SymmetricSparse& lower, int j, const std::vector<Lane>& x, std::vector<Lane>& y) {
     const int first = lower.outerIndexPtr()[j], length = lower.outerIndexPtr()[j + 1] - first;
     const int* rows = lower.innerIndexPtr() + first;
-    const double* a = lower.valuePtr() + first;   // entry e of the columns, as if all began where the first does
+    const double* a = lower.valuePtr() + first;  // entry e of the columns, as if all began where the first does
     const double *b = a + length - 1, *c = b + length - 2;
     const auto at = static_cast<std::size_t>(j);
     const Lane xa = x[at], xb = x[at + 1], xc = x[at + 2];
-    Lane ya = a[0] * xa + a[1] * xb + a[2] * xc, yb = a[1] * xa + b[1] * xb + b[2] * xc, yc = a[2] * xa + b[2] * xb + c[2] * xc;
+    Lane ya = a[0] * xa + a[1] * xb + a[2] * xc, yb = a[1] * xa + b[1] * xb + b[2] * xc,
+         yc = a[2] * xa + b[2] * xb + c[2] * xc;
     for (int e = 3; e < length; e += 3) {
         const auto i = static_cast<std::size_t>(rows[e]);
         for (int r = 0; r < 3; ++r) {
@@ -56,16 +59,18 @@ void add_block_column(const SymmetricSparse& lower, int j, const std::vector<Lan
     y[at + 2] += yc;
 }
 
-/// Columns first ... first + count - 1 of Y = A X, count <= K: a row's numbers lie side by side, so that the matrix is read once for
-/// K columns.
+/// Columns first ... first + count - 1 of Y = A X, count <= K: a row's numbers lie side by side, so that the matrix is
+/// read once for K columns.
 template <int K>
-void product_of(const SymmetricSparse& lower, bool in_threes, const MatrixXd& X, Eigen::Index first, Eigen::Index count, MatrixXd& Y) {
+void product_of(const SymmetricSparse& lower, bool in_threes, const MatrixXd& X, Eigen::Index first, Eigen::Index count,
+                MatrixXd& Y) {
     using Lane = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, K>>;
     const auto n = static_cast<std::size_t>(X.rows());
     std::vector<Lane> x(n), y(n, Lane(0.0));
     auto* numbers = reinterpret_cast<double*>(x.data());
     for (Eigen::Index k = 0; k < K; ++k)
-        for (std::size_t i = 0; i < n; ++i) numbers[i * K + static_cast<std::size_t>(k)] = k < count ? X(static_cast<Eigen::Index>(i), first + k) : 0.0;
+        for (std::size_t i = 0; i < n; ++i)
+            numbers[i * K + static_cast<std::size_t>(k)] = k < count ? X(static_cast<Eigen::Index>(i), first + k) : 0.0;
     const int* start = lower.outerIndexPtr();
     const int* rows = lower.innerIndexPtr();
     const double* values = lower.valuePtr();
@@ -85,13 +90,15 @@ void product_of(const SymmetricSparse& lower, bool in_threes, const MatrixXd& X,
     }
     numbers = reinterpret_cast<double*>(y.data());
     for (Eigen::Index k = 0; k < count; ++k)
-        for (std::size_t i = 0; i < n; ++i) Y(static_cast<Eigen::Index>(i), first + k) = numbers[i * K + static_cast<std::size_t>(k)];
+        for (std::size_t i = 0; i < n; ++i)
+            Y(static_cast<Eigen::Index>(i), first + k) = numbers[i * K + static_cast<std::size_t>(k)];
 }
 
 }  // namespace
 
-ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const LinearOperator& preconditioner, const MatrixXd& B,
-                                           double tolerance, int max_iterations, const MatrixXd& guess) {
+ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const LinearOperator& preconditioner,
+                                           const MatrixXd& B, double tolerance, int max_iterations,
+                                           const MatrixXd& guess) {
     ConjugateGradientReport report;
     MatrixXd& X = report.solution;
     X = guess.size() == 0 ? MatrixXd::Zero(B.rows(), B.cols()) : guess;
@@ -102,7 +109,7 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
     if (guess.size() > 0) R -= A(X);
     using Flags = Eigen::Array<bool, 1, Eigen::Dynamic>;
     Flags open;
-    const auto look = [&]() {   // which columns are not yet there
+    const auto look = [&]() {  // which columns are not yet there
         const RowVectorXd size = R.colwise().norm();
         open = size.array() > tolerance * scale.array();
         report.relative_residual = (scale.array() > 0.0).select(size.array() / scale.array(), 0.0).maxCoeff();
@@ -151,13 +158,17 @@ MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
     parallel_ranges(groups, 1, [&](int begin, int end) {
         for (Eigen::Index first = begin * wide; first < std::min<Eigen::Index>(end * wide, columns); first += wide) {
             const Eigen::Index count = std::min<Eigen::Index>(wide, columns - first);
-            if (count == 1) product_of<1>(lower, in_threes, X, first, count, Y);
-            else if (count <= 4) product_of<4>(lower, in_threes, X, first, count, Y);
-            else if (count <= 8) product_of<8>(lower, in_threes, X, first, count, Y);
-            else product_of<wide>(lower, in_threes, X, first, count, Y);
+            if (count == 1)
+                product_of<1>(lower, in_threes, X, first, count, Y);
+            else if (count <= 4)
+                product_of<4>(lower, in_threes, X, first, count, Y);
+            else if (count <= 8)
+                product_of<8>(lower, in_threes, X, first, count, Y);
+            else
+                product_of<wide>(lower, in_threes, X, first, count, Y);
         }
     });
     return Y;
 }
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -8,7 +8,7 @@
 
 #include "solver/supernodal_pattern.hpp"
 
-namespace myo {
+namespace myo::solver {
 
 /// As many right-hand sides side by side as a register has lanes.
 template <class Scalar, int K>
@@ -42,7 +42,7 @@ struct FactorBlock {
                 for (int c = start + 1; c <= r; ++c) y[r] += column(c)[r] * right[static_cast<std::size_t>(c - start)];
             }
             int r = end;
-            for (; r + 4 <= rows; r += 4) {   // four rows share the loads of y
+            for (; r + 4 <= rows; r += 4) {  // four rows share the loads of y
                 Lane sum0 = y[r], sum1 = y[r + 1], sum2 = y[r + 2], sum3 = y[r + 3];
                 for (int c = start; c < end; ++c) {
                     const Scalar* at = column(c) + r;
@@ -102,14 +102,18 @@ struct FactorBlock<Scalar, 1> {
 
     void forward(Scalar* y) const {
         for (int start = 0; start < columns; start += step) {
-            if (columns - start >= step) forward_columns<step>(start, y);
-            else for_few(columns - start, [&](auto n) { forward_columns<n.value>(start, y); });
+            if (columns - start >= step)
+                forward_columns<step>(start, y);
+            else
+                for_few(columns - start, [&](auto n) { forward_columns<n.value>(start, y); });
         }
     }
     void backward(Scalar* y) const {
         for (int start = (columns - 1) / step * step; start >= 0; start -= step) {
-            if (columns - start >= step) backward_columns<step>(start, y);
-            else for_few(columns - start, [&](auto n) { backward_columns<n.value>(start, y); });
+            if (columns - start >= step)
+                backward_columns<step>(start, y);
+            else
+                for_few(columns - start, [&](auto n) { backward_columns<n.value>(start, y); });
         }
     }
 
@@ -120,7 +124,8 @@ private:
         [&]<std::size_t... k>(std::index_sequence<k...>) {
             ((n == static_cast<int>(k) + 1 ? visit(std::integral_constant<int, static_cast<int>(k) + 1>{}) : void()),
              ...);
-        }(std::make_index_sequence<step - 1>{});
+        }
+        (std::make_index_sequence<step - 1>{});
     }
 
     static Rows load(const Scalar* at) { return Rows(at, std::experimental::element_aligned); }
@@ -187,4 +192,4 @@ private:
     }
 };
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cassert>
 
-namespace myo {
+namespace myo::solver {
 
 bool FastCholesky::knows_pattern(const SymmetricSparse& lower) const {
-    return !starts_.empty() && std::equal(starts_.begin(), starts_.end(), lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1) &&
+    return !starts_.empty() &&
+           std::equal(starts_.begin(), starts_.end(), lower.outerIndexPtr(),
+                      lower.outerIndexPtr() + lower.cols() + 1) &&
            std::equal(rows_.begin(), rows_.end(), lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
 }
 
@@ -16,20 +18,21 @@ void FastCholesky::analyse(const SymmetricSparse& lower) {
     starts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
     rows_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
     pattern_ = analyse_pattern(lower);
-    flops_ = myo::factor_flops(pattern_);
+    flops_ = myo::solver::factor_flops(pattern_);
     factor_ = {};
 }
 
 bool FastCholesky::factorize(const SymmetricSparse& lower) {
     analyse(lower);
-    if (pattern_.size() != lower.rows()) return false;   // the analysis ran out of memory
-    if (myo::factorize(pattern_, lower, factor_)) return true;
+    if (pattern_.size() != lower.rows()) return false;  // the analysis ran out of memory
+    if (myo::solver::factorize(pattern_, lower, factor_)) return true;
     SupernodalFactor<double> exact;
-    if (!myo::factorize(pattern_, lower, exact)) return false;
+    if (!myo::solver::factorize(pattern_, lower, exact)) return false;
     factor_.values.resize(exact.values.size());
-    std::transform(exact.values.begin(), exact.values.end(), factor_.values.begin(), [](double value) { return static_cast<float>(value); });
+    std::transform(exact.values.begin(), exact.values.end(), factor_.values.begin(),
+                   [](double value) { return static_cast<float>(value); });
     factor_.scale = std::move(exact.scale);
     return true;
 }
 
-}  // namespace myo
+}  // namespace myo::solver

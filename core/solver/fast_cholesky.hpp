@@ -7,14 +7,15 @@
 #include "solver/supernodal_factor.hpp"
 #include "solver/supernodal_pattern.hpp"
 
-namespace myo {
+namespace myo::solver {
 
-/// Cholesky factor in single precision, for preconditioning and search directions, kept while only the matrix's values change.
+/// Cholesky factor in single precision, for preconditioning and search directions, kept while only the matrix's values
+/// change.
 ///
-/// A solve costs one pass over the factor each way, at the speed of memory, so half the bytes are twice the speed. Accuracy: about
-/// 1e-6 times the condition of the scaled matrix. Where single precision breaks down it is factored in double and rounded.
-/// Solves may run side by side.
-/// Source: Higham 2002, ch. 12 (single precision beneath a double-precision iteration).
+/// A solve costs one pass over the factor each way, at the speed of memory, so half the bytes are twice the speed.
+/// Accuracy: about 1e-6 times the condition of the scaled matrix. Where single precision breaks down it is factored in
+/// double and rounded. Solves may run side by side. Source: Higham 2002, ch. 12 (single precision beneath a
+/// double-precision iteration).
 class FastCholesky {
 public:
     /// Learns the pattern, and with it the size of the factor, when it is new.
@@ -26,7 +27,9 @@ public:
     bool has_factor() const { return !factor_.empty(); }
 
     /// A^-1 B for B of n x k. Asserts has_factor().
-    Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& B) const { return myo::solve(pattern_, factor_, B); }
+    Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
+        return myo::solver::solve(pattern_, factor_, B);
+    }
 
     /// Entries of the factor and floating-point operations to make it; 0 before the first analyse().
     double factor_entries() const { return static_cast<double>(pattern_.value_count()); }
@@ -37,8 +40,8 @@ private:
 
     SupernodalPattern pattern_;
     SupernodalFactor<float> factor_;
-    std::vector<int> starts_, rows_;   // of the matrix that the pattern was made for
+    std::vector<int> starts_, rows_;  // of the matrix that the pattern was made for
     double flops_ = 0.0;
 };
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -10,7 +10,7 @@
 #include "solver/cholmod_session.hpp"
 #include "solver/conjugate_gradient.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 using Eigen::MatrixXd;
@@ -32,14 +32,18 @@ NodeGraph node_graph(const SymmetricSparse& lower) {
     for (int j = 0; j < nodes; ++j)
         for (SymmetricSparse::InnerIterator entry(lower, 3 * j); entry; ++entry) {
             const int i = static_cast<int>(entry.row()) / 3;
-            if (i == j || (!neighbours[static_cast<std::size_t>(j)].empty() && neighbours[static_cast<std::size_t>(j)].back() == i)) continue;
+            if (i == j || (!neighbours[static_cast<std::size_t>(j)].empty() &&
+                           neighbours[static_cast<std::size_t>(j)].back() == i))
+                continue;
             neighbours[static_cast<std::size_t>(j)].push_back(i);
         }
-    // The upper triangle too; entries of a column came in ascending order, so that those of the lower triangle stand first.
+    // The upper triangle too; entries of a column came in ascending order, so that those of the lower triangle stand
+    // first.
     std::vector<std::size_t> below(neighbours.size());
     for (std::size_t j = 0; j < neighbours.size(); ++j) below[j] = neighbours[j].size();
     for (std::size_t j = 0; j < neighbours.size(); ++j)
-        for (std::size_t k = 0; k < below[j]; ++k) neighbours[static_cast<std::size_t>(neighbours[j][k])].push_back(static_cast<idx_t>(j));
+        for (std::size_t k = 0; k < below[j]; ++k)
+            neighbours[static_cast<std::size_t>(neighbours[j][k])].push_back(static_cast<idx_t>(j));
     NodeGraph graph;
     for (const std::vector<idx_t>& list : neighbours) {
         graph.neighbours.insert(graph.neighbours.end(), list.begin(), list.end());
@@ -57,11 +61,12 @@ std::vector<std::vector<int>> cut(NodeGraph& graph, int part_count) {
         options[METIS_OPTION_SEED] = 1;
         idx_t nodes = graph.nodes(), constraints = 1, parts = part_count, edges_cut = 0;
         const std::lock_guard<std::mutex> lock(cholmod_mutex());
-        METIS_PartGraphKway(&nodes, &constraints, graph.start.data(), graph.neighbours.data(), nullptr, nullptr, nullptr, &parts, nullptr, nullptr, options,
-                            &edges_cut, part.data());
+        METIS_PartGraphKway(&nodes, &constraints, graph.start.data(), graph.neighbours.data(), nullptr, nullptr,
+                            nullptr, &parts, nullptr, nullptr, options, &edges_cut, part.data());
     }
     std::vector<std::vector<int>> members(static_cast<std::size_t>(part_count));
-    for (int i = 0; i < graph.nodes(); ++i) members[static_cast<std::size_t>(part[static_cast<std::size_t>(i)])].push_back(i);
+    for (int i = 0; i < graph.nodes(); ++i)
+        members[static_cast<std::size_t>(part[static_cast<std::size_t>(i)])].push_back(i);
     return members;
 }
 
@@ -73,8 +78,10 @@ std::vector<int> with_overlap(const NodeGraph& graph, const std::vector<int>& no
     for (int layer = 0; layer < overlap_layers; ++layer) {
         const std::size_t end = all.size();
         for (; first < end; ++first)
-            for (idx_t k = graph.start[static_cast<std::size_t>(all[first])]; k < graph.start[static_cast<std::size_t>(all[first]) + 1]; ++k)
-                if (const auto j = static_cast<std::size_t>(graph.neighbours[static_cast<std::size_t>(k)]); !inside[j]) {
+            for (idx_t k = graph.start[static_cast<std::size_t>(all[first])];
+                 k < graph.start[static_cast<std::size_t>(all[first]) + 1]; ++k)
+                if (const auto j = static_cast<std::size_t>(graph.neighbours[static_cast<std::size_t>(k)]);
+                    !inside[j]) {
                     inside[j] = 1;
                     all.push_back(static_cast<int>(j));
                 }
@@ -85,14 +92,16 @@ std::vector<int> with_overlap(const NodeGraph& graph, const std::vector<int>& no
 
 SymmetricSparse submatrix(const SymmetricSparse& lower, const std::vector<int>& unknowns) {
     std::vector<int> place(static_cast<std::size_t>(lower.cols()), -1);
-    for (std::size_t k = 0; k < unknowns.size(); ++k) place[static_cast<std::size_t>(unknowns[k])] = static_cast<int>(k);
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+        place[static_cast<std::size_t>(unknowns[k])] = static_cast<int>(k);
     SymmetricSparse part(static_cast<Eigen::Index>(unknowns.size()), static_cast<Eigen::Index>(unknowns.size()));
     std::vector<int> counts;
     for (const int j : unknowns) counts.push_back(lower.outerIndexPtr()[j + 1] - lower.outerIndexPtr()[j]);
     part.reserve(counts);
     for (std::size_t k = 0; k < unknowns.size(); ++k)
         for (SymmetricSparse::InnerIterator entry(lower, unknowns[k]); entry; ++entry)
-            if (const int row = place[static_cast<std::size_t>(entry.row())]; row >= 0) part.insert(row, static_cast<int>(k)) = entry.value();
+            if (const int row = place[static_cast<std::size_t>(entry.row())]; row >= 0)
+                part.insert(row, static_cast<int>(k)) = entry.value();
     part.makeCompressed();
     return part;
 }
@@ -101,14 +110,18 @@ SymmetricSparse submatrix(const SymmetricSparse& lower, const std::vector<int>& 
 
 bool SchwarzPreconditioner::factorize(const SymmetricSparse& lower, const MatrixXd& smooth) {
     assert(lower.isCompressed() && lower.cols() % 3 == 0 && smooth.rows() == lower.cols());
-    const bool known = !parts_.empty() && std::equal(starts_.begin(), starts_.end(), lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1) &&
-                       std::equal(rows_.begin(), rows_.end(), lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
+    const bool known = !parts_.empty() &&
+                       std::equal(starts_.begin(), starts_.end(), lower.outerIndexPtr(),
+                                  lower.outerIndexPtr() + lower.cols() + 1) &&
+                       std::equal(rows_.begin(), rows_.end(), lower.innerIndexPtr(),
+                                  lower.innerIndexPtr() + lower.nonZeros());
     if (!known) {
         starts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
         rows_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
         parts_.clear();
         NodeGraph graph = node_graph(lower);
-        for (const std::vector<int>& members : cut(graph, std::max(1, static_cast<int>(lower.cols()) / unknowns_per_part))) {
+        for (const std::vector<int>& members :
+             cut(graph, std::max(1, static_cast<int>(lower.cols()) / unknowns_per_part))) {
             Part part;
             for (const int node : with_overlap(graph, members))
                 for (int r = 0; r < 3; ++r) part.unknowns.push_back(3 * node + r);
@@ -142,7 +155,8 @@ bool SchwarzPreconditioner::factorize_coarse(const SymmetricSparse& lower) {
             Z(parts_[static_cast<std::size_t>(k)].unknowns, Eigen::all) = parts_[static_cast<std::size_t>(k)].share;
             const MatrixXd AZ = symmetric_product(lower, Z);
             for (std::size_t i = 0; i < parts_.size(); ++i)
-                coarse.block(static_cast<Eigen::Index>(i) * modes, k * modes, modes, modes) = parts_[i].share.transpose() * AZ(parts_[i].unknowns, Eigen::all);
+                coarse.block(static_cast<Eigen::Index>(i) * modes, k * modes, modes,
+                             modes) = parts_[i].share.transpose() * AZ(parts_[i].unknowns, Eigen::all);
         }
     });
     coarse_.compute(coarse);
@@ -169,7 +183,8 @@ MatrixXd SchwarzPreconditioner::solve(const Eigen::Ref<const MatrixXd>& B) const
         const Part& part = parts_[static_cast<std::size_t>(k)];
         const MatrixXd x = local[static_cast<std::size_t>(k)] + part.share * coarse.middleRows(k * modes, modes);
         for (Eigen::Index c = 0; c < B.cols(); ++c)
-            for (std::size_t i = 0; i < part.unknowns.size(); ++i) X(part.unknowns[i], c) += x(static_cast<Eigen::Index>(i), c);
+            for (std::size_t i = 0; i < part.unknowns.size(); ++i)
+                X(part.unknowns[i], c) += x(static_cast<Eigen::Index>(i), c);
     }
     return X;
 }
@@ -186,4 +201,4 @@ double SchwarzPreconditioner::factor_flops() const {
     return sum;
 }
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -7,10 +7,10 @@
 
 #include "solver/fast_cholesky.hpp"
 
-namespace myo {
+namespace myo::solver {
 
-/// Two-level overlapping Schwarz preconditioner for matrices whose factor would not fit: the body is cut into parts that are
-/// factored each on its own, and a coarse problem carries what must travel further than a part.
+/// Two-level overlapping Schwarz preconditioner for matrices whose factor would not fit: the body is cut into parts
+/// that are factored each on its own, and a coarse problem carries what must travel further than a part.
 ///
 ///   M^-1 = Z (Z'AZ)^-1 Z' + sum_i R_i' (R_i A R_i')^-1 R_i,
 ///
@@ -32,15 +32,15 @@ public:
 
 private:
     struct Part {
-        std::vector<int> unknowns;   // of the part and its overlap, ascending
-        Eigen::MatrixXd share;       // unknowns x m: its part of the smooth motions
+        std::vector<int> unknowns;  // of the part and its overlap, ascending
+        Eigen::MatrixXd share;      // unknowns x m: its part of the smooth motions
         FastCholesky factor;
     };
     bool factorize_coarse(const SymmetricSparse& lower);
 
     std::vector<Part> parts_;
-    std::vector<int> starts_, rows_;   // of the matrix that was cut
+    std::vector<int> starts_, rows_;  // of the matrix that was cut
     Eigen::LDLT<Eigen::MatrixXd> coarse_;
 };
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -4,7 +4,7 @@
 
 #include "solver/cholmod_session.hpp"
 
-namespace myo {
+namespace myo::solver {
 
 struct SparseCholesky::Implementation {
     CholmodSession session;
@@ -32,4 +32,4 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& B) const {
     return implementation_->session.solve(*implementation_->factor, B);
 }
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace myo {
+namespace myo::solver {
 
 /// Lower triangle of a symmetric matrix, column-major, rows sorted.
 using SymmetricSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
@@ -37,4 +37,4 @@ private:
 /// Keeps the linear algebra underneath single-threaded, whichever BLAS is installed: threads belong to us.
 void use_one_blas_thread();
 
-}  // namespace myo
+}  // namespace myo::solver

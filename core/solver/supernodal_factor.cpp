@@ -12,11 +12,11 @@
 #include "base/parallel.hpp"
 #include "solver/factor_block.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
-/// Calls visit(s) for every supernode, children before parents or, downwards, parents before children; supernodes on different
-/// branches at the same time.
+/// Calls visit(s) for every supernode, children before parents or, downwards, parents before children; supernodes on
+/// different branches at the same time.
 template <class Visit>
 void climb(const SupernodalPattern& p, const std::vector<int>& supernodes, bool downwards, const Visit& visit) {
     parallel_ranges(static_cast<int>(supernodes.size()), 1, [&](int first, int end) {
@@ -97,7 +97,7 @@ private:
         left = Matrix::Zero(below, below);
         for (const int c : p_.children[static_cast<std::size_t>(s)]) assemble(c, L, left);
         Eigen::Ref<Matrix> top = L.topRows(columns);
-        const Eigen::LLT<Eigen::Ref<Matrix>> cholesky(top);   // in place
+        const Eigen::LLT<Eigen::Ref<Matrix>> cholesky(top);  // in place
         if (cholesky.info() != Eigen::Success) {
             definite_ = false;
             return;
@@ -115,7 +115,7 @@ private:
 
     const SupernodalPattern& p_;
     SupernodalFactor<Scalar>& factor_;
-    std::vector<Matrix> left_;   // per supernode, lower triangle: what it leaves to the rows below
+    std::vector<Matrix> left_;  // per supernode, lower triangle: what it leaves to the rows below
     std::atomic<bool> definite_ = true;
 };
 
@@ -127,7 +127,8 @@ class Substitution {
 public:
     using Lane = typename Block::Lane;
 
-    Substitution(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor) : p_(pattern), factor_(factor), local_(pattern.rows.size()) {}
+    Substitution(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor)
+        : p_(pattern), factor_(factor), local_(pattern.rows.size()) {}
 
     /// y: one entry per row of P A P', overwritten with the solution.
     void run(std::vector<Lane>& y) {
@@ -175,25 +176,30 @@ private:
 
 /// Solves the columns first ... first + count - 1 of B, count <= K, at once.
 template <class Scalar, int K>
-void solve_columns(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor, const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Index first,
-                   Eigen::Index count, Eigen::MatrixXd& X) {
+void solve_columns(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor,
+                   const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Index first, Eigen::Index count,
+                   Eigen::MatrixXd& X) {
     using Run = Substitution<Scalar, K>;
     const auto n = static_cast<std::size_t>(pattern.size());
     std::vector<typename Run::Lane> y(n);
-    auto* numbers = reinterpret_cast<Scalar*>(y.data());   // K per row
-    std::array<double, K> size{};                          // single precision overflows where double does not: each column at its own size
-    for (Eigen::Index k = 0; k < count; ++k) size[static_cast<std::size_t>(k)] = std::max(B.col(first + k).cwiseAbs().cwiseProduct(factor.scale).maxCoeff(), 1e-300);
+    auto* numbers = reinterpret_cast<Scalar*>(y.data());  // K per row
+    std::array<double, K> size{};  // single precision overflows where double does not: each column at its own size
+    for (Eigen::Index k = 0; k < count; ++k)
+        size[static_cast<std::size_t>(k)] = std::max(B.col(first + k).cwiseAbs().cwiseProduct(factor.scale).maxCoeff(),
+                                                     1e-300);
     for (std::size_t i = 0; i < n; ++i) {
         const int from = pattern.permutation[i];
         for (Eigen::Index k = 0; k < count; ++k)
-            numbers[i * K + static_cast<std::size_t>(k)] = static_cast<Scalar>(B(from, first + k) * factor.scale(from) / size[static_cast<std::size_t>(k)]);
+            numbers[i * K + static_cast<std::size_t>(k)] = static_cast<Scalar>(B(from, first + k) * factor.scale(from) /
+                                                                               size[static_cast<std::size_t>(k)]);
         for (auto k = static_cast<std::size_t>(count); k < K; ++k) numbers[i * K + k] = Scalar(0);
     }
     Run(pattern, factor).run(y);
     for (std::size_t i = 0; i < n; ++i) {
         const int to = pattern.permutation[i];
         for (Eigen::Index k = 0; k < count; ++k)
-            X(to, first + k) = static_cast<double>(numbers[i * K + static_cast<std::size_t>(k)]) * factor.scale(to) * size[static_cast<std::size_t>(k)];
+            X(to, first + k) = static_cast<double>(numbers[i * K + static_cast<std::size_t>(k)]) * factor.scale(to) *
+                               size[static_cast<std::size_t>(k)];
     }
 }
 
@@ -214,8 +220,8 @@ bool factorize(const SupernodalPattern& pattern, const SymmetricSparse& lower, S
         const int* start = lower.outerIndexPtr();
         for (int j = 0; j < lower.outerSize(); ++j)
             for (int k = start[j]; k < start[j + 1]; ++k)
-                factor.values[pattern.entry[static_cast<std::size_t>(k)]] =
-                    static_cast<Scalar>(lower.valuePtr()[k] * factor.scale(j) * factor.scale(lower.innerIndexPtr()[k]));
+                factor.values[pattern.entry[static_cast<std::size_t>(k)]] = static_cast<Scalar>(
+                    lower.valuePtr()[k] * factor.scale(j) * factor.scale(lower.innerIndexPtr()[k]));
         positive = Factorisation<Scalar>(pattern, factor).run();
     }
     if (!positive) factor = {};
@@ -223,22 +229,30 @@ bool factorize(const SupernodalPattern& pattern, const SymmetricSparse& lower, S
 }
 
 template <class Scalar>
-Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor, const Eigen::Ref<const Eigen::MatrixXd>& B) {
+Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor,
+                      const Eigen::Ref<const Eigen::MatrixXd>& B) {
     assert(B.rows() == pattern.size() && !factor.empty());
     Eigen::MatrixXd X(B.rows(), B.cols());
     for (Eigen::Index first = 0; first < B.cols();) {
         const Eigen::Index count = B.cols() - first;
-        if (count == 1) solve_columns<Scalar, 1>(pattern, factor, B, first++, 1, X);
-        else if (count <= 4) solve_columns<Scalar, 4>(pattern, factor, B, std::exchange(first, first + count), count, X);
-        else if (count <= 8) solve_columns<Scalar, 8>(pattern, factor, B, std::exchange(first, first + count), count, X);
-        else solve_columns<Scalar, 16>(pattern, factor, B, std::exchange(first, first + 16), std::min<Eigen::Index>(count, 16), X);
+        if (count == 1)
+            solve_columns<Scalar, 1>(pattern, factor, B, first++, 1, X);
+        else if (count <= 4)
+            solve_columns<Scalar, 4>(pattern, factor, B, std::exchange(first, first + count), count, X);
+        else if (count <= 8)
+            solve_columns<Scalar, 8>(pattern, factor, B, std::exchange(first, first + count), count, X);
+        else
+            solve_columns<Scalar, 16>(pattern, factor, B, std::exchange(first, first + 16),
+                                      std::min<Eigen::Index>(count, 16), X);
     }
     return X;
 }
 
 template bool factorize(const SupernodalPattern&, const SymmetricSparse&, SupernodalFactor<float>&);
 template bool factorize(const SupernodalPattern&, const SymmetricSparse&, SupernodalFactor<double>&);
-template Eigen::MatrixXd solve(const SupernodalPattern&, const SupernodalFactor<float>&, const Eigen::Ref<const Eigen::MatrixXd>&);
-template Eigen::MatrixXd solve(const SupernodalPattern&, const SupernodalFactor<double>&, const Eigen::Ref<const Eigen::MatrixXd>&);
+template Eigen::MatrixXd solve(const SupernodalPattern&, const SupernodalFactor<float>&,
+                               const Eigen::Ref<const Eigen::MatrixXd>&);
+template Eigen::MatrixXd solve(const SupernodalPattern&, const SupernodalFactor<double>&,
+                               const Eigen::Ref<const Eigen::MatrixXd>&);
 
-}  // namespace myo
+}  // namespace myo::solver

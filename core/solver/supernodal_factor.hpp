@@ -6,7 +6,7 @@
 
 #include "solver/supernodal_pattern.hpp"
 
-namespace myo {
+namespace myo::solver {
 
 /// Values of the factor L of D P A P' D, D = diag(A)^(-1/2): each supernode's rows x columns, column-major, see
 /// FactorBlock.
@@ -16,7 +16,7 @@ namespace myo {
 template <class Scalar>
 struct SupernodalFactor {
     std::vector<Scalar, Eigen::aligned_allocator<Scalar>> values;
-    Eigen::VectorXd scale;   // diag(D), in A's order
+    Eigen::VectorXd scale;  // diag(D), in A's order
 
     bool empty() const { return values.empty(); }
 };
@@ -27,6 +27,7 @@ bool factorize(const SupernodalPattern& pattern, const SymmetricSparse& lower, S
 
 /// A^-1 B for B of n x k.
 template <class Scalar>
-Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor, const Eigen::Ref<const Eigen::MatrixXd>& B);
+Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor,
+                      const Eigen::Ref<const Eigen::MatrixXd>& B);
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -6,7 +6,7 @@
 
 #include "solver/cholmod_session.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 /// Work of the dense block of one supernode: n columns, m rows.
@@ -21,7 +21,7 @@ constexpr double subtree_share = 1.0 / 32.0;
 void cut_tree(SupernodalPattern& p) {
     const auto count = static_cast<std::size_t>(p.supernodes());
     std::vector<double> work(count);
-    std::vector<int> first(count);   // first supernode of the subtree
+    std::vector<int> first(count);  // first supernode of the subtree
     double total = 0.0;
     p.children.resize(count);
     for (std::size_t s = 0; s < count; ++s) {
@@ -30,7 +30,8 @@ void cut_tree(SupernodalPattern& p) {
         total += own;
         work[s] += own;
         first[s] = p.children[s].empty() ? at : first[static_cast<std::size_t>(p.children[s].front())];
-        if (p.parent[s] < 0) p.roots.push_back(at);
+        if (p.parent[s] < 0)
+            p.roots.push_back(at);
         else {
             p.children[static_cast<std::size_t>(p.parent[s])].push_back(at);
             work[static_cast<std::size_t>(p.parent[s])] += work[s];
@@ -52,7 +53,8 @@ void match_parents(SupernodalPattern& p) {
         for (long i = first + p.columns(s); i < first + p.row_count(s); ++i) {
             while (p.rows[static_cast<std::size_t>(at)] != p.rows[static_cast<std::size_t>(i)]) ++at;
             assert(at < p.first_row[static_cast<std::size_t>(up) + 1]);
-            p.parent_position[static_cast<std::size_t>(i)] = static_cast<int>(at - p.first_row[static_cast<std::size_t>(up)]);
+            p.parent_position[static_cast<std::size_t>(i)] = static_cast<int>(
+                at - p.first_row[static_cast<std::size_t>(up)]);
         }
     }
 }
@@ -63,12 +65,14 @@ void place_entries(const SymmetricSparse& lower, SupernodalPattern& p) {
     std::vector<int> place(n), supernode(n);
     for (std::size_t k = 0; k < n; ++k) place[static_cast<std::size_t>(p.permutation[k])] = static_cast<int>(k);
     for (int s = 0; s < p.supernodes(); ++s)
-        for (int c = 0; c < p.columns(s); ++c) supernode[static_cast<std::size_t>(p.first_column[static_cast<std::size_t>(s)] + c)] = s;
+        for (int c = 0; c < p.columns(s); ++c)
+            supernode[static_cast<std::size_t>(p.first_column[static_cast<std::size_t>(s)] + c)] = s;
     p.entry.resize(static_cast<std::size_t>(lower.nonZeros()));
     std::size_t k = 0;
     for (int j = 0; j < lower.outerSize(); ++j)
         for (SymmetricSparse::InnerIterator it(lower, j); it; ++it, ++k) {
-            const auto [column, row] = std::minmax({place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(j)]});
+            const auto [column, row] = std::minmax(
+                {place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(j)]});
             const auto s = static_cast<std::size_t>(supernode[static_cast<std::size_t>(column)]);
             const auto begin = p.rows.begin() + p.first_row[s], end = begin + p.row_counts[s];
             const long local_row = std::lower_bound(begin, end, row) - begin;
@@ -111,7 +115,8 @@ SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
         p.first_value.push_back(p.first_value.back() + static_cast<long>(p.columns(s)) * p.row_stride(s));
         if (p.row_count(s) == p.columns(s)) continue;
         const long first_below = p.first_row[static_cast<std::size_t>(s)] + p.columns(s);
-        p.parent[static_cast<std::size_t>(s)] = supernode[static_cast<std::size_t>(p.rows[static_cast<std::size_t>(first_below)])];
+        p.parent[static_cast<std::size_t>(s)] = supernode[static_cast<std::size_t>(
+            p.rows[static_cast<std::size_t>(first_below)])];
     }
     cut_tree(p);
     match_parents(p);
@@ -125,4 +130,4 @@ double factor_flops(const SupernodalPattern& pattern) {
     return sum;
 }
 
-}  // namespace myo
+}  // namespace myo::solver

@@ -13,7 +13,8 @@ using ::testing::Not;
 TEST(Call, InfoNamesVersionLibrariesAndChoices) {
     const ProgramRun run = run_program({"info"});
     EXPECT_EQ(run.status, 0);
-    for (const char* word : {"myoloop", "SuiteSparse", "VTK", "Ceres", "TetGen", "threads", "hex8", "tet10", "tr_bdf2", "implicit_euler", "neo_hookean", "corotational"})
+    for (const char* word : {"myoloop", "SuiteSparse", "VTK", "Ceres", "TetGen", "threads", "hex8", "tet10", "tr_bdf2",
+                             "implicit_euler", "neo_hookean", "corotational"})
         EXPECT_THAT(run.out, HasSubstr(word));
     EXPECT_THAT(run.out, Not(HasSubstr("unknown")));
     EXPECT_EQ(run.err, "");
@@ -23,7 +24,9 @@ TEST(Call, VersionAndHelpSucceed) {
     EXPECT_THAT(run_program({"--version"}).out, HasSubstr("myoloop "));
     const ProgramRun help = run_program({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* command : {"simulate", "calibrate", "diagnose", "study", "mesh", "screenshot", "frames", "effects", "info"}) EXPECT_THAT(help.out, HasSubstr(command));
+    for (const char* command :
+         {"simulate", "calibrate", "diagnose", "validate", "mesh", "screenshot", "frames", "effects", "info"})
+        EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_THAT(run_program({"simulate", "--help"}).out, HasSubstr("--resolution"));
 }
 
@@ -36,7 +39,7 @@ TEST(Call, EffectsAreListedWithTheirParameters) {
 
 struct BadCall {
     std::vector<std::string> arguments;
-    std::vector<std::string> expected;   // in the message
+    std::vector<std::string> expected;  // in the message
 };
 
 class BadCalls : public ::testing::TestWithParam<BadCall> {};
@@ -46,7 +49,10 @@ TEST_P(BadCalls, AreTurnedDownInOneSentence) {
     write_small_experiment(folder);
     std::vector<std::string> arguments;
     for (const std::string& word : GetParam().arguments)
-        arguments.push_back(word == "EXP" ? folder.str("exp") : word == "OUT" ? folder.str("out") : word == "EXP/drop.csv" ? folder.str("exp/drop.csv") : word);
+        arguments.push_back(word == "EXP"            ? folder.str("exp")
+                            : word == "OUT"          ? folder.str("out")
+                            : word == "EXP/drop.csv" ? folder.str("exp/drop.csv")
+                                                     : word);
     const ProgramRun run = run_program(arguments);
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(count_lines(run.err), 1) << run.err;
@@ -87,15 +93,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"simulate", "EXP", "--out", "OUT", "--mass", "lumped"}, {"--mass", "consistent", "equal_vertices"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--voxels", "trunctated"},
                 {"--voxels", "did you mean 'truncated'"}},
-        BadCall{{"study"}, {"--out"}}, BadCall{{"study", "--out", "EXP/drop.csv"}, {"drop.csv"}},
-        BadCall{{"study", "--out", "OUT", "--effects", "quadratic_drg"},
+        BadCall{{"validate"}, {"--out"}}, BadCall{{"validate", "--out", "EXP/drop.csv"}, {"drop.csv"}},
+        BadCall{{"validate", "--out", "OUT", "--effects", "quadratic_drg"},
                 {"--effects", "did you mean 'quadratic_drag'"}},
-        BadCall{{"study", "--out", "OUT", "--geometry", "beem"}, {"--geometry", "did you mean 'beam'"}},
-        BadCall{{"study", "--out", "OUT", "--geometry", "plate", "--effects", "actuation_lag"},
+        BadCall{{"validate", "--out", "OUT", "--geometry", "beem"}, {"--geometry", "did you mean 'beam'"}},
+        BadCall{{"validate", "--out", "OUT", "--geometry", "plate", "--effects", "actuation_lag"},
                 {"--geometry", "muscles"}},
-        BadCall{{"study", "--defaults", "--out", "OUT", "--geometry", "beam"}, {"--defaults", "leave --geometry"}},
-        BadCall{{"study", "--out", "OUT", "--share", "5/4"}, {"--share", "5/4"}},
-        BadCall{{"study", "--out", "OUT", "--cases", "0"}, {"--cases"}},
+        BadCall{{"validate", "--defaults", "--out", "OUT", "--geometry", "beam"}, {"--defaults", "leave --geometry"}},
+        BadCall{{"validate", "--out", "OUT", "--share", "5/4"}, {"--share", "5/4"}},
+        BadCall{{"validate", "--out", "OUT", "--cases", "0"}, {"--cases"}},
         BadCall{{"bench", "realease"}, {"bench", "did you mean 'release'"}},
         BadCall{{"simulate", "EXP", "--out", "OUT", "--material", "neohookean"},
                 {"--material", "did you mean 'neo_hookean'"}},

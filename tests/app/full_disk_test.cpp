@@ -55,9 +55,9 @@ TEST(FullDisk, StandardOutputThatCannotBeWrittenFailsEveryCommand) {
 
 struct Fills {
     const char* command;
-    const char* first;       // the file that is written first
-    const char* second;      // which does not fit any more
-    const char* printed;     // a value found, on standard output
+    const char* first;    // the file that is written first
+    const char* second;   // which does not fit any more
+    const char* printed;  // a value found, on standard output
 };
 
 class FilledFolder : public ::testing::TestWithParam<Fills> {};
@@ -94,8 +94,8 @@ INSTANTIATE_TEST_SUITE_P(All, FilledFolder,
 TEST(FullDisk, OptionsThatNameAFileFailAsWell) {
     const Folder folder("full_file");
     write_small_experiment(folder);
-    const ProgramRun check =
-        run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01", "--steps", "2", "--json", "/dev/full"});
+    const ProgramRun check = run_program(
+        {"gradcheck", folder.str("exp"), "--resolution", "0.01", "--steps", "2", "--json", "/dev/full"});
     EXPECT_EQ(check.status, 1);
     EXPECT_THAT(check.err, HasSubstr(std::string("/dev/full: cannot be written: ") + full));
     EXPECT_THAT(check.out, HasSubstr("Young's modulus"));

@@ -11,15 +11,16 @@
 namespace myo::test {
 namespace {
 
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 class MeshTypes : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(MeshTypes, FillTheBoxExactly) {
     const Folder folder(std::string("mesh_") + GetParam());
     folder.write("box.stl", box_stl(40.0, 20.0, 10.0));
-    const ProgramRun run = run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", GetParam(), "--resolution", "0.005", "--out", folder.str("box.vtu"), "--json"});
+    const ProgramRun run = run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", GetParam(),
+                                        "--resolution", "0.005", "--out", folder.str("box.vtu"), "--json"});
     ASSERT_EQ(run.status, 0) << run.err;
     const json j = json::parse(run.out);
     EXPECT_EQ(j.at("element"), GetParam());
@@ -29,17 +30,18 @@ TEST_P(MeshTypes, FillTheBoxExactly) {
     int total = 0;
     for (const int count : j.at("quality").at("histogram")) total += count;
     EXPECT_EQ(total, j.at("elements").get<int>());
-    const Result<VolumeMesh> written = read_volume(folder.path() / "box.vtu", 1.0);
+    const Result<mesh::VolumeMesh> written = mesh::read_volume(folder.path() / "box.vtu", 1.0);
     ASSERT_TRUE(written);
     EXPECT_EQ(written->cell_count(), j["elements"].get<int>());
-    EXPECT_NEAR(cell_volumes(*written).sum(), 8e-6, 1e-11);
+    EXPECT_NEAR(mesh::cell_volumes(*written).sum(), 8e-6, 1e-11);
 }
 INSTANTIATE_TEST_SUITE_P(All, MeshTypes, ::testing::Values("hex8", "tet4", "tet10"));
 
 TEST(Mesh, PrintsCountsAndBars) {
     const Folder folder("mesh_text");
     folder.write("box.stl", box_stl(40.0, 20.0, 10.0));
-    const ProgramRun run = run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "hex8", "--resolution", "0.01"});
+    const ProgramRun run = run_program(
+        {"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "hex8", "--resolution", "0.01"});
     EXPECT_EQ(run.status, 0);
     EXPECT_THAT(run.out, HasSubstr("8 hex8 elements, 30 nodes, 90 degrees of freedom"));
     EXPECT_THAT(run.out, HasSubstr("0.9-1.0        8  ########"));
@@ -48,8 +50,12 @@ TEST(Mesh, PrintsCountsAndBars) {
 TEST(Mesh, ChecksAndConvertsVolumes) {
     const Folder folder("mesh_volume");
     folder.write("box.stl", box_stl(40.0, 20.0, 10.0));
-    ASSERT_EQ(run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "tet4", "--resolution", "0.01", "--out", folder.str("box.vtu"), "--quiet"}).status, 0);
-    const ProgramRun run = run_program({"mesh", folder.str("box.vtu"), "--unit", "m", "--type", "tet10", "--out", folder.str("ten.vtu"), "--json"});
+    ASSERT_EQ(run_program({"mesh", folder.str("box.stl"), "--unit", "mm", "--type", "tet4", "--resolution", "0.01",
+                           "--out", folder.str("box.vtu"), "--quiet"})
+                  .status,
+              0);
+    const ProgramRun run = run_program(
+        {"mesh", folder.str("box.vtu"), "--unit", "m", "--type", "tet10", "--out", folder.str("ten.vtu"), "--json"});
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(json::parse(run.out)["element"], "tet10");
     EXPECT_THAT(run_program({"mesh", folder.str("box.vtu")}).err, HasSubstr("taken as metres"));

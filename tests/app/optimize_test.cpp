@@ -14,17 +14,18 @@
 namespace myo::test {
 namespace {
 
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
 json json_at(const Folder& folder, const char* path) { return json::parse(content_of(folder.path() / path)); }
 
-const std::vector<double> wave{1.0, 0.96, 0.9, 0.93, 1.0, 1.04, 1.02, 0.97, 0.95};   // at 20 Hz
+const std::vector<double> wave{1.0, 0.96, 0.9, 0.93, 1.0, 1.04, 1.02, 0.97, 0.95};  // at 20 Hz
 
 std::string signals_csv() {
     std::string text = "time_s,upper\n";
-    for (std::size_t k = 0; k < wave.size(); ++k) text += std::to_string(0.05 * static_cast<double>(k)) + "," + std::to_string(wave[k]) + "\n";
+    for (std::size_t k = 0; k < wave.size(); ++k)
+        text += std::to_string(0.05 * static_cast<double>(k)) + "," + std::to_string(wave[k]) + "\n";
     return text;
 }
 
@@ -60,7 +61,8 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
     EXPECT_EQ(j.at("converged"), true);
     ASSERT_EQ(j.at("signals").size(), 1u);
     EXPECT_EQ(j["signals"][0].at("name"), "upper");
-    for (std::size_t k = 1; k < wave.size(); ++k) EXPECT_NEAR(j["signals"][0].at("values")[k - 1].get<double>(), wave[k], 1e-3) << k;
+    for (std::size_t k = 1; k < wave.size(); ++k)
+        EXPECT_NEAR(j["signals"][0].at("values")[k - 1].get<double>(), wave[k], 1e-3) << k;
     const json& std = j["signals"][0].at("std");
     ASSERT_EQ(std.size(), wave.size() - 1);
     for (const json& value : std) {
@@ -74,11 +76,14 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
     EXPECT_EQ(j.at("history").size(), j.at("evaluations").get<std::size_t>());
     EXPECT_EQ(content_of(folder.path() / "out/optimize.json").find("null"), std::string::npos);
     const std::string page = content_of(folder.path() / "out/report.html");
-    for (const char* text : {"muscled block", "Signals", "Bands are one standard deviation", "after the fit", "optimize/1", "<svg"}) EXPECT_THAT(page, HasSubstr(text));
+    for (const char* text :
+         {"muscled block", "Signals", "Bands are one standard deviation", "after the fit", "optimize/1", "<svg"})
+        EXPECT_THAT(page, HasSubstr(text));
     EXPECT_EQ(page.find("NaN"), std::string::npos);
 
     // What it wrote is an experiment's file: run with it, the trial follows the trace as well.
-    const Result<ActuationTable> table = read_actuation_csv(folder.path() / "out/wave_actuation.csv");
+    const Result<measurement::ActuationTable> table = measurement::read_actuation_csv(folder.path() /
+                                                                                      "out/wave_actuation.csv");
     ASSERT_TRUE(table) << table.error().text();
     EXPECT_EQ(table->muscles, std::vector<std::string>{"upper"});
     folder.write("exp/signals.csv", content_of(folder.path() / "out/wave_actuation.csv"));
@@ -86,14 +91,15 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
                            "0.005", "--quiet"})
                   .status,
               0);
-    EXPECT_NEAR(json_at(folder, "again/simulate.json")["trials"][0]["rms_m"].get<double>(), j.at("rms_after_m").get<double>(), 1e-9);
+    EXPECT_NEAR(json_at(folder, "again/simulate.json")["trials"][0]["rms_m"].get<double>(),
+                j.at("rms_after_m").get<double>(), 1e-9);
 }
 
 TEST(Optimize, HeldSignalsCanBePlayed) {
     const Folder folder("optimize_hold");
     write_muscled_experiment(folder);
-    const ProgramRun run = run_program(optimize_call(
-        folder, {"--hold", "--frequency", "50", "--smoothness", "0.001", "--dt", "0.005", "--quiet"}));
+    const ProgramRun run = run_program(
+        optimize_call(folder, {"--hold", "--frequency", "50", "--smoothness", "0.001", "--dt", "0.005", "--quiet"}));
     ASSERT_EQ(run.status, 0) << run.err;
     const json j = json_at(folder, "out/optimize.json");
     EXPECT_EQ(j.at("interpolation"), "hold");
@@ -126,13 +132,14 @@ void write_unrecorded_experiment(const Folder& folder, const std::string& signal
 void edit_trace(const Folder& folder, const std::function<void(double t, std::vector<double>& row)>& edit) {
     const std::string text = content_of(folder.path() / "exp/wave.csv");
     std::string edited;
-    for (const TextLine& line : split_lines(text)) {
+    for (const measurement::TextLine& line : measurement::split_lines(text)) {
         if (edited.empty()) {
             edited = std::string(line.text) + "\n";
             continue;
         }
         std::vector<double> row;
-        for (const std::string_view field : split_fields(line.text, ',')) row.push_back(std::stod(std::string(field)));
+        for (const std::string_view field : measurement::split_fields(line.text, ','))
+            row.push_back(std::stod(std::string(field)));
         edit(row.front(), row);
         for (const double& number : row) edited += (&number == &row.front() ? "" : ",") + format_number(number, 12);
         edited += "\n";
@@ -144,14 +151,14 @@ TEST(Optimize, SeeksTheLevelThatWasHeldBeforeTheStart) {
     const Folder folder("optimize_level");
     write_unrecorded_experiment(folder, "time_s,upper\n0,0.9\n0.1,0.9\n0.2,0.97\n0.4,0.97\n", "1e-6");
     for (const bool hold : {false, true}) {
-        const ProgramRun run =
-            run_program(optimize_call(folder, hold ? std::vector<std::string>{"--hold"} : std::vector<std::string>{}));
+        const ProgramRun run = run_program(
+            optimize_call(folder, hold ? std::vector<std::string>{"--hold"} : std::vector<std::string>{}));
         ASSERT_EQ(run.status, 0) << run.err;
         EXPECT_THAT(run.out, HasSubstr("before t = 0 (sought)"));
         const json j = json_at(folder, "out/optimize.json");
         EXPECT_EQ(j["signals"][0].at("before_sought"), true);
         EXPECT_NEAR(j["signals"][0].at("before").get<double>(), 0.9, 1e-3);
-        EXPECT_LT(j["signals"][0].at("std")[0].get<double>(), hold ? 5e-3 : 1e-3);   // steps do not make a ramp
+        EXPECT_LT(j["signals"][0].at("std")[0].get<double>(), hold ? 5e-3 : 1e-3);  // steps do not make a ramp
         EXPECT_LT(j.at("rms_after_m").get<double>(), (hold ? 0.2 : 0.001) * j.at("rms_before_m").get<double>());
     }
 }
@@ -204,7 +211,7 @@ TEST(Optimize, SaysThatATargetIsNotReachedByHowMuchAndWhere) {
         if (t > 0.145 && t < 0.255) row.back() = 0.04;
     });
     const ProgramRun run = run_program(optimize_call(folder));
-    EXPECT_EQ(run.status, 0) << run.err;   // the search has done what it can
+    EXPECT_EQ(run.status, 0) << run.err;  // the search has done what it can
     const json j = json_at(folder, "out/optimize.json");
     EXPECT_EQ(j.at("reached"), false);
     EXPECT_NEAR(j.at("noise_levels").get<double>(), j.at("rms_after_m").get<double>() / 1e-4, 1e-6);
@@ -268,14 +275,15 @@ TEST(Optimize, CtrlCKeepsTheBestAndResumeGoesOnFromIt) {
     again = run_program(optimize_call(folder, {"--dt", "0.0005", "--resume", "--max-evaluations", "1", "--quiet"}));
     const json resumed = json_at(folder, "out/optimize.json");
     EXPECT_NEAR(resumed.at("loss_before_m2").get<double>() / stopped.at("loss_after_m2").get<double>(), 1.0, 1e-6);
-    EXPECT_EQ(resumed.at("evaluations_in_all").get<int>(), stopped.at("evaluations").get<int>() + resumed.at("evaluations").get<int>());
+    EXPECT_EQ(resumed.at("evaluations_in_all").get<int>(),
+              stopped.at("evaluations").get<int>() + resumed.at("evaluations").get<int>());
 }
 
 TEST(Optimize, SeveralStartsAreRepeatedByTheirSeed) {
     const Folder folder("optimize_starts");
     write_muscled_experiment(folder);
     const std::vector<std::string> more{"--starts", "2", "--seed", "5", "--max-evaluations", "4", "--quiet"};
-    EXPECT_EQ(run_program(optimize_call(folder, more)).status, 1);   // four are too few
+    EXPECT_EQ(run_program(optimize_call(folder, more)).status, 1);  // four are too few
     const json first = json_at(folder, "out/optimize.json");
     ASSERT_EQ(first.at("starts").size(), 2u);
     EXPECT_EQ(first.at("seed"), 5);
@@ -297,7 +305,8 @@ TEST(Optimize, BadCallsAreTurnedDownInOneSentence) {
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--frequency", "1000"}, "--frequency"},
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--frequency", "-1"}, "--frequency"},
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--smoothness", "-1"}, "--smoothness"},
-        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--lowest", "2", "--highest", "1"}, "--lowest"},
+        {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--lowest", "2", "--highest", "1"},
+         "--lowest"},
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--lowest", "0"}, "--lowest"},
         {{"optimize", folder.str("muscled"), "--out", folder.str("out"), "--resume"}, "nothing to resume"},
         {{"gradcheck", folder.str("muscled"), "--trial", "wawe"}, "did you mean 'wave'"},
@@ -320,9 +329,12 @@ TEST(Gradcheck, EveryParameterOfATrialAgreesWithDifferences) {
     write_small_experiment(folder);
     write_muscled_experiment(folder);
     for (const char* integrator : {"tr_bdf2", "implicit_euler"}) {
-        const ProgramRun run = run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01", "--integrator", integrator, "--json", folder.str("check.json")});
+        const ProgramRun run = run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01", "--integrator",
+                                            integrator, "--json", folder.str("check.json")});
         ASSERT_EQ(run.status, 0) << run.out << run.err;
-        for (const char* word : {"Young's modulus", "stiffness of upper", "activation of lower", "initial velocities", "median"}) EXPECT_THAT(run.out, HasSubstr(word));
+        for (const char* word :
+             {"Young's modulus", "stiffness of upper", "activation of lower", "initial velocities", "median"})
+            EXPECT_THAT(run.out, HasSubstr(word));
         const json j = json_at(folder, "check.json");
         EXPECT_EQ(j.at("schema"), "gradcheck/1");
         EXPECT_EQ(j.at("integrator"), integrator);

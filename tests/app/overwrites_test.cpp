@@ -36,7 +36,7 @@ void write_with_trace(const Folder& folder, const std::string& trace) {
 struct Writes {
     const char* command;
     std::vector<std::string> options;
-    std::vector<std::string> results;   // names in --out, as the command gives them
+    std::vector<std::string> results;  // names in --out, as the command gives them
 };
 
 class ResultsInAFolder : public ::testing::TestWithParam<Writes> {};
@@ -130,8 +130,10 @@ TEST(Overwrites, BenchAndReproduceKeepTheMeasurements) {
     const fs::path measured = folder.path() / "data/mocap/beam";
     expect_refused({"reproduce", "beam-static", "--coarse", "--out", measured.string()}, "--out",
                    measured / "report.html");
-    if (named != nullptr) ::setenv("MYOLOOP_DATA", before.c_str(), 1);
-    else ::unsetenv("MYOLOOP_DATA");
+    if (named != nullptr)
+        ::setenv("MYOLOOP_DATA", before.c_str(), 1);
+    else
+        ::unsetenv("MYOLOOP_DATA");
 }
 
 }  // namespace

@@ -21,8 +21,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-[[noreturn]] void become(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& out, const fs::path& err) {
-    const int to_out = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to_err = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+[[noreturn]] void become(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& out,
+                         const fs::path& err) {
+    const int to_out = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
+              to_err = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::dup2(to_out, STDOUT_FILENO);
     ::dup2(to_err, STDERR_FILENO);
     ::unsetenv("DISPLAY");
@@ -49,7 +51,8 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::str
     const fs::path program = fs::path(MYOLOOP_BINARY_DIR) / "myoloop";
     static int calls = 0;
     const std::string stem = "myoloop_call_" + std::to_string(::getpid()) + "_" + std::to_string(calls++);
-    const fs::path out = fs::path(::testing::TempDir()) / (stem + ".out"), err = fs::path(::testing::TempDir()) / (stem + ".err");
+    const fs::path out = fs::path(::testing::TempDir()) / (stem + ".out"),
+                   err = fs::path(::testing::TempDir()) / (stem + ".err");
     const Clock::time_point start = Clock::now();
     const pid_t child = ::fork();
     if (child == 0) become(program, arguments, out, err);

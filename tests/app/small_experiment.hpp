@@ -102,8 +102,10 @@ inline void write_small_experiment(const Folder& folder, double end_s = 0.1) {
 
 /// A box as ASCII STL in millimetres, outward.
 inline std::string box_stl(double lx, double ly, double lz) {
-    const double corner[8][3] = {{0, 0, 0}, {lx, 0, 0}, {lx, ly, 0}, {0, ly, 0}, {0, 0, lz}, {lx, 0, lz}, {lx, ly, lz}, {0, ly, lz}};
-    const int face[12][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+    const double corner[8][3] = {{0, 0, 0},  {lx, 0, 0},  {lx, ly, 0},  {0, ly, 0},
+                                 {0, 0, lz}, {lx, 0, lz}, {lx, ly, lz}, {0, ly, lz}};
+    const int face[12][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                             {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
     std::string text = "solid box\n";
     char line[128];
     for (const auto& triangle : face) {

@@ -12,8 +12,8 @@
 namespace myo::test {
 namespace {
 
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 /// The small block on coarse cells.
 struct Told {
@@ -43,8 +43,8 @@ TEST(Told, BySimulateWhatTheDeclaredValuesLeave) {
     const Told told = told_by("simulate");
     EXPECT_THAT(told.run.err, HasSubstr("nothing was fitted; "));
     const json& checks = told.result.at("checks");
-    const auto residual =
-        std::find_if(checks.begin(), checks.end(), [](const json& check) { return check.at("id") == "residual"; });
+    const auto residual = std::find_if(checks.begin(), checks.end(),
+                                       [](const json& check) { return check.at("id") == "residual"; });
     ASSERT_NE(residual, checks.end());
     EXPECT_NE(residual->at("level"), "green");
     EXPECT_GT(residual->at("figure").get<double>(), residual->at("threshold").get<double>());

@@ -39,7 +39,7 @@ TEST(TwoRuns, AFailedOrStoppedRunLeavesNoLock) {
     const Folder folder("two_runs_failed");
     write_small_experiment(folder);
     EXPECT_EQ(run_program({"optimize", folder.str("exp"), "--out", folder.str("out")}).status,
-              2);   // it has no muscles
+              2);  // it has no muscles
     EXPECT_FALSE(is_locked(folder));
     write_small_experiment(folder, 4.0);
     const ProgramRun stopped = run_program(

@@ -25,7 +25,7 @@ int ignore_error(Display*, XErrorEvent*) { return 0; }
 bool in_path(const std::string& program) {
     const char* const path = std::getenv("PATH");
     std::string folder;
-    for (const char* c = path != nullptr ? path : ""; ; ++c) {
+    for (const char* c = path != nullptr ? path : "";; ++c) {
         if (*c != ':' && *c != '\0') {
             folder += *c;
             continue;
@@ -53,14 +53,14 @@ std::string read_line(int fd, Companion& server) {
 
 }  // namespace
 
-Companion::Companion(const std::vector<std::string>& words, const std::filesystem::path& out, const std::filesystem::path& err,
-                     const std::vector<std::string>& variables, int keep_fd) {
+Companion::Companion(const std::vector<std::string>& words, const std::filesystem::path& out,
+                     const std::filesystem::path& err, const std::vector<std::string>& variables, int keep_fd) {
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     pid_ = ::fork();
     if (pid_ != 0) return;
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);   // also when the test itself is killed
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // also when the test itself is killed
     ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
     ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
     if (keep_fd >= 0) ::fcntl(keep_fd, F_SETFD, 0);
@@ -79,7 +79,8 @@ Companion::~Companion() {
 
 std::optional<int> Companion::ended() {
     int status = 0;
-    if (!status_ && ::waitpid(pid_, &status, WNOHANG) == pid_) status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (!status_ && ::waitpid(pid_, &status, WNOHANG) == pid_)
+        status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return status_;
 }
 
@@ -95,14 +96,17 @@ bool wait_until(double limit_s, const std::function<bool()>& is_so) {
 std::size_t Screenshot::colours(int left, int top) const {
     std::set<unsigned> seen;
     for (int row = top; row < height; ++row)
-        for (int column = left; column < width; ++column) seen.insert(pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)]);
+        for (int column = left; column < width; ++column)
+            seen.insert(pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(column)]);
     return seen.size();
 }
 
 std::vector<int> Screenshot::rows_with(unsigned colour, int left, int right) const {
     const auto near = [&](unsigned pixel) {
         int apart = 0;
-        for (const int shift : {0, 8, 16}) apart += std::abs(static_cast<int>((pixel >> shift) & 0xffu) - static_cast<int>((colour >> shift) & 0xffu));
+        for (const int shift : {0, 8, 16})
+            apart += std::abs(static_cast<int>((pixel >> shift) & 0xffu) - static_cast<int>((colour >> shift) & 0xffu));
         return apart < 40;
     };
     std::vector<int> rows;
@@ -155,12 +159,14 @@ Screenshot VirtualDisplay::picture(unsigned long window) {
     Screenshot shot;
     XWindowAttributes attributes;
     if (XGetWindowAttributes(x(display_), window, &attributes) == 0) return shot;
-    XImage* const image = XGetImage(x(display_), window, 0, 0, static_cast<unsigned>(attributes.width), static_cast<unsigned>(attributes.height), AllPlanes, ZPixmap);
+    XImage* const image = XGetImage(x(display_), window, 0, 0, static_cast<unsigned>(attributes.width),
+                                    static_cast<unsigned>(attributes.height), AllPlanes, ZPixmap);
     if (image == nullptr) return shot;
     shot.width = image->width;
     shot.height = image->height;
     for (int row = 0; row < shot.height; ++row)
-        for (int column = 0; column < shot.width; ++column) shot.pixels.push_back(static_cast<unsigned>(XGetPixel(image, column, row) & 0xffffffu));
+        for (int column = 0; column < shot.width; ++column)
+            shot.pixels.push_back(static_cast<unsigned>(XGetPixel(image, column, row) & 0xffffffu));
     XDestroyImage(image);
     return shot;
 }
@@ -177,10 +183,13 @@ bool VirtualDisplay::xdotool(std::vector<std::string> words) {
 }
 
 bool VirtualDisplay::click(unsigned long window, int x, int y) {
-    return xdotool({"mousemove", "--window", std::to_string(window), std::to_string(x), std::to_string(y), "click", "1"});
+    return xdotool(
+        {"mousemove", "--window", std::to_string(window), std::to_string(x), std::to_string(y), "click", "1"});
 }
 
-bool VirtualDisplay::press(unsigned long window, const std::string& keys) { return xdotool({"windowfocus", std::to_string(window), "key", keys}); }
+bool VirtualDisplay::press(unsigned long window, const std::string& keys) {
+    return xdotool({"windowfocus", std::to_string(window), "key", keys});
+}
 
 void VirtualDisplay::close(unsigned long window) {
     XEvent event{};

@@ -11,7 +11,8 @@
 
 namespace myo::test {
 
-/// A program that goes on beside the test, with files for what it writes; killed when it outlives the object or the test.
+/// A program that goes on beside the test, with files for what it writes; killed when it outlives the object or the
+/// test.
 class Companion {
 public:
     /// @param words      program and arguments; a program without a slash is looked up in PATH
@@ -52,14 +53,15 @@ public:
     static std::unique_ptr<VirtualDisplay> start(const std::filesystem::path& folder, int width, int height);
     ~VirtualDisplay();
 
-    const std::string& name() const { return name_; }   // ":7"
+    const std::string& name() const { return name_; }  // ":7"
 
     /// The mapped window of this title, 0 when there is none.
     unsigned long window(const std::string& title);
     /// What the window shows; empty when it cannot be read just now.
     Screenshot picture(unsigned long window);
     void resize(unsigned long window, int width, int height);
-    /// Moves the mouse to a place in the window and clicks, as a person's hand would: by the server's own pointer (xdotool). False when that failed.
+    /// Moves the mouse to a place in the window and clicks, as a person's hand would: by the server's own pointer
+    /// (xdotool). False when that failed.
     bool click(unsigned long window, int x, int y);
     /// Gives the window the keyboard and presses keys, as "ctrl+r" (xdotool). False when that failed.
     bool press(unsigned long window, const std::string& keys);
@@ -73,7 +75,7 @@ private:
     std::filesystem::path folder_;
     std::unique_ptr<Companion> server_;
     std::string name_;
-    void* display_ = nullptr;   // Display*; Xlib's macros stay out of this header
+    void* display_ = nullptr;  // Display*; Xlib's macros stay out of this header
 };
 
 }  // namespace myo::test

@@ -20,11 +20,13 @@ std::string own_lines(const std::string& text) {
     std::istringstream lines(text);
     std::string own;
     for (std::string line; std::getline(lines, line);)
-        if (line.rfind("libGL", 0) != 0 && line.rfind("MESA", 0) != 0 && line.rfind("libEGL", 0) != 0) own += line + "\n";
+        if (line.rfind("libGL", 0) != 0 && line.rfind("MESA", 0) != 0 && line.rfind("libEGL", 0) != 0)
+            own += line + "\n";
     return own;
 }
 
-// The rail of steps at the left edge, in the dark theme at 100 %: a bar marks the step that is shown, a tick one that is done.
+// The rail of steps at the left edge, in the dark theme at 100 %: a bar marks the step that is shown, a tick one that
+// is done.
 constexpr unsigned bar_colour = 0x4c9dff, tick_colour = 0x6fd08c;
 constexpr int bar_width = 3, rail_width = 128, row_pitch = 38;
 
@@ -44,8 +46,11 @@ TEST(Window, OpensDrawsResizesRunsAndCloses) {
     const Folder folder("window");
     const auto display = VirtualDisplay::start(folder.path(), 1600, 1000);
     if (!display) GTEST_SKIP() << "skipped: no Xvfb or no xdotool";
-    Companion program({std::string(MYOLOOP_BINARY_DIR) + "/myoloop", std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam"},
-                      folder.path() / "out", folder.path() / "err", {"DISPLAY=" + display->name(), "WAYLAND_DISPLAY=", "LIBGL_ALWAYS_SOFTWARE=1", "XDG_CONFIG_HOME=" + (folder.path() / "config").string(),
+    Companion program({std::string(MYOLOOP_BINARY_DIR) + "/myoloop",
+                       std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam"},
+                      folder.path() / "out", folder.path() / "err",
+                      {"DISPLAY=" + display->name(), "WAYLAND_DISPLAY=", "LIBGL_ALWAYS_SOFTWARE=1",
+                       "XDG_CONFIG_HOME=" + (folder.path() / "config").string(),
                        "XDG_STATE_HOME=" + (folder.path() / "state").string()});
     const auto said = [&] { return content_of(folder.path() / "out") + content_of(folder.path() / "err"); };
 
@@ -59,10 +64,12 @@ TEST(Window, OpensDrawsResizesRunsAndCloses) {
         return shot.width == width && shot.colours() > 200;
     };
     const int first_width = display->picture(window).width;
-    ASSERT_TRUE(wait_until(limit_s, [&] { return program.ended() || drawn(first_width); })) << shot.colours() << " colours";
+    ASSERT_TRUE(wait_until(limit_s, [&] { return program.ended() || drawn(first_width); }))
+        << shot.colours() << " colours";
 
     display->resize(window, 1500, 940);
-    ASSERT_TRUE(wait_until(limit_s, [&] { return program.ended() || drawn(1500); })) << shot.width << " x " << shot.height;
+    ASSERT_TRUE(wait_until(limit_s, [&] { return program.ended() || drawn(1500); }))
+        << shot.width << " x " << shot.height;
     EXPECT_EQ(shot.height, 940);
     // The new part is drawn too.
     EXPECT_TRUE(wait_until(limit_s, [&] { return program.ended() || display->picture(window).colours(1350, 0) > 20; }));
@@ -79,9 +86,12 @@ TEST(Window, OpensDrawsResizesRunsAndCloses) {
     ASSERT_GT(body, 0);
     EXPECT_FALSE(has_tick(display->picture(window), run));
     ASSERT_TRUE(display->click(window, rail_width / 2, run));
-    EXPECT_TRUE(wait_until(limit_s, [&] { return program.ended() || std::abs(shown_row(display->picture(window)) - run) < row_pitch / 4; })) << "the click has shown nothing";
+    EXPECT_TRUE(wait_until(limit_s, [&] {
+        return program.ended() || std::abs(shown_row(display->picture(window)) - run) < row_pitch / 4;
+    })) << "the click has shown nothing";
     ASSERT_TRUE(display->press(window, "ctrl+r"));
-    EXPECT_TRUE(wait_until(limit_s, [&] { return program.ended() || has_tick(display->picture(window), run); })) << "Ctrl+R has run nothing";
+    EXPECT_TRUE(wait_until(limit_s, [&] { return program.ended() || has_tick(display->picture(window), run); }))
+        << "Ctrl+R has run nothing";
 
     EXPECT_FALSE(program.ended()) << said();
     display->close(window);

@@ -8,9 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "architecture/module_graph.hpp"
+
 namespace myo::test {
 
-/// The rules of the project's layout as functions from text to broken rules, so that they can be tried on made-up files.
+/// The rules of the project's layout as functions from text to broken rules, so that they can be tried on made-up
+/// files.
 
 /// One text file of the project: its path from the project's top folder ("core/mesh/weld.cpp") and its content.
 struct SourceFile {
@@ -24,18 +27,16 @@ using Fault = std::string;
 /// Whether a project file of that path exists.
 using FileExists = std::function<bool(const std::string& path)>;
 
-/// The modules of core; each may include itself and those before it.
-extern const std::vector<std::string> module_order;
-
 struct Include {
     std::string name;
-    bool quoted = false;   // "x" rather than <x>
+    bool quoted = false;  // "x" rather than <x>
     int line = 0;
 };
 std::vector<Include> includes_of(const std::string& text);
 
-/// Dependencies that point the wrong way, windows and drawing in core, VTK where it does not belong, files that are not there.
-std::vector<Fault> include_faults(const SourceFile& file, const FileExists& exists);
+/// Modules that are not linked, windows and drawing in core, VTK where it does not belong, files that are not
+/// there.
+std::vector<Fault> include_faults(const ModuleGraph& graph, const SourceFile& file, const FileExists& exists);
 
 /// Printing in core.
 std::vector<Fault> printing_faults(const SourceFile& file);
@@ -46,8 +47,8 @@ std::vector<Fault> length_faults(const SourceFile& file);
 /// Paths that exist on one machine only.
 std::vector<Fault> machine_path_faults(const SourceFile& file);
 
-/// Modules (folders of core) that the order does not know.
-std::vector<Fault> module_faults(const std::vector<std::string>& folders_of_core);
+/// Folders ("core/mesh") that are no module of CMake.
+std::vector<Fault> module_faults(const ModuleGraph& graph, const std::vector<std::string>& folders);
 
 /// Text of C++ with comments and the content of string and character literals blanked; lines stay where they are.
 std::string code_only(std::string_view text);

@@ -24,7 +24,8 @@ TEST(Decompositions, TheLeadingPartsOfAWideAndATallMatrixAreItsBestApproximation
         const LeadingSvd first = leading_svd(A, 1);
         ASSERT_EQ(first.sizes.size(), 1);
         // Eckart and Young: the rest has the norm of the other singular values.
-        EXPECT_NEAR((first.left * first.sizes.asDiagonal() * first.right.transpose() - A).norm(), std::hypot(2.0, 0.1), 1e-12);
+        EXPECT_NEAR((first.left * first.sizes.asDiagonal() * first.right.transpose() - A).norm(), std::hypot(2.0, 0.1),
+                    1e-12);
     }
     EXPECT_EQ(leading_svd(MatrixXd(4, 0), 2).sizes.size(), 0);
     EXPECT_EQ(leading_svd(MatrixXd::Zero(4, 3), 2).sizes.size(), 0);

@@ -118,9 +118,9 @@ TEST_F(Files, ReadingTellsWhatIsWrong) {
 
 TEST_F(Files, PlacesThatCannotBeWrittenAreErrors) {
     ASSERT_TRUE(write_file(folder_ / "file", "x"));
-    EXPECT_FALSE(write_file(folder_ / "file" / "below.txt", "y"));   // a file where a folder should be
+    EXPECT_FALSE(write_file(folder_ / "file" / "below.txt", "y"));  // a file where a folder should be
     fs::create_directories(folder_ / "taken" / "inside");
-    EXPECT_FALSE(write_file(folder_ / "taken", "y"));                // a folder where the file should be
+    EXPECT_FALSE(write_file(folder_ / "taken", "y"));  // a folder where the file should be
     EXPECT_EQ(files_in_folder(), 2);
 }
 

@@ -17,8 +17,8 @@ TEST(Overwrites, AnInputIsRefusedHoweverItIsSpelled) {
     fs::create_directory_symlink("exp", folder.path() / "linked");
     const std::vector<fs::path> inputs{folder.path() / "not there", folder.path() / "exp/drop.csv"};
     for (const char* const output : {"exp/drop.csv", "exp/../exp/drop.csv", "link.csv", "linked/drop.csv"}) {
-        const Result<void> checked =
-            check_overwrites("--json", {folder.path() / "new", folder.path() / output}, inputs);
+        const Result<void> checked = check_overwrites("--json", {folder.path() / "new", folder.path() / output},
+                                                      inputs);
         ASSERT_FALSE(checked) << output;
         EXPECT_EQ(checked.error().text(), "--json: " + folder.str(output) +
                                               " is read as input and would be replaced; choose another file or folder");
@@ -27,9 +27,7 @@ TEST(Overwrites, AnInputIsRefusedHoweverItIsSpelled) {
                                  inputs));
 }
 
-TEST(Overwrites, ADeviceMayBeReadAndWritten) {
-    EXPECT_TRUE(check_overwrites("--json", {"/dev/null"}, {"/dev/null"}));
-}
+TEST(Overwrites, ADeviceMayBeReadAndWritten) { EXPECT_TRUE(check_overwrites("--json", {"/dev/null"}, {"/dev/null"})); }
 
 }  // namespace
 }  // namespace myo

@@ -20,7 +20,8 @@ TEST(ParallelTasks, RunEachIndexOnceOnAnyNumberOfThreads) {
         for (const int count : {-1, 0, 1, 2, 7, 1000}) {
             std::vector<std::atomic<int>> runs(static_cast<std::size_t>(std::max(count, 0)));
             parallel_tasks(count, threads, [&](int i) { ++runs[static_cast<std::size_t>(i)]; });
-            EXPECT_TRUE(std::all_of(runs.begin(), runs.end(), [](const auto& n) { return n == 1; })) << threads << " " << count;
+            EXPECT_TRUE(std::all_of(runs.begin(), runs.end(), [](const auto& n) { return n == 1; }))
+                << threads << " " << count;
         }
 }
 
@@ -28,7 +29,7 @@ TEST(ParallelTasks, UseThreadsOfTheirOwn) {
     std::set<std::thread::id> seen;
     std::mutex mutex;
     parallel_tasks(8, 4, [&](int) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));   // long enough for every helper to get a task
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // long enough for every helper to get a task
         const std::lock_guard lock(mutex);
         seen.insert(std::this_thread::get_id());
     });

@@ -34,7 +34,6 @@ TEST(Result, MovesItsValueOut) {
     EXPECT_EQ(moved.size(), 4u);
 }
 
-
 TEST(ResultOfNothing, IsSuccessUnlessToldOtherwise) {
     EXPECT_TRUE(Result<void>());
     const Result<void> bad = Error{"full", "disk"};

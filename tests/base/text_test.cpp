@@ -25,12 +25,18 @@ TEST(ClosestWord, TakesTheFirstOfEquals) { EXPECT_EQ(closest_word("tip_c", {"tip
 
 TEST(ParseNumber, TakesWholeTextsOnly) {
     double value = 0.0;
-    for (const auto& [text, expected] : std::vector<std::pair<std::string, double>>{
-             {"1", 1.0}, {" -2.5e-3\t", -2.5e-3}, {"+4", 4.0}, {"1e5\r", 1e5}, {".5", 0.5}, {"7.", 7.0}, {"0.1", 0.1}}) {
+    for (const auto& [text, expected] : std::vector<std::pair<std::string, double>>{{"1", 1.0},
+                                                                                    {" -2.5e-3\t", -2.5e-3},
+                                                                                    {"+4", 4.0},
+                                                                                    {"1e5\r", 1e5},
+                                                                                    {".5", 0.5},
+                                                                                    {"7.", 7.0},
+                                                                                    {"0.1", 0.1}}) {
         ASSERT_TRUE(parse_number(text, value)) << text;
         EXPECT_EQ(value, expected) << text;
     }
-    for (const char* text : {"", "  ", "1,5", "1.0 2.0", "1.0x", "abc", "0x10", "--1", "e5", "+", "1e", "1e999", "+-5", "-+5", "inf", "-inf", "infinity"})
+    for (const char* text : {"", "  ", "1,5", "1.0 2.0", "1.0x", "abc", "0x10", "--1", "e5", "+", "1e", "1e999", "+-5",
+                             "-+5", "inf", "-inf", "infinity"})
         EXPECT_FALSE(parse_number(text, value)) << text;
 }
 

@@ -4,7 +4,7 @@
 
 #include "bench/beam_run.hpp"
 
-namespace myo {
+namespace myo::bench {
 namespace {
 
 TEST(Bench, CasesAndRunsHaveNamesOfTheirOwn) {
@@ -22,7 +22,8 @@ TEST(Bench, CasesAndRunsHaveNamesOfTheirOwn) {
 TEST(Bench, ARowDescribesItsRun) {
     BenchBeam beam;
     beam.cells = {4, 1, 1};
-    const Result<BenchFigures> figures = measure_run("short", beam, bench_options(Integrator::tr_bdf2, 0.01, 5, 1e-6));
+    const Result<BenchFigures> figures = measure_run("short", beam,
+                                                     bench_options(dynamics::Integrator::tr_bdf2, 0.01, 5, 1e-6));
     ASSERT_TRUE(figures);
     EXPECT_EQ(figures->dofs, 60);
     EXPECT_EQ(figures->cells, 4);
@@ -38,10 +39,11 @@ TEST(Bench, ARunThatFailsSaysSo) {
     BenchBeam beam;
     beam.cells = {4, 1, 1};
     beam.tip_force_N = 1e9;
-    const Result<BenchFigures> figures = measure_run("torn", beam, bench_options(Integrator::implicit_euler, 0.05, 3, 1e-6));
+    const Result<BenchFigures> figures = measure_run(
+        "torn", beam, bench_options(dynamics::Integrator::implicit_euler, 0.05, 3, 1e-6));
     ASSERT_FALSE(figures);
     EXPECT_NE(figures.error().text().find("torn"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::bench

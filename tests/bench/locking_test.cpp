@@ -5,7 +5,7 @@
 #include "bench/beam_statics.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::bench {
 namespace {
 
 double tip_error(const BenchBeam& beam, const ConvergedBeam& converged) {
@@ -15,10 +15,12 @@ double tip_error(const BenchBeam& beam, const ConvergedBeam& converged) {
     return *dz / converged.dz_mm - 1.0;
 }
 
-/// The default elements are within 1 % of the converged tip at every Poisson's ratio: hex8 on the paper's mesh, tet10 on three layers.
+/// The default elements are within 1 % of the converged tip at every Poisson's ratio: hex8 on the paper's mesh, tet10
+/// on three layers.
 TEST(Locking, DefaultElementsMeetTheConvergedTipAtEveryPoissonsRatio) {
     for (const ConvergedBeam& converged : converged_beam)
-        for (const BenchBeam& beam : {BenchBeam{ElementKind::hex8, {23, 7, 7}}, BenchBeam{ElementKind::tet10, {10, 3, 3}}}) {
+        for (const BenchBeam& beam :
+             {BenchBeam{fem::ElementKind::hex8, {23, 7, 7}}, BenchBeam{fem::ElementKind::tet10, {10, 3, 3}}}) {
             const double error = tip_error(beam, converged);
             test::record("error_" + to_string(beam.element) + "_nu" + format_number(converged.poissons_ratio), error);
             EXPECT_LT(std::abs(error), 0.01) << to_string(beam.element) << " nu " << converged.poissons_ratio;
@@ -27,7 +29,7 @@ TEST(Locking, DefaultElementsMeetTheConvergedTipAtEveryPoissonsRatio) {
 
 /// What locks does so by Poisson's ratio, not by bending: the same mesh is far better at 0.3.
 TEST(Locking, ComparisonElementsLockAsPoissonsRatioGrows) {
-    for (const ElementKind element : {ElementKind::hex8_full, ElementKind::tet4}) {
+    for (const fem::ElementKind element : {fem::ElementKind::hex8_full, fem::ElementKind::tet4}) {
         const BenchBeam beam{element, {13, 4, 4}};
         double before = 0.0;
         for (const ConvergedBeam& converged : converged_beam) {
@@ -41,4 +43,4 @@ TEST(Locking, ComparisonElementsLockAsPoissonsRatioGrows) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::bench

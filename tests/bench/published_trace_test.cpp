@@ -11,22 +11,23 @@
 #include "support/folder.hpp"
 #include "support/shared_data.hpp"
 
-namespace myo {
+namespace myo::bench {
 namespace {
 
-/// The formulation as published reproduces the node's trace that the published program wrote, in its own frame and steps: where
-/// that was solved tightly, to five digits, and otherwise as far as its steps were solved.
+/// The formulation as published reproduces the node's trace that the published program wrote, in its own frame and
+/// steps: where that was solved tightly, to five digits, and otherwise as far as its steps were solved.
 TEST(PublishedFormulation, FollowsTheTracesOfThePublishedProgram) {
     const std::filesystem::path folder = test::shared_data("design/reference");
     if (folder.empty()) GTEST_SKIP() << "skipped: no data";
     for (const PublishedTrace& published : published_traces()) {
         const Result<NodeTrace> reference = read_node_trace(folder / published.file);
         ASSERT_TRUE(reference) << reference.error().text();
-        const Model model = published_beam(published);
+        const model::Model model = published_beam(published);
         const int node = published_node(model.body->mesh);
         EXPECT_LT((model.body->mesh.nodes.col(node) - reference->positions.col(0)).norm(), 1e-8) << "the same frame";
         const int steps = static_cast<int>(reference->times_s.size()) - 1;
-        const Trace trace = simulate(model, bench_options(Integrator::implicit_euler, published.h_s, steps, 1e-7));
+        const dynamics::Trace trace = dynamics::simulate(
+            model, bench_options(dynamics::Integrator::implicit_euler, published.h_s, steps, 1e-7));
         ASSERT_TRUE(trace.complete()) << trace.message;
         const double deviation = trace_deviation(trace, node, *reference);
         test::record("deviation_" + published.file, deviation);
@@ -39,7 +40,7 @@ TEST(PublishedFormulation, FollowsTheTracesOfThePublishedProgram) {
 TEST(PublishedFormulation, ComesToTheSameRest) {
     for (const std::size_t which : {std::size_t{0}, std::size_t{3}}) {
         const PublishedTrace& published = published_traces()[which];
-        Model model = published_beam(published);
+        model::Model model = published_beam(published);
         const int node = published_node(model.body->mesh);
         const Result<Eigen::Matrix3Xd> x = beam_equilibrium(model);
         ASSERT_TRUE(x) << x.error().text();
@@ -67,4 +68,4 @@ TEST(NodeTrace, SaysWhichLineIsWrong) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::bench

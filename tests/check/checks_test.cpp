@@ -7,12 +7,13 @@
 
 #include "check/catalogue.hpp"
 #include "check/declared_steps.hpp"
-#include "loop/swung_beam.hpp"
-#include "project/finding_output.hpp"
-#include "project/run_study.hpp"
-#include "project/time_step.hpp"
+#include "prediction/run_trials.hpp"
+#include "prediction/time_step.hpp"
+#include "results/finding_output.hpp"
+#include "support/recorded_motion.hpp"
+#include "support/swung_beam.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 using Eigen::Vector3d;
@@ -25,11 +26,11 @@ std::string with(std::string text, const std::string& old, const std::string& ot
 }
 
 /// The swung beam with another declaration.
-Study study_of(const std::string& toml) {
+setup::Setup setup_of(const std::string& toml) {
     const test::Folder folder("checks");
     test::swung_beam(folder, 0.3);
     folder.write("experiment.toml", toml);
-    return test::study_in(folder);
+    return test::setup_in(folder);
 }
 
 CheckLevel worst(const std::vector<Finding>& findings) {
@@ -56,7 +57,7 @@ TEST(CheckPose, KnowsColumnsThatBuckleUnderTheirWeight) {
     const double critical_Pa = weight_N_m * 1e-3 / (7.837 * inertia_m4);
     const auto findings = [&](double modulus_Pa, const std::string& gravity) {
         const std::string soft = with(test::swung_beam_toml(), "2.6e5", std::to_string(modulus_Pa));
-        return check_pose({study_of(soft + "[environment]\ngravity_m_s2 = " + gravity + "\n")});
+        return check_pose({setup_of(soft + "[environment]\ngravity_m_s2 = " + gravity + "\n")});
     };
     const std::string down = "[-9.81, 0, 0]";
     const std::vector<Finding> buckled = findings(0.7 * critical_Pa, down), stands = findings(2.0 * critical_Pa, down);
@@ -73,22 +74,22 @@ TEST(CheckPose, KnowsColumnsThatBuckleUnderTheirWeight) {
 }
 
 TEST(CheckSupport, KnowsAHinge) {
-    EXPECT_EQ(worst(check_support({study_of(test::swung_beam_toml())})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_support({setup_of(test::swung_beam_toml())})), CheckLevel::fine);
     const std::string hinged = with(test::swung_beam_toml(), "[0.0005, 0.031, 0.031]", "[0.0005, 0.031, 0.001]");
-    const std::vector<Finding> found = check_support({study_of(hinged)});
+    const std::vector<Finding> found = check_support({setup_of(hinged)});
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].level, CheckLevel::wrong);
     EXPECT_THAT(found[0].sentence, HasSubstr("is a line, so that the body turns freely about it"));
 }
 
 TEST(CheckUnits, KnowsLikelySlips) {
-    EXPECT_EQ(worst(check_units({study_of(test::swung_beam_toml())})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_units({setup_of(test::swung_beam_toml())})), CheckLevel::fine);
     const std::vector<std::pair<std::string, std::string>> slips{{"2.6e5", "0.26"},
                                                                  {"1070", "1.07"},
                                                                  {"damping_s = 0.004", "damping_s = 4"},
                                                                  {"noise_m = 1e-4", "noise_m = 0.1"}};
     for (const auto& [right, slip] : slips) {
-        const std::vector<Finding> found = check_units({study_of(with(test::swung_beam_toml(), right, slip))});
+        const std::vector<Finding> found = check_units({setup_of(with(test::swung_beam_toml(), right, slip))});
         EXPECT_EQ(std::count_if(found.begin(), found.end(),
                                 [](const Finding& finding) { return finding.level == CheckLevel::doubtful; }),
                   1)
@@ -98,48 +99,47 @@ TEST(CheckUnits, KnowsLikelySlips) {
 
 /// One range for a quantity, however it is told.
 TEST(CheckUnits, TellsTheLimitsThatItJudgesBy) {
-    const std::vector<Finding> found = check_units({study_of(with(test::swung_beam_toml(), "2.6e5", "0.26"))});
+    const std::vector<Finding> found = check_units({setup_of(with(test::swung_beam_toml(), "2.6e5", "0.26"))});
     const auto soft = std::find_if(found.begin(), found.end(),
                                    [](const Finding& finding) { return finding.level == CheckLevel::doubtful; });
     ASSERT_NE(soft, found.end());
-    EXPECT_EQ(soft->sentence,
-              "material.youngs_modulus_Pa = 0.26 Pa, below what soft robots have, 500 to 5e+09 Pa");
+    EXPECT_EQ(soft->sentence, "material.youngs_modulus_Pa = 0.26 Pa, below what soft robots have, 500 to 5e+09 Pa");
     EXPECT_EQ(soft->threshold, 500.0);
     EXPECT_EQ(find_check("units")->source.find_first_of("0123456789"), std::string::npos);
 }
 
 /// A body that is declared a thousand times too light swings thirty times as fast as the true one.
 TEST(DeclaredSteps, AreNotChosenForUnitsInDoubt) {
-    Study right = study_of(test::swung_beam_toml());
+    setup::Setup right = setup_of(test::swung_beam_toml());
     choose_declared_steps(right, findings_on_units(right));
     EXPECT_EQ(right.steps.size(), right.trials.size());
     EXPECT_LT(right.trials.front().options.h_s, 0.005);
 
-    Study slip = study_of(with(test::swung_beam_toml(), "1070", "1.07"));
+    setup::Setup slip = setup_of(with(test::swung_beam_toml(), "1070", "1.07"));
     choose_declared_steps(slip, findings_on_units(slip));
     EXPECT_TRUE(slip.steps.empty());
     EXPECT_EQ(slip.trials.front().options.h_s, 0.005);
-    EXPECT_FALSE(choosable(slip.settings)) << "nor after a fit";
+    EXPECT_FALSE(prediction::choosable(slip.settings)) << "nor after a fit";
 }
 
 TEST(CheckMarkers, KnowsThoseThatTheMeshTakesForOne) {
-    EXPECT_EQ(worst(check_markers({study_of(test::swung_beam_toml())})), CheckLevel::fine);
-    const std::string near =
-        with(test::swung_beam_toml(), "middle = [0.05, 0.015, 0.03]", "middle = [0.1, 0.001, 0.03]");
-    const std::vector<Finding> found = check_markers({study_of(near)});
+    EXPECT_EQ(worst(check_markers({setup_of(test::swung_beam_toml())})), CheckLevel::fine);
+    const std::string near = with(test::swung_beam_toml(), "middle = [0.05, 0.015, 0.03]",
+                                  "middle = [0.1, 0.001, 0.03]");
+    const std::vector<Finding> found = check_markers({setup_of(near)});
     EXPECT_EQ(worst(found), CheckLevel::doubtful);
     EXPECT_THAT(found[0].sentence, HasSubstr("markers tip_left and middle are 1.00 mm apart"));
     EXPECT_THAT(found[0].way_out, HasSubstr("(--resolution, or Edge length of Mesh in the window)"));
 }
 
 TEST(CheckAfter, TakesOverWhatWasAskedBefore) {
-    const test::Folder folder("taken_over");   // whose traces are compared
-    const Study study = test::swung_beam(folder, 0.3);
-    const std::vector<Finding> before = check_before(study);
-    StudyRun run = run_study(study, declared_values(study));
+    const test::Folder folder("taken_over");  // whose traces are compared
+    const setup::Setup setup = test::swung_beam(folder, 0.3);
+    const std::vector<Finding> before = check_before(setup);
+    prediction::SetupRun run = prediction::run_trials(setup, prediction::declared_values(setup));
     std::vector<Finding> marked = before;
     marked.front().sentence = "asked before";
-    const std::vector<Finding> taken = check_after({study, &run}, marked), asked = check_after({study, &run});
+    const std::vector<Finding> taken = check_after({setup, &run}, marked), asked = check_after({setup, &run});
     EXPECT_EQ(taken.front().sentence, "asked before");
     EXPECT_EQ(asked.front().sentence, before.front().sentence);
     EXPECT_EQ(taken.size(), asked.size());
@@ -152,108 +152,108 @@ TEST(CheckAfter, TakesOverWhatWasAskedBefore) {
 
 /// A recording that begins in the sag of a body that is declared straight.
 TEST(CheckStart, ComparesTheFirstSampleWithTheDeclaredStart) {
-    Study study = study_of(test::swung_beam_toml());
-    EXPECT_EQ(worst(check_start({study})), CheckLevel::fine);
-    for (Eigen::Matrix3Xd& track : study.trials[0].measured.tracks) {
+    setup::Setup setup = setup_of(test::swung_beam_toml());
+    EXPECT_EQ(worst(check_start({setup})), CheckLevel::fine);
+    for (Eigen::Matrix3Xd& track : setup.trials[0].measured.tracks) {
         track.row(2).array() -= 0.02;
         track.row(2).rightCols(10).array() += 0.03;
     }
-    const std::vector<Finding> found = check_start({study});
+    const std::vector<Finding> found = check_start({setup});
     EXPECT_EQ(worst(found), CheckLevel::wrong);
     EXPECT_THAT(found[0].sentence,
                 HasSubstr("trial swing: at the first sample the markers are 20.0 mm rms from where"));
     EXPECT_THAT(found[0].way_out, HasSubstr("start = \"equilibrium\""));
     // After a run its own start is compared, wherever that is.
-    StudyRun run = run_study(study, declared_values(study));
-    EXPECT_EQ(worst(check_start({study, &run})), CheckLevel::wrong);
-    test::record(study, 0, run.values, run.predictions[0].trace);
-    run.predictions[0] = predict_trial(study, 0, run.values);
-    EXPECT_EQ(check_start({study, &run})[0].level, CheckLevel::fine);
+    prediction::SetupRun run = prediction::run_trials(setup, prediction::declared_values(setup));
+    EXPECT_EQ(worst(check_start({setup, &run})), CheckLevel::wrong);
+    test::record(setup, 0, run.values, run.predictions[0].trace);
+    run.predictions[0] = prediction::predict_trial(setup, 0, run.values);
+    EXPECT_EQ(check_start({setup, &run})[0].level, CheckLevel::fine);
 }
 
 TEST(CheckInsideOut, CountsCellsAndSaysFromWhen) {
-    const Study study = study_of(test::swung_beam_toml());
-    StudyRun run;
-    run.predictions.resize(study.trials.size());
-    Trace& trace = run.predictions[0].trace;
-    const Eigen::Matrix3Xd& rest = study.mesh.mesh.nodes;
+    const setup::Setup setup = setup_of(test::swung_beam_toml());
+    prediction::SetupRun run;
+    run.predictions.resize(setup.trials.size());
+    dynamics::Trace& trace = run.predictions[0].trace;
+    const Eigen::Matrix3Xd& rest = setup.mesh.mesh.nodes;
     Eigen::Matrix3Xd turned = rest;
-    turned.row(0) = -rest.row(0);   // a mirror turns all of them
+    turned.row(0) = -rest.row(0);  // a mirror turns all of them
     trace.times_s = {0.0, 0.1, 0.2};
     trace.positions = {rest, rest, rest};
-    EXPECT_EQ(worst(check_inside_out({study, &run})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_inside_out({setup, &run})), CheckLevel::fine);
     trace.positions = {rest, turned, rest};
-    const std::vector<Finding> found = check_inside_out({study, &run});
+    const std::vector<Finding> found = check_inside_out({setup, &run});
     EXPECT_EQ(worst(found), CheckLevel::wrong);
-    EXPECT_EQ(found[0].figure, static_cast<double>(study.mesh.mesh.cell_count()));
+    EXPECT_EQ(found[0].figure, static_cast<double>(setup.mesh.mesh.cell_count()));
     EXPECT_THAT(found[0].sentence, HasSubstr("cells are inside out, the first at 0.1 s"));
 }
 
 /// 26 times the stiffness: 37 Hz, of which ten steps of 2.5 ms make 1.9 % less. By the vibration's own measured error.
 TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
-    Study study =
-        study_of(with(with(test::swung_beam_toml(), "2.6e5", "6.8e6"), "damping_s = 0.004", "damping_s = 1e-4"));
-    StudyRun run;
-    run.values = declared_values(study);
+    setup::Setup setup = setup_of(
+        with(with(test::swung_beam_toml(), "2.6e5", "6.8e6"), "damping_s = 0.004", "damping_s = 1e-4"));
+    prediction::SetupRun run;
+    run.values = prediction::declared_values(setup);
     const auto level_at = [&](double h_s) {
         run.predictions.clear();
-        for (std::size_t t = 0; t < study.trials.size(); ++t) {
-            set_step(study.trials[t], h_s);
-            run.predictions.push_back(predict_trial(study, t, run.values));
+        for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+            setup::set_step(setup.trials[t], h_s);
+            run.predictions.push_back(prediction::predict_trial(setup, t, run.values));
         }
-        return check_step({study, &run});
+        return check_step({setup, &run});
     };
     const std::vector<Finding> coarse = level_at(2.5e-3), fine = level_at(5e-4);
     EXPECT_EQ(worst(coarse), CheckLevel::wrong);
     EXPECT_THAT(coarse[0].sentence, HasSubstr("so that a modulus fitted on it is"));
     EXPECT_THAT(coarse[0].way_out, HasSubstr(" s (--dt, or Step h of Run in the window)"));
     EXPECT_EQ(worst(fine), CheckLevel::fine);
-    EXPECT_NEAR(coarse[0].figure / fine[0].figure, 25.0, 3.0);   // second order
+    EXPECT_NEAR(coarse[0].figure / fine[0].figure, 25.0, 3.0);  // second order
 }
 
 /// Who has looked for it hands it on: natural modes are not asked for twice.
 TEST(CheckStep, TakesOverWhatWasSeen) {
-    Study study = study_of(test::swung_beam_toml());
-    StudyRun run = run_study(study, declared_values(study));
-    run.predictions[1].status = RunStatus::failed;
-    std::vector<TrialStep> seen = steps_seen_in(study, run);
-    ASSERT_EQ(seen.size(), study.trials.size());
+    setup::Setup setup = setup_of(test::swung_beam_toml());
+    prediction::SetupRun run = prediction::run_trials(setup, prediction::declared_values(setup));
+    run.predictions[1].status = dynamics::RunStatus::failed;
+    std::vector<setup::TrialStep> seen = prediction::steps_seen_in(setup, run);
+    ASSERT_EQ(seen.size(), setup.trials.size());
     EXPECT_GT(seen[0].vibration_Hz, 0.0);
     EXPECT_EQ(seen[1].h_s, 0.0);
-    const std::vector<Finding> looked_for = check_step({study, &run}),
-                               taken = check_step({.study = study, .run = &run, .seen = &seen});
-    ASSERT_EQ(taken.size(), 1u);   // a trial that did not complete shows nothing
+    const std::vector<Finding> looked_for = check_step({setup, &run}),
+                               taken = check_step({.setup = setup, .run = &run, .seen = &seen});
+    ASSERT_EQ(taken.size(), 1u);  // a trial that did not complete shows nothing
     EXPECT_EQ(taken[0].figure, looked_for[0].figure);
     seen[0].frequency_error = 0.5;
-    EXPECT_EQ(check_step({.study = study, .run = &run, .seen = &seen})[0].figure, 0.5);
+    EXPECT_EQ(check_step({.setup = setup, .run = &run, .seen = &seen})[0].figure, 0.5);
 }
 
 /// Nobody has looked for the step of a run such as simulate's: every trial is judged, also one without a vibration.
 TEST(CheckStep, JudgesTrialsWithoutAVibration) {
-    Study study = study_of(test::swung_beam_toml());
-    for (StudyTrial& trial : study.trials) {
+    setup::Setup setup = setup_of(test::swung_beam_toml());
+    for (setup::PreparedTrial& trial : setup.trials) {
         trial.model.gravity_m_s2.setZero();
-        set_step(trial, 0.1);
+        setup::set_step(trial, 0.1);
     }
-    const StudyRun run = run_study(study, declared_values(study));
-    const std::vector<Finding> found = check_step({study, &run});
-    ASSERT_EQ(found.size(), study.trials.size());
+    const prediction::SetupRun run = prediction::run_trials(setup, prediction::declared_values(setup));
+    const std::vector<Finding> found = check_step({setup, &run});
+    ASSERT_EQ(found.size(), setup.trials.size());
     EXPECT_EQ(found[0].level, CheckLevel::fine);
     EXPECT_THAT(found[0].sentence, HasSubstr("steps of 100 ms, and no vibration is seen"));
     EXPECT_THAT(found[0].sentence, HasSubstr("they damp away the first one, of "));
 }
 
 TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
-    const Study study = study_of(test::swung_beam_toml());
-    Calibration calibration;
-    StudyRun run;
+    const setup::Setup setup = setup_of(test::swung_beam_toml());
+    calibration::Calibration calibration;
+    prediction::SetupRun run;
     std::vector<Finding> earlier{fine_finding("", "a mesh"), fine_finding("a", "a step"), fine_finding("b", "a start")};
     earlier[0].check = "mesh";
     earlier[1].check = "step";
     earlier[2].check = "start";
     const auto judged = [&](double ratio) {
-        run.fit_rms_m = ratio * mean_noise(study);
-        return check_residual({study, &run, &calibration, &earlier}).front();
+        run.fit_rms_m = ratio * setup::mean_noise(setup);
+        return check_residual({setup, &run, &calibration, &earlier}).front();
     };
     EXPECT_EQ(judged(1.02).level, CheckLevel::fine);
     EXPECT_EQ(judged(3.0).level, CheckLevel::doubtful);
@@ -272,13 +272,13 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
 
 /// simulate fits nothing: what it leaves is for a fit to mend, not for a diagnosis.
 TEST(CheckResidual, OfDeclaredValuesPointsToTheFit) {
-    Study study = study_of(test::swung_beam_toml());
-    StudyRun run = run_study(study, declared_values(study));
+    setup::Setup setup = setup_of(test::swung_beam_toml());
+    prediction::SetupRun run = prediction::run_trials(setup, prediction::declared_values(setup));
     std::vector<Finding> earlier{fine_finding("", "a step")};
     earlier[0].check = "step";
-    EXPECT_TRUE(check_residual({study, &run, nullptr, &earlier}).empty());   // nor of a diagnosis
+    EXPECT_TRUE(check_residual({setup, &run, nullptr, &earlier}).empty());  // nor of a diagnosis
     const auto judged = [&] {
-        return check_residual({.study = study, .run = &run, .earlier = &earlier, .as_declared = true}).front();
+        return check_residual({.setup = setup, .run = &run, .earlier = &earlier, .as_declared = true}).front();
     };
     // The recording is of a body at rest, which is not where the beam swings.
     EXPECT_EQ(judged().level, CheckLevel::wrong);
@@ -288,11 +288,11 @@ TEST(CheckResidual, OfDeclaredValuesPointsToTheFit) {
     EXPECT_THAT(judged().way_out, testing::Not(HasSubstr("diagnose")));
     earlier[0].level = CheckLevel::doubtful;
     EXPECT_THAT(judged().way_out, testing::StartsWith("suspected, in this order: step; once these are settled, "));
-    study.experiment.material.calibrate.clear();
+    setup.experiment.material.calibrate.clear();
     EXPECT_THAT(judged().way_out, HasSubstr("name what is unknown in material.calibrate, and calibrate"));
-    for (std::size_t t = 0; t < study.trials.size(); ++t) {
-        test::record(study, t, run.values, run.predictions[t].trace);
-        run.predictions[t] = predict_trial(study, t, run.values);
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        test::record(setup, t, run.values, run.predictions[t].trace);
+        run.predictions[t] = prediction::predict_trial(setup, t, run.values);
     }
     EXPECT_EQ(judged().level, CheckLevel::fine);
     EXPECT_NEAR(judged().figure, 1.0, 0.1);
@@ -308,12 +308,12 @@ TEST(Findings, AreToldWorstFirstAndOnce) {
     findings[2].level = CheckLevel::wrong;
     findings[2].way_out = "a way";
     findings[3].told = true;
-    EXPECT_EQ(untold(findings), (std::vector<std::string>{"much; a way", "some"}));
-    EXPECT_EQ(findings_line(findings), "checks: 1 green, 2 amber (step), 1 red (start)");
-    const Json json = findings_json(findings);
+    EXPECT_EQ(results::untold(findings), (std::vector<std::string>{"much; a way", "some"}));
+    EXPECT_EQ(results::findings_line(findings), "checks: 1 green, 2 amber (step), 1 red (start)");
+    const report::Json json = results::findings_json(findings);
     EXPECT_EQ(json[2]["level"], "red");
     EXPECT_FALSE(json[2].contains("figure"));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::check

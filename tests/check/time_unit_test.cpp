@@ -7,10 +7,11 @@
 #include "check/catalogue.hpp"
 #include "check/checks.hpp"
 #include "check/recorded_swing.hpp"
-#include "loop/swung_beam.hpp"
-#include "project/first_vibration.hpp"
+#include "setup/first_vibration.hpp"
+#include "support/recorded_motion.hpp"
+#include "support/swung_beam.hpp"
 
-namespace myo {
+namespace myo::check {
 namespace {
 
 using testing::HasSubstr;
@@ -18,33 +19,33 @@ using testing::HasSubstr;
 /// The beam let go, with its own motion as its recording.
 class TimeUnit : public testing::Test {
 protected:
-    TimeUnit() : folder_("time_unit"), study_(test::swung_beam(folder_, 0.6)) {
-        const StudyValues values = declared_values(study_);
-        const TrialPrediction truth = predict_trial(study_, 0, values);
-        for (std::size_t t = 0; t < study_.trials.size(); ++t) test::record(study_, t, values, truth.trace);
+    TimeUnit() : folder_("time_unit"), setup_(test::swung_beam(folder_, 0.6)) {
+        const prediction::ParameterValues values = prediction::declared_values(setup_);
+        const prediction::TrialPrediction truth = prediction::predict_trial(setup_, 0, values);
+        for (std::size_t t = 0; t < setup_.trials.size(); ++t) test::record(setup_, t, values, truth.trace);
     }
 
     /// As read from a file in whose unit a second is so many.
     Finding in_units(double per_second) const {
-        Study study = study_;
-        scale_times(study.trials[0], per_second);
-        return check_time_unit({study}).front();
+        setup::Setup setup = setup_;
+        scale_times(setup.trials[0], per_second);
+        return check_time_unit({setup}).front();
     }
 
-    static void scale_times(StudyTrial& trial, double factor) {
+    static void scale_times(setup::PreparedTrial& trial, double factor) {
         trial.measured.time_s *= factor;
         trial.measured.rate_Hz /= factor;
     }
 
     test::Folder folder_;
-    Study study_;
+    setup::Setup setup_;
 };
 
 TEST_F(TimeUnit, SecondsAreThose) {
     const Finding found = in_units(1.0);
     EXPECT_EQ(found.level, CheckLevel::fine) << found.sentence;
-    const Model model = trial_model(study_, 0, declared_values(study_));
-    const double first_Hz = first_vibration_rad_s(model) / (2.0 * std::numbers::pi);
+    const model::Model model = prediction::trial_model(setup_, 0, prediction::declared_values(setup_));
+    const double first_Hz = setup::first_vibration_rad_s(model) / (2.0 * std::numbers::pi);
     EXPECT_NEAR(found.figure, first_Hz, 0.15 * first_Hz);
     EXPECT_NEAR(found.threshold, first_Hz / 30.0, 1e-6 * first_Hz);
 }
@@ -65,7 +66,7 @@ TEST_F(TimeUnit, KnowsMillisecondsMinutesAndFrameNumbers) {
 
 /// One picture a minute of a body that creeps, and of one that is pulled to and fro, are slow recordings and no slips.
 TEST_F(TimeUnit, LeavesSlowRecordingsAlone) {
-    Study creeping = study_;
+    setup::Setup creeping = setup_;
     scale_times(creeping.trials[0], 6000.0);
     std::mt19937_64 random(1);
     std::normal_distribution<double> noise(0.0, 1e-4);
@@ -76,10 +77,10 @@ TEST_F(TimeUnit, LeavesSlowRecordingsAlone) {
         }
     EXPECT_EQ(check_time_unit({creeping}).front().level, CheckLevel::fine);
 
-    Study pulled = study_;
+    setup::Setup pulled = setup_;
     scale_times(pulled.trials[0], 6000.0);
     const Eigen::Index nodes = pulled.mesh.mesh.node_count();
-    DeadForce pull{Eigen::VectorXd::Constant(nodes, 1.0 / static_cast<double>(nodes)), Eigen::Vector3d::UnitZ()};
+    model::DeadForce pull{Eigen::VectorXd::Constant(nodes, 1.0 / static_cast<double>(nodes)), Eigen::Vector3d::UnitZ()};
     pull.until_s = 0.98 * pulled.trials[0].measured.time_s.tail(1)(0);
     pulled.trials[0].model.forces.push_back(pull);
     EXPECT_EQ(check_time_unit({pulled}).front().level, CheckLevel::fine);
@@ -89,17 +90,17 @@ TEST_F(TimeUnit, LeavesSlowRecordingsAlone) {
 
 /// Whose motion is a target to be reached.
 TEST_F(TimeUnit, LeavesMotionsAloneWhoseSignalsAreSought) {
-    Study sought = study_;
+    setup::Setup sought = setup_;
     scale_times(sought.trials[0], 1000.0);
-    sought.trials[0].model.activation = {Signal::constant(1.0)};
+    sought.trials[0].model.activation = {fibre::Signal::constant(1.0)};
     EXPECT_EQ(check_time_unit({sought}).front().level, CheckLevel::fine);
-    sought.trials[0].model.activation = {Signal::step(0.0, 1.0, 0.8)};
+    sought.trials[0].model.activation = {fibre::Signal::step(0.0, 1.0, 0.8)};
     EXPECT_EQ(check_time_unit({sought}).front().level, CheckLevel::wrong);
 }
 
 TEST_F(TimeUnit, IsAskedBeforeEveryJob) {
-    scale_times(study_.trials[0], 1000.0);
-    const std::vector<Finding> before = check_before(study_);
+    scale_times(setup_.trials[0], 1000.0);
+    const std::vector<Finding> before = check_before(setup_);
     EXPECT_TRUE(std::any_of(before.begin(), before.end(), [](const Finding& finding) {
         return finding.check == "time_unit" && finding.level == CheckLevel::wrong;
     }));
@@ -116,21 +117,21 @@ TEST(TurningTimes, AreThoseOfTheMotionAndNotOfTheNoise) {
     }
     swing.segment(50, 3).setConstant(std::nan(""));
     const std::vector<double> turns = turning_times(time, swing, 0.1);
-    ASSERT_EQ(turns.size(), 5u);   // 1/3, 2/3, ... s; the first is where it begins
+    ASSERT_EQ(turns.size(), 5u);  // 1/3, 2/3, ... s; the first is where it begins
     for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(turns[i], static_cast<double>(i + 1) / 3.0, 0.04);
     EXPECT_TRUE(turning_times(time, still, 0.1).empty());
 }
 
 TEST(LastChange, IsThatOfLoadsAndSignals) {
-    Model model;
+    model::Model model;
     EXPECT_EQ(last_change_s(model), 0.0);
-    model.activation = {Signal{{0.0, 1.0, 2.0, 5.0}, {1.0, 1.0, 0.8, 0.801}}};
+    model.activation = {fibre::Signal{{0.0, 1.0, 2.0, 5.0}, {1.0, 1.0, 0.8, 0.801}}};
     EXPECT_EQ(last_change_s(model), 2.0);
-    DeadForce force{Eigen::VectorXd::Ones(1), Eigen::Vector3d::UnitX()};
+    model::DeadForce force{Eigen::VectorXd::Ones(1), Eigen::Vector3d::UnitX()};
     force.until_s = 3.0;
     model.forces = {force};
     EXPECT_EQ(last_change_s(model), 3.0);
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::check

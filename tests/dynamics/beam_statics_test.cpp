@@ -4,7 +4,7 @@
 #include "support/figures.hpp"
 #include "support/statics.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Vector3d;
@@ -17,8 +17,8 @@ double timoshenko_deflection(const test::BeamSpec& spec, double P) {
     return P * L * L * L / (3.0 * E * test::second_moment(spec)) + P * L / (k * G * test::section_area(spec));
 }
 
-/// Length to height 8: shear is 1.2 % of the deflection, so 1 % could not be met without it at nu = 0. Where nu > 0 the clamp, which keeps the
-/// section from contracting, makes a body stiffer than the theory knows.
+/// Length to height 8: shear is 1.2 % of the deflection, so 1 % could not be met without it at nu = 0. Where nu > 0 the
+/// clamp, which keeps the section from contracting, makes a body stiffer than the theory knows.
 TEST(SmallLoad, CantileverDeflectsAsTimoshenkoSays) {
     struct Run {
         const char* element;
@@ -31,7 +31,7 @@ TEST(SmallLoad, CantileverDeflectsAsTimoshenkoSays) {
             spec.cells = run.cells;
             spec.size = {0.16, 0.02, 0.02};
             spec.poissons_ratio = nu;
-            Model model = test::make_beam(spec);
+            model::Model model = test::make_beam(spec);
             const double P = 1e-4 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0));
             test::push_tip(model, spec, {0.0, 0.0, -P});
             const double error = -test::tip_at_equilibrium(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
@@ -40,21 +40,23 @@ TEST(SmallLoad, CantileverDeflectsAsTimoshenkoSays) {
         }
 }
 
-/// Cells as thick as the body: what varies within them carries half of the bending. Without Poisson's ratio there they were 10 to 15 % too soft.
+/// Cells as thick as the body: what varies within them carries half of the bending. Without Poisson's ratio there they
+/// were 10 to 15 % too soft.
 TEST(SmallLoad, LayersOfQuadraticCells) {
     for (const double nu : {0.0, 0.3, 0.45, 0.499}) {
         double error[3] = {};
         for (const int layers : {1, 2}) {
             test::BeamSpec spec;
-            spec.kind = ElementKind::tet10;
+            spec.kind = fem::ElementKind::tet10;
             spec.size = {0.2, 0.02, 0.02};
             spec.cells = {10 * layers, layers, layers};
             spec.poissons_ratio = nu;
-            Model model = test::make_beam(spec);
+            model::Model model = test::make_beam(spec);
             const double P = 1e-4 * spec.youngs_modulus_Pa * test::second_moment(spec) / (spec.size(0) * spec.size(0));
             test::push_tip(model, spec, {0.0, 0.0, -P});
             error[layers] = -test::tip_at_equilibrium(model, spec)(2) / timoshenko_deflection(spec, P) - 1.0;
-            test::record("error_" + std::to_string(layers) + "_nu" + std::to_string(static_cast<int>(1000.0 * nu)), error[layers]);
+            test::record("error_" + std::to_string(layers) + "_nu" + std::to_string(static_cast<int>(1000.0 * nu)),
+                         error[layers]);
         }
         EXPECT_LT(std::abs(error[1]), 0.06) << nu;
         EXPECT_LT(std::abs(error[2]), 0.02) << nu;
@@ -64,8 +66,8 @@ TEST(SmallLoad, LayersOfQuadraticCells) {
 /// Elastica of a cantilever with a dead end force: theta'' = -alpha cos(theta), theta(0) = 0, theta'(1) = 0 with
 /// alpha = P L^2 / E I, by shooting with Runge-Kutta steps.
 struct Elastica {
-    double drop = 0.0;         // downward deflection / L
-    double shortening = 0.0;   // 1 - horizontal reach / L
+    double drop = 0.0;        // downward deflection / L
+    double shortening = 0.0;  // 1 - horizontal reach / L
 };
 
 Elastica elastica(double alpha) {
@@ -73,19 +75,20 @@ Elastica elastica(double alpha) {
     const auto end_curvature = [&](double start) {
         const int steps = 2000;
         const double ds = 1.0 / steps;
-        Eigen::Vector4d y(0.0, start, 0.0, 0.0);   // theta, theta', drop, reach
+        Eigen::Vector4d y(0.0, start, 0.0, 0.0);  // theta, theta', drop, reach
         const auto slope = [&](const Eigen::Vector4d& s) {
             return Eigen::Vector4d(s(1), -alpha * std::cos(s(0)), std::sin(s(0)), std::cos(s(0)));
         };
         for (int i = 0; i < steps; ++i) {
-            const Eigen::Vector4d k1 = slope(y), k2 = slope(y + 0.5 * ds * k1), k3 = slope(y + 0.5 * ds * k2), k4 = slope(y + ds * k3);
+            const Eigen::Vector4d k1 = slope(y), k2 = slope(y + 0.5 * ds * k1), k3 = slope(y + 0.5 * ds * k2),
+                                  k4 = slope(y + ds * k3);
             y += ds / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
         }
         drop = y(2);
         reach = y(3);
         return y(1);
     };
-    double low = 0.0, high = alpha;   // the moment of the undeformed arm is the largest there can be
+    double low = 0.0, high = alpha;  // the moment of the undeformed arm is the largest there can be
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         (end_curvature(middle) < 0.0 ? low : high) = middle;
@@ -110,9 +113,9 @@ TEST(LargeDeflection, SlenderCantileverFollowsTheElastica) {
             test::BeamSpec spec;
             spec.kind = test::element(element);
             spec.size = {1.0, 0.02, 0.02};
-            spec.cells = spec.kind == ElementKind::tet10 ? Eigen::Vector3i(30, 1, 1) : Eigen::Vector3i(50, 2, 2);
+            spec.cells = spec.kind == fem::ElementKind::tet10 ? Eigen::Vector3i(30, 1, 1) : Eigen::Vector3i(50, 2, 2);
             spec.poissons_ratio = 0.0;
-            Model model = test::make_beam(spec);
+            model::Model model = test::make_beam(spec);
             const double P = alpha * spec.youngs_modulus_Pa * test::second_moment(spec);
             test::push_tip(model, spec, {0.0, 0.0, -P});
             const Vector3d tip = test::tip_at_equilibrium(model, spec);
@@ -127,4 +130,4 @@ TEST(LargeDeflection, SlenderCantileverFollowsTheElastica) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

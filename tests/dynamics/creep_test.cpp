@@ -13,14 +13,14 @@
 #include "support/pulled_block.hpp"
 #include "support/run.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
 using test::run;
 
 /// Strain per stress of the standard linear solid: the shear creeps, the volume does not.
-double compliance(const Moduli& m, const MaxwellBranch& branch, double t) {
+double compliance(const material::Moduli& m, const material::MaxwellBranch& branch, double t) {
     const double g = branch.modulus_ratio, tau_of_creep = branch.relaxation_time_s * (1.0 + g);
     return (1.0 - g / (1.0 + g) * std::exp(-t / tau_of_creep)) / (3.0 * m.mu) + 1.0 / (9.0 * m.kappa);
 }
@@ -32,9 +32,9 @@ TEST(Creep, ASuddenlyPulledBlockFollowsItsCreepFunction) {
             test::BeamSpec spec = test::light_cube();
             spec.kind = test::element(element);
             spec.poissons_ratio = nu;
-            Model model = test::make_beam(spec);
-            model.creep = MaxwellBranch{0.8, 0.1};
-            test::pull(model, spec, 1.0);   // strains of 1e-5
+            model::Model model = test::make_beam(spec);
+            model.creep = material::MaxwellBranch{0.8, 0.1};
+            test::pull(model, spec, 1.0);  // strains of 1e-5
             // From the sixth step on: before, the block still swings a little, faster than the steps.
             const Trace trace = run(model, Integrator::tr_bdf2, 0.0005, 0.5);
             ASSERT_TRUE(trace.complete()) << trace.message;
@@ -45,7 +45,8 @@ TEST(Creep, ASuddenlyPulledBlockFollowsItsCreepFunction) {
             }
             test::record(std::string(element) + "_nu_" + std::to_string(static_cast<int>(1e3 * nu)), worst);
             EXPECT_LT(worst, 3e-5) << element << " " << nu;
-            const double at_once = test::stretch_of(model, spec, trace.positions[4]), at_last = test::stretch_of(model, spec, trace.positions.back());
+            const double at_once = test::stretch_of(model, spec, trace.positions[4]),
+                         at_last = test::stretch_of(model, spec, trace.positions.back());
             EXPECT_GT(at_last, 1.5 * at_once);
         }
 }
@@ -57,14 +58,14 @@ test::BeamSpec damped_beam() {
     return spec;
 }
 
-Model creeping(const test::BeamSpec& spec) {
-    Model model = test::make_beam(spec);
-    model.creep = MaxwellBranch{0.7, 0.04};
+model::Model creeping(const test::BeamSpec& spec) {
+    model::Model model = test::make_beam(spec);
+    model.creep = material::MaxwellBranch{0.7, 0.04};
     return model;
 }
 
 TEST(Creep, KeepsTheOrderOfEveryScheme) {
-    const Model model = creeping(damped_beam());
+    const model::Model model = creeping(damped_beam());
     const std::vector<double> h{0.005, 0.0025, 0.00125};
     const Trace reference = run(model, Integrator::tr_bdf2, h.back() / 8.0, 0.16);
     // At several times: at a single one an error may pass through zero.
@@ -87,19 +88,20 @@ TEST(Creep, KeepsTheOrderOfEveryScheme) {
 /// Jumps leave strains of body and dashpots as they are.
 TEST(Creep, KeepsTheOrderOverAJumpOfTheLoads) {
     const test::BeamSpec spec = damped_beam();
-    Model model = creeping(spec);
+    model::Model model = creeping(spec);
     test::push_tip(model, spec, {0.0, 0.0, 0.6});
     model.forces.back().from_s = 0.0313;
     model.forces.back().until_s = 0.0777;
     const std::vector<double> h{0.005, 0.0025, 0.00125};
     const Matrix3Xd reference = run(model, Integrator::tr_bdf2, h.back() / 8.0, 0.11).positions.back();
     std::vector<double> errors;
-    for (const double step : h) errors.push_back((run(model, Integrator::tr_bdf2, step, 0.11).positions.back() - reference).norm());
+    for (const double step : h)
+        errors.push_back((run(model, Integrator::tr_bdf2, step, 0.11).positions.back() - reference).norm());
     EXPECT_GT(test::observed_orders(h, errors).back(), 1.8);
 }
 
 TEST(Creep, ABodyAtEquilibriumIsRelaxedAndStaysAtRest) {
-    const Model model = creeping(damped_beam());
+    const model::Model model = creeping(damped_beam());
     const Trace trace = simulate(model, test::short_steps(StartKind::equilibrium, 0.005, 0.2));
     ASSERT_TRUE(trace.complete()) << trace.message;
     const double sag = (trace.positions.front() - model.body->mesh.nodes).norm();
@@ -109,7 +111,7 @@ TEST(Creep, ABodyAtEquilibriumIsRelaxedAndStaysAtRest) {
 
 /// Let go, the creeping beam comes to rest where statics, which knows no branch, puts it.
 TEST(Creep, EndsAtTheEquilibriumOfTheNetwork) {
-    Model model = creeping(damped_beam());
+    model::Model model = creeping(damped_beam());
     model.damping_s = 0.01;
     const Trace sagging = simulate(model, test::short_steps(StartKind::straight, 0.01, 3.0));
     const Trace at_rest = simulate(model, test::short_steps(StartKind::equilibrium, 0.01, 0.01));
@@ -119,16 +121,17 @@ TEST(Creep, EndsAtTheEquilibriumOfTheNetwork) {
 }
 
 TEST(Creep, ABranchWithoutModulusChangesNothing) {
-    Model model = test::make_beam(damped_beam());
+    model::Model model = test::make_beam(damped_beam());
     const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.15);
     const Trace plain = simulate(model, options);
-    model.creep = MaxwellBranch{0.0, 0.04};
+    model.creep = material::MaxwellBranch{0.0, 0.04};
     const Trace without = simulate(model, options);
-    model.creep = MaxwellBranch{0.7, 0.04};
+    model.creep = material::MaxwellBranch{0.7, 0.04};
     const Trace with = simulate(model, options);
     ASSERT_EQ(plain.positions.size(), without.positions.size());
     const double motion = (plain.positions.back() - plain.positions.front()).norm();
-    for (std::size_t n = 0; n < plain.positions.size(); ++n) EXPECT_LT((plain.positions[n] - without.positions[n]).norm(), 1e-7 * motion);
+    for (std::size_t n = 0; n < plain.positions.size(); ++n)
+        EXPECT_LT((plain.positions[n] - without.positions[n]).norm(), 1e-7 * motion);
     EXPECT_GT((plain.positions.back() - with.positions.back()).norm(), 1e-2 * motion);
 }
 
@@ -136,10 +139,10 @@ TEST(Creep, ABranchWithoutModulusChangesNothing) {
 TEST(Creep, SmallMotionsAreThoseOfTheLinearisedStep) {
     test::BeamSpec spec = damped_beam();
     spec.gravity_m_s2 = 0.0;
-    const Model model = creeping(spec);
+    const model::Model model = creeping(spec);
     const Matrix3Xd rest = model.body->mesh.nodes;
     StageSolver solver(model);
-    Model pushed = model;
+    model::Model pushed = model;
     test::push_tip(pushed, spec, {0.0, 0.0, 1e-5});
     StageSolver of_pushed(pushed, {.tolerance = 1e-12});
     Matrix3Xd x = rest;
@@ -159,14 +162,15 @@ TEST(Creep, SmallMotionsAreThoseOfTheLinearisedStep) {
     }
 }
 
-/// The branch stores energy, and its dashpots take 2 W / tau of it per time: what the body, thick cells and large turns, loses.
+/// The branch stores energy, and its dashpots take 2 W / tau of it per time: what the body, thick cells and large
+/// turns, loses.
 TEST(Creep, DashpotsTakeTheEnergyThatTheBodyLoses) {
     for (const char* element : {"hex8", "tet10"}) {
         test::BeamSpec spec = damped_beam();
         spec.kind = test::element(element);
         spec.damping_s = 0.0;
-        const Model model = creeping(spec);
-        const MassMatrix mass = mass_matrix(model);
+        const model::Model model = creeping(spec);
+        const model::MassMatrix mass = model::mass_matrix(model);
         std::vector<double> times, total, stored;
         RunObserver observer;
         observer.stood = [&](const RunPoint& point) {
@@ -177,7 +181,8 @@ TEST(Creep, DashpotsTakeTheEnergyThatTheBodyLoses) {
         };
         ASSERT_TRUE(simulate(model, test::short_steps(StartKind::straight, 0.0005, 0.1), {}, observer).complete());
         double taken = 0.0;
-        for (std::size_t n = 1; n < times.size(); ++n) taken += (times[n] - times[n - 1]) * (stored[n] + stored[n - 1]) / model.creep->relaxation_time_s;
+        for (std::size_t n = 1; n < times.size(); ++n)
+            taken += (times[n] - times[n - 1]) * (stored[n] + stored[n - 1]) / model.creep->relaxation_time_s;
         const double lost = total.front() - total.back();
         test::record(std::string(element) + "_taken_over_lost", taken / lost);
         EXPECT_GT(lost, 1e-4);
@@ -186,4 +191,4 @@ TEST(Creep, DashpotsTakeTheEnergyThatTheBodyLoses) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

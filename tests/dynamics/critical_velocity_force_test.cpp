@@ -10,7 +10,7 @@
 #include "support/oscillation.hpp"
 #include "support/run.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix2d;
@@ -37,9 +37,12 @@ TEST(CriticalVelocityForce, OfImplicitEulerIsTheEdgeOfTheTwoByTwoSystem) {
             EXPECT_EQ(radius(of_the_start / D) > 1.0, factor > 1.0) << h;
             EXPECT_EQ(radius(of_the_end / (D - h * L)) > 1.0, factor > 1.0) << h;
         }
-        EXPECT_NEAR(critical_velocity_force(Integrator::implicit_euler, swing_rad_s, h), critical, 1e-6 * swing_rad_s) << h;
+        EXPECT_NEAR(critical_velocity_force(Integrator::implicit_euler, swing_rad_s, h), critical, 1e-6 * swing_rad_s)
+            << h;
         const double damped = implicit_euler_critical_velocity_force(swing_rad_s, h, 0.055);
-        EXPECT_NEAR(critical_velocity_force(Integrator::implicit_euler, swing_rad_s, h, 0.055), damped, 1e-6 * swing_rad_s) << h;
+        EXPECT_NEAR(critical_velocity_force(Integrator::implicit_euler, swing_rad_s, h, 0.055), damped,
+                    1e-6 * swing_rad_s)
+            << h;
     }
 }
 
@@ -48,7 +51,8 @@ TEST(CriticalVelocityForce, OfTheOtherSchemesIsTheirDamping) {
     for (const auto& [name, scheme] : test::all_schemes()) {
         if (scheme.integrator == Integrator::implicit_euler) continue;
         const double h = 0.01, zeta = discrete_vibration(scheme, {swing_rad_s}, h).damping_ratio;
-        const double critical = critical_velocity_force(scheme, swing_rad_s, h), damped = critical_velocity_force(scheme, swing_rad_s, h, 0.055);
+        const double critical = critical_velocity_force(scheme, swing_rad_s, h),
+                     damped = critical_velocity_force(scheme, swing_rad_s, h, 0.055);
         test::record(name + std::string("_1_s"), critical);
         EXPECT_NEAR(critical, 2.0 * zeta * swing_rad_s, 0.15 * critical + 1e-6 * swing_rad_s) << name;
         EXPECT_NEAR(damped - critical, 2.0 * 0.055 * swing_rad_s, 1e-5 * swing_rad_s) << name;
@@ -57,7 +61,7 @@ TEST(CriticalVelocityForce, OfTheOtherSchemesIsTheirDamping) {
 
 /// The body's linearised step has the bound of its first mode's oscillator.
 TEST(CriticalVelocityForce, OfTheBeamByPowerIterationIsThatOfItsFirstMode) {
-    const Model model = test::make_beam(test::ringing_beam());
+    const model::Model model = test::make_beam(test::ringing_beam());
     StageSolver solver(model);
     const Matrix3Xd& X = model.body->mesh.nodes;
     std::vector<double> found;
@@ -73,21 +77,24 @@ TEST(CriticalVelocityForce, OfTheBeamByPowerIterationIsThatOfItsFirstMode) {
         ASSERT_EQ(critical.status, SolveStatus::converged) << name;
         test::record(std::string(name) + "_at_10_ms_1_s", critical.velocity_force_1_s);
         test::record(std::string(name) + "_steps", critical.steps);
-        EXPECT_NEAR(critical.velocity_force_1_s, critical_velocity_force(scheme, critical.omega_rad_s, 0.01), 1e-5 * swing_rad_s) << name;
+        EXPECT_NEAR(critical.velocity_force_1_s, critical_velocity_force(scheme, critical.omega_rad_s, 0.01),
+                    1e-5 * swing_rad_s)
+            << name;
     }
 }
 
-/// From a displacement with a part of every mode of the plane, at the bound of the first: none grows faster. Across the plane the
-/// beam bends at a frequency so near that the iteration would take long.
+/// From a displacement with a part of every mode of the plane, at the bound of the first: none grows faster. Across the
+/// plane the beam bends at a frequency so near that the iteration would take long.
 TEST(CriticalVelocityForce, IsTheFirstModesAlsoFromADisplacementOfManyModes) {
-    const Model model = test::make_beam(test::ringing_beam());
+    const model::Model model = test::make_beam(test::ringing_beam());
     StageSolver solver(model);
     const Matrix3Xd& X = model.body->mesh.nodes;
     Matrix3Xd u = test::first_mode(model).shape;
     for (const int i : model.body->pattern.free_nodes)
-        u.col(i) += 0.1 * Eigen::Vector3d(std::sin(150.0 * X(0, i) + 90.0 * X(2, i)), 0.0, std::cos(210.0 * X(0, i) - 70.0 * X(2, i)));
+        u.col(i) += 0.1 * Eigen::Vector3d(std::sin(150.0 * X(0, i) + 90.0 * X(2, i)), 0.0,
+                                          std::cos(210.0 * X(0, i) - 70.0 * X(2, i)));
     for (const auto& [name, scheme] : test::all_schemes()) {
-        if (scheme.integrator == Integrator::trapezoidal || scheme.rho_inf > 0.8) continue;   // fast modes hardly decay
+        if (scheme.integrator == Integrator::trapezoidal || scheme.rho_inf > 0.8) continue;  // fast modes hardly decay
         const double critical = critical_velocity_force(solver, X, 0.0, scheme, 0.01).velocity_force_1_s;
         LinearisedStep step(solver, X, 0.0, scheme, 0.01, critical);
         const GrowthPerStep growth = growth_per_step(step, u);
@@ -102,7 +109,7 @@ TEST(CriticalVelocityForce, OfTheDampedSaggedBeam) {
     test::BeamSpec spec = test::ringing_beam();
     spec.gravity_m_s2 = 9.81;
     spec.damping_s = 0.002;
-    const Model model = test::make_beam(spec);
+    const model::Model model = test::make_beam(spec);
     StageSolver solver(model);
     Matrix3Xd x = model.body->mesh.nodes;
     ASSERT_TRUE(solve_equilibrium(solver, 0.0, x).ok());
@@ -111,12 +118,13 @@ TEST(CriticalVelocityForce, OfTheDampedSaggedBeam) {
     const NaturalModes modes = natural_modes(solver, x, 1);
     ASSERT_TRUE(modes.ok());
     const double zeta = damping_ratio(damping_factor(model, x, modes.modes[0]), spec.damping_s, critical.omega_rad_s);
-    EXPECT_NEAR(critical.velocity_force_1_s / implicit_euler_critical_velocity_force(critical.omega_rad_s, 0.01, zeta), 1.0, 0.01);
+    EXPECT_NEAR(critical.velocity_force_1_s / implicit_euler_critical_velocity_force(critical.omega_rad_s, 0.01, zeta),
+                1.0, 0.01);
 }
 
 /// Amplitude of the end of a run over that of its first half.
 double growth(double lambda, const TimeScheme& scheme, double h) {
-    Model model = test::held(test::ringing_beam());
+    model::Model model = test::held(test::ringing_beam());
     model.velocity_force_1_s = lambda;
     const VectorXd q = test::ring(model, test::first_mode(model), scheme, h, 200);
     if (q.size() == 0) return 0.0;
@@ -124,19 +132,23 @@ double growth(double lambda, const TimeScheme& scheme, double h) {
 }
 
 TEST(CriticalVelocityForce, ARunSlightlyBelowDecaysAndSlightlyAboveGrows) {
-    const Model model = test::make_beam(test::ringing_beam());
+    const model::Model model = test::make_beam(test::ringing_beam());
     StageSolver solver(model);
     for (const double h : {0.005, 0.01, 0.02}) {
-        const double critical = critical_velocity_force(solver, model.body->mesh.nodes, 0.0, Integrator::implicit_euler, h).velocity_force_1_s;
-        const double below = growth(0.97 * critical, Integrator::implicit_euler, h), above = growth(1.03 * critical, Integrator::implicit_euler, h);
+        const double critical = critical_velocity_force(solver, model.body->mesh.nodes, 0.0, Integrator::implicit_euler,
+                                                        h)
+                                    .velocity_force_1_s;
+        const double below = growth(0.97 * critical, Integrator::implicit_euler, h),
+                     above = growth(1.03 * critical, Integrator::implicit_euler, h);
         test::record("implicit_euler_growth_at_ms_" + std::to_string(static_cast<int>(1e3 * h)), {below, above});
         EXPECT_LT(below, 0.95) << h;
         EXPECT_GT(above, 1.05) << h;
     }
-    const double critical = critical_velocity_force(solver, model.body->mesh.nodes, 0.0, Integrator::bdf2, 0.01).velocity_force_1_s;
+    const double critical = critical_velocity_force(solver, model.body->mesh.nodes, 0.0, Integrator::bdf2, 0.01)
+                                .velocity_force_1_s;
     EXPECT_LT(growth(0.9 * critical, Integrator::bdf2, 0.01), 0.95);
     EXPECT_GT(growth(1.1 * critical, Integrator::bdf2, 0.01), 1.05);
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

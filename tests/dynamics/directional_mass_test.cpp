@@ -10,7 +10,7 @@
 #include "support/oscillation.hpp"
 #include "support/run.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -25,20 +25,22 @@ test::BeamSpec beam() {
 
 double body_mass(const test::BeamSpec& spec) { return spec.density_kg_m3 * spec.size.prod(); }
 
-/// A mass along each of three lines is one that resists alike along every direction, whatever lines at right angles they are.
+/// A mass along each of three lines is one that resists alike along every direction, whatever lines at right angles
+/// they are.
 TEST(DirectionalMass, AlongThreeLinesMovesAsAnAttachedOneWithoutWeight) {
     const test::BeamSpec spec = beam();
-    Model attached = test::make_beam(spec);
+    model::Model attached = test::make_beam(spec);
     attached.velocity_force_1_s = 1.0;
     test::push_tip(attached, spec, {0.1, 0.2, -0.15});
-    Model directional = attached;
+    model::Model directional = attached;
     const Eigen::VectorXd share = test::tip_share(attached, spec);
     const double kg = 2.0 * body_mass(spec);
     attached.masses.push_back({share, kg});
     const Eigen::Matrix3d Q = Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
-    for (int r = 0; r < 3; ++r) directional.directional_masses.push_back(line_mass(share, Q.col(r), kg));
+    for (int r = 0; r < 3; ++r) directional.directional_masses.push_back(model::line_mass(share, Q.col(r), kg));
     for (const auto& [name, scheme] : test::all_schemes()) {
-        const double found = test::relative_difference(run(attached, scheme, 0.01, 0.2), run(directional, scheme, 0.01, 0.2));
+        const double found = test::relative_difference(run(attached, scheme, 0.01, 0.2),
+                                                       run(directional, scheme, 0.01, 0.2));
         test::record(name, found);
         EXPECT_LT(found, 1e-6) << name;
     }
@@ -47,9 +49,9 @@ TEST(DirectionalMass, AlongThreeLinesMovesAsAnAttachedOneWithoutWeight) {
 TEST(DirectionalMass, GivesTheSameMotionByEveryStrategy) {
     test::BeamSpec spec = beam();
     spec.gravity_m_s2 = 9.81;
-    Model model = test::make_beam(spec);
-    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 30.0),
-                                added_mass(*model.body, free_faces(*model.body), 80.0)};
+    model::Model model = test::make_beam(spec);
+    model.directional_masses = {model::added_mass(*model.body, model::free_faces(*model.body), 30.0),
+                                model::added_mass(*model.body, model::free_faces(*model.body), 80.0)};
     model.directional_masses[1].until_s = 0.1;
     SimulationOptions options;
     options.h_s = 0.01;
@@ -68,22 +70,24 @@ TEST(DirectionalMass, GivesTheSameMotionByEveryStrategy) {
 
 TEST(DirectionalMass, SlowsTheModeThatMovesAlongItAsAnAttachedOneAndLeavesTheOther) {
     const test::BeamSpec spec = test::ringing_beam();
-    const Model bare = test::make_beam(spec);
-    const auto modes = [](const Model& model) {
+    const model::Model bare = test::make_beam(spec);
+    const auto modes = [](const model::Model& model) {
         StageSolver solver(model);
         const NaturalModes found = natural_modes(solver, model.body->mesh.nodes, 2);
         EXPECT_TRUE(found.ok());
         return found.modes;
     };
     const Eigen::VectorXd share = test::tip_share(bare, spec);
-    Model attached = bare, line = bare, plane = bare;
+    model::Model attached = bare, line = bare, plane = bare;
     attached.masses.push_back({share, 0.5 * body_mass(spec)});
-    line.directional_masses.push_back(line_mass(share, Vector3d::UnitZ(), 0.5 * body_mass(spec)));
+    line.directional_masses.push_back(model::line_mass(share, Vector3d::UnitZ(), 0.5 * body_mass(spec)));
     plane.directional_masses = line.directional_masses;
-    plane.directional_masses.push_back(line_mass(share, Vector3d::UnitX(), 0.5 * body_mass(spec)));
-    const auto without = modes(bare), with_attached = modes(attached), with_line = modes(line), with_plane = modes(plane);
+    plane.directional_masses.push_back(model::line_mass(share, Vector3d::UnitX(), 0.5 * body_mass(spec)));
+    const auto without = modes(bare), with_attached = modes(attached), with_line = modes(line),
+               with_plane = modes(plane);
     EXPECT_LT(with_attached[0].omega_rad_s, 0.7 * without[0].omega_rad_s);
-    EXPECT_NEAR(with_plane[0].omega_rad_s / with_attached[0].omega_rad_s, 1.0, 1e-4) << "bends along z, the thick tip turns";
+    EXPECT_NEAR(with_plane[0].omega_rad_s / with_attached[0].omega_rad_s, 1.0, 1e-4)
+        << "bends along z, the thick tip turns";
     EXPECT_GT(with_line[0].omega_rad_s, with_plane[0].omega_rad_s) << "the turn meets no inertia";
     EXPECT_NEAR(with_line[0].omega_rad_s / with_attached[0].omega_rad_s, 1.0, 0.02);
     EXPECT_NEAR(with_line[1].omega_rad_s / without[1].omega_rad_s, 1.0, 2e-3) << "bends along y";
@@ -95,9 +99,9 @@ TEST(DirectionalMass, OfAFluidSlowsASlenderBeamAsBeamTheorySays) {
     spec.cells = {30, 1, 2};
     spec.size = {0.4, 0.04, 0.01};
     spec.poissons_ratio = 0.0;
-    Model model = test::make_beam(spec);
+    model::Model model = test::make_beam(spec);
     const double before = test::first_mode(model).omega_rad_s, per_area = 0.8 * spec.density_kg_m3 * spec.size(2);
-    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), per_area)};
+    model.directional_masses = {model::added_mass(*model.body, model::free_faces(*model.body), per_area)};
     // Along z: mass per length rho b h + 2 m b.
     const double expected = std::sqrt(1.0 / (1.0 + 2.0 * per_area / (spec.density_kg_m3 * spec.size(2))));
     const double found = test::first_mode(model).omega_rad_s / before;
@@ -108,7 +112,7 @@ TEST(DirectionalMass, OfAFluidSlowsASlenderBeamAsBeamTheorySays) {
 TEST(DirectionalMass, LeavesTheEquilibriumWhereItIs) {
     test::BeamSpec spec = beam();
     spec.gravity_m_s2 = 9.81;
-    Model model = test::make_beam(spec);
+    model::Model model = test::make_beam(spec);
     const auto equilibrium = [&] {
         SolverOptions options;
         options.tolerance = 1e-10;
@@ -118,18 +122,18 @@ TEST(DirectionalMass, LeavesTheEquilibriumWhereItIs) {
         return x;
     };
     const Matrix3Xd before = equilibrium();
-    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 50.0)};
+    model.directional_masses = {model::added_mass(*model.body, model::free_faces(*model.body), 50.0)};
     EXPECT_GT((before - model.body->mesh.nodes).norm(), 1e-3);
     EXPECT_LT((equilibrium() - before).norm(), 1e-9 * before.norm());
 }
 
-/// Undamped, the trapezoidal rule keeps the energy of a vibration to the second order; kinetic energy lacks most of it where the
-/// directional part is left out.
+/// Undamped, the trapezoidal rule keeps the energy of a vibration to the second order; kinetic energy lacks most of it
+/// where the directional part is left out.
 TEST(DirectionalMass, KeepsTheEnergyOfAnUndampedVibration) {
     const test::BeamSpec spec = test::ringing_beam();
-    Model model = test::make_beam(spec);
-    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 20.0)};
-    const MassMatrix mass = mass_matrix(model);
+    model::Model model = test::make_beam(spec);
+    model.directional_masses = {model::added_mass(*model.body, model::free_faces(*model.body), 20.0)};
+    const model::MassMatrix mass = model::mass_matrix(model);
     const NaturalMode mode = test::first_mode(model);
     SimulationOptions options;
     options.integrator = Integrator::trapezoidal;
@@ -158,4 +162,4 @@ TEST(DirectionalMass, KeepsTheEnergyOfAnUndampedVibration) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

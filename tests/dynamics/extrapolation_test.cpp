@@ -2,7 +2,7 @@
 
 #include "dynamics/extrapolation.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -24,7 +24,7 @@ TEST(Extrapolation, ContinuesAParabolaOverUnequalSteps) {
     past.add(0.5, at(0.5));
     ASSERT_TRUE(past.at(0.9));
     EXPECT_LT((*past.at(0.9) - at(0.9)).norm(), 1e-13);
-    past.add(0.9, at(0.9));   // the oldest goes
+    past.add(0.9, at(0.9));  // the oldest goes
     EXPECT_LT((*past.at(1.0) - at(1.0)).norm(), 1e-13);
 }
 
@@ -34,9 +34,9 @@ TEST(Extrapolation, StartsAnewAfterAJumpAndIsSilentWhereStepsAreTooLong) {
     past.restart(0.4, at(0.4));
     EXPECT_FALSE(past.at(0.6));
     past.add(0.6, at(0.6));
-    past.add(0.8, at(0.4));   // turns back: the velocity changes its sign
+    past.add(0.8, at(0.4));  // turns back: the velocity changes its sign
     EXPECT_FALSE(past.at(1.0));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

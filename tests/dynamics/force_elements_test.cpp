@@ -12,7 +12,7 @@
 #include "support/figures.hpp"
 #include "support/hollow.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -22,24 +22,24 @@ using test::BeamSpec;
 /// A stiff block on a bed sinks by its weight over k A.
 TEST(ElasticBed, CarriesAWeight) {
     BeamSpec spec;
-    spec.kind = ElementKind::tet10;
+    spec.kind = fem::ElementKind::tet10;
     spec.clamped = false;
     spec.youngs_modulus_Pa = 1e8;
     spec.poissons_ratio = 0.3;
     spec.gravity_m_s2 = 9.81;
-    Model model = test::make_beam(spec);
-    const Body& body = *model.body;
+    model::Model model = test::make_beam(spec);
+    const model::Body& body = *model.body;
     std::vector<int> bottom;
     for (int i = 0; i < body.node_count(); ++i)
         if (body.mesh.nodes(2, i) < 1e-9) bottom.push_back(i);
     const double k = 2e6;
-    model.force_elements = {elastic_bed(body, faces_of_nodes(body, bottom), k)};
+    model.force_elements = {model::elastic_bed(body, model::faces_of_nodes(body, bottom), k)};
     StageSolver solver(model);
     Matrix3Xd x = body.mesh.nodes;
     ASSERT_TRUE(solve_equilibrium(solver, 0.0, x).ok());
     const double area = spec.size(0) * spec.size(1), weight = spec.density_kg_m3 * spec.size.prod() * 9.81;
     const Vector3d sunk = test::tip_displacement(model, spec, x);
-    EXPECT_NEAR(-sunk(2) * k * area / weight, 1.0, 2e-3);   // the block itself gives a little
+    EXPECT_NEAR(-sunk(2) * k * area / weight, 1.0, 2e-3);  // the block itself gives a little
 }
 
 /// Lame's thick sphere: the inner radius grows by p a / E ((1 - 2 nu) a^3 + (1 + nu) b^3 / 2) / (b^3 - a^3).
@@ -47,21 +47,24 @@ TEST(CavityPressure, WidensAThickSphereAsLameSays) {
     const double a = 0.01, b = 0.03, E = 2e5, nu = 0.45, p = 20.0;
     std::vector<double> errors;
     for (const int cells : {9, 18}) {
-        Model model = test::hollow_sphere(a, b, cells);
-        const Body& body = *model.body;
-        model.moduli = uniform_moduli(body.cell_count(), E, nu);
+        model::Model model = test::hollow_sphere(a, b, cells);
+        const model::Body& body = *model.body;
+        model.moduli = model::uniform_moduli(body.cell_count(), E, nu);
         std::vector<int> outside, inside;
         for (int i = 0; i < body.node_count(); ++i) {
             if (body.mesh.nodes.col(i).norm() > b - 1e-9) outside.push_back(i);
             if (body.mesh.nodes.col(i).norm() < a + 1e-9) inside.push_back(i);
         }
-        model.force_elements = {cavity_pressure(body, closed_cavities(body).at(0), Signal::constant(p)), elastic_bed(body, faces_of_nodes(body, outside), 1.0)};
+        model.force_elements = {
+            model::cavity_pressure(body, model::closed_cavities(body).at(0), fibre::Signal::constant(p)),
+            model::elastic_bed(body, model::faces_of_nodes(body, outside), 1.0)};
         StageSolver solver(model);
         Matrix3Xd x = body.mesh.nodes;
         ASSERT_TRUE(solve_equilibrium(solver, 0.0, x).ok());
         double grown = 0.0;
         for (const int i : inside) grown += (x.col(i).norm() - a) / static_cast<double>(inside.size());
-        const double lame = p * a / E * ((1.0 - 2.0 * nu) * a * a * a + 0.5 * (1.0 + nu) * b * b * b) / (b * b * b - a * a * a);
+        const double lame = p * a / E * ((1.0 - 2.0 * nu) * a * a * a + 0.5 * (1.0 + nu) * b * b * b) /
+                            (b * b * b - a * a * a);
         errors.push_back(grown / lame - 1.0);
     }
     // Flat faces hold less than the sphere: the error falls with the square of their size.
@@ -78,10 +81,10 @@ TEST(SurfaceDrag, SlowsAFlyingBlockAsAPointMass) {
     spec.youngs_modulus_Pa = 1e7;
     spec.poissons_ratio = 0.3;
     const double c = 200.0, v0 = 1.0, end = 0.1;
-    Model model = test::make_beam(spec);
+    model::Model model = test::make_beam(spec);
     std::vector<int> faces(static_cast<std::size_t>(model.body->boundary.count()));
     for (std::size_t f = 0; f < faces.size(); ++f) faces[f] = static_cast<int>(f);
-    model.force_elements = {surface_drag(*model.body, faces, 0.0, c)};
+    model.force_elements = {model::surface_drag(*model.body, faces, 0.0, c)};
     SimulationOptions options;
     options.h_s = 0.002;
     options.end_s = end;
@@ -97,4 +100,4 @@ TEST(SurfaceDrag, SlowsAFlyingBlockAsAPointMass) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

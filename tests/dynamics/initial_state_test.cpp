@@ -6,13 +6,13 @@
 #include "support/figures.hpp"
 #include "support/run.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-Trace run_from(const Model& model, const InitialState& initial, double h, double end) {
+Trace run_from(const model::Model& model, const InitialState& initial, double h, double end) {
     SimulationOptions options;
     options.h_s = h;
     options.end_s = end;
@@ -29,7 +29,7 @@ TEST(InitialState, ARunCanBeTakenUpAgain) {
             spec.kind = test::element(element);
             spec.gravity_m_s2 = 9.81;
             spec.damping_s = damping;
-            const Model model = test::make_beam(spec);
+            const model::Model model = test::make_beam(spec);
             const double h = 0.005;
             const Trace whole = run_from(model, {}, h, 40 * h);
             const Trace rest = run_from(model, {whole.positions[20], whole.velocities[20]}, h, 20 * h);
@@ -46,12 +46,13 @@ TEST(InitialState, ARunCanBeTakenUpAgain) {
 TEST(InitialState, AThrownBodyFlies) {
     test::BeamSpec spec;
     spec.clamped = false;
-    Model model = test::make_beam(spec);
+    model::Model model = test::make_beam(spec);
     const Vector3d v(1.0, -2.0, 0.5);
     const Matrix3Xd X = model.body->mesh.nodes;
     const Trace flight = run_from(model, {X.colwise() + Vector3d(0.0, 0.0, 0.3), v.replicate(1, X.cols())}, 0.01, 0.1);
     ASSERT_TRUE(flight.complete()) << flight.message;
-    EXPECT_LT((flight.positions.back() - (X.colwise() + (Vector3d(0.0, 0.0, 0.3) + 0.1 * v))).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((flight.positions.back() - (X.colwise() + (Vector3d(0.0, 0.0, 0.3) + 0.1 * v))).cwiseAbs().maxCoeff(),
+              1e-9);
 
     spec.clamped = true;
     model = test::make_beam(spec);
@@ -65,7 +66,7 @@ TEST(InitialState, AThrownBodyFlies) {
 }
 
 TEST(InitialState, MustBeFinite) {
-    const Model model = test::make_beam({});
+    const model::Model model = test::make_beam({});
     Matrix3Xd x = model.body->mesh.nodes;
     x(1, 2) = std::numeric_limits<double>::quiet_NaN();
     for (const InitialState& initial : {InitialState{x, {}}, InitialState{{}, x}}) {
@@ -77,4 +78,4 @@ TEST(InitialState, MustBeFinite) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

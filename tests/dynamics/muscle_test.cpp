@@ -5,16 +5,17 @@
 #include "support/beam.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double w = 2e5;   // muscle stiffness [Pa]
+constexpr double w = 2e5;  // muscle stiffness [Pa]
 
-/// Stretch of a free neo-Hookean bar with fibres along it: dW/ds = 0 with the lateral stretch b from dW/db = 0, by bisection.
-double equilibrium_stretch(const Moduli& m, double a) {
+/// Stretch of a free neo-Hookean bar with fibres along it: dW/ds = 0 with the lateral stretch b from dW/db = 0, by
+/// bisection.
+double equilibrium_stretch(const material::Moduli& m, double a) {
     const auto lateral_slope = [&](double s, double b) {
         const double J = s * b * b, scale = m.mu * std::pow(J, -2.0 / 3.0), I1 = s * s + 2.0 * b * b;
         return scale * (2.0 * b - 2.0 / 3.0 * I1 / b) + m.kappa / 2.0 * (J - 1.0 / J) * 2.0 * s * b;
@@ -26,7 +27,8 @@ double equilibrium_stretch(const Moduli& m, double a) {
     };
     const auto slope = [&](double s) {
         const double b = lateral(s), J = s * b * b, I1 = s * s + 2.0 * b * b;
-        return m.mu * std::pow(J, -2.0 / 3.0) * (s - I1 / (3.0 * s)) + m.kappa / 2.0 * (J - 1.0 / J) * b * b + w * (s - a);
+        return m.mu * std::pow(J, -2.0 / 3.0) * (s - I1 / (3.0 * s)) + m.kappa / 2.0 * (J - 1.0 / J) * b * b +
+               w * (s - a);
     };
     double low = 0.3, high = 2.0;
     for (int i = 0; i < 200; ++i) (slope(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);
@@ -44,11 +46,12 @@ TEST(Muscle, FreeBarTakesTheAnalyticStretch) {
                 spec.poissons_ratio = nu;
                 spec.damping_s = 0.02;
                 spec.clamped = false;
-                Model model = test::make_beam(spec);
-                auto fibres = std::make_shared<std::vector<FibreGroup>>();
-                fibres->push_back(fibres_in_box(model.body->mesh, test::beam_box(spec), Vector3d::UnitX(), w, "all"));
+                model::Model model = test::make_beam(spec);
+                auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
+                fibres->push_back(
+                    fibre::fibres_in_box(model.body->mesh, test::beam_box(spec), Vector3d::UnitX(), w, "all"));
                 model.fibres = fibres;
-                model.activation = {Signal::constant(a)};
+                model.activation = {fibre::Signal::constant(a)};
                 SimulationOptions options;
                 options.integrator = Integrator::implicit_euler;
                 options.h_s = 0.05;
@@ -60,7 +63,8 @@ TEST(Muscle, FreeBarTakesTheAnalyticStretch) {
                 Eigen::Index near = 0, far = 0;
                 (X.row(0) + X.row(1) + X.row(2)).minCoeff(&near);
                 (X.row(0) - X.row(1) - X.row(2)).maxCoeff(&far);
-                const double stretch = (trace.positions.back().col(far) - trace.positions.back().col(near)).norm() / spec.size(0);
+                const double stretch = (trace.positions.back().col(far) - trace.positions.back().col(near)).norm() /
+                                       spec.size(0);
                 const double exact = equilibrium_stretch(model.moduli.front(), a);
                 EXPECT_GT(std::abs(exact - 1.0), 0.03);
                 EXPECT_NEAR(stretch, exact, 1e-6) << element << " nu " << nu << " a " << a;
@@ -70,11 +74,12 @@ TEST(Muscle, FreeBarTakesTheAnalyticStretch) {
 /// a = 1 is passive at rest.
 TEST(Muscle, RestTargetLeavesTheBodyAtRest) {
     test::BeamSpec spec;
-    Model model = test::make_beam(spec);
-    auto fibres = std::make_shared<std::vector<FibreGroup>>();
-    fibres->push_back(fibres_in_box(model.body->mesh, test::beam_box(spec), Vector3d(1, 1, 1).normalized(), w, "all"));
+    model::Model model = test::make_beam(spec);
+    auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
+    fibres->push_back(
+        fibre::fibres_in_box(model.body->mesh, test::beam_box(spec), Vector3d(1, 1, 1).normalized(), w, "all"));
     model.fibres = fibres;
-    model.activation = {Signal::constant(1.0)};
+    model.activation = {fibre::Signal::constant(1.0)};
     StageSolver solver(model);
     Matrix3Xd x = model.body->mesh.nodes;
     ASSERT_TRUE(solve_equilibrium(solver, 0.0, x).ok());
@@ -84,11 +89,12 @@ TEST(Muscle, RestTargetLeavesTheBodyAtRest) {
 double bent_tip(const Eigen::Vector3i& cells, double a) {
     test::BeamSpec spec;
     spec.cells = cells;
-    Model model = test::make_beam(spec);
-    auto fibres = std::make_shared<std::vector<FibreGroup>>();
-    fibres->push_back(fibres_in_box(model.body->mesh, Box{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.00375}}, Vector3d::UnitX(), w, "thin"));
+    model::Model model = test::make_beam(spec);
+    auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
+    fibres->push_back(fibre::fibres_in_box(model.body->mesh, Box{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.00375}},
+                                           Vector3d::UnitX(), w, "thin"));
     model.fibres = fibres;
-    model.activation = {Signal::constant(a)};
+    model.activation = {fibre::Signal::constant(a)};
     StageSolver solver(model);
     Matrix3Xd x = model.body->mesh.nodes;
     const StageReport report = solve_equilibrium(solver, 0.0, x);
@@ -98,15 +104,16 @@ double bent_tip(const Eigen::Vector3i& cells, double a) {
 
 /// A layer an eighth of the height thick, in a quarter or half of a cell, bends as on the mesh that resolves it.
 TEST(Muscle, ThinGroupKeepsItsMomentArmOnCoarseCells) {
-    const double quarter = bent_tip({13, 2, 2}, 0.9), half = bent_tip({13, 4, 4}, 0.9), resolved = bent_tip({20, 8, 8}, 0.9);
+    const double quarter = bent_tip({13, 2, 2}, 0.9), half = bent_tip({13, 4, 4}, 0.9),
+                 resolved = bent_tip({20, 8, 8}, 0.9);
     test::record("tip_resolved_m", resolved);
     test::record("error_quarter_of_a_cell", quarter / resolved - 1.0);
     test::record("error_half_of_a_cell", half / resolved - 1.0);
-    EXPECT_LT(resolved, -1e-3);   // contraction below the axis bends down
+    EXPECT_LT(resolved, -1e-3);  // contraction below the axis bends down
     EXPECT_NEAR(quarter, resolved, 0.05 * std::abs(resolved));
     EXPECT_NEAR(half, resolved, 0.025 * std::abs(resolved));
     EXPECT_GT(bent_tip({13, 4, 4}, 1.1), 1e-3);
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

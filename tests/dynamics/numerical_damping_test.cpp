@@ -10,7 +10,7 @@
 #include "support/oscillation.hpp"
 #include "support/run.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Complex = std::complex<double>;
@@ -33,14 +33,16 @@ TEST(Amplification, OfImplicitEulerIsThePapersFormula) {
     EXPECT_EQ(implicit_euler_numerical_damping(omega, 0.0), 0.0);
 }
 
-/// Roots from the textbook: of x' = lambda x with lambda = s_exact, as all but implicit Euler with Lambda treat x and v alike.
+/// Roots from the textbook: of x' = lambda x with lambda = s_exact, as all but implicit Euler with Lambda treat x and v
+/// alike.
 Complex textbook_root(const TimeScheme& scheme, Complex z) {
     switch (scheme.integrator) {
         case Integrator::implicit_euler: return 1.0 / (1.0 - z);
         case Integrator::trapezoidal: return (1.0 + 0.5 * z) / (1.0 - 0.5 * z);
         case Integrator::bdf2: return (2.0 + std::sqrt(1.0 + 2.0 * z)) / (3.0 - 2.0 * z);
         case Integrator::tr_bdf2: {
-            const double gamma = 2.0 - std::sqrt(2.0), c1 = 1.0 / (gamma * (2.0 - gamma)), c0 = (1.0 - gamma) * (1.0 - gamma) * c1;
+            const double gamma = 2.0 - std::sqrt(2.0), c1 = 1.0 / (gamma * (2.0 - gamma)),
+                         c0 = (1.0 - gamma) * (1.0 - gamma) * c1;
             const Complex g = 0.5 * gamma * z;
             return (c1 * (1.0 + g) / (1.0 - g) - c0) / (1.0 - g);
         }
@@ -75,10 +77,13 @@ TEST(Amplification, OfGeneralizedAlphaHasTheChosenRadiusAtInfinity) {
         // It nears infinity as the root of omega h.
         EXPECT_NEAR(amplification(scheme, {1.0}, 3e3).eigenvalues().cwiseAbs().maxCoeff(), rho, 0.03) << rho;
         for (double wh = 0.01; wh < 100.0; wh *= 1.5)
-            EXPECT_LE(amplification(scheme, {1.0}, wh).eigenvalues().cwiseAbs().maxCoeff(), 1.0 + 1e-9) << rho << " " << wh;
+            EXPECT_LE(amplification(scheme, {1.0}, wh).eigenvalues().cwiseAbs().maxCoeff(), 1.0 + 1e-9)
+                << rho << " " << wh;
     }
     for (const double h : paper_steps) {
-        const auto ratio = [&](const TimeScheme& scheme) { return discrete_vibration(scheme, {omega}, h).damping_ratio; };
+        const auto ratio = [&](const TimeScheme& scheme) {
+            return discrete_vibration(scheme, {omega}, h).damping_ratio;
+        };
         EXPECT_NEAR(ratio({Integrator::generalized_alpha, 0.0}), ratio(Integrator::bdf2), 1e-12);
         EXPECT_NEAR(ratio({Integrator::generalized_alpha, 1.0}), ratio(Integrator::trapezoidal), 1e-12);
     }
@@ -86,7 +91,8 @@ TEST(Amplification, OfGeneralizedAlphaHasTheChosenRadiusAtInfinity) {
 
 /// A step much too long for the vibration still has a damping ratio, and the strongly damping schemes extinguish it.
 TEST(NumericalDamping, IsARatioAtEveryStep) {
-    for (const Integrator scheme : {Integrator::tr_bdf2, Integrator::implicit_euler, Integrator::bdf2, Integrator::trapezoidal, Integrator::generalized_alpha})
+    for (const Integrator scheme : {Integrator::tr_bdf2, Integrator::implicit_euler, Integrator::bdf2,
+                                    Integrator::trapezoidal, Integrator::generalized_alpha})
         for (double wh = 1e-5; wh < 1e7; wh *= 3.0) {
             const double ratio = discrete_vibration(scheme, {wh / 0.01}, 0.01).damping_ratio;
             EXPECT_GT(ratio, -1e-9) << to_string(scheme) << " at omega h = " << wh;
@@ -96,7 +102,7 @@ TEST(NumericalDamping, IsARatioAtEveryStep) {
 }
 
 TEST(NumericalDamping, OfTheImplicitEulerBeamFollowsThePapersFormula) {
-    const Model model = test::held(test::ringing_beam());
+    const model::Model model = test::held(test::ringing_beam());
     const NaturalMode mode = test::first_mode(model);
     std::vector<double> measured, errors;
     for (const double h : paper_steps) {
@@ -116,15 +122,17 @@ TEST(NumericalDamping, OfTheBeamIsThatOfTheAmplification) {
     for (const double damping_s : {0.0, 0.002}) {
         test::BeamSpec spec = test::ringing_beam();
         spec.damping_s = damping_s;
-        const Model model = test::held(spec);
+        const model::Model model = test::held(spec);
         const NaturalMode mode = test::first_mode(model);
         const double h = 0.01, zeta = 0.5 * damping_s * mode.omega_rad_s;
         for (const auto& [name, scheme] : test::all_schemes()) {
             const VectorXd q = test::ring(model, mode, scheme, h, 60);
             ASSERT_GT(q.size(), 0) << name;
-            const test::Oscillation motion = test::fit_oscillation(q.tail(50), h);   // without the start of two-step schemes
+            const test::Oscillation motion = test::fit_oscillation(q.tail(50),
+                                                                   h);  // without the start of two-step schemes
             const DiscreteVibration expected = discrete_vibration(scheme, {mode.omega_rad_s, zeta}, h);
-            const double frequency_error = motion.omega_damped / (mode.omega_rad_s * std::sqrt(1.0 - zeta * zeta)) - 1.0;
+            const double frequency_error = motion.omega_damped / (mode.omega_rad_s * std::sqrt(1.0 - zeta * zeta)) -
+                                           1.0;
             const std::string label = name + std::string(damping_s > 0.0 ? "_damped" : "");
             test::record(label + "_damping_ratio", motion.damping_ratio);
             test::record(label + "_expected", expected.damping_ratio);
@@ -139,4 +147,4 @@ TEST(NumericalDamping, OfTheBeamIsThatOfTheAmplification) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -14,18 +14,18 @@
 
 // Bodies of a single layer of cells: all that bends them varies within a cell.
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 /// Length to thickness 40, one layer.
-test::BeamSpec strip(ElementKind kind, double nu) {
+test::BeamSpec strip(fem::ElementKind kind, double nu) {
     test::BeamSpec spec;
     spec.kind = kind;
     spec.size = {0.2, 0.005, 0.005};
-    spec.cells = cell_type(kind) == CellType::tet10 ? Eigen::Vector3i(20, 1, 1) : Eigen::Vector3i(40, 1, 1);
+    spec.cells = fem::cell_type(kind) == mesh::CellType::tet10 ? Eigen::Vector3i(20, 1, 1) : Eigen::Vector3i(40, 1, 1);
     spec.poissons_ratio = nu;
     return spec;
 }
@@ -36,7 +36,7 @@ double small_load(const test::BeamSpec& spec) {
 
 /// Sections lean by `slope` towards the axis `across` in the middle of the strip and stand at both ends.
 std::function<void(Matrix3Xd&)> leaning(int across, double slope) {
-    const Vector3d size = strip(ElementKind::hex8, 0.0).size;
+    const Vector3d size = strip(fem::ElementKind::hex8, 0.0).size;
     return [=](Matrix3Xd& X) {
         for (auto x : X.colwise())
             x(0) += slope * (x(across) - 0.5 * size(across)) * std::min({1.0, x(0) / 0.02, (size(0) - x(0)) / 0.02});
@@ -44,34 +44,34 @@ std::function<void(Matrix3Xd&)> leaning(int across, double slope) {
 }
 
 /// The same cells in another place.
-Model make_skewed(const test::BeamSpec& spec, const std::function<void(Matrix3Xd&)>& skewed) {
-    Model model = test::make_beam(spec);
-    VolumeMesh mesh = model.body->mesh;
+model::Model make_skewed(const test::BeamSpec& spec, const std::function<void(Matrix3Xd&)>& skewed) {
+    model::Model model = test::make_beam(spec);
+    mesh::VolumeMesh mesh = model.body->mesh;
     skewed(mesh.nodes);
-    model.body = make_body(mesh, spec.kind, held_nodes(*model.body));
+    model.body = model::make_body(mesh, spec.kind, model::held_nodes(*model.body));
     return model;
 }
 
 TEST(OneLayer, BendsAndSwingsAsABeamWhateverPoissonsRatio) {
-    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10, ElementKind::tet10_fine})
+    for (const fem::ElementKind kind : {fem::ElementKind::hex8, fem::ElementKind::tet10, fem::ElementKind::tet10_fine})
         for (const double nu : {0.0, 0.3, 0.49, 0.4995}) {
             const test::BeamSpec spec = strip(kind, nu);
             const std::string what = to_string(kind) + "_nu" + std::to_string(static_cast<int>(std::lround(1e4 * nu)));
-            Model model = test::make_beam(spec);
+            model::Model model = test::make_beam(spec);
             const double E = spec.youngs_modulus_Pa, L = spec.size(0), I = test::second_moment(spec),
                          P = small_load(spec);
-            Model loaded = model;
+            model::Model loaded = model;
             test::push_tip(loaded, spec, {0.0, 0.0, -P});
             const double error = -test::tip_at_equilibrium(loaded, spec).z() / (P * L * L * L / (3.0 * E * I)) - 1.0;
             test::record("bending_" + what, error);
-            EXPECT_NEAR(error, 0.0, kind != ElementKind::hex8 || nu > 0.49 ? 0.03 : 0.02) << what;
+            EXPECT_NEAR(error, 0.0, kind != fem::ElementKind::hex8 || nu > 0.49 ? 0.03 : 0.02) << what;
 
-            if (nu > 0.495) continue;   // so slender, rounding of the bulk modulus hides the mode's residual
+            if (nu > 0.495) continue;  // so slender, rounding of the bulk modulus hides the mode's residual
             StageSolver solver(model);
             const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 2);
             ASSERT_TRUE(modes.ok()) << what;
-            const double beam =
-                1.87510407 * 1.87510407 * std::sqrt(E * I / (spec.density_kg_m3 * test::section_area(spec))) / (L * L);
+            const double beam = 1.87510407 * 1.87510407 *
+                                std::sqrt(E * I / (spec.density_kg_m3 * test::section_area(spec))) / (L * L);
             test::record("frequency_" + what, modes.modes.front().omega_rad_s / beam - 1.0);
             EXPECT_NEAR(modes.modes.front().omega_rad_s, beam, 0.02 * beam) << what;
         }
@@ -81,11 +81,11 @@ TEST(OneLayer, BendsAndSwingsAsABeamWhateverPoissonsRatio) {
 TEST(OneLayer, BendsWithTenPointsAsWithFour) {
     for (const double nu : {0.0, 0.3, 0.49, 0.4995}) {
         double drop[2] = {};
-        for (const ElementKind kind : {ElementKind::tet10, ElementKind::tet10_fine}) {
+        for (const fem::ElementKind kind : {fem::ElementKind::tet10, fem::ElementKind::tet10_fine}) {
             const test::BeamSpec spec = strip(kind, nu);
-            Model model = test::make_beam(spec);
+            model::Model model = test::make_beam(spec);
             test::push_tip(model, spec, {0.0, 0.0, -small_load(spec)});
-            drop[kind == ElementKind::tet10_fine] = -test::tip_at_equilibrium(model, spec).z();
+            drop[kind == fem::ElementKind::tet10_fine] = -test::tip_at_equilibrium(model, spec).z();
         }
         const std::string what = "ten_over_four_nu" + std::to_string(static_cast<int>(std::lround(1e4 * nu)));
         test::record(what, drop[1] / drop[0] - 1.0);
@@ -102,7 +102,7 @@ TEST(OneLayer, OfAPlateBendsAsManyLayersDo) {
             spec.size = {0.1, 0.05, 0.005};
             spec.cells = fine ? Eigen::Vector3i(40, 20, 4) : Eigen::Vector3i(20, 10, 1);
             spec.poissons_ratio = nu;
-            Model model = test::make_beam(spec);
+            model::Model model = test::make_beam(spec);
             test::push_tip(model, spec, {0.0, 0.0, -small_load(spec)});
             drop[fine] = -test::tip_at_equilibrium(model, spec).z();
         }
@@ -115,9 +115,9 @@ TEST(OneLayer, OfAPlateBendsAsManyLayersDo) {
 TEST(OneLayer, OfObliqueOrFlatCellsBendsAlike) {
     const double nu = 0.49;
     const auto drop_of = [&](const Eigen::Vector3i& cells, const std::function<void(Matrix3Xd&)>& skewed) {
-        test::BeamSpec spec = strip(ElementKind::hex8, nu);
+        test::BeamSpec spec = strip(fem::ElementKind::hex8, nu);
         spec.cells = cells;
-        Model model = make_skewed(spec, skewed);
+        model::Model model = make_skewed(spec, skewed);
         test::push_tip(model, spec, {0.0, 0.0, -small_load(spec)});
         return -test::tip_at_equilibrium(model, spec).z();
     };
@@ -136,17 +136,17 @@ TEST(OneLayer, OfObliqueOrFlatCellsBendsAlike) {
 /// A modulus that is linear across the thickness: what is pulled along bends, by -B / D of its strain, B and D the
 /// first and second moments of the modulus.
 TEST(OneLayer, WithAGradientOfStiffnessBendsAsItIsPulled) {
-    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10_fine}) {
+    for (const fem::ElementKind kind : {fem::ElementKind::hex8, fem::ElementKind::tet10_fine}) {
         const test::BeamSpec spec = strip(kind, 0.49);
-        Model model = test::make_beam(spec);
+        model::Model model = test::make_beam(spec);
         const double r = 1.0, h = spec.size(2), A = test::section_area(spec), E = spec.youngs_modulus_Pa,
                      L = spec.size(0);
-        const Matrix3Xd points = rest_points(*model.body);
+        const Matrix3Xd points = model::rest_points(*model.body);
         model.point_factors = (1.0 + r * (points.row(2).transpose().array() / h - 0.5)).matrix();
-        const double pull = 3e-7 * E * A;   // a larger one straightens what it bends
+        const double pull = 3e-7 * E * A;  // a larger one straightens what it bends
         test::push_tip(model, spec, {pull, 0.0, 0.0});
         const double strain = pull / (E * A) / (1.0 - r * r / 12.0), curvature = r / h * strain;
-        const double expected = 0.5 * curvature * L * L;   // towards the stiffer side
+        const double expected = 0.5 * curvature * L * L;  // towards the stiffer side
         const double tip = test::tip_at_equilibrium(model, spec).z();
         test::record("gradient_" + to_string(kind), tip / expected - 1.0);
         EXPECT_NEAR(tip, expected, 0.05 * expected) << to_string(kind);
@@ -165,7 +165,7 @@ double end_drop(const test::BeamSpec& spec, double P, const std::function<double
     double drop = 0.0;
     constexpr int parts = 400;
     for (int k = 0; k < parts; ++k) {
-        const double s = (k + 0.5) / parts * L;   // from the tip
+        const double s = (k + 0.5) / parts * L;  // from the tip
         drop += curvature_of_moment(P * s) * s * L / parts;
     }
     return drop;
@@ -173,7 +173,7 @@ double end_drop(const test::BeamSpec& spec, double P, const std::function<double
 
 /// The strip in cells of 5 mm for either element: longer ones cannot contract over more than half the thickness from
 /// the clamp, where the fourth power of the strain is largest.
-test::BeamSpec short_cells(ElementKind kind, double nu) {
+test::BeamSpec short_cells(fem::ElementKind kind, double nu) {
     test::BeamSpec spec = strip(kind, nu);
     spec.cells(0) = 40;
     return spec;
@@ -188,26 +188,27 @@ test::BeamSpec short_cells(ElementKind kind, double nu) {
 /// clamp.
 TEST(OneLayer, StiffensInBendingAsBeamTheorySays) {
     struct Case {
-        ElementKind kind;
+        fem::ElementKind kind;
         double nu, c2, tolerance;
     };
-    for (const auto& [kind, nu, c2, tolerance] :
-         {Case{ElementKind::hex8, 0.0, 700.0, 0.03}, {ElementKind::tet10_fine, 0.0, 700.0, 0.03},
-          {ElementKind::hex8, 0.499, 1e4, 0.05}, {ElementKind::tet10_fine, 0.499, 1e4, 0.08}}) {
+    for (const auto& [kind, nu, c2, tolerance] : {Case{fem::ElementKind::hex8, 0.0, 700.0, 0.03},
+                                                  {fem::ElementKind::tet10_fine, 0.0, 700.0, 0.03},
+                                                  {fem::ElementKind::hex8, 0.499, 1e4, 0.05},
+                                                  {fem::ElementKind::tet10_fine, 0.499, 1e4, 0.08}}) {
         const test::BeamSpec spec = short_cells(kind, nu);
         const double P = 200.0 * small_load(spec);
-        Model model = test::make_beam(spec);
+        model::Model model = test::make_beam(spec);
         test::push_tip(model, spec, {0.0, 0.0, -P});
         const double plain = -test::tip_at_equilibrium(model, spec).z();
-        model.material = strain_stiffening(model.material, c2);
+        model.material = material::strain_stiffening(model.material, c2);
         const double stiffened = -test::tip_at_equilibrium(model, spec).z();
         const auto curvature = [&](double a) {
             return [&spec, a](double M) {
                 double k = M / (spec.youngs_modulus_Pa * test::second_moment(spec));
                 for (int i = 0; i < 50; ++i)
-                    k -=
-                        (cubic_moment(spec, a, k) - M) / (spec.youngs_modulus_Pa * test::second_moment(spec) *
-                                                          (1.0 + 3.0 * a * k * k * spec.size(2) * spec.size(2) * 0.15));
+                    k -= (cubic_moment(spec, a, k) - M) /
+                         (spec.youngs_modulus_Pa * test::second_moment(spec) *
+                          (1.0 + 3.0 * a * k * k * spec.size(2) * spec.size(2) * 0.15));
                 return k;
             };
         };
@@ -223,12 +224,12 @@ TEST(OneLayer, StiffensInBendingAsBeamTheorySays) {
 
 /// Softening by the largest energy W = E eps^2 / 2 of every point: stress E eps (1 - d (1 - exp(-W / W0))).
 TEST(OneLayer, SoftensInBendingAsBeamTheorySays) {
-    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet10_fine}) {
+    for (const fem::ElementKind kind : {fem::ElementKind::hex8, fem::ElementKind::tet10_fine}) {
         const test::BeamSpec spec = short_cells(kind, 0.499);
         const double P = 20.0 * small_load(spec), E = spec.youngs_modulus_Pa, h = spec.size(2), b = spec.size(1);
-        const double outer = P * spec.size(0) / (E * test::second_moment(spec)) * 0.5 * h;   // strain at the clamp
-        const StressSoftening law{0.3, E * outer * outer};
-        Model model = test::make_beam(spec);
+        const double outer = P * spec.size(0) / (E * test::second_moment(spec)) * 0.5 * h;  // strain at the clamp
+        const material::StressSoftening law{0.3, E * outer * outer};
+        model::Model model = test::make_beam(spec);
         test::push_tip(model, spec, {0.0, 0.0, -P});
         const double plain = -test::tip_at_equilibrium(model, spec).z();
         model.softening = law;
@@ -261,23 +262,26 @@ TEST(OneLayer, SoftensInBendingAsBeamTheorySays) {
 /// shorter by 1 - a. It ends within cells, upright or oblique.
 TEST(OneLayer, BendsByAMuscleOfHalfItsThickness) {
     struct Case {
-        ElementKind kind;
+        fem::ElementKind kind;
         int across;
         double slope;
     };
-    for (const auto& [kind, across, slope] :
-         {Case{ElementKind::hex8, 1, 0.0}, {ElementKind::hex8, 1, 0.6}, {ElementKind::hex8, 2, 0.3},
-          {ElementKind::tet10, 1, 0.0}, {ElementKind::tet10_fine, 1, 0.0}}) {
+    for (const auto& [kind, across, slope] : {Case{fem::ElementKind::hex8, 1, 0.0},
+                                              {fem::ElementKind::hex8, 1, 0.6},
+                                              {fem::ElementKind::hex8, 2, 0.3},
+                                              {fem::ElementKind::tet10, 1, 0.0},
+                                              {fem::ElementKind::tet10_fine, 1, 0.0}}) {
         const test::BeamSpec spec = strip(kind, 0.49);
-        Model model = make_skewed(spec, leaning(across, slope));
+        model::Model model = make_skewed(spec, leaning(across, slope));
         const double stiffness = 1e5, a = 1.0 - 1e-4, E = spec.youngs_modulus_Pa, h = spec.size(2), L = spec.size(0);
         const Box upper{{-1.0, -1.0, 0.5 * h}, {1.0, 1.0, 1.0}};
-        const FibreGroup muscle = fibres_in_box(model.body->mesh, upper, Vector3d::UnitX(), stiffness, "upper");
-        model.fibres = std::make_shared<const std::vector<FibreGroup>>(std::vector<FibreGroup>{muscle});
-        model.activation = {Signal::constant(a)};
+        const fibre::FibreGroup muscle = fibre::fibres_in_box(model.body->mesh, upper, Vector3d::UnitX(), stiffness,
+                                                              "upper");
+        model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::vector<fibre::FibreGroup>{muscle});
+        model.activation = {fibre::Signal::constant(a)};
         // No force and no moment: with s = strain in the middle and curvature k (positive: shorter above), per width.
         Eigen::Matrix2d K;
-        K << E * h + stiffness * h / 2.0, -stiffness * h * h / 8.0,   //
+        K << E * h + stiffness * h / 2.0, -stiffness * h * h / 8.0,  //
             -stiffness * h * h / 8.0, E * h * h * h / 12.0 + stiffness * h * h * h / 24.0;
         const Eigen::Vector2d pull(-stiffness * (1.0 - a) * h / 2.0, stiffness * (1.0 - a) * h * h / 8.0);
         const double curvature = (K(0, 0) * pull(1) - K(1, 0) * pull(0)) / (K(0, 0) * K(1, 1) - K(0, 1) * K(1, 0));
@@ -289,4 +293,4 @@ TEST(OneLayer, BendsByAMuscleOfHalfItsThickness) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -7,10 +7,10 @@
 #include "dynamics/statics.hpp"
 #include "support/figures.hpp"
 
-// A thousand random starts: each ends converged or with a clear report, in a bounded number of iterations, and never with a number
-// that is none. The share that converges is recorded for every kind of case.
+// A thousand random starts: each ends converged or with a clear report, in a bounded number of iterations, and never
+// with a number that is none. The share that converges is recorded for every kind of case.
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -21,26 +21,30 @@ constexpr int shards = 10, cases_per_shard = 100;
 constexpr int most_iterations = 2400;
 
 /// Imbalance of forces at a stage's solution over the forces on the body, measured by other means than the solver's.
-double imbalance(const Model& model, StageSolver& solver, const Stage& stage, const Matrix3Xd& start, const Matrix3Xd& x, double tolerance) {
+double imbalance(const model::Model& model, StageSolver& solver, const Stage& stage, const Matrix3Xd& start,
+                 const Matrix3Xd& x, double tolerance) {
     const StageConstants constants = stage_constants(model);
-    const Matrix3Xd r =
-        stage.inertia_1_s2 * times_mass(x, constants.masses[span_at(constants.masses, stage.inertia_at_s)].mass) -
-        stage.constant - solver.total_forces(stage, x);
+    const Matrix3Xd r = stage.inertia_1_s2 *
+                            model::times_mass(
+                                x, constants.masses[model::span_at(constants.masses, stage.inertia_at_s)].mass) -
+                        stage.constant - solver.total_forces(stage, x);
     const StageProblem problem(constants, stage);
     const double scale = std::max(problem.force_scale(start, tolerance), problem.force_scale(x, tolerance));
-    return gather(model.body->pattern, r).norm() / scale;
+    return model::gather(model.body->pattern, r).norm() / scale;
 }
 
 /// True: converged. What it must not do is a failure.
 bool solves_statics(const test::RandomCase& c) {
     StageSolver solver(c.model, c.options.solver);
-    const Matrix3Xd start = c.options.initial.positions.size() > 0 ? c.options.initial.positions : c.model.body->mesh.nodes;
+    const Matrix3Xd start = c.options.initial.positions.size() > 0 ? c.options.initial.positions
+                                                                   : c.model.body->mesh.nodes;
     Matrix3Xd x = start;
     const StageReport report = solve_equilibrium(solver, 0.0, x);
     EXPECT_TRUE(x.allFinite());
     EXPECT_LE(report.newton_iterations, most_iterations);
     if (report.ok()) {
-        EXPECT_LE(imbalance(c.model, solver, static_stage(*c.model.body, 0.0), start, x, c.options.solver.tolerance), 100.0 * c.options.solver.tolerance);
+        EXPECT_LE(imbalance(c.model, solver, static_stage(*c.model.body, 0.0), start, x, c.options.solver.tolerance),
+                  100.0 * c.options.solver.tolerance);
     } else {
         EXPECT_NE(report.message.find("no equilibrium was found"), std::string::npos) << report.message;
     }
@@ -50,9 +54,12 @@ bool solves_statics(const test::RandomCase& c) {
 bool runs(const test::RandomCase& c) {
     RunObserver observer;
     Matrix3Xd start = c.options.initial.positions.size() > 0 ? c.options.initial.positions : c.model.body->mesh.nodes;
-    observer.stepped = [&](StageSolver& solver, const TimeScheme&, double, double, const std::vector<SolvedStage>& solved) {
+    observer.stepped = [&](StageSolver& solver, const TimeScheme&, double, double,
+                           const std::vector<SolvedStage>& solved) {
         for (const SolvedStage& s : solved) {
-            EXPECT_LE(imbalance(c.model, solver, s.stage, start, s.solution.x, c.options.solver.tolerance), 100.0 * c.options.solver.tolerance) << s.stage.time_s;
+            EXPECT_LE(imbalance(c.model, solver, s.stage, start, s.solution.x, c.options.solver.tolerance),
+                      100.0 * c.options.solver.tolerance)
+                << s.stage.time_s;
             start = s.solution.x;
         }
     };
@@ -74,7 +81,7 @@ bool runs(const test::RandomCase& c) {
 class RandomStarts : public testing::TestWithParam<int> {};
 
 TEST_P(RandomStarts, ConvergeOrSayWhyNot) {
-    std::map<std::string, std::pair<int, int>> counts;   // kind -> converged, all
+    std::map<std::string, std::pair<int, int>> counts;  // kind -> converged, all
     std::vector<double> failed;
     int converged = 0;
     for (int k = 0; k < cases_per_shard; ++k) {
@@ -89,7 +96,8 @@ TEST_P(RandomStarts, ConvergeOrSayWhyNot) {
             ++counts[kind].second;
         }
     }
-    for (const auto& [kind, count] : counts) test::record(kind, {static_cast<double>(count.first), static_cast<double>(count.second)});
+    for (const auto& [kind, count] : counts)
+        test::record(kind, {static_cast<double>(count.first), static_cast<double>(count.second)});
     test::record("converged_of_" + std::to_string(cases_per_shard), converged);
     test::record("not_converged", failed);
     EXPECT_GE(converged, 80);
@@ -98,4 +106,4 @@ TEST_P(RandomStarts, ConvergeOrSayWhyNot) {
 INSTANTIATE_TEST_SUITE_P(All, RandomStarts, testing::Range(0, shards));
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -9,7 +9,7 @@
 #include "support/beam.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -17,7 +17,7 @@ using Eigen::Matrix3Xd;
 test::BeamSpec hanging_beam(const char* element) {
     test::BeamSpec spec;
     spec.kind = test::element(element);
-    spec.cells = spec.kind == ElementKind::tet10 ? Eigen::Vector3i(4, 1, 1) : Eigen::Vector3i(7, 2, 2);
+    spec.cells = spec.kind == fem::ElementKind::tet10 ? Eigen::Vector3i(4, 1, 1) : Eigen::Vector3i(7, 2, 2);
     spec.gravity_m_s2 = 9.81;
     return spec;
 }
@@ -49,11 +49,12 @@ TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
                     for (const double h : {1e-4, 1e-3, 1e-2, 5e-2}) {
                         SimulationOptions options = options_for(integrator, h, 8);
                         options.solver.strategy = strategy;
-                        // At 50 ms a change of the modulus in its last digits, or of the processor, moves the count by two to four: the median of several
-                        // counts, measured between 15.75 and 16.75, with room.
+                        // At 50 ms a change of the modulus in its last digits, or of the processor, moves the count by
+                        // two to four: the median of several counts, measured between 15.75 and 16.75, with room.
                         std::vector<double> counts(h > 0.02 && strategy == Strategy::automatic ? 11 : 1);
                         for (std::size_t sample = 0; sample < counts.size(); ++sample) {
-                            spec.youngs_modulus_Pa = hanging_beam(element).youngs_modulus_Pa * (1.0 + 2e-15 * static_cast<double>(sample));
+                            spec.youngs_modulus_Pa = hanging_beam(element).youngs_modulus_Pa *
+                                                     (1.0 + 2e-15 * static_cast<double>(sample));
                             const Trace trace = simulate(test::make_beam(spec), options);
                             EXPECT_TRUE(trace.complete()) << element << " " << h << ": " << trace.message;
                             EXPECT_EQ(trace.times_s.size(), 9u);
@@ -65,7 +66,8 @@ TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
                         EXPECT_LT(iterations.back(), strategy == Strategy::newton ? 8.0 : 20.0)
                             << element << " " << to_string(integrator) << " " << h << " " << to_string(strategy);
                     }
-                    const std::string name = std::string(element) + "_" + to_string(integrator) + (damping > 0.0 ? "_damped" : "");
+                    const std::string name = std::string(element) + "_" + to_string(integrator) +
+                                             (damping > 0.0 ? "_damped" : "");
                     test::record(name + "_iterations_per_stage_" + to_string(strategy), iterations);
                 }
             }
@@ -73,14 +75,15 @@ TEST(Run, ConvergesFromTheStraightBeamNearIncompressibilityForAllSteps) {
 
 TEST(Run, ReleasedFromEquilibriumUnderTheSameLoadsStaysThere) {
     for (const char* element : {"hex8", "tet10"}) {
-        const Model model = test::make_beam(hanging_beam(element));
+        const model::Model model = test::make_beam(hanging_beam(element));
         SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 10);
         options.start = StartKind::equilibrium;
         const Trace trace = simulate(model, options);
         ASSERT_TRUE(trace.complete()) << trace.message;
         const double sag = (trace.positions.front() - model.body->mesh.nodes).cwiseAbs().maxCoeff();
         EXPECT_GT(sag, 5e-3);
-        for (const Matrix3Xd& x : trace.positions) EXPECT_LT((x - trace.positions.front()).cwiseAbs().maxCoeff(), 1e-6 * sag);
+        for (const Matrix3Xd& x : trace.positions)
+            EXPECT_LT((x - trace.positions.front()).cwiseAbs().maxCoeff(), 1e-6 * sag);
     }
 }
 
@@ -88,7 +91,7 @@ TEST(Run, ReleasedFromEquilibriumUnderTheSameLoadsStaysThere) {
 TEST(Run, SaysClearlyWhenItDoesNotConverge) {
     for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler}) {
         const test::BeamSpec spec = hanging_beam("hex8");
-        Model model = test::make_beam(spec);
+        model::Model model = test::make_beam(spec);
         test::push_tip(model, spec, {-1e9, 0.0, 0.0});
         model.forces.back().from_s = 0.03;
         const Trace trace = simulate(model, options_for(integrator, 0.01, 10));
@@ -100,7 +103,7 @@ TEST(Run, SaysClearlyWhenItDoesNotConverge) {
         EXPECT_TRUE(all_finite(trace));
     }
     const test::BeamSpec spec = hanging_beam("hex8");
-    Model model = test::make_beam(spec);
+    model::Model model = test::make_beam(spec);
     test::push_tip(model, spec, {-1e9, 0.0, 0.0});
     StageSolver solver(model);
     Matrix3Xd x = model.body->mesh.nodes;
@@ -129,7 +132,7 @@ TEST(Run, SaysWhatHelpsWhereThereIsNoEquilibrium) {
 TEST(Run, IsIdenticalWhenRepeated) {
     test::BeamSpec spec = hanging_beam("hex8");
     spec.damping_s = 0.002;
-    const Model model = test::make_beam(spec);
+    const model::Model model = test::make_beam(spec);
     const SimulationOptions options = options_for(Integrator::tr_bdf2, 0.005, 20);
     const Trace a = simulate(model, options), b = simulate(model, options);
     ASSERT_EQ(a.times_s, b.times_s);
@@ -140,7 +143,8 @@ TEST(Run, IsIdenticalWhenRepeated) {
     EXPECT_EQ(a.factorisations, b.factorisations);
 }
 
-/// A run beside another one, of a body a little stiffer, that starts its stages there: the same motion within the tolerance, in fewer iterations.
+/// A run beside another one, of a body a little stiffer, that starts its stages there: the same motion within the
+/// tolerance, in fewer iterations.
 TEST(Run, NearAnotherItTakesFewerIterations) {
     for (const char* element : {"hex8", "tet10"}) {
         test::BeamSpec spec = hanging_beam(element);
@@ -150,7 +154,7 @@ TEST(Run, NearAnotherItTakesFewerIterations) {
         options.keep_path = true;
         const Trace first = simulate(test::make_beam(spec), options);
         ASSERT_TRUE(first.complete());
-        ASSERT_EQ(first.path->times_s.size(), 81u);   // the start, and two stages a step
+        ASSERT_EQ(first.path->times_s.size(), 81u);  // the start, and two stages a step
         spec.youngs_modulus_Pa *= 1.01;
         options.keep_path = false;
         const Trace alone = simulate(test::make_beam(spec), options);
@@ -160,27 +164,30 @@ TEST(Run, NearAnotherItTakesFewerIterations) {
         EXPECT_EQ(beside.path, nullptr);
         const double moved = (alone.positions.back() - alone.positions.front()).norm();
         EXPECT_LT((alone.positions.back() - beside.positions.back()).norm(), 1e-5 * moved);
-        test::record(std::string("iterations_") + element, static_cast<double>(beside.newton_iterations) / alone.newton_iterations);
+        test::record(std::string("iterations_") + element,
+                     static_cast<double>(beside.newton_iterations) / alone.newton_iterations);
         EXPECT_LT(beside.newton_iterations, 0.8 * alone.newton_iterations) << element;
     }
 }
 
 TEST(Run, IsGivenUpWhereItTakesTooManyIterations) {
     SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 20);
-    const Model model = test::make_beam(hanging_beam("hex8"));
+    const model::Model model = test::make_beam(hanging_beam("hex8"));
     const Trace whole = simulate(model, options);
     ASSERT_TRUE(whole.complete());
     options.most_iterations = whole.newton_iterations / 2;
     const Trace given_up = simulate(model, options);
     EXPECT_EQ(given_up.status, RunStatus::failed);
-    EXPECT_NE(given_up.message.find("more than " + std::to_string(options.most_iterations) + " iterations"), std::string::npos) << given_up.message;
+    EXPECT_NE(given_up.message.find("more than " + std::to_string(options.most_iterations) + " iterations"),
+              std::string::npos)
+        << given_up.message;
     EXPECT_LT(given_up.times_s.size(), whole.times_s.size());
     options.most_iterations = whole.newton_iterations;
     EXPECT_TRUE(simulate(model, options).complete());
 }
 
 TEST(Run, StopsAfterTheCurrentStepWhenCancelled) {
-    const Model model = test::make_beam(hanging_beam("hex8"));
+    const model::Model model = test::make_beam(hanging_beam("hex8"));
     std::atomic<bool> stop{false};
     int reports = 0;
     const Progress progress(
@@ -198,15 +205,18 @@ TEST(Run, StopsAfterTheCurrentStepWhenCancelled) {
 }
 
 /// No force, but a count of how often it is asked; at the `last` time the run is to be stopped.
-class CountedForce : public ForceElement {
+class CountedForce : public model::ForceElement {
 public:
-    CountedForce(int last, std::atomic<bool>& stop, std::atomic<int>& asked) : last_(last), stop_(stop), asked_(asked) {}
-    void add(const Body&, const ForceState&, HessianKind, InternalEnergy&) const override {
+    CountedForce(int last, std::atomic<bool>& stop, std::atomic<int>& asked)
+        : last_(last), stop_(stop), asked_(asked) {}
+    void add(const model::Body&, const model::ForceState&, model::HessianKind, model::InternalEnergy&) const override {
         if (++asked_ == last_) stop_ = true;
     }
-    std::vector<ForceParameter> parameters() const override { return {}; }
-    std::shared_ptr<const ForceElement> changed(const Eigen::VectorXd&) const override { return std::make_shared<CountedForce>(last_, stop_, asked_); }
-    void add_tangent(const Body&, const ForceState&, const Eigen::VectorXd&, Matrix3Xd&) const override {}
+    std::vector<model::ForceParameter> parameters() const override { return {}; }
+    std::shared_ptr<const model::ForceElement> changed(const Eigen::VectorXd&) const override {
+        return std::make_shared<CountedForce>(last_, stop_, asked_);
+    }
+    void add_tangent(const model::Body&, const model::ForceState&, const Eigen::VectorXd&, Matrix3Xd&) const override {}
 
 private:
     int last_;
@@ -221,7 +231,7 @@ TEST(Run, StopsWithinAStepOrTheStart) {
             const auto run = [&](int last) {
                 std::atomic<bool> stop{false};
                 std::atomic<int> asked{0};
-                Model model = test::make_beam(hanging_beam("hex8"));
+                model::Model model = test::make_beam(hanging_beam("hex8"));
                 model.force_elements.push_back(std::make_shared<CountedForce>(last, stop, asked));
                 SimulationOptions options = options_for(Integrator::tr_bdf2, 0.01, 3);
                 options.start = start;
@@ -232,8 +242,10 @@ TEST(Run, StopsWithinAStepOrTheStart) {
             const int whole = run(-1).second;
             for (int last = 1; last < whole; last += 1 + whole / 17) {
                 const auto [trace, asked] = run(last);
-                if (trace.complete()) EXPECT_GE(last, whole - 4) << "the run was at its end";
-                else EXPECT_EQ(trace.status, RunStatus::cancelled) << trace.message;
+                if (trace.complete())
+                    EXPECT_GE(last, whole - 4) << "the run was at its end";
+                else
+                    EXPECT_EQ(trace.status, RunStatus::cancelled) << trace.message;
                 EXPECT_LE(asked - last, 2) << last << " of " << whole;
                 EXPECT_TRUE(all_finite(trace));
             }
@@ -252,4 +264,4 @@ TEST(Run, IntegratorNamesGoThereAndBack) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -9,24 +9,25 @@
 #include "support/pulled_block.hpp"
 #include "support/run.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
 
 /// Isochoric energy density of a small strain under a stress along one axis.
 double isochoric(const test::BeamSpec& spec, double strain) {
-    const double mu = 0.5 * spec.youngs_modulus_Pa / (1.0 + spec.poissons_ratio), shear = (1.0 + spec.poissons_ratio) * strain;
+    const double mu = 0.5 * spec.youngs_modulus_Pa / (1.0 + spec.poissons_ratio),
+                 shear = (1.0 + spec.poissons_ratio) * strain;
     return 2.0 / 3.0 * mu * shear * shear;
 }
 
-/// Pulled to 100, 200, 100, 200, 100 Pa: after the largest load the block answers in proportion, unloading and loading alike, with the
-/// factor of the largest strain it has had; before, less softly.
+/// Pulled to 100, 200, 100, 200, 100 Pa: after the largest load the block answers in proportion, unloading and loading
+/// alike, with the factor of the largest strain it has had; before, less softly.
 TEST(Softening, TheSecondLoadingFollowsTheUnloading) {
     const test::BeamSpec spec = test::light_cube();
-    Model model = test::make_beam(spec);
+    model::Model model = test::make_beam(spec);
     const double strain = 200.0 / spec.youngs_modulus_Pa;
-    model.softening = StressSoftening{0.4, isochoric(spec, strain)};
+    model.softening = material::StressSoftening{0.4, isochoric(spec, strain)};
     const double stresses[] = {100.0, 200.0, 100.0, 200.0, 100.0};
     for (int k = 0; k < 5; ++k) test::pull(model, spec, stresses[k], 0.2 * k, 0.2 * (k + 1));
     const Trace trace = simulate(model, test::short_steps(StartKind::straight, 0.01, 1.0));
@@ -35,28 +36,30 @@ TEST(Softening, TheSecondLoadingFollowsTheUnloading) {
     for (std::size_t n = 0; n < trace.times_s.size(); ++n) {
         const double now = test::stretch_of(model, spec, trace.positions[n]);
         largest = std::max(largest, now);
-        at_end[static_cast<int>(trace.times_s[n] / 0.2 - 1e-6)] = now;   // a load acts up to and at its end
+        at_end[static_cast<int>(trace.times_s[n] / 0.2 - 1e-6)] = now;  // a load acts up to and at its end
     }
     const double factor = model.softening->factor(isochoric(spec, largest));
     test::record("factor", factor);
     EXPECT_LT(factor, 0.75);
-    for (int k = 1; k < 5; ++k) EXPECT_NEAR(at_end[k] * factor * spec.youngs_modulus_Pa / stresses[k], 1.0, 0.01) << k;   // strains of 3e-3 are not small to the square
+    for (int k = 1; k < 5; ++k)
+        EXPECT_NEAR(at_end[k] * factor * spec.youngs_modulus_Pa / stresses[k], 1.0, 0.01)
+            << k;  // strains of 3e-3 are not small to the square
     EXPECT_NEAR(at_end[1], at_end[3], 1e-4 * at_end[1]);
     EXPECT_NEAR(at_end[2], at_end[4], 1e-4 * at_end[2]);
     EXPECT_LT(at_end[0], 0.97 * at_end[2]);
 }
 
-Model soft_beam() {
+model::Model soft_beam() {
     test::BeamSpec spec;
     spec.gravity_m_s2 = 9.81;
     spec.damping_s = 0.003;
-    Model model = test::make_beam(spec);
-    model.softening = StressSoftening{0.5, 200.0};
+    model::Model model = test::make_beam(spec);
+    model.softening = material::StressSoftening{0.5, 200.0};
     return model;
 }
 
 TEST(Softening, WithoutDamageChangesNothing) {
-    Model model = soft_beam();
+    model::Model model = soft_beam();
     const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.2);
     const Trace softened = simulate(model, options);
     model.softening->damage_max = 0.0;
@@ -65,24 +68,26 @@ TEST(Softening, WithoutDamageChangesNothing) {
     const Trace plain = simulate(model, options);
     ASSERT_TRUE(softened.complete() && undamaged.complete() && plain.complete());
     EXPECT_EQ(undamaged.positions.back(), plain.positions.back());
-    EXPECT_GT((softened.positions.back() - plain.positions.back()).norm(), 0.02 * (plain.positions.back() - plain.positions.front()).norm());
+    EXPECT_GT((softened.positions.back() - plain.positions.back()).norm(),
+              0.02 * (plain.positions.back() - plain.positions.front()).norm());
 }
 
 /// Also on a solver that has softened its cells before.
 TEST(Softening, EveryRunStartsVirgin) {
-    const Model model = soft_beam();
+    const model::Model model = soft_beam();
     const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.1);
     StageSolver solver(model, options.solver);
     const Trace first = simulate_part(solver, options, {}), second = simulate_part(solver, options, {});
     ASSERT_TRUE(first.complete() && second.complete());
     const double motion = (first.positions.back() - first.positions.front()).norm();
     ASSERT_EQ(first.positions.size(), second.positions.size());
-    for (std::size_t n = 0; n < first.positions.size(); ++n) EXPECT_LT((first.positions[n] - second.positions[n]).norm(), 1e-6 * motion);
+    for (std::size_t n = 0; n < first.positions.size(); ++n)
+        EXPECT_LT((first.positions[n] - second.positions[n]).norm(), 1e-6 * motion);
 }
 
 /// A point of a run remembers its softening.
 TEST(Softening, ARunCanBeTakenUpAgain) {
-    const Model model = soft_beam();
+    const model::Model model = soft_beam();
     const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.1);
     RunPoint middle;
     RunObserver observer;
@@ -93,11 +98,12 @@ TEST(Softening, ARunCanBeTakenUpAgain) {
     StageSolver solver(model, options.solver);
     const Trace rest = simulate_part(solver, options, {&middle});
     ASSERT_TRUE(whole.complete() && rest.complete());
-    EXPECT_LT((whole.positions.back() - rest.positions.back()).norm(), 1e-6 * (whole.positions.back() - whole.positions.front()).norm());
+    EXPECT_LT((whole.positions.back() - rest.positions.back()).norm(),
+              1e-6 * (whole.positions.back() - whole.positions.front()).norm());
 }
 
 TEST(Softening, ABodyAtItsEquilibriumStaysAtRest) {
-    Model model = soft_beam();
+    model::Model model = soft_beam();
     const Trace trace = simulate(model, test::short_steps(StartKind::equilibrium, 0.005, 0.1));
     ASSERT_TRUE(trace.complete()) << trace.message;
     const double sag = (trace.positions.front() - model.body->mesh.nodes).norm();
@@ -111,7 +117,7 @@ TEST(Softening, ABodyAtItsEquilibriumStaysAtRest) {
 
 /// What a point is softened by never heals, and its peak is the largest energy of the motion.
 TEST(Softening, PeaksOnlyRise) {
-    const Model model = soft_beam();
+    const model::Model model = soft_beam();
     Eigen::VectorXd last = Eigen::VectorXd::Zero(model.body->point_count()), seen;
     RunObserver observer;
     observer.stood = [&](const RunPoint& point) {
@@ -125,4 +131,4 @@ TEST(Softening, PeaksOnlyRise) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

@@ -6,12 +6,12 @@
 #include "support/figures.hpp"
 #include "support/run.hpp"
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
 
-Trace run(const Model& model, Strategy strategy, Integrator integrator, double tolerance) {
+Trace run(const model::Model& model, Strategy strategy, Integrator integrator, double tolerance) {
     SimulationOptions options;
     options.integrator = integrator;
     options.h_s = 0.01;
@@ -29,22 +29,24 @@ TEST(Strategies, GiveTheSameTrajectory) {
         const char* material;
         double poisson, damping_s;
     };
-    for (const Case& c : {Case{"hex8", "neo_hookean", 0.499, 0.003}, Case{"tet10", "neo_hookean", 0.49, 0.0}, Case{"hex8_full", "projective_corotational", 0.499, 0.0},
+    for (const Case& c : {Case{"hex8", "neo_hookean", 0.499, 0.003}, Case{"tet10", "neo_hookean", 0.49, 0.0},
+                          Case{"hex8_full", "projective_corotational", 0.499, 0.0},
                           Case{"tet4", "corotational", 0.45, 0.0}, Case{"hex8", "st_venant_kirchhoff", 0.45, 0.003}})
         for (const Integrator integrator : {Integrator::tr_bdf2, Integrator::implicit_euler}) {
             test::BeamSpec spec;
-            ASSERT_TRUE(parse_element(c.element, spec.kind));
+            ASSERT_TRUE(fem::parse_element(c.element, spec.kind));
             spec.material = c.material;
             spec.poissons_ratio = c.poisson;
             spec.damping_s = c.damping_s;
             spec.cells = {6, 2, 2};
             spec.gravity_m_s2 = 9.81;
-            const Model model = test::make_beam(spec);
+            const model::Model model = test::make_beam(spec);
             const Trace newton = run(model, Strategy::newton, integrator, 1e-9);
             for (const Strategy strategy : {Strategy::automatic, Strategy::lagged_newton, Strategy::projective}) {
                 const double found = test::relative_difference(newton, run(model, strategy, integrator, 1e-9));
                 test::record(std::string(c.element) + "_" + to_string(integrator) + "_" + to_string(strategy), {found});
-                EXPECT_LT(found, 1e-6) << c.element << " " << c.material << " " << to_string(integrator) << " " << to_string(strategy);
+                EXPECT_LT(found, 1e-6) << c.element << " " << c.material << " " << to_string(integrator) << " "
+                                       << to_string(strategy);
             }
         }
 }
@@ -54,25 +56,28 @@ TEST(Strategies, TheLaggedFactorServesManySteps) {
     spec.cells = {10, 3, 3};
     spec.gravity_m_s2 = 9.81;
     spec.damping_s = 0.003;
-    const Model model = test::make_beam(spec);
+    const model::Model model = test::make_beam(spec);
     const Trace lagged = run(model, Strategy::lagged_newton, Integrator::tr_bdf2, 1e-7);
     const Trace newton = run(model, Strategy::newton, Integrator::tr_bdf2, 1e-7);
-    test::record("factorisations_per_stage", {static_cast<double>(lagged.factorisations) / lagged.stages, static_cast<double>(newton.factorisations) / newton.stages});
+    test::record("factorisations_per_stage", {static_cast<double>(lagged.factorisations) / lagged.stages,
+                                              static_cast<double>(newton.factorisations) / newton.stages});
     EXPECT_LT(lagged.factorisations, newton.factorisations);
     EXPECT_LT(lagged.factorisations, lagged.stages / 2);
 }
 
 /// Sums are taken in an order that the mesh gives, so that threads change no bit of a run.
 TEST(Strategies, GiveTheSameBitsOnAnyNumberOfThreads) {
-    for (const ElementKind kind : {ElementKind::hex8, ElementKind::hex8_full, ElementKind::tet4, ElementKind::tet10})
+    for (const fem::ElementKind kind :
+         {fem::ElementKind::hex8, fem::ElementKind::hex8_full, fem::ElementKind::tet4, fem::ElementKind::tet10})
         for (const Strategy strategy : {Strategy::lagged_newton, Strategy::newton, Strategy::projective}) {
             test::BeamSpec spec;
             spec.kind = kind;
-            spec.cells = kind == ElementKind::tet10 ? Eigen::Vector3i(8, 3, 3) : Eigen::Vector3i(16, 5, 5);   // enough for several threads
+            spec.cells = kind == fem::ElementKind::tet10 ? Eigen::Vector3i(8, 3, 3)
+                                                         : Eigen::Vector3i(16, 5, 5);  // enough for several threads
             spec.gravity_m_s2 = 9.81;
             spec.damping_s = 0.003;
-            if (kind == ElementKind::hex8_full) spec.material = "projective_corotational";
-            const Model model = test::make_beam(spec);
+            if (kind == fem::ElementKind::hex8_full) spec.material = "projective_corotational";
+            const model::Model model = test::make_beam(spec);
             SimulationOptions options;
             options.h_s = 0.01;
             options.end_s = 0.03;
@@ -87,7 +92,8 @@ TEST(Strategies, GiveTheSameBitsOnAnyNumberOfThreads) {
             for (const int threads : {2, 4}) {
                 const Trace many = on(threads);
                 EXPECT_EQ(many.newton_iterations, one.newton_iterations);
-                EXPECT_TRUE((many.positions.back().array() == one.positions.back().array()).all()) << to_string(kind) << " " << to_string(strategy) << " " << threads;
+                EXPECT_TRUE((many.positions.back().array() == one.positions.back().array()).all())
+                    << to_string(kind) << " " << to_string(strategy) << " " << threads;
             }
         }
 }
@@ -95,10 +101,10 @@ TEST(Strategies, GiveTheSameBitsOnAnyNumberOfThreads) {
 /// A body too large for one factor is factored in parts; its motion is the same.
 TEST(Strategies, PartsGiveTheSameTrajectoryAsTheWholeFactor) {
     test::BeamSpec spec;
-    spec.cells = {40, 13, 13};   // 24 thousand unknowns: two parts
+    spec.cells = {40, 13, 13};  // 24 thousand unknowns: two parts
     spec.gravity_m_s2 = 9.81;
     spec.damping_s = 0.003;
-    const Model model = test::make_beam(spec);
+    const model::Model model = test::make_beam(spec);
     SimulationOptions options;
     options.h_s = 0.01;
     options.end_s = 0.02;
@@ -107,7 +113,8 @@ TEST(Strategies, PartsGiveTheSameTrajectoryAsTheWholeFactor) {
     options.solver.most_factor_entries = 1e6;
     const Trace parts = simulate(model, options);
     ASSERT_TRUE(whole.complete() && parts.complete()) << parts.message;
-    test::record("conjugate_gradients_per_newton_step", static_cast<double>(parts.linear_iterations) / parts.newton_iterations);
+    test::record("conjugate_gradients_per_newton_step",
+                 static_cast<double>(parts.linear_iterations) / parts.newton_iterations);
     EXPECT_EQ(whole.linear_iterations, 0);
     EXPECT_GT(parts.linear_iterations, 0);
     EXPECT_LT(test::relative_difference(whole, parts), 1e-6);
@@ -124,4 +131,4 @@ TEST(Strategies, NamesAreFoundAgain) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

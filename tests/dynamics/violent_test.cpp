@@ -8,9 +8,10 @@
 #include "support/beam.hpp"
 #include "support/figures.hpp"
 
-// The default scheme, a step of 10 ms, and loads nobody would put on a specimen: it stays stable, and nothing but the loads gives energy.
+// The default scheme, a step of 10 ms, and loads nobody would put on a specimen: it stays stable, and nothing but the
+// loads gives energy.
 
-namespace myo {
+namespace myo::dynamics {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -25,10 +26,10 @@ struct Case {
 
 std::string label(const Case& c) { return std::string(c.element) + (c.damping_s > 0.0 ? "_damped" : ""); }
 
-Model beam(const Case& c) {
+model::Model beam(const Case& c) {
     test::BeamSpec spec;
     spec.kind = test::element(c.element);
-    spec.cells = spec.kind == ElementKind::tet10 ? Eigen::Vector3i(4, 1, 1) : Eigen::Vector3i(7, 2, 2);
+    spec.cells = spec.kind == fem::ElementKind::tet10 ? Eigen::Vector3i(4, 1, 1) : Eigen::Vector3i(7, 2, 2);
     spec.gravity_m_s2 = gravity_m_s2;
     spec.damping_s = c.damping_s;
     return test::make_beam(spec);
@@ -40,20 +41,21 @@ Matrix3Xd noise(Eigen::Index nodes, double deviation, unsigned seed) {
     return Matrix3Xd::NullaryExpr(3, nodes, [&]() { return normal(random); });
 }
 
-Trace run(const Model& model, const InitialState& initial, double end_s) {
-    SimulationOptions options;   // the defaults, but for the step
+Trace run(const model::Model& model, const InitialState& initial, double end_s) {
+    SimulationOptions options;  // the defaults, but for the step
     options.h_s = h;
     options.end_s = end_s;
     options.initial = initial;
     return simulate(model, options);
 }
 
-/// How far the energy rises above what it was at `from_s`, in terms of all the energy there was to lose; and again from the least on.
+/// How far the energy rises above what it was at `from_s`, in terms of all the energy there was to lose; and again from
+/// the least on.
 struct Rise {
     double above_start = 0.0, above_least = 0.0;
 };
-Rise energy_rise(const Model& model, const Trace& trace, double from_s) {
-    const auto mass = mass_matrix(model);
+Rise energy_rise(const model::Model& model, const Trace& trace, double from_s) {
+    const auto mass = model::mass_matrix(model);
     std::vector<double> total;
     for (std::size_t n = 0; n < trace.times_s.size(); ++n) {
         EXPECT_TRUE(trace.positions[n].allFinite() && trace.velocities[n].allFinite()) << n;
@@ -72,9 +74,9 @@ Rise energy_rise(const Model& model, const Trace& trace, double from_s) {
     return {rise.above_start / scale, rise.above_least / scale};
 }
 
-/// Distance of the end from a state of equilibrium near it, over the deflection under the body's own weight. A body that was beaten
-/// into itself may come to rest in another equilibrium than the one it had.
-double distance_from_rest(const Model& model, const Trace& trace) {
+/// Distance of the end from a state of equilibrium near it, over the deflection under the body's own weight. A body
+/// that was beaten into itself may come to rest in another equilibrium than the one it had.
+double distance_from_rest(const model::Model& model, const Trace& trace) {
     StageSolver solver(model);
     const Matrix3Xd& X = model.body->mesh.nodes;
     Matrix3Xd hanging = X, near = trace.positions.back();
@@ -85,13 +87,14 @@ double distance_from_rest(const Model& model, const Trace& trace) {
     return (trace.positions.back() - near).cwiseAbs().maxCoeff() / (hanging - X).cwiseAbs().maxCoeff();
 }
 
-void expect_stable(const Case& c, const std::string& name, const Model& model, const Trace& trace, double loads_constant_from_s) {
+void expect_stable(const Case& c, const std::string& name, const model::Model& model, const Trace& trace,
+                   double loads_constant_from_s) {
     const std::string what = name + "_" + label(c);
     EXPECT_TRUE(trace.complete()) << what << ": " << trace.message;
     const Rise rise = energy_rise(model, trace, loads_constant_from_s);
     test::record(what + "_energy_rise", {rise.above_start, rise.above_least});
     test::record(what + "_iterations_per_stage", static_cast<double>(trace.newton_iterations) / trace.stages);
-    EXPECT_LT(rise.above_start, 0.05) << what;   // a step may gain a fiftieth of what moves
+    EXPECT_LT(rise.above_start, 0.05) << what;  // a step may gain a fiftieth of what moves
     if (c.damping_s == 0.0) return;
     EXPECT_LT(rise.above_least, 0.001) << what;
     const double distance = distance_from_rest(model, trace);
@@ -100,14 +103,16 @@ void expect_stable(const Case& c, const std::string& name, const Model& model, c
 }
 
 class Violent : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(All, Violent, testing::Values(Case{"hex8", 0.0}, Case{"tet10", 0.0}, Case{"hex8", 0.01}, Case{"tet10", 0.01}),
+INSTANTIATE_TEST_SUITE_P(All, Violent,
+                         testing::Values(Case{"hex8", 0.0}, Case{"tet10", 0.0}, Case{"hex8", 0.01},
+                                         Case{"tet10", 0.01}),
                          [](const auto& test) { return label(test.param); });
 
 /// Every node is thrown at 5 and at 20 body lengths per second, each its own way.
 TEST_P(Violent, RandomInitialVelocities) {
     const Case c = GetParam();
     for (const double lengths_1_s : {5.0, 20.0}) {
-        const Model model = beam(c);
+        const model::Model model = beam(c);
         const Trace trace = run(model, {{}, noise(model.body->node_count(), 0.1 * lengths_1_s, 1)}, 1.0);
         expect_stable(c, "thrown_" + std::to_string(std::lround(lengths_1_s)), model, trace, 0.0);
     }
@@ -116,7 +121,7 @@ TEST_P(Violent, RandomInitialVelocities) {
 /// The free end swings sideways at 30 body lengths per second.
 TEST_P(Violent, ABeatenBeam) {
     const Case c = GetParam();
-    const Model model = beam(c);
+    const model::Model model = beam(c);
     const Matrix3Xd& X = model.body->mesh.nodes;
     Matrix3Xd v = Matrix3Xd::Zero(3, X.cols());
     v.row(1) = 30.0 * X.row(0);
@@ -127,7 +132,7 @@ TEST_P(Violent, ABeatenBeam) {
 /// Cells turned inside out by noise of the size of a cell.
 TEST_P(Violent, ANoisyStart) {
     const Case c = GetParam();
-    const Model model = beam(c);
+    const model::Model model = beam(c);
     const Matrix3Xd& X = model.body->mesh.nodes;
     expect_stable(c, "noisy", model, run(model, {X + noise(X.cols(), 0.015, 2), {}}, 1.0), h);
 }
@@ -136,7 +141,7 @@ TEST_P(Violent, ANoisyStart) {
 TEST_P(Violent, AMirroredStart) {
     const Case c = GetParam();
     for (const int axis : {0, 1, 2}) {
-        const Model model = beam(c);
+        const model::Model model = beam(c);
         Matrix3Xd x = model.body->mesh.nodes;
         x.row(axis) = (axis == 0 ? 0.0 : 0.03) - x.row(axis).array();
         expect_stable(c, "mirrored_" + std::string(1, "xyz"[axis]), model, run(model, {x, {}}, 1.0), h);
@@ -147,16 +152,21 @@ TEST_P(Violent, AMirroredStart) {
 TEST_P(Violent, AHundredG) {
     const Case c = GetParam();
     for (const Vector3d& direction : {Vector3d(0.0, 0.0, -1.0), Vector3d(-1.0, 0.0, 0.0), Vector3d(1.0, 1.0, 1.0)}) {
-        Model model = beam(c);
-        const Eigen::VectorXd nodal = mass_matrix(model).isotropic * Eigen::VectorXd::Ones(model.body->node_count());
-        DeadForce load;
+        model::Model model = beam(c);
+        const Eigen::VectorXd nodal = model::mass_matrix(model).isotropic *
+                                      Eigen::VectorXd::Ones(model.body->node_count());
+        model::DeadForce load;
         load.share = nodal / nodal.sum();
         load.force_N = 100.0 * gravity_m_s2 * nodal.sum() * direction.normalized();
-        load.until_s = 0.255;   // within a step
+        load.until_s = 0.255;  // within a step
         model.forces.push_back(load);
-        expect_stable(c, direction(1) > 0.0 ? "pulled" : direction(0) < 0.0 ? "crushed" : "heavy", model, run(model, {}, 1.2), load.until_s);
+        expect_stable(c,
+                      direction(1) > 0.0   ? "pulled"
+                      : direction(0) < 0.0 ? "crushed"
+                                           : "heavy",
+                      model, run(model, {}, 1.2), load.until_s);
     }
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::dynamics

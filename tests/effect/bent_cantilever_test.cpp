@@ -8,7 +8,7 @@
 
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 /// Bisshopp & Drucker 1945: an end turned by t, p^2 = (1 + sin t) / 2, sin f = 1 / (sqrt 2 p), has root(load) = K(p) -
@@ -77,4 +77,4 @@ TEST(BentCantilever, IsSmoothInItsDeflection) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::effect

@@ -5,7 +5,7 @@
 #include "dynamics/simulate.hpp"
 #include "effect_site.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 /// Parameters of every effect at which it can be seen on the held beam.
@@ -16,7 +16,8 @@ std::map<std::string, EffectParameters> visible_effects() {
         {"linear_drag", {{"coefficient_Pa_s_m", 50.0}}},
         {"added_mass", {{"surface_density_kg_m2", 2.0}}},
         {"point_mass", {{"mass_kg", 0.005}, {"position_m", at(0.12, 0.015, 0.03)}}},
-        {"cable_tug", {{"stiffness_N_m", 5.0}, {"position_m", at(0.12, 0.015, 0.03)}, {"anchor_m", at(0.12, 0.015, 0.2)}}},
+        {"cable_tug",
+         {{"stiffness_N_m", 5.0}, {"position_m", at(0.12, 0.015, 0.03)}, {"anchor_m", at(0.12, 0.015, 0.2)}}},
         {"hung_mass", {{"inertia_ratio", 1.0}}},
         {"gravity_tilt", {{"tilt_deg", 5.0}, {"axis", at(1.0, 0.0, 0.0)}}},
         {"clamp_compliance", {{"stiffness_Pa_per_m", 1e7}}},
@@ -49,19 +50,23 @@ TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
         EXPECT_FALSE(effect.summary.empty()) << effect.id;
         EXPECT_NE(effect.apply, nullptr) << effect.id;
         EXPECT_EQ(effect.stage == EffectStage::measurement, seen_alone.count(effect.id) == 1) << effect.id;
-        EXPECT_TRUE(seen_alone.count(effect.id) == 1 || visible_effects().count(effect.id) == 1) << effect.id << " is not tested below";
+        EXPECT_TRUE(seen_alone.count(effect.id) == 1 || visible_effects().count(effect.id) == 1)
+            << effect.id << " is not tested below";
     }
     EXPECT_EQ(find_effect("none"), nullptr);
 }
 
-/// A fit may end at an axis that leans along gravity, with a larger angle for it: the smallest turn that does the same is told.
+/// A fit may end at an axis that leans along gravity, with a larger angle for it: the smallest turn that does the same
+/// is told.
 TEST(GravityTilt, IsToldAsTheSmallestTurnThatDoesTheSame) {
     const test::HeldBeam beam = test::held_beam({6, 2, 2});
     const Effect& tilt = *find_effect("gravity_tilt");
     Affected declared = beam.affected;
     declared.model.gravity_m_s2 = {0.3, 0.0, -9.8};
-    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(0.755, 0.036, -0.655), Eigen::Vector3d(-2.0, 1.0, 0.5), Eigen::Vector3d(1.0, 0.0, 0.0306)}) {
-        const EffectParameters fitted{{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(axis)}}, plain = tilt.plainest(declared.model, fitted);
+    for (const Eigen::Vector3d& axis :
+         {Eigen::Vector3d(0.755, 0.036, -0.655), Eigen::Vector3d(-2.0, 1.0, 0.5), Eigen::Vector3d(1.0, 0.0, 0.0306)}) {
+        const EffectParameters fitted{{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(axis)}},
+            plain = tilt.plainest(declared.model, fitted);
         Affected once = declared, again = declared;
         tilt.apply(beam.site, fitted, once);
         tilt.apply(beam.site, plain, again);
@@ -71,8 +76,14 @@ TEST(GravityTilt, IsToldAsTheSmallestTurnThatDoesTheSame) {
         EXPECT_NEAR(vector(plain, "axis").dot(declared.model.gravity_m_s2), 0.0, 1e-12);
         EXPECT_LE(std::abs(number(plain, "tilt_deg")), 5.3 + 1e-12);
     }
-    EXPECT_LT(number(tilt.plainest(declared.model, {{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(Eigen::Vector3d(0.755, 0.0, -0.655))}}), "tilt_deg"), 4.2);
-    EXPECT_NEAR(number(tilt.plainest(declared.model, {{"tilt_deg", 0.0}, {"axis", Eigen::VectorXd(Eigen::Vector3d::UnitX())}}), "tilt_deg"), 0.0, 1e-12);
+    EXPECT_LT(number(tilt.plainest(declared.model,
+                                   {{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(Eigen::Vector3d(0.755, 0.0, -0.655))}}),
+                     "tilt_deg"),
+              4.2);
+    EXPECT_NEAR(
+        number(tilt.plainest(declared.model, {{"tilt_deg", 0.0}, {"axis", Eigen::VectorXd(Eigen::Vector3d::UnitX())}}),
+               "tilt_deg"),
+        0.0, 1e-12);
 }
 
 /// What a slanted spring does to first order, as a sum of a probe's springs, leads back to it.
@@ -103,20 +114,20 @@ class MovingEffect : public ::testing::TestWithParam<std::pair<const std::string
 
 TEST_P(MovingEffect, ChangesTheMotionAndLeavesWhatItIsGiven) {
     const test::HeldBeam beam = test::held_beam({6, 2, 2});
-    const Trace without = simulate(beam.affected.model, beam.affected.options);
+    const dynamics::Trace without = dynamics::simulate(beam.affected.model, beam.affected.options);
     ASSERT_TRUE(without.complete()) << without.message;
     const Affected affected = test::with_effect(beam, GetParam().first, GetParam().second);
-    const Trace with = simulate(affected.model, affected.options);
+    const dynamics::Trace with = dynamics::simulate(affected.model, affected.options);
     ASSERT_TRUE(with.complete()) << with.message;
     EXPECT_GT((with.positions.back() - without.positions.back()).cwiseAbs().maxCoeff(), 2e-5);
-    const Trace again = simulate(beam.affected.model, beam.affected.options);
+    const dynamics::Trace again = dynamics::simulate(beam.affected.model, beam.affected.options);
     EXPECT_EQ(again.positions.back(), without.positions.back());
     // A trial that is not its own is left alone.
     EffectParameters elsewhere = GetParam().second;
     elsewhere["trial"] = std::string("another");
     Affected alone = beam.affected;
     apply_effects(beam.site, {{GetParam().first, elsewhere}}, alone);
-    EXPECT_EQ(simulate(alone.model, alone.options).positions.back(), without.positions.back());
+    EXPECT_EQ(dynamics::simulate(alone.model, alone.options).positions.back(), without.positions.back());
 }
 
 /// The finer element is chosen by this mark.
@@ -140,10 +151,10 @@ TEST_P(MovingEffect, IsContinuousAtItsAbsence) {
     search.largest_energy_density_J_m3 = 100.0;
     const std::vector<EffectProbe> probes = effect.probes(search);
     ASSERT_FALSE(probes.empty());
-    const Eigen::Matrix3Xd without = simulate(beam.affected.model, beam.affected.options).positions.back();
+    const Eigen::Matrix3Xd without = dynamics::simulate(beam.affected.model, beam.affected.options).positions.back();
     const auto change = [&](const EffectParameters& parameters) {
         const Affected affected = test::with_effect(beam, effect.id, parameters);
-        const Trace run = simulate(affected.model, affected.options);
+        const dynamics::Trace run = dynamics::simulate(affected.model, affected.options);
         EXPECT_TRUE(run.complete()) << run.message;
         return run.complete() ? (run.positions.back() - without).norm() : 0.0;
     };
@@ -161,4 +172,4 @@ INSTANTIATE_TEST_SUITE_P(OfTheCatalogue, MovingEffect, ::testing::ValuesIn(visib
                          [](const auto& given) { return given.param.first; });
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::effect

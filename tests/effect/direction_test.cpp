@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Vector2d;
@@ -16,7 +16,7 @@ TEST(Direction, AnglesAndDirectionsAreTheSameThing) {
     std::uniform_real_distribution<double> number(-1.0, 1.0);
     for (int i = 0; i < 100; ++i) {
         const Vector3d base = Vector3d(number(random), number(random), number(random)).normalized();
-        const Vector2d angles = 2.0 * Vector2d(number(random), number(random));   // below half a turn
+        const Vector2d angles = 2.0 * Vector2d(number(random), number(random));  // below half a turn
         const Vector3d direction = direction_at(base, angles);
         EXPECT_NEAR(direction.norm(), 1.0, 1e-14);
         EXPECT_NEAR(std::acos(direction.dot(base)), angles.norm(), 1e-7);
@@ -36,8 +36,7 @@ TEST(Direction, AnglesAreArcsAcrossTheBase) {
     const Vector3d base = Vector3d(0.6, 0.0, 0.8);
     const double angle = 1e-6;
     const Vector3d first = (direction_at(base, {angle, 0.0}) - direction_at(base, {-angle, 0.0})) / (2.0 * angle);
-    const Vector3d second =
-        (direction_at(base, {0.0, angle}) - direction_at(base, {0.0, -angle})) / (2.0 * angle);
+    const Vector3d second = (direction_at(base, {0.0, angle}) - direction_at(base, {0.0, -angle})) / (2.0 * angle);
     EXPECT_NEAR(first.norm(), 1.0, 1e-9);
     EXPECT_NEAR(second.norm(), 1.0, 1e-9);
     EXPECT_NEAR(first.dot(second), 0.0, 1e-9);
@@ -46,4 +45,4 @@ TEST(Direction, AnglesAreArcsAcrossTheBase) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::effect

@@ -8,11 +8,11 @@ namespace myo::test {
 /// A beam along x that is held over the first sixth of its length, with two muscles, as effects see it.
 struct HeldBeam {
     BeamSpec spec;
-    EffectSite site;
-    Affected affected;
+    effect::EffectSite site;
+    effect::Affected affected;
 };
 
-inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}, ElementKind kind = ElementKind::hex8) {
+inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}, fem::ElementKind kind = fem::ElementKind::hex8) {
     HeldBeam beam;
     beam.spec.kind = kind;
     beam.spec.cells = cells;
@@ -20,14 +20,15 @@ inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}, ElementKind kind =
     beam.spec.poissons_ratio = 0.45;
     beam.spec.gravity_m_s2 = 9.81;
     beam.spec.damping_s = 0.003;
-    Model model = make_beam(beam.spec);
+    model::Model model = make_beam(beam.spec);
     const Box held{{-1.0, -1.0, -1.0}, {0.02 + 1e-9, 1.0, 1.0}};
-    model.body = make_body(model.body->mesh, beam.spec.kind, nodes_in_box(model.body->mesh, held));
-    auto fibres = std::make_shared<std::vector<FibreGroup>>();
+    model.body = model::make_body(model.body->mesh, beam.spec.kind, mesh::nodes_in_box(model.body->mesh, held));
+    auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
     for (const double low : {0.0, 0.015})
-        fibres->push_back(fibres_in_box(model.body->mesh, {{0.02, low, 0.0}, {0.12, low + 0.015, 0.03}}, Eigen::Vector3d::UnitX(), 5e4, low > 0.0 ? "left" : "right"));
+        fibres->push_back(fibre::fibres_in_box(model.body->mesh, {{0.02, low, 0.0}, {0.12, low + 0.015, 0.03}},
+                                               Eigen::Vector3d::UnitX(), 5e4, low > 0.0 ? "left" : "right"));
     model.fibres = fibres;
-    model.activation = {Signal{{0.0, 0.05}, {1.0, 0.8}}, Signal::constant(1.0)};
+    model.activation = {fibre::Signal{{0.0, 0.05}, {1.0, 0.8}}, fibre::Signal::constant(1.0)};
     model.forces.push_back({tip_share(model, beam.spec), Eigen::Vector3d(0.0, 0.0, -0.2)});
     beam.site.body = model.body;
     beam.site.held = held;
@@ -43,9 +44,10 @@ inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}, ElementKind kind =
     return beam;
 }
 
-inline Affected with_effect(const HeldBeam& beam, const std::string& id, const EffectParameters& parameters) {
-    Affected affected = beam.affected;
-    apply_effects(beam.site, {{id, parameters}}, affected);
+inline effect::Affected with_effect(const HeldBeam& beam, const std::string& id,
+                                    const effect::EffectParameters& parameters) {
+    effect::Affected affected = beam.affected;
+    effect::apply_effects(beam.site, {{id, parameters}}, affected);
     return affected;
 }
 

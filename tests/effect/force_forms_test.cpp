@@ -7,17 +7,17 @@
 #include "support/figures.hpp"
 #include "support/oscillation.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-class ForceForms : public testing::TestWithParam<ElementKind> {};
+class ForceForms : public testing::TestWithParam<fem::ElementKind> {};
 
 /// A stiff cube that nothing holds: it moves as a point does.
-test::HeldBeam cube(ElementKind kind) {
+test::HeldBeam cube(fem::ElementKind kind) {
     test::BeamSpec spec;
     spec.kind = kind;
     spec.cells = {2, 2, 2};
@@ -30,7 +30,7 @@ test::HeldBeam cube(ElementKind kind) {
 
 constexpr double face_m2 = 9e-4, cube_kg = 1070.0 * 2.7e-5;
 
-Vector3d mean_velocity(const Model& model, const Matrix3Xd& v) {
+Vector3d mean_velocity(const model::Model& model, const Matrix3Xd& v) {
     const VectorXd volume = model.body->unit_mass * VectorXd::Ones(v.cols());
     return v * volume / volume.sum();
 }
@@ -39,7 +39,7 @@ Vector3d mean_velocity(const Model& model, const Matrix3Xd& v) {
 std::vector<double> thrown(test::HeldBeam beam, const std::string& id, const EffectParameters& parameters) {
     Affected affected = test::with_effect(beam, id, parameters);
     affected.options.initial.velocities = Vector3d::UnitX().replicate(1, beam.site.body->node_count());
-    const Trace trace = test::fine_run(affected, 1e-3, 0.1);
+    const dynamics::Trace trace = test::fine_run(affected, 1e-3, 0.1);
     std::vector<double> v;
     for (const Matrix3Xd& velocities : trace.velocities) v.push_back(mean_velocity(affected.model, velocities).x());
     return v;
@@ -75,7 +75,7 @@ TEST_P(ForceForms, AddedMassLetsACubeFallAsMuchSlower) {
     beam.affected.model.gravity_m_s2 = {0.0, 0.0, -9.81};
     const double per_area = 20.0, step_s = 2e-3, end = 0.1;
     const Affected affected = test::with_effect(beam, "added_mass", {{"surface_density_kg_m2", per_area}});
-    const Trace trace = test::fine_run(affected, step_s, end);
+    const dynamics::Trace trace = test::fine_run(affected, step_s, end);
     const double expected = -9.81 * cube_kg / (cube_kg + 2.0 * per_area * face_m2) * end;
     const double found = mean_velocity(affected.model, trace.velocities.back()).z();
     test::record("relative_error", found / expected - 1.0);
@@ -93,7 +93,7 @@ double squared_root(double mu) {
     const auto f = [mu](double b) {
         return 1.0 + std::cos(b) * std::cosh(b) + mu * b * (std::cos(b) * std::sinh(b) - std::sin(b) * std::cosh(b));
     };
-    double low = 0.1, high = 1.88;   // the first root without a mass is 1.8751
+    double low = 0.1, high = 1.88;  // the first root without a mass is 1.8751
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         (f(middle) > 0.0 ? low : high) = middle;
@@ -101,12 +101,12 @@ double squared_root(double mu) {
     return low * low;
 }
 
-std::vector<double> frequencies(const Model& model, int count, double at_s = 0.0) {
-    StageSolver solver(model);
-    const NaturalModes found = natural_modes(solver, model.body->mesh.nodes, count, at_s);
+std::vector<double> frequencies(const model::Model& model, int count, double at_s = 0.0) {
+    dynamics::StageSolver solver(model);
+    const dynamics::NaturalModes found = dynamics::natural_modes(solver, model.body->mesh.nodes, count, at_s);
     EXPECT_TRUE(found.ok());
     std::vector<double> omega;
-    for (const NaturalMode& mode : found.modes) omega.push_back(mode.omega_rad_s);
+    for (const dynamics::NaturalMode& mode : found.modes) omega.push_back(mode.omega_rad_s);
     return omega;
 }
 
@@ -114,8 +114,8 @@ TEST_P(ForceForms, APointMassWeighsDownAndSlowsTheEndOfABeam) {
     const test::BeamSpec spec = test::slender_beam(GetParam());
     test::HeldBeam beam = test::plain_body(spec);
     const double body_kg = spec.density_kg_m3 * spec.size.prod(), mu = 0.5;
-    const Affected heavy =
-        test::with_effect(beam, "point_mass", {{"mass_kg", mu * body_kg}, {"position_m", end_centre(spec)}});
+    const Affected heavy = test::with_effect(beam, "point_mass",
+                                             {{"mass_kg", mu * body_kg}, {"position_m", end_centre(spec)}});
     const double ratio = frequencies(heavy.model, 1)[0] / frequencies(beam.affected.model, 1)[0],
                  expected = squared_root(mu) / squared_root(0.0);
     test::record("frequency_ratio_error", ratio / expected - 1.0);
@@ -167,7 +167,7 @@ TEST_P(ForceForms, ABodyOnAThreadSlowsTheVibrationAlongItAlone) {
 }
 
 /// Frequency of the end's motion within [from_s, until_s], about wherever it swings.
-double swing_rad_s(const test::HeldBeam& beam, const Trace& trace, double from_s, double until_s) {
+double swing_rad_s(const test::HeldBeam& beam, const dynamics::Trace& trace, double from_s, double until_s) {
     std::vector<double> z;
     for (std::size_t k = 0; k < trace.times_s.size(); ++k)
         if (trace.times_s[k] > from_s - 1e-9 && trace.times_s[k] < until_s + 1e-9)
@@ -180,16 +180,16 @@ double swing_rad_s(const test::HeldBeam& beam, const Trace& trace, double from_s
 /// The body hangs from 1 s to 3 s; before and after that nothing of it is left.
 TEST_P(ForceForms, ABodyOnAThreadSwingsAlongAsLongAsItHangs) {
     test::BeamSpec spec = test::slender_beam(GetParam());
-    spec.damping_s = 4e-3;   // takes away the faster vibrations
+    spec.damping_s = 4e-3;  // takes away the faster vibrations
     test::HeldBeam beam = test::plain_body(spec);
     const double body_kg = spec.density_kg_m3 * spec.size.prod(), mu = 0.6, ratio = 40.0, step_s = 5e-3, comes_s = 1.0,
                  goes_s = 3.0, end_s = 4.0;
     test::push_tip(beam.affected.model, spec, {0.0, 0.0, -mu / ratio * body_kg * 9.80665});
     beam.affected.model.forces.back().from_s = comes_s;
     beam.affected.model.forces.back().until_s = goes_s;
-    test::push_tip(beam.affected.model, spec, {0.0, 0.0, 1e-3});   // let go at the start, sets it swinging
+    test::push_tip(beam.affected.model, spec, {0.0, 0.0, 1e-3});  // let go at the start, sets it swinging
     beam.affected.model.forces.back().until_s = 0.0;
-    beam.affected.options.start = StartKind::equilibrium;
+    beam.affected.options.start = dynamics::StartKind::equilibrium;
     beam.affected.options.end_s = end_s;
     const Affected hung = test::with_effect(beam, "hung_mass", {{"inertia_ratio", ratio}});
     ASSERT_EQ(hung.model.directional_masses.size(), 1u) << "what is let go at the start has no inertia in the run";
@@ -197,7 +197,7 @@ TEST_P(ForceForms, ABodyOnAThreadSwingsAlongAsLongAsItHangs) {
                  slowed_rad_s = free_rad_s * squared_root(mu) / squared_root(0.0);
     EXPECT_NEAR(frequencies(hung.model, 1, comes_s)[0] / slowed_rad_s, 1.0, 5e-3);
     EXPECT_NEAR(frequencies(hung.model, 1, goes_s)[0] / free_rad_s, 1.0, 1e-9);
-    const Trace trace = test::fine_run(hung, step_s, end_s);
+    const dynamics::Trace trace = test::fine_run(hung, step_s, end_s);
     ASSERT_TRUE(trace.complete());
     const double before = swing_rad_s(beam, trace, 0.4, comes_s),
                  during = swing_rad_s(beam, trace, comes_s + 0.6, goes_s),
@@ -213,23 +213,23 @@ TEST_P(ForceForms, ABodyOnAThreadSwingsAlongAsLongAsItHangs) {
 /// it.
 TEST_P(ForceForms, ATiltTurnsTheSagOfASquareBeam) {
     test::BeamSpec spec = test::slender_beam(GetParam());
-    spec.gravity_m_s2 = 0.981;   // small motions
+    spec.gravity_m_s2 = 0.981;  // small motions
     const test::HeldBeam beam = test::plain_body(spec);
     const double degrees = 7.0, angle = degrees * std::numbers::pi / 180.0;
-    const Affected tilted =
-        test::with_effect(beam, "gravity_tilt", {{"tilt_deg", degrees}, {"axis", VectorXd(Vector3d::UnitX())}});
+    const Affected tilted = test::with_effect(beam, "gravity_tilt",
+                                              {{"tilt_deg", degrees}, {"axis", VectorXd(Vector3d::UnitX())}});
     const Vector3d tip = test::tip_at_rest(beam, tilted.model);
     const double L = spec.size(0), E = spec.youngs_modulus_Pa, A = section_area(spec),
                  load = spec.density_kg_m3 * spec.gravity_m_s2 * A;
-    const double sag =
-        load * std::pow(L, 4) / (8.0 * E * second_moment(spec)) + 0.5 * load * L * L / (5.0 / 6.0 * 0.5 * E * A);
+    const double sag = load * std::pow(L, 4) / (8.0 * E * second_moment(spec)) +
+                       0.5 * load * L * L / (5.0 / 6.0 * 0.5 * E * A);
     test::record("angle_error_deg", (std::atan2(tip.y(), -tip.z()) - angle) * 180.0 / std::numbers::pi);
     test::record("sag_error", tip.tail<2>().norm() / sag - 1.0);
     EXPECT_NEAR(std::atan2(tip.y(), -tip.z()), angle, 0.01 * angle);
     EXPECT_NEAR(tip.tail<2>().norm() / sag, 1.0, 0.015);
     // About a line across the beam its weight pulls it along.
-    const Affected hanging =
-        test::with_effect(beam, "gravity_tilt", {{"tilt_deg", 90.0}, {"axis", VectorXd(Vector3d::UnitY())}});
+    const Affected hanging = test::with_effect(beam, "gravity_tilt",
+                                               {{"tilt_deg", 90.0}, {"axis", VectorXd(Vector3d::UnitY())}});
     EXPECT_NEAR(
         test::tip_at_rest(beam, hanging.model).x() / (-0.5 * spec.density_kg_m3 * spec.gravity_m_s2 * L * L / E), 1.0,
         2e-3);
@@ -239,4 +239,4 @@ INSTANTIATE_TEST_SUITE_P(OnTwoMeshes, ForceForms, testing::ValuesIn(test::two_ki
                          [](const auto& given) { return to_string(given.param); });
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::effect

@@ -4,7 +4,7 @@
 #include "plain_body.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// What cameras report of two markers on a body that falls freely from rest: X - g t^2 / 2, on two meshes.
-class MeasurementForms : public testing::TestWithParam<ElementKind> {
+class MeasurementForms : public testing::TestWithParam<fem::ElementKind> {
 protected:
     MeasurementForms() {
         test::BeamSpec spec;
@@ -28,10 +28,11 @@ protected:
 
     std::vector<Matrix3Xd> seen(const std::string& id, const EffectParameters& parameters) const {
         const Affected affected = test::with_effect(beam, id, parameters);
-        const Trace trace = test::fine_run(affected, 0.005, 0.3);
-        const MarkerTracks tracks = observe(trace, marker_set(affected.model.body->mesh, beam.site.marker_rest_m),
-                                            true_times(affected.seen, stamped_s));
-        return seen_tracks(affected.seen, tracks.positions, stamped_s);
+        const dynamics::Trace trace = test::fine_run(affected, 0.005, 0.3);
+        const measurement::MarkerTracks tracks = measurement::observe(
+            trace, measurement::marker_set(affected.model.body->mesh, beam.site.marker_rest_m),
+            measurement::true_times(affected.seen, stamped_s));
+        return measurement::seen_tracks(affected.seen, tracks.positions, stamped_s);
     }
 
     Vector3d fallen(std::size_t marker, double t) const {
@@ -85,4 +86,4 @@ INSTANTIATE_TEST_SUITE_P(OnTwoMeshes, MeasurementForms, testing::ValuesIn(test::
                          [](const auto& given) { return to_string(given.param); });
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::effect

@@ -5,22 +5,22 @@
 #include "plain_body.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::effect {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-class SupportForms : public testing::TestWithParam<ElementKind> {};
+class SupportForms : public testing::TestWithParam<fem::ElementKind> {};
 
-double deflection(const test::HeldBeam& beam, const Model& model) { return test::tip_at_rest(beam, model).z(); }
+double deflection(const test::HeldBeam& beam, const model::Model& model) { return test::tip_at_rest(beam, model).z(); }
 
 /// Held over its first sixth, a force at its end and nothing else.
-test::HeldBeam pushed(ElementKind kind, Eigen::Vector3i cells = {12, 2, 4}) {
+test::HeldBeam pushed(fem::ElementKind kind, Eigen::Vector3i cells = {12, 2, 4}) {
     test::HeldBeam beam = test::held_beam(cells, kind);
     beam.affected.model.gravity_m_s2.setZero();
-    beam.affected.model.fibres = std::make_shared<std::vector<FibreGroup>>();
+    beam.affected.model.fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
     beam.affected.model.activation.clear();
     beam.affected.model.forces.clear();
     test::push_tip(beam.affected.model, beam.spec, {0.0, 0.0, 1e-3});
@@ -45,14 +45,15 @@ TEST_P(SupportForms, ASlippingClampFreesAsMuchLength) {
     const double declared = deflection(beam, beam.affected.model);
     // Half of the clamp's two cells, where a mesh can say the same exactly.
     const Affected slipped = test::with_effect(beam, "clamp_slip", {{"free_length_m", 0.01}});
-    Model shorter = beam.affected.model;
-    shorter.body = make_body(shorter.body->mesh, beam.spec.kind,
-                             nodes_in_box(shorter.body->mesh, {{-1.0, -1.0, -1.0}, {0.01 + 1e-9, 1.0, 1.0}}));
+    model::Model shorter = beam.affected.model;
+    shorter.body = model::make_body(
+        shorter.body->mesh, beam.spec.kind,
+        mesh::nodes_in_box(shorter.body->mesh, {{-1.0, -1.0, -1.0}, {0.01 + 1e-9, 1.0, 1.0}}));
     const double expected = deflection(beam, shorter);
     EXPECT_GT(expected, 1.2 * declared);
     EXPECT_NEAR(deflection(beam, slipped.model), expected, 0.03 * (expected - declared));
     // Where a marker hangs on the cells in front of the clamp, these alone reach back.
-    beam.site.markers = marker_set(beam.site.body->mesh, {{0.024, 0.015, 0.03}}).bindings;
+    beam.site.markers = measurement::marker_set(beam.site.body->mesh, {{0.024, 0.015, 0.03}}).bindings;
     EXPECT_NEAR(deflection(beam, test::with_effect(beam, "clamp_slip", {{"free_length_m", 0.01}}).model), expected,
                 0.1 * (expected - declared));
     beam.site.markers.clear();
@@ -71,32 +72,33 @@ TEST_P(SupportForms, ASlippingClampFreesAsMuchLength) {
 TEST(EffectForms, ASlippingClampLeavesMusclesAndMarkersAtRest) {
     test::HeldBeam beam = test::held_beam();
     const Vector3d on_first_cell(0.024, 0.015, 0.03);
-    beam.site.markers = marker_set(beam.site.body->mesh, {on_first_cell}).bindings;
+    beam.site.markers = measurement::marker_set(beam.site.body->mesh, {on_first_cell}).bindings;
     const double free_m = 0.006;
     const Affected slipped = test::with_effect(beam, "clamp_slip", {{"free_length_m", free_m}});
-    const Body& body = *slipped.model.body;
-    EXPECT_NEAR(cell_volumes(body.mesh).sum(), cell_volumes(beam.site.body->mesh).sum(), 1e-12);
-    EXPECT_GT(cell_volumes(test::with_effect(beam, "clamp_slip", {{"free_length_m", 1.0}}).model.body->mesh).minCoeff(),
-              0.0);   // something stays held
+    const model::Body& body = *slipped.model.body;
+    EXPECT_NEAR(mesh::cell_volumes(body.mesh).sum(), mesh::cell_volumes(beam.site.body->mesh).sum(), 1e-12);
+    EXPECT_GT(
+        mesh::cell_volumes(test::with_effect(beam, "clamp_slip", {{"free_length_m", 1.0}}).model.body->mesh).minCoeff(),
+        0.0);  // something stays held
     const Eigen::Matrix3d stretch = Vector3d(1.2, 0.9, 1.0).asDiagonal();
     const Matrix3Xd x = stretch * body.mesh.nodes;
     for (std::size_t g = 0; g < slipped.model.fibres->size(); ++g) {
-        const FibreGroup& group = (*slipped.model.fibres)[g];
+        const fibre::FibreGroup& group = (*slipped.model.fibres)[g];
         EXPECT_NEAR(group.volume(), (*beam.affected.model.fibres)[g].volume() * (0.1 + free_m) / 0.1, 1e-12);
-        for (const FibrePoint& point : group.points)
+        for (const fibre::FibrePoint& point : group.points)
             EXPECT_LT((x(Eigen::all, body.mesh.cells.col(point.cell)) * point.shape - Vector3d(1.2, 0.0, 0.0)).norm(),
                       1e-9);
     }
-    const MarkerBinding& marker = beam.site.markers.front();
+    const measurement::MarkerBinding& marker = beam.site.markers.front();
     std::vector<Matrix3Xd> tracks{body.mesh.nodes(Eigen::all, marker.nodes) * marker.weights};
     EXPECT_GT((tracks[0] - on_first_cell).norm(), 0.1 * free_m);
-    EXPECT_LT((seen_tracks(slipped.seen, tracks, VectorXd::Zero(1))[0] - on_first_cell).norm(), 1e-12);
+    EXPECT_LT((measurement::seen_tracks(slipped.seen, tracks, VectorXd::Zero(1))[0] - on_first_cell).norm(), 1e-12);
 }
 
 /// A beam of the proportions that soft specimens have.
-test::HeldBeam held_bar(ElementKind kind, double poissons_ratio = 0.45) {
+test::HeldBeam held_bar(fem::ElementKind kind, double poissons_ratio = 0.45) {
     test::BeamSpec spec = test::slender_beam(kind);
-    if (kind == ElementKind::hex8)
+    if (kind == fem::ElementKind::hex8)
         spec.cells = {20, 4, 4};
     else
         spec.cells = {10, 2, 2};
@@ -111,7 +113,7 @@ Matrix3Xd pose(const test::HeldBeam& beam, const Vector3d& offset_m) {
 
 /// The static shape under an end force, the free end's centre brought to where it is in the pose.
 Matrix3Xd solved_pose(const test::HeldBeam& beam, const Vector3d& offset_m) {
-    Model model = beam.affected.model;
+    model::Model model = beam.affected.model;
     test::push_tip(model, beam.spec, offset_m / test::end_compliance(beam.spec));
     Matrix3Xd x;
     for (int correction = 0; correction < 6; ++correction) {
@@ -126,7 +128,7 @@ Matrix3Xd solved_pose(const test::HeldBeam& beam, const Vector3d& offset_m) {
 /// them.
 TEST_P(SupportForms, AHeldPoseIsTheStaticShapeUnderAnEndForce) {
     const test::HeldBeam beam = held_bar(GetParam());
-    const Model& model = beam.affected.model;
+    const model::Model& model = beam.affected.model;
     for (const Vector3d& offset :
          {Vector3d(0.0, 0.0, 0.004), Vector3d(0.0, -0.012, 0.016), Vector3d(0.0, 0.0, -0.04)}) {
         const Matrix3Xd found = pose(beam, offset), expected = solved_pose(beam, offset), X = model.body->mesh.nodes;
@@ -143,17 +145,19 @@ TEST_P(SupportForms, AHeldPoseIsTheStaticShapeUnderAnEndForce) {
         EXPECT_LT(largest, 0.05 * offset.norm());
         EXPECT_NEAR(tip.x(), solved.x(), 0.012 * offset.norm());
         for (Eigen::Index i = 0; i < X.cols(); ++i)
-            if (X(0, i) == 0.0) { EXPECT_EQ(found.col(i), X.col(i)); }
+            if (X(0, i) == 0.0) {
+                EXPECT_EQ(found.col(i), X.col(i));
+            }
     }
 }
 
 /// What it was before sections turned: the marker moved across alone.
 TEST_P(SupportForms, AHeldPoseTurnsItsSections) {
     const test::HeldBeam beam = held_bar(GetParam());
-    const MarkerSet markers = marker_set(beam.site.body->mesh, {{0.09, 0.01, 0.02}});
+    const measurement::MarkerSet markers = measurement::marker_set(beam.site.body->mesh, {{0.09, 0.01, 0.02}});
     const auto shift = [&](const Matrix3Xd& x) {
-        const MarkerBinding& marker = markers.bindings[0];
-        return Vector3d(marker_position(marker, x(Eigen::all, marker.nodes)) - Vector3d(0.09, 0.01, 0.02));
+        const measurement::MarkerBinding& marker = markers.bindings[0];
+        return Vector3d(measurement::marker_position(marker, x(Eigen::all, marker.nodes)) - Vector3d(0.09, 0.01, 0.02));
     };
     const Vector3d offset(0.0, 0.0, 0.004), found = shift(pose(beam, offset)),
                                             solved = shift(solved_pose(beam, offset));
@@ -171,7 +175,9 @@ TEST_P(SupportForms, AHeldPoseMovesTheFreeEndsCentreByItsOffset) {
         const Vector3d offset = part * L * Vector3d(0.0, 0.6, -0.8);
         const Vector3d tip = test::tip_displacement(beam.affected.model, beam.spec, pose(beam, offset));
         EXPECT_NEAR((tip - offset).tail<2>().norm(), 0.0, 1e-9 * L) << part;
-        if (part <= 0.1) { EXPECT_NEAR(tip.x() / (-0.6 * part * part * L), 1.0, 0.05) << part; }
+        if (part <= 0.1) {
+            EXPECT_NEAR(tip.x() / (-0.6 * part * part * L), 1.0, 0.05) << part;
+        }
         EXPECT_LT((pose(beam, offset + 0.3 * L * Vector3d::UnitX()) - pose(beam, offset)).norm(), 1e-12)
             << "along the axis it says nothing";
     }
@@ -184,13 +190,13 @@ TEST_P(SupportForms, AHeldPoseMovesTheFreeEndsCentreByItsOffset) {
     EXPECT_NEAR(test::tip_displacement(beam.affected.model, beam.spec, aside).y(), 0.01, 1e-9);
     // It is let go straight or not at all.
     test::HeldBeam resting = beam;
-    resting.site.start = StartKind::equilibrium;
+    resting.site.start = dynamics::StartKind::equilibrium;
     EXPECT_EQ(pose(resting, {0.0, 0.0, 0.01}).size(), 0);
 }
 
 /// Along every component, also through no offset at all.
 TEST(EffectForms, AHeldPoseIsSmoothInItsOffset) {
-    const test::HeldBeam beam = held_bar(ElementKind::hex8);
+    const test::HeldBeam beam = held_bar(fem::ElementKind::hex8);
     for (const Vector3d& offset : {Vector3d(0.0, 0.0, 0.0), Vector3d(0.0, 1e-4, 0.0), Vector3d(0.0, 0.004, -0.02)})
         for (const Vector3d& along : {Vector3d(0.0, 1.0, 0.0), Vector3d(0.0, 0.0, 1.0)}) {
             const auto slope = [&](double width) {
@@ -206,4 +212,4 @@ INSTANTIATE_TEST_SUITE_P(OnTwoMeshes, SupportForms, testing::ValuesIn(test::two_
                          [](const auto& given) { return to_string(given.param); });
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::effect

@@ -7,7 +7,7 @@
 #include "support/dense.hpp"
 #include "support/meshes.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
 using Eigen::Matrix3d;
@@ -21,12 +21,12 @@ Matrix3d tensor(const Eigen::Matrix<double, 6, 1>& s) {
 }
 
 AssumedStrainBlock distorted_block() {
-    return assumed_strain_block(test::distorted_mesh(CellType::hex8, {2, 2, 2}, 0.2), {});
+    return assumed_strain_block(test::distorted_mesh(mesh::CellType::hex8, {2, 2, 2}, 0.2), {});
 }
 
 /// The shapes see no linear field, and there are as many as a mean gradient cannot see.
 TEST(AssumedStrain, ShapesAreOrthogonalToLinearFields) {
-    const VolumeMesh mesh = test::distorted_mesh(CellType::hex8, {2, 2, 2}, 0.2);
+    const mesh::VolumeMesh mesh = test::distorted_mesh(mesh::CellType::hex8, {2, 2, 2}, 0.2);
     const AssumedStrainBlock block = assumed_strain_block(mesh, {});
     for (int c = 0; c < block.cell_count(); ++c) {
         const AssumedStrainGeometry& cell = block.geometry[static_cast<std::size_t>(c)];
@@ -79,7 +79,8 @@ TEST(AssumedStrain, PointsIntegratePowersOfAStrainThatVariesLinearly) {
 
 /// Equibiaxial strain counts in full where the body ends, less between cells, least at a clamp.
 TEST(AssumedStrain, EquibiaxialStrainCountsByWhatLiesBeside) {
-    const VolumeMesh mesh = test::box_mesh(ElementKind::hex8, {Vector3d::Zero(), Vector3d(4.0, 1.0, 3.0)}, {4, 1, 3});
+    const mesh::VolumeMesh mesh = test::box_mesh(ElementKind::hex8, {Vector3d::Zero(), Vector3d(4.0, 1.0, 3.0)},
+                                                 {4, 1, 3});
     std::vector<bool> clamped(static_cast<std::size_t>(mesh.node_count()));
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) clamped[static_cast<std::size_t>(i)] = mesh.nodes(0, i) == 0.0;
     const CellSurroundings around = cell_surroundings(mesh, clamped);
@@ -110,4 +111,4 @@ TEST(ReferencePoints, LieWhereTheRulesPutThem) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fem

@@ -6,7 +6,7 @@
 #include "fem/element_block.hpp"
 #include "support/meshes.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
 using Eigen::Matrix3d;
@@ -23,7 +23,8 @@ TEST(ElementBlock, NamesGoThereAndBack) {
     }
     ElementKind kind = ElementKind::tet4;
     EXPECT_FALSE(parse_element("hex9", kind));
-    for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) EXPECT_EQ(cell_type(default_element(type)), type);
+    for (const mesh::CellType type : {mesh::CellType::hex8, mesh::CellType::tet4, mesh::CellType::tet10})
+        EXPECT_EQ(cell_type(default_element(type)), type);
 }
 
 TEST(ElementBlock, AFineElementHasTheSameNodesAndIsItsOwn) {
@@ -40,8 +41,8 @@ TEST(ElementBlock, VolumesAreTheMeshsAndGradientsReproduceLinearFields) {
     A << 0.9, 0.3, -0.2, 0.1, 1.2, 0.4, -0.5, 0.2, 0.8;
     for (const std::string& id : element_ids()) {
         const ElementKind kind = test::element(id);
-        const VolumeMesh mesh = test::distorted_mesh(cell_type(kind), {2, 2, 2}, 0.2);
-        const Eigen::VectorXd volumes = cell_volumes(mesh);
+        const mesh::VolumeMesh mesh = test::distorted_mesh(cell_type(kind), {2, 2, 2}, 0.2);
+        const Eigen::VectorXd volumes = mesh::cell_volumes(mesh);
         const Eigen::Matrix3Xd x = test::mapped(mesh, A, {3.0, -1.0, 2.0});
         std::visit(
             [&](const auto& block) {
@@ -68,12 +69,12 @@ TEST(ElementBlock, VolumesAreTheMeshsAndGradientsReproduceLinearFields) {
 /// Consistent mass against the closed moments of the box: exact for the quadratic and linear fields the elements hold.
 TEST(ConsistentMass, HasTheExactMomentsOfTheBody) {
     const Vector3d L = test::unit_box().size();
-    for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) {
-        VolumeMesh mesh = test::box_mesh(default_element(type), test::unit_box(), {2, 2, 2});
+    for (const mesh::CellType type : {mesh::CellType::hex8, mesh::CellType::tet4, mesh::CellType::tet10}) {
+        mesh::VolumeMesh mesh = test::box_mesh(default_element(type), test::unit_box(), {2, 2, 2});
         // Moving inner nodes only keeps the body.
         std::mt19937 random(2);
         std::uniform_real_distribution<double> shift(-0.03, 0.03);
-        if (type != CellType::tet10)
+        if (type != mesh::CellType::tet10)
             for (Eigen::Index i = 0; i < mesh.node_count(); ++i)
                 if (((mesh.nodes.col(i).array() > 1e-9) && (mesh.nodes.col(i).array() < L.array() - 1e-9)).all())
                     mesh.nodes.col(i) += Vector3d(shift(random), shift(random), shift(random));
@@ -91,7 +92,7 @@ TEST(ConsistentMass, HasTheExactMomentsOfTheBody) {
             const int s = (r + 1) % 3;
             EXPECT_NEAR(X.col(r).dot(M * X.col(s)), volume * L(r) * L(s) / 4.0, 1e-13) << to_string(type);
         }
-        if (type == CellType::tet10) {   // x^2 is in its space; its square has degree 4
+        if (type == mesh::CellType::tet10) {  // x^2 is in its space; its square has degree 4
             const Eigen::VectorXd square = X.col(0).cwiseAbs2();
             EXPECT_NEAR(square.dot(M * square), volume * std::pow(L(0), 4) / 5.0, 1e-13);
         }
@@ -99,4 +100,4 @@ TEST(ConsistentMass, HasTheExactMomentsOfTheBody) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fem

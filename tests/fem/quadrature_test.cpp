@@ -4,10 +4,12 @@
 
 #include "fem/quadrature.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
-double monomial(const Eigen::Vector3d& x, int i, int j, int k) { return std::pow(x(0), i) * std::pow(x(1), j) * std::pow(x(2), k); }
+double monomial(const Eigen::Vector3d& x, int i, int j, int k) {
+    return std::pow(x(0), i) * std::pow(x(1), j) * std::pow(x(2), k);
+}
 
 double integral(const std::vector<QuadraturePoint>& rule, int i, int j, int k) {
     double sum = 0.0;
@@ -26,7 +28,8 @@ int exact_degree(const std::vector<QuadraturePoint>& rule, int up_to) {
     for (int degree = 0; degree <= up_to; ++degree)
         for (int i = 0; i <= degree; ++i)
             for (int j = 0; i + j <= degree; ++j)
-                if (std::abs(integral(rule, i, j, degree - i - j) - tet_integral(i, j, degree - i - j)) > 1e-13) return degree - 1;
+                if (std::abs(integral(rule, i, j, degree - i - j) - tet_integral(i, j, degree - i - j)) > 1e-13)
+                    return degree - 1;
     return up_to;
 }
 
@@ -37,7 +40,8 @@ TEST(Quadrature, GaussIsExactToTwiceThePointsLessOnePerAxisAndNoFurther) {
         for (int i = 0; i <= p; ++i)
             for (int j = 0; j <= p; ++j)
                 for (int k = 0; k <= p; ++k)
-                    EXPECT_NEAR(integral(rule, i, j, k), line_integral(i) * line_integral(j) * line_integral(k), 1e-14) << n;
+                    EXPECT_NEAR(integral(rule, i, j, k), line_integral(i) * line_integral(j) * line_integral(k), 1e-14)
+                        << n;
         EXPECT_GT(std::abs(integral(rule, p + 1, 0, 0) - 4.0 * line_integral(p + 1)), 1e-3);
     }
 }
@@ -79,4 +83,4 @@ TEST(Quadrature, TenPointsSeeFourthPowersOfLinearFunctions) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fem

@@ -4,7 +4,7 @@
 #include "mesh/cell_topology.hpp"
 #include "support/differences.hpp"
 
-namespace myo {
+namespace myo::fem {
 namespace {
 
 using Eigen::Vector3d;
@@ -24,7 +24,8 @@ template <>
 struct Nodes<Tet10> {
     static Vector3d at(int a) {
         if (a < 4) return Nodes<Tet4>::at(a);
-        const auto& edge = tetrahedron_edges[static_cast<std::size_t>(a - 4)];   // the mesh's numbering, not the element's own
+        const auto& edge = mesh::tetrahedron_edges[static_cast<std::size_t>(
+            a - 4)];  // the mesh's numbering, not the element's own
         return 0.5 * (Nodes<Tet4>::at(edge[0]) + Nodes<Tet4>::at(edge[1]));
     }
 };
@@ -62,8 +63,9 @@ TYPED_TEST(ShapeFunctions, DerivativesAgreeWithDifferences) {
     const VectorXd xi = Vector3d(0.13, 0.22, 0.31);
     const auto values = [](const VectorXd& x) { return VectorXd(TypeParam::values(Vector3d(x))); };
     // Quadratic along each axis at most: the differences are exact but for rounding.
-    test::expect_equal_to_differences(TypeParam::derivatives(Vector3d(xi)), test::central_differences(values, xi, 1e-3), 1e-12, "dN/dxi");
+    test::expect_equal_to_differences(TypeParam::derivatives(Vector3d(xi)), test::central_differences(values, xi, 1e-3),
+                                      1e-12, "dN/dxi");
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fem

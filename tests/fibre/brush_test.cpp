@@ -9,15 +9,15 @@
 #include "fibre/pulled.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Vector3d;
 using test::all_cell_types;
 
-VolumeMesh cube_mesh(CellType type, const Eigen::Vector3i& cells) {
+mesh::VolumeMesh cube_mesh(mesh::CellType type, const Eigen::Vector3i& cells) {
     const Box cube{Vector3d::Zero(), Vector3d::Ones()};
-    return type == CellType::hex8 ? box_hex_mesh(cube, cells) : tet_box_mesh(cube, cells, type);
+    return type == mesh::CellType::hex8 ? mesh::box_hex_mesh(cube, cells) : mesh::tet_box_mesh(cube, cells, type);
 }
 
 const Vector3d up = Vector3d::UnitZ();
@@ -30,9 +30,13 @@ Stroke stroke_over_top(const CellPlaces& places, const Brush& brush, int points,
     return stroke;
 }
 Vector3d straight(double s) { return {0.25 + 0.5 * s, 0.5, 1.0}; }
-Vector3d circle(double s) { return {0.5 + 0.3 * std::cos(2.0 * std::numbers::pi * s), 0.5 + 0.3 * std::sin(2.0 * std::numbers::pi * s), 1.0}; }
+Vector3d circle(double s) {
+    return {0.5 + 0.3 * std::cos(2.0 * std::numbers::pi * s), 0.5 + 0.3 * std::sin(2.0 * std::numbers::pi * s), 1.0};
+}
 
-CellPaint painted(const VolumeMesh& mesh, const Stroke& stroke) { return stroke.over(blank_paint(mesh), Vector3d::UnitY()); }
+CellPaint painted(const mesh::VolumeMesh& mesh, const Stroke& stroke) {
+    return stroke.over(blank_paint(mesh), Vector3d::UnitY());
+}
 
 /// A straight stroke fills a channel with round ends; on hexahedra and tetrahedra alike.
 TEST(Stroke, PaintsAChannel) {
@@ -41,11 +45,12 @@ TEST(Stroke, PaintsAChannel) {
     brush.depth_m = 0.3;
     const double expected = 0.3 * (0.5 * 0.3 + std::numbers::pi * 0.15 * 0.15);
     double worst = 0.0;
-    for (const CellType type : all_cell_types) {
-        const VolumeMesh mesh = cube_mesh(type, type == CellType::hex8 ? Eigen::Vector3i(40, 40, 40) : Eigen::Vector3i(20, 20, 20));
-        const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
+    for (const mesh::CellType type : all_cell_types) {
+        const mesh::VolumeMesh mesh = cube_mesh(
+            type, type == mesh::CellType::hex8 ? Eigen::Vector3i(40, 40, 40) : Eigen::Vector3i(20, 20, 20));
+        const CellPlaces places = cell_places(mesh, mesh::neighbouring_cells(mesh));
         const CellPaint paint = painted(mesh, stroke_over_top(places, brush, 12, straight));
-        const double volume = amount_of(paint, cell_volumes(mesh)).volume_m3;
+        const double volume = amount_of(paint, mesh::cell_volumes(mesh)).volume_m3;
         worst = std::max(worst, std::abs(volume / expected - 1.0));
         for (Eigen::Index c = 0; c < paint.count(); ++c)
             if (paint.weights(c) > 0.0) {
@@ -63,9 +68,10 @@ TEST(Stroke, FollowsTheHand) {
     Brush brush;
     brush.radius_m = 0.1;
     brush.depth_m = 0.2;
-    const VolumeMesh mesh = cube_mesh(CellType::hex8, {24, 24, 8});
-    const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
-    const CellPaint many = painted(mesh, stroke_over_top(places, brush, 400, circle)), few = painted(mesh, stroke_over_top(places, brush, 60, circle));
+    const mesh::VolumeMesh mesh = cube_mesh(mesh::CellType::hex8, {24, 24, 8});
+    const CellPlaces places = cell_places(mesh, mesh::neighbouring_cells(mesh));
+    const CellPaint many = painted(mesh, stroke_over_top(places, brush, 400, circle)),
+                    few = painted(mesh, stroke_over_top(places, brush, 60, circle));
     double worst = 0.0, worst_between = 0.0;
     int differing = 0;
     for (Eigen::Index c = 0; c < many.count(); ++c) {
@@ -78,12 +84,12 @@ TEST(Stroke, FollowsTheHand) {
     }
     EXPECT_LT(worst, 1.0 - std::cos(0.1));
     EXPECT_LT(worst_between, 1.0 - std::cos(0.1));
-    EXPECT_LT(differing, 0.02 * amount_of(many, cell_volumes(mesh)).cells);
+    EXPECT_LT(differing, 0.02 * amount_of(many, mesh::cell_volumes(mesh)).cells);
 }
 
 TEST(Stroke, MirrorsFallsOffAndErases) {
-    const VolumeMesh mesh = cube_mesh(CellType::hex8, {20, 20, 5});
-    const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
+    const mesh::VolumeMesh mesh = cube_mesh(mesh::CellType::hex8, {20, 20, 5});
+    const CellPlaces places = cell_places(mesh, mesh::neighbouring_cells(mesh));
     Brush brush;
     brush.radius_m = 0.2;
     brush.depth_m = std::numeric_limits<double>::infinity();
@@ -102,7 +108,7 @@ TEST(Stroke, MirrorsFallsOffAndErases) {
         const Eigen::Index m = at({x.x(), 1.0 - x.y(), x.z()});
         ASSERT_NEAR(paint.weights(c), paint.weights(m), 1e-12);
         const Vector3d d = paint.directions.col(c), mirrored(d.x(), -d.y(), d.z());
-        ASSERT_NEAR(paint.weights(c), paint.weights(at({x.x(), x.y(), 0.1})), 1e-12);   // through the body
+        ASSERT_NEAR(paint.weights(c), paint.weights(at({x.x(), x.y(), 0.1})), 1e-12);  // through the body
         if (!(paint.weights(c) > 0.0)) continue;
         ASSERT_NEAR(std::abs(mirrored.dot(paint.directions.col(m))), 1.0, 1e-9);
         least = std::min(least, paint.weights(c));
@@ -113,14 +119,14 @@ TEST(Stroke, MirrorsFallsOffAndErases) {
     brush.erase = true;
     brush.falloff = 0.0;
     const CellPaint erased = stroke_over_top(places, brush, 30, slanted).over(paint, up);
-    EXPECT_EQ(amount_of(erased, cell_volumes(mesh)).cells, 0);
+    EXPECT_EQ(amount_of(erased, mesh::cell_volumes(mesh)).cells, 0);
     EXPECT_EQ(erased.directions.norm(), 0.0);
 }
 
 /// A single touch turns no fibres; without paint it takes the direction that it is given, and an axis is always taken.
 TEST(Stroke, ATouchHasNoDirectionOfItsOwn) {
-    const VolumeMesh mesh = cube_mesh(CellType::hex8, {10, 10, 4});
-    const CellPlaces places = cell_places(mesh, neighbouring_cells(mesh));
+    const mesh::VolumeMesh mesh = cube_mesh(mesh::CellType::hex8, {10, 10, 4});
+    const CellPlaces places = cell_places(mesh, mesh::neighbouring_cells(mesh));
     Brush brush;
     brush.radius_m = 0.2;
     const auto middle = [](double) { return Vector3d(0.5, 0.5, 1.0); };
@@ -128,7 +134,8 @@ TEST(Stroke, ATouchHasNoDirectionOfItsOwn) {
     before.weights.setConstant(0.5);
     before.directions.colwise() = Vector3d::UnitX();
     brush.depth_m = 2.0;
-    const CellPaint touched = stroke_over_top(places, brush, 1, middle).over(before, Vector3d::UnitY()), fresh = painted(mesh, stroke_over_top(places, brush, 1, middle));
+    const CellPaint touched = stroke_over_top(places, brush, 1, middle).over(before, Vector3d::UnitY()),
+                    fresh = painted(mesh, stroke_over_top(places, brush, 1, middle));
     brush.axis = up;
     const CellPaint along_axis = stroke_over_top(places, brush, 1, middle).over(before, Vector3d::UnitY());
     int cells = 0;
@@ -144,4 +151,4 @@ TEST(Stroke, ATouchHasNoDirectionOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fibre

@@ -4,7 +4,7 @@
 #include "support/differences.hpp"
 #include "support/meshes.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Matrix3d;
@@ -22,14 +22,18 @@ TEST(FibreResponse, AgreesWithDifferences) {
     for (const double a : {-2.0, 0.6, 1.0, 1.7})
         for (const Vector3d& s : {Vector3d(1, 0, 0), Vector3d(0.3, -0.8, 0.5), Vector3d(1.5, 1.0, -2.0)}) {
             const FibreResponse r = fibre_response(s, a, w);
-            const auto energy = [&](const VectorXd& v) { return VectorXd::Constant(1, fibre_response(v, a, w).energy); };
+            const auto energy = [&](const VectorXd& v) {
+                return VectorXd::Constant(1, fibre_response(v, a, w).energy);
+            };
             const auto gradient = [&](const VectorXd& v) { return VectorXd(fibre_response(v, a, w).gradient); };
             const auto at_activation = [&](const VectorXd& v) { return VectorXd(fibre_response(s, v(0), w).gradient); };
             if (r.gradient.norm() > 0.0)
-                test::expect_derivative(r.gradient.transpose(), test::central_differences(energy, s, 1e-5), 1e-8, "gradient");
+                test::expect_derivative(r.gradient.transpose(), test::central_differences(energy, s, 1e-5), 1e-8,
+                                        "gradient");
             test::expect_derivative(r.hessian, test::central_differences(gradient, s, 1e-5), 1e-8, "Hessian");
-            test::expect_equal_to_differences(r.gradient_activation, 
-                                              test::central_differences(at_activation, VectorXd::Constant(1, a), 1e-3), 1e-10, "da");
+            test::expect_equal_to_differences(r.gradient_activation,
+                                              test::central_differences(at_activation, VectorXd::Constant(1, a), 1e-3),
+                                              1e-10, "da");
             EXPECT_LT((r.hessian - r.hessian.transpose()).norm(), 1e-15 * r.hessian.norm());
         }
 }
@@ -52,12 +56,13 @@ TEST(FibresInBox, HaveTheVolumeAndSeeLinearFieldsExactly) {
     A << 0.9, 0.3, -0.2, 0.1, 1.2, 0.4, -0.5, 0.2, 0.8;
     const Vector3d m = Vector3d(1, 2, -1).normalized();
     const Box whole{{-1, -1, -1}, {2, 2, 2}};
-    for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) {
-        const VolumeMesh mesh = test::distorted_mesh(type, {2, 2, 2}, 0.15);
+    for (const mesh::CellType type : {mesh::CellType::hex8, mesh::CellType::tet4, mesh::CellType::tet10}) {
+        const mesh::VolumeMesh mesh = test::distorted_mesh(type, {2, 2, 2}, 0.15);
         const FibreGroup group = fibres_in_box(mesh, whole, m, 2.0, "all");
-        EXPECT_NEAR(group.volume(), cell_volumes(mesh).sum(), 1e-12) << to_string(type);
+        EXPECT_NEAR(group.volume(), mesh::cell_volumes(mesh).sum(), 1e-12) << to_string(type);
         const Eigen::Matrix3Xd x = test::mapped(mesh, A, {5, 6, 7});
-        for (const FibrePoint& point : group.points) EXPECT_LT((stretch_vector(point, mesh.cells, x) - A * m).norm(), 1e-12);
+        for (const FibrePoint& point : group.points)
+            EXPECT_LT((stretch_vector(point, mesh.cells, x) - A * m).norm(), 1e-12);
     }
 }
 
@@ -66,16 +71,17 @@ TEST(FibresInBox, HaveTheVolumeAndSeeLinearFieldsExactly) {
 TEST(FibresInBox, ThinSlabBendsAsItShould) {
     const Box slab{{0.3, 0.0, 0.05}, {0.9, 0.8, 0.15}};
     const Vector3d m = Vector3d::UnitX();
-    std::vector<VolumeMesh> meshes;
-    for (const Eigen::Vector3i& cells : {Eigen::Vector3i(1, 1, 1), Eigen::Vector3i(3, 2, 2), Eigen::Vector3i(10, 4, 12)})
-        for (const ElementKind element : {ElementKind::hex8, ElementKind::tet10}) {
+    std::vector<mesh::VolumeMesh> meshes;
+    for (const Eigen::Vector3i& cells :
+         {Eigen::Vector3i(1, 1, 1), Eigen::Vector3i(3, 2, 2), Eigen::Vector3i(10, 4, 12)})
+        for (const fem::ElementKind element : {fem::ElementKind::hex8, fem::ElementKind::tet10}) {
             meshes.push_back(test::box_mesh(element, test::unit_box(), cells));
             // A parallelogram in plan: the bilinear motion below is still one of the element.
-            VolumeMesh oblique = meshes.back();
+            mesh::VolumeMesh oblique = meshes.back();
             oblique.nodes.row(0) += 0.3 * oblique.nodes.row(1);
             meshes.push_back(std::move(oblique));
         }
-    for (const VolumeMesh& mesh : meshes) {
+    for (const mesh::VolumeMesh& mesh : meshes) {
         const FibreGroup group = fibres_in_box(mesh, slab, m, 2.0, "slab");
         const double volume = slab.size().prod();
         EXPECT_NEAR(group.volume(), volume, 1e-14);
@@ -91,16 +97,18 @@ TEST(FibresInBox, ThinSlabBendsAsItShould) {
         EXPECT_NEAR(first / volume, 0.10, 1e-12);
         EXPECT_NEAR(second / volume, 0.10 * 0.10 + 0.10 * 0.10 / 12.0, 1e-12);
     }
-    EXPECT_TRUE(fibres_in_box(box_hex_mesh(test::unit_box(), {2, 2, 2}), Box{{2, 2, 2}, {3, 3, 3}}, m, 1.0, "out").points.empty());
+    EXPECT_TRUE(fibres_in_box(mesh::box_hex_mesh(test::unit_box(), {2, 2, 2}), Box{{2, 2, 2}, {3, 3, 3}}, m, 1.0, "out")
+                    .points.empty());
 }
 
 TEST(FibresInBox, OtherCellsKeepTheVolumeInsideTheBox) {
     const Box slab{{0.0, 0.0, 0.0}, {1.0, 0.8, 0.2}};
-    for (const CellType type : {CellType::tet4, CellType::tet10}) {
-        const VolumeMesh mesh = tet_box_mesh(test::unit_box(), {3, 2, 2}, type);
-        EXPECT_NEAR(fibres_in_box(mesh, slab, Vector3d::UnitX(), 1.0, "slab").volume(), slab.size().prod(), 1e-12) << to_string(type);
+    for (const mesh::CellType type : {mesh::CellType::tet4, mesh::CellType::tet10}) {
+        const mesh::VolumeMesh mesh = mesh::tet_box_mesh(test::unit_box(), {3, 2, 2}, type);
+        EXPECT_NEAR(fibres_in_box(mesh, slab, Vector3d::UnitX(), 1.0, "slab").volume(), slab.size().prod(), 1e-12)
+            << to_string(type);
     }
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fibre

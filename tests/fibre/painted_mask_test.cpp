@@ -11,7 +11,7 @@
 #include "support/figures.hpp"
 #include "support/folder.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,50 +23,60 @@ using test::mesh_of;
 const Box painted_box{{0.2, 0.0, 0.3}, {0.8, 0.4, 0.6}};
 
 /// The cells within the box, along x.
-PaintedMask boxed_mask(const VolumeMesh& mesh) {
-    return mask_of_cells(mesh, {volume_fractions(mesh, painted_box), Vector3d::UnitX().replicate(1, mesh.cell_count())});
+PaintedMask boxed_mask(const mesh::VolumeMesh& mesh) {
+    return mask_of_cells(
+        mesh, {mesh::volume_fractions(mesh, painted_box), Vector3d::UnitX().replicate(1, mesh.cell_count())});
 }
 
 TEST(PaintedMask, OnItsOwnMeshIsWhatWasPainted) {
-    for (const CellType type : all_cell_types) {
-        const VolumeMesh mesh = type == CellType::hex8 ? mesh_of(type, {10, 8, 6}) : test::distorted_mesh(type, {4, 3, 3}, 0.1);
-        VectorXd weights = volume_fractions(mesh, painted_box);
+    for (const mesh::CellType type : all_cell_types) {
+        const mesh::VolumeMesh mesh = type == mesh::CellType::hex8 ? mesh_of(type, {10, 8, 6})
+                                                                   : test::distorted_mesh(type, {4, 3, 3}, 0.1);
+        VectorXd weights = mesh::volume_fractions(mesh, painted_box);
         Matrix3Xd directions = test::rough_field(mesh.cell_count(), 0.3).colwise().normalized();
         const PaintedMask mask = mask_of_cells(mesh, {weights, directions});
         const FibreGroup group = fibres_of_mask(mesh, mask, 2.0, "painted");
-        EXPECT_NEAR(group.volume(), weights.dot(cell_volumes(mesh)), 1e-13) << to_string(type);
+        EXPECT_NEAR(group.volume(), weights.dot(mesh::cell_volumes(mesh)), 1e-13) << to_string(type);
         for (const FibrePoint& point : group.points) {
             Vector3d m = Vector3d::Zero();
-            for (int n = 0; n < point.shape.size(); ++n) m += point.shape(n) * mesh.nodes.col(mesh.cells(n, point.cell));
+            for (int n = 0; n < point.shape.size(); ++n)
+                m += point.shape(n) * mesh.nodes.col(mesh.cells(n, point.cell));
             ASSERT_LT((m - directions.col(point.cell)).norm(), 1e-9);
         }
     }
 }
 
 TEST(PaintedMask, PullsLikeTheBoxOfTheSameCells) {
-    const VolumeMesh mesh = mesh_of(CellType::hex8, {10, 8, 6});
-    const FibreGroup mask = fibres_of_mask(mesh, boxed_mask(mesh), 2.0, "mask"), box = fibres_in_box(mesh, painted_box, Vector3d::UnitX(), 2.0, "box");
-    EXPECT_LT(test::relative_difference(test::fibre_forces(mesh, mask, test::bent(mesh), 0.8), test::fibre_forces(mesh, box, test::bent(mesh), 0.8)), 1e-12);
+    const mesh::VolumeMesh mesh = mesh_of(mesh::CellType::hex8, {10, 8, 6});
+    const FibreGroup mask = fibres_of_mask(mesh, boxed_mask(mesh), 2.0, "mask"),
+                     box = fibres_in_box(mesh, painted_box, Vector3d::UnitX(), 2.0, "box");
+    EXPECT_LT(test::relative_difference(test::fibre_forces(mesh, mask, test::bent(mesh), 0.8),
+                                        test::fibre_forces(mesh, box, test::bent(mesh), 0.8)),
+              1e-12);
 }
 
 /// Painted on one mesh, used on another: volume, place and pull stay.
 TEST(PaintedMask, SurvivesRemeshing) {
     double worst = 0.0, worst_work = 0.0;
-    for (const CellType from : {CellType::hex8, CellType::tet4}) {
-        const VolumeMesh painted = from == CellType::hex8 ? mesh_of(from, {10, 8, 6}) : mesh_of(from, {5, 4, 4});
+    for (const mesh::CellType from : {mesh::CellType::hex8, mesh::CellType::tet4}) {
+        const mesh::VolumeMesh painted = from == mesh::CellType::hex8 ? mesh_of(from, {10, 8, 6})
+                                                                      : mesh_of(from, {5, 4, 4});
         const PaintedMask mask = boxed_mask(painted);
         const FibreGroup original = fibres_of_mask(painted, mask, 2.0, "painted");
         const double expected = original.volume();
-        const Eigen::Vector4d expected_work = test::work(painted, test::fibre_forces(painted, original, test::bent(painted), 0.8));
-        for (const CellType to : all_cell_types)
-            for (const Eigen::Vector3i& cells : {Eigen::Vector3i(3, 3, 2), Eigen::Vector3i(7, 5, 5), Eigen::Vector3i(11, 9, 7)}) {
-                const VolumeMesh mesh = mesh_of(to, cells);
+        const Eigen::Vector4d expected_work = test::work(
+            painted, test::fibre_forces(painted, original, test::bent(painted), 0.8));
+        for (const mesh::CellType to : all_cell_types)
+            for (const Eigen::Vector3i& cells :
+                 {Eigen::Vector3i(3, 3, 2), Eigen::Vector3i(7, 5, 5), Eigen::Vector3i(11, 9, 7)}) {
+                const mesh::VolumeMesh mesh = mesh_of(to, cells);
                 const FibreGroup group = fibres_of_mask(mesh, mask, 2.0, "again");
                 const double error = group.volume() / expected - 1.0;
                 EXPECT_LT(std::abs(error), 0.04) << to_string(from) << " " << to_string(to) << " " << cells.transpose();
                 worst = std::max(worst, std::abs(error));
                 const Eigen::Vector4d work = test::work(mesh, test::fibre_forces(mesh, group, test::bent(mesh), 0.8));
-                EXPECT_LT(test::relative_difference(work, expected_work), 0.06) << to_string(from) << " " << to_string(to) << " " << cells.transpose();
+                EXPECT_LT(test::relative_difference(work, expected_work), 0.06)
+                    << to_string(from) << " " << to_string(to) << " " << cells.transpose();
                 worst_work = std::max(worst_work, test::relative_difference(work, expected_work));
             }
     }
@@ -74,36 +84,44 @@ TEST(PaintedMask, SurvivesRemeshing) {
     test::record("worst_work_error", worst_work);
 }
 
-/// The unpainted neighbours say where the paint ends, however fine the next mesh is: none beyond half a cell of the box.
+/// The unpainted neighbours say where the paint ends, however fine the next mesh is: none beyond half a cell of the
+/// box.
 TEST(PaintedMask, DoesNotSpread) {
-    const PaintedMask mask = boxed_mask(mesh_of(CellType::hex8, {10, 8, 6}));
-    const VolumeMesh fine = mesh_of(CellType::hex8, {20, 16, 12});
-    const FibreGroup group = fibres_of_mask(fine, mask, 2.0, "fine"), box = fibres_in_box(fine, painted_box, Vector3d::UnitX(), 2.0, "box");
+    const PaintedMask mask = boxed_mask(mesh_of(mesh::CellType::hex8, {10, 8, 6}));
+    const mesh::VolumeMesh fine = mesh_of(mesh::CellType::hex8, {20, 16, 12});
+    const FibreGroup group = fibres_of_mask(fine, mask, 2.0, "fine"),
+                     box = fibres_in_box(fine, painted_box, Vector3d::UnitX(), 2.0, "box");
     EXPECT_NEAR(group.volume(), painted_box.size().prod(), 1e-12);
-    EXPECT_LT(test::relative_difference(test::fibre_forces(fine, group, test::bent(fine), 0.8), test::fibre_forces(fine, box, test::bent(fine), 0.8)), 1e-12);
+    EXPECT_LT(test::relative_difference(test::fibre_forces(fine, group, test::bent(fine), 0.8),
+                                        test::fibre_forces(fine, box, test::bent(fine), 0.8)),
+              1e-12);
 }
 
 /// Strokes painted to and fro are one field of lines: no direction cancels another.
 TEST(PaintedMask, AveragesDirectionsAsLines) {
-    const VolumeMesh fine = mesh_of(CellType::hex8, {10, 8, 6});
+    const mesh::VolumeMesh fine = mesh_of(mesh::CellType::hex8, {10, 8, 6});
     Matrix3Xd directions = Vector3d(1, 1, 0).normalized().replicate(1, fine.cell_count());
     for (Eigen::Index c = 0; c < directions.cols(); c += 2) directions.col(c) *= -1.0;
     const PaintedMask mask = mask_of_cells(fine, {VectorXd::Ones(fine.cell_count()), directions});
-    for (const CellType type : all_cell_types) {
-        const VolumeMesh coarse = mesh_of(type, {3, 2, 2});
+    for (const mesh::CellType type : all_cell_types) {
+        const mesh::VolumeMesh coarse = mesh_of(type, {3, 2, 2});
         const FibreGroup group = fibres_of_mask(coarse, mask, 2.0, "lines");
         EXPECT_NEAR(group.volume(), test::unit_box().size().prod(), 1e-12);
         const FibreGroup expected = fibres_in_box(coarse, test::unit_box(), Vector3d(1, 1, 0).normalized(), 2.0, "box");
         const Matrix3Xd x = test::mapped(coarse, Vector3d(1.2, 0.9, 1.0).asDiagonal());
-        EXPECT_LT(test::relative_difference(test::fibre_forces(coarse, group, x, 0.8), test::fibre_forces(coarse, expected, x, 0.8)), 1e-9) << to_string(type);
+        EXPECT_LT(test::relative_difference(test::fibre_forces(coarse, group, x, 0.8),
+                                            test::fibre_forces(coarse, expected, x, 0.8)),
+                  1e-9)
+            << to_string(type);
     }
 }
 
 TEST(PaintedMask, FileKeepsEveryDigit) {
     const test::Folder folder("painted_mask");
-    const VolumeMesh mesh = test::distorted_mesh(CellType::tet4, {3, 3, 3}, 0.2);
-    const VectorXd weights = volume_fractions(mesh, painted_box);
-    const PaintedMask mask = mask_of_cells(mesh, {weights, test::rough_field(mesh.cell_count(), 0.1).colwise().normalized()});
+    const mesh::VolumeMesh mesh = test::distorted_mesh(mesh::CellType::tet4, {3, 3, 3}, 0.2);
+    const VectorXd weights = mesh::volume_fractions(mesh, painted_box);
+    const PaintedMask mask = mask_of_cells(mesh,
+                                           {weights, test::rough_field(mesh.cell_count(), 0.1).colwise().normalized()});
     ASSERT_TRUE(write_painted_mask(folder.path() / "deep" / "muscle.csv", mask));
     const Result<PaintedMask> read = read_painted_mask(folder.path() / "deep" / "muscle.csv");
     ASSERT_TRUE(read) << read.error().text();
@@ -111,12 +129,13 @@ TEST(PaintedMask, FileKeepsEveryDigit) {
     EXPECT_EQ(read->centroids_m, mask.centroids_m);
     EXPECT_EQ(read->weights, mask.weights);
     EXPECT_LT((read->directions - mask.directions).norm(), 1e-14 * mask.directions.norm());
-    EXPECT_NEAR(fibres_of_mask(mesh, *read, 1.0, "read").volume(), weights.dot(cell_volumes(mesh)), 1e-13);
+    EXPECT_NEAR(fibres_of_mask(mesh, *read, 1.0, "read").volume(), weights.dot(mesh::cell_volumes(mesh)), 1e-13);
 }
 
 TEST(PaintedMask, BadFilesAreNamedByLine) {
     const test::Folder folder("painted_mask_bad");
-    const std::string good = "# words\n# cell_size_m,0.01\nx_m,y_m,z_m,weight,fibre_x,fibre_y,fibre_z\n0,0,0,1,1,0,0\n0.01,0,0,0,0,0,0\n";
+    const std::string good =
+        "# words\n# cell_size_m,0.01\nx_m,y_m,z_m,weight,fibre_x,fibre_y,fibre_z\n0,0,0,1,1,0,0\n0.01,0,0,0,0,0,0\n";
     const auto error = [&](const std::string& from, const std::string& to) {
         std::string text = good;
         const std::size_t at = text.find(from);
@@ -138,7 +157,8 @@ TEST(PaintedMask, BadFilesAreNamedByLine) {
     EXPECT_THAT(error("0,0,0,1,1,0,0", "0,0,zero,1,1,0,0"), HasSubstr("mask.csv:4: field 3 is 'zero'"));
     EXPECT_THAT(error("0,0,0,1,1,0,0", "0,0,nan,1,1,0,0"), HasSubstr("mask.csv:4: field 3"));
     EXPECT_THAT(error("0,0,0,1,1,0,0", "0,0,0,1.5,1,0,0"), HasSubstr("mask.csv:4: the weight is 1.5"));
-    EXPECT_THAT(error("0,0,0,1,1,0,0", "0,0,0,1,1,1,0"), HasSubstr("mask.csv:4: the fibre must be a unit vector, not one of length 1.414"));
+    EXPECT_THAT(error("0,0,0,1,1,0,0", "0,0,0,1,1,1,0"),
+                HasSubstr("mask.csv:4: the fibre must be a unit vector, not one of length 1.414"));
     EXPECT_THAT(error("0,0,0,1,1,0,0", "0,0,0,0,1,0,0"), HasSubstr("no element"));
     EXPECT_THAT(read_painted_mask(folder.path() / "none.csv").error().text(), HasSubstr("none.csv"));
     folder.write("mask.csv", "");
@@ -154,4 +174,4 @@ TEST(PaintedMask, BadFilesAreNamedByLine) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fibre

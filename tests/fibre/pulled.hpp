@@ -6,19 +6,21 @@
 namespace myo::test {
 
 /// Forces of a group on the nodes at positions x and activation a, 3 x n [N].
-inline Eigen::Matrix3Xd fibre_forces(const VolumeMesh& mesh, const FibreGroup& group, const Eigen::Matrix3Xd& x, double a) {
+inline Eigen::Matrix3Xd fibre_forces(const mesh::VolumeMesh& mesh, const fibre::FibreGroup& group,
+                                     const Eigen::Matrix3Xd& x, double a) {
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, x.cols());
-    for (const FibrePoint& point : group.points) {
+    for (const fibre::FibrePoint& point : group.points) {
         Eigen::Vector3d s = Eigen::Vector3d::Zero();
         for (int n = 0; n < point.shape.size(); ++n) s += point.shape(n) * x.col(mesh.cells(n, point.cell));
-        const Eigen::Vector3d g = fibre_response(s, a, group.stiffness_Pa).gradient;
-        for (int n = 0; n < point.shape.size(); ++n) forces.col(mesh.cells(n, point.cell)) -= point.volume * point.shape(n) * g;
+        const Eigen::Vector3d g = fibre::fibre_response(s, a, group.stiffness_Pa).gradient;
+        for (int n = 0; n < point.shape.size(); ++n)
+            forces.col(mesh.cells(n, point.cell)) -= point.volume * point.shape(n) * g;
     }
     return forces;
 }
 
 /// A smooth bend and stretch of the unit box.
-inline Eigen::Matrix3Xd bent(const VolumeMesh& mesh) {
+inline Eigen::Matrix3Xd bent(const mesh::VolumeMesh& mesh) {
     Eigen::Matrix3Xd x = mesh.nodes;
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
         const Eigen::Vector3d X = mesh.nodes.col(i);
@@ -28,7 +30,7 @@ inline Eigen::Matrix3Xd bent(const VolumeMesh& mesh) {
 }
 
 /// Work of forces along some smooth motions: what a body feels of them, whatever its mesh.
-inline Eigen::Vector4d work(const VolumeMesh& mesh, const Eigen::Matrix3Xd& forces) {
+inline Eigen::Vector4d work(const mesh::VolumeMesh& mesh, const Eigen::Matrix3Xd& forces) {
     Eigen::Vector4d sum = Eigen::Vector4d::Zero();
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
         const Eigen::Vector3d X = mesh.nodes.col(i), f = forces.col(i);
@@ -37,12 +39,15 @@ inline Eigen::Vector4d work(const VolumeMesh& mesh, const Eigen::Matrix3Xd& forc
     return sum;
 }
 
-inline double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return (a - b).norm() / b.norm(); }
-
-inline VolumeMesh mesh_of(CellType type, const Eigen::Vector3i& cells) {
-    return type == CellType::hex8 ? box_hex_mesh(unit_box(), cells) : tet_box_mesh(unit_box(), cells, type);
+inline double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return (a - b).norm() / b.norm();
 }
 
-constexpr CellType all_cell_types[] = {CellType::hex8, CellType::tet4, CellType::tet10};
+inline mesh::VolumeMesh mesh_of(mesh::CellType type, const Eigen::Vector3i& cells) {
+    return type == mesh::CellType::hex8 ? mesh::box_hex_mesh(unit_box(), cells)
+                                        : mesh::tet_box_mesh(unit_box(), cells, type);
+}
+
+constexpr mesh::CellType all_cell_types[] = {mesh::CellType::hex8, mesh::CellType::tet4, mesh::CellType::tet10};
 
 }  // namespace myo::test

@@ -2,7 +2,7 @@
 
 #include "fibre/signal.hpp"
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 TEST(Signal, IsLinearBetweenKnotsAndConstantOutside) {
@@ -31,7 +31,7 @@ TEST(Signal, JumpsAreContinuousFromTheRight) {
     EXPECT_EQ(saw.value(1.0), 5.0);
     EXPECT_DOUBLE_EQ(saw.value(0.75), 1.5);
     EXPECT_DOUBLE_EQ(saw.value(2.5), 3.0);
-    EXPECT_EQ(saw.jumps(), (std::vector<double>{1.0, 2.0}));   // a jump by zero is one
+    EXPECT_EQ(saw.jumps(), (std::vector<double>{1.0, 2.0}));  // a jump by zero is one
     EXPECT_EQ(Signal::constant(0.7).value(3.0), 0.7);
 }
 
@@ -43,7 +43,8 @@ TEST(Signal, WeightsAreTheDerivativeWithRespectToTheKnots) {
             for (std::size_t k = 0; k < saw.values.size(); ++k) {
                 Signal changed = saw;
                 changed.values[k] += 1.0;
-                const double change = before ? changed.value_before(t) - saw.value_before(t) : changed.value(t) - saw.value(t);
+                const double change = before ? changed.value_before(t) - saw.value_before(t)
+                                             : changed.value(t) - saw.value(t);
                 const double weight = (k == w.left ? w.of_left : 0.0) + (k == w.right ? w.of_right : 0.0);
                 EXPECT_NEAR(change, weight, 1e-14) << "t " << t << " knot " << k;
             }
@@ -61,4 +62,4 @@ TEST(Signal, HeldSamplesLastUntilTheNext) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fibre

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace myo {
+namespace myo::fibre {
 namespace {
 
 constexpr double h = 0.005;
@@ -49,7 +49,7 @@ TEST(Switches, LeaveTheSignalItsIntegral) {
 TEST(Switches, AreFoundInSequencesAndInAValveLog) {
     const auto valve = [](double t) { return t > 0.1004 && t < 0.1804 ? 0.85 : t > 0.2304 && t < 0.2334 ? 0.9 : 1.0; };
     const Signal jumped = with_switches_as_jumps(at_1_kHz(0.3, valve), h);
-    const std::vector<double> expected{0.1005, 0.1805, 0.2305, 0.2335};   // the last two lie within a step
+    const std::vector<double> expected{0.1005, 0.1805, 0.2305, 0.2335};  // the last two lie within a step
     ASSERT_EQ(jumped.jumps().size(), expected.size());
     for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(jumped.jumps()[k], expected[k], 1e-9);
     EXPECT_EQ(jumped.value(0.15), 0.85);
@@ -61,8 +61,8 @@ TEST(Switches, AreFoundInSequencesAndInAValveLog) {
 TEST(Switches, AreFoundUnderAPressureSensorsNoise) {
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0.0, 5e-4);
-    const Signal jumped =
-        with_switches_as_jumps(at_1_kHz(0.4, [&](double t) { return (t < 0.2 ? 1.0 : 0.85) + noise(random); }), h);
+    const Signal jumped = with_switches_as_jumps(
+        at_1_kHz(0.4, [&](double t) { return (t < 0.2 ? 1.0 : 0.85) + noise(random); }), h);
     const std::vector<double> jumps = jumped.jumps();
     EXPECT_TRUE(std::any_of(jumps.begin(), jumps.end(), [](double t) { return std::abs(t - 0.1995) < 2e-4; }));
     EXPECT_LT(jumps.size(), 5u);
@@ -73,16 +73,16 @@ TEST(Switches, AreNotSmoothCoursesRampsOfAStepOrNoise) {
     EXPECT_EQ(with_switches_as_jumps(smooth, h), smooth);
     const Signal ramp{{0.0, 0.1, 0.1 + h, 0.2}, {1.0, 1.0, 0.8, 0.8}};
     EXPECT_EQ(with_switches_as_jumps(ramp, h), ramp);
-    const Signal fast_ramp =
-        at_1_kHz(0.3, [](double t) { return 1.0 - 0.2 * std::clamp((t - 0.1) / 0.008, 0.0, 1.0); });
+    const Signal fast_ramp = at_1_kHz(0.3,
+                                      [](double t) { return 1.0 - 0.2 * std::clamp((t - 0.1) / 0.008, 0.0, 1.0); });
     EXPECT_EQ(with_switches_as_jumps(fast_ramp, h), fast_ramp);
     std::mt19937 random(1);
     std::normal_distribution<double> normal(0.0, 0.01);
     const Signal noise = at_1_kHz(2.0, [&](double) { return 1.0 + normal(random); });
-    EXPECT_LT(with_switches_as_jumps(noise, h).jumps().size(), 0.05 * 2.0 / h);   // steps beside those of the run
+    EXPECT_LT(with_switches_as_jumps(noise, h).jumps().size(), 0.05 * 2.0 / h);  // steps beside those of the run
     EXPECT_EQ(with_switches_as_jumps(Signal::step(0.1, 1.0, 0.8), h), Signal::step(0.1, 1.0, 0.8));
     EXPECT_EQ(with_switches_as_jumps(Signal::constant(0.8), h), Signal::constant(0.8));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::fibre

@@ -12,7 +12,7 @@
 #include "support/differences.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::MatrixXd;
@@ -33,7 +33,9 @@ ActuationProblem two_signals() {
 
 MatrixXd two_waves(const SoughtSignals& sought) {
     MatrixXd values = unmoved_values(sought);
-    for (Eigen::Index k = 0; k < values.cols(); ++k) values.col(k) << 1.0 - 0.05 * std::sin(1.0 + static_cast<double>(k)), 1.0 + 0.04 * std::cos(static_cast<double>(k));
+    for (Eigen::Index k = 0; k < values.cols(); ++k)
+        values.col(k) << 1.0 - 0.05 * std::sin(1.0 + static_cast<double>(k)),
+            1.0 + 0.04 * std::cos(static_cast<double>(k));
     return values;
 }
 
@@ -56,7 +58,7 @@ TEST(ActuationDeviations, AreThoseOfTheLossItself) {
         aim_at(p, truth);
         p.smoothness_m_s = 2e-4;
         p.options.solver.tolerance = 1e-11;
-        const double noise = 1e-3;   // more than the smoothness leaves of the residuals
+        const double noise = 1e-3;  // more than the smoothness leaves of the residuals
         const ActuationDeviations found = actuation_deviations(p, truth, noise);
         ASSERT_TRUE(found.found) << found.reason;
         EXPECT_EQ(found.noise_m, noise);
@@ -64,7 +66,7 @@ TEST(ActuationDeviations, AreThoseOfTheLossItself) {
         const double count = static_cast<double>(p.target.coordinates());
         const MatrixXd inverse = test::inverse(loss);
         const MatrixXd by_noise = noise * noise / count * inverse * target * inverse;
-        const Eigen::Index n = truth.cols(), first = hold ? 0 : 1;   // from rest the first value is a change, too
+        const Eigen::Index n = truth.cols(), first = hold ? 0 : 1;  // from rest the first value is a change, too
         MatrixXd D = MatrixXd::Zero(n - first, n);
         for (Eigen::Index k = first; k < n; ++k) {
             D(k - first, k) = p.sought.frequency_Hz;
@@ -76,7 +78,7 @@ TEST(ActuationDeviations, AreThoseOfTheLossItself) {
         const VectorXd hidden = largest * shifts.cwiseAbs().rowwise().sum();
         const VectorXd expected = (by_noise.diagonal() + hidden.cwiseAbs2()).cwiseSqrt();
         test::expect_derivative(found.deviations.reshaped().transpose(), expected.transpose(), 2e-3, "deviations");
-        const MatrixXd covariance = inverse;   // but for a factor
+        const MatrixXd covariance = inverse;  // but for a factor
         const VectorXd sigma = covariance.diagonal().cwiseSqrt();
         const MatrixXd correlation = sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal();
         EXPECT_LT((found.correlation - correlation).norm(), 5e-3);
@@ -145,7 +147,8 @@ TEST(ActuationDeviations, CoverTheTruth) {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal(0.0, noise);
         for (std::size_t m = 0; m < exact.size(); ++m)
-            for (Eigen::Index k = 0; k < exact[m].size(); ++k) p.target.positions_m[m](k) = exact[m](k) + normal(random);
+            for (Eigen::Index k = 0; k < exact[m].size(); ++k)
+                p.target.positions_m[m](k) = exact[m](k) + normal(random);
         const ActuationFit fit = fit_actuation(p, unmoved_values(p.sought), {200, 1e-7});
         ASSERT_TRUE(fit.converged()) << fit.message;
         const ActuationDeviations found = actuation_deviations(p, fit.values, noise);
@@ -172,18 +175,21 @@ TEST(ActuationDeviations, AreLargerWhereTheCameraFrameIsSought) {
     EXPECT_LT((hardly - known).cwiseAbs().maxCoeff(), 1e-6 * known.maxCoeff());
 }
 
-/// Two signals for muscles side by side, seen by markers that only bend up and down, are one signal for all the markers can tell.
+/// Two signals for muscles side by side, seen by markers that only bend up and down, are one signal for all the markers
+/// can tell.
 TEST(ActuationDeviations, NameSignalsThatCannotBeToldApart) {
     ActuationProblem p = two_signals();
-    auto fibres = std::make_shared<std::vector<FibreGroup>>();
+    auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
     for (const double low : {0.0, 0.015})
-        fibres->push_back(fibres_in_box(p.model.body->mesh, Box{{0.0, low, 0.0}, {0.1, low + 0.015, 0.01}}, Eigen::Vector3d::UnitX(), 8e4, low > 0.0 ? "right" : "left"));
+        fibres->push_back(fibre::fibres_in_box(p.model.body->mesh, Box{{0.0, low, 0.0}, {0.1, low + 0.015, 0.01}},
+                                               Eigen::Vector3d::UnitX(), 8e4, low > 0.0 ? "right" : "left"));
     p.model.fibres = fibres;
-    p.target.markers = marker_set(p.model.body->mesh, {{0.1, 0.015, 0.03}, {0.1, 0.015, 0.0}});
-    p.sought.from_before = true;   // so that the smoothness ties the level, too
+    p.target.markers = measurement::marker_set(p.model.body->mesh, {{0.1, 0.015, 0.03}, {0.1, 0.015, 0.0}});
+    p.sought.from_before = true;  // so that the smoothness ties the level, too
     const MatrixXd values = unmoved_values(p.sought);
     aim_at(p, values);
-    for (Eigen::Matrix3Xd& track : p.target.positions_m) track.row(1).setConstant(std::numeric_limits<double>::quiet_NaN());
+    for (Eigen::Matrix3Xd& track : p.target.positions_m)
+        track.row(1).setConstant(std::numeric_limits<double>::quiet_NaN());
     p.smoothness_m_s = 1e-6;
     const ActuationDeviations found = actuation_deviations(p, values, 1e-5);
     ASSERT_TRUE(found.found) << found.reason;
@@ -198,7 +204,8 @@ TEST(ActuationDeviations, NameSignalsThatCannotBeToldApart) {
     // Above and below, with markers that see it, they are two.
     ActuationProblem apart = two_signals();
     aim_at(apart, two_waves(apart.sought));
-    for (const std::string& warning : actuation_deviations(apart, two_waves(apart.sought), 1e-5).warnings) EXPECT_EQ(warning.find("apart"), std::string::npos) << warning;
+    for (const std::string& warning : actuation_deviations(apart, two_waves(apart.sought), 1e-5).warnings)
+        EXPECT_EQ(warning.find("apart"), std::string::npos) << warning;
 }
 
 TEST(ActuationDeviations, SayWhyThereAreNone) {
@@ -215,4 +222,4 @@ TEST(ActuationDeviations, SayWhyThereAreNone) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::inverse

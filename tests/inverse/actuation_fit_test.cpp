@@ -10,7 +10,7 @@
 #include "support/differences.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::MatrixXd;
@@ -44,7 +44,8 @@ TEST_P(ActuationFits, GradientOfTheLossEqualsDifferences) {
     };
     const ActuationEvaluation evaluation = evaluate_actuation(p, at);
     ASSERT_TRUE(evaluation.ok()) << evaluation.message;
-    test::expect_derivative(evaluation.gradient.reshaped().transpose(), test::central_differences(loss, at.reshaped(), 1e-3), 1e-4, "loss");
+    test::expect_derivative(evaluation.gradient.reshaped().transpose(),
+                            test::central_differences(loss, at.reshaped(), 1e-3), 1e-4, "loss");
 }
 
 TEST_P(ActuationFits, RecoversTheSignalsThatMadeTheTarget) {
@@ -61,7 +62,7 @@ TEST_P(ActuationFits, RecoversTheSignalsThatMadeTheTarget) {
     test::record("evaluations", static_cast<double>(fit.log.size()));
     test::record("rms_before_mm", 1e3 * fit.first.rms_m);
     test::record("rms_after_mm", 1e3 * fit.best.rms_m);
-    EXPECT_LT(error, 1e-5 * 0.08);   // of the amplitude
+    EXPECT_LT(error, 1e-5 * 0.08);  // of the amplitude
     EXPECT_LT(fit.best.rms_m, 1e-5 * fit.first.rms_m);
     EXPECT_EQ(evaluate_actuation(p, fit.values).loss_m2, fit.best.loss_m2);
 }
@@ -113,7 +114,8 @@ TEST(ActuationFit, MoreSmoothnessMovesLessAndFollowsLess) {
 TEST(ActuationFit, SeeksHowTheCamerasStandToo) {
     ActuationProblem p = actuated_beam(false, false, false);
     const MatrixXd truth = wave(p.sought);
-    p.target.markers = marker_set(p.model.body->mesh, {{0.1, 0.015, 0.03}, {0.06, -0.006, 0.012}, {0.08, 0.03, 0.01}});
+    p.target.markers = measurement::marker_set(p.model.body->mesh,
+                                               {{0.1, 0.015, 0.03}, {0.06, -0.006, 0.012}, {0.08, 0.03, 0.01}});
     p.target.placement = {{4e-4, -3e-4, 2e-4}, {2e-3, -1e-3, 3e-3}, 0.0};
     const MarkerPlacement placed = p.target.placement;
     aim_at(p, truth);
@@ -176,14 +178,14 @@ TEST(ActuationSignals, HeldAndLinearSignalsPassTheirValuesOn) {
     EXPECT_EQ(knot_times(sought).size(), 4u);
     MatrixXd values(1, 4);
     values << 1.1, 1.2, 1.3, 1.4;
-    std::vector<Signal> held = activations_of(sought, values);
+    std::vector<fibre::Signal> held = activations_of(sought, values);
     EXPECT_EQ(held[0].value_before(0.0), 1.0);
     EXPECT_EQ(held[0].value(0.0), 1.1);
     EXPECT_EQ(held[0].value(0.12), 1.3);
     EXPECT_NEAR(held[1].value(0.12), 1.0 - 0.5 * 0.3, 1e-15);
     sought.hold = false;
-    EXPECT_EQ(knot_times(sought).size(), 4u);   // that at 0 is not free
-    const std::vector<Signal> linear = activations_of(sought, values);
+    EXPECT_EQ(knot_times(sought).size(), 4u);  // that at 0 is not free
+    const std::vector<fibre::Signal> linear = activations_of(sought, values);
     EXPECT_EQ(linear[0].value(0.0), 1.0);
     EXPECT_NEAR(linear[0].value(0.025), 1.05, 1e-15);
     EXPECT_EQ(linear[0].value(0.2), 1.4);
@@ -202,13 +204,13 @@ TEST(ActuationSignals, AnUnknownLevelBeforeTheStartIsTheFirstValue) {
     EXPECT_EQ(knot_times(sought).front(), 0.0);
     MatrixXd values(1, 5);
     values << 0.9, 1.1, 1.2, 1.3, 1.4;
-    const Signal linear = activations_of(sought, values).front();
+    const fibre::Signal linear = activations_of(sought, values).front();
     EXPECT_EQ(linear.value_before(0.0), 0.9);
     EXPECT_NEAR(linear.value(0.025), 1.0, 1e-15);
-    sought.hold = true;   // what is held from t = 0 on is one more
+    sought.hold = true;  // what is held from t = 0 on is one more
     ASSERT_EQ(knot_times(sought).size(), 5u);
     EXPECT_LT(knot_times(sought).front(), 0.0);
-    const Signal held = activations_of(sought, values).front();
+    const fibre::Signal held = activations_of(sought, values).front();
     EXPECT_EQ(held.value_before(0.0), 0.9);
     EXPECT_EQ(held.value(0.0), 1.1);
     // Its jump at t = 0 is a change like the others.
@@ -231,4 +233,4 @@ TEST(ActuationFit, EndsAtOnceWhereItsStartIsTheTarget) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::inverse

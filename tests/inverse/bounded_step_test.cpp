@@ -9,7 +9,7 @@
 
 #include "support/dense.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::MatrixXd;
@@ -27,7 +27,7 @@ Problem random_problem(unsigned seed) {
     std::normal_distribution<double> normal;
     Problem problem{MatrixXd(60, 5), VectorXd(60)};
     for (double& a : problem.A.reshaped()) a = normal(random);
-    problem.A.col(1) = problem.A.col(0) + 0.05 * problem.A.col(1);   // nearly parallel
+    problem.A.col(1) = problem.A.col(0) + 0.05 * problem.A.col(1);  // nearly parallel
     problem.A.col(3) *= 1e6;
     for (double& value : problem.r) value = normal(random);
     return problem;
@@ -55,9 +55,12 @@ TEST(BoundedStep, EndsWhereNoAllowedStepHelps) {
             EXPECT_GE(x(i), lower(i));
             EXPECT_LE(x(i), upper(i));
             const double tolerance = 1e-6 * p.A.col(i).norm() * p.r.norm();
-            if (x(i) <= lower(i)) EXPECT_GE(slope(i), -tolerance);
-            else if (x(i) >= upper(i)) EXPECT_LE(slope(i), tolerance);
-            else EXPECT_NEAR(slope(i), 0.0, tolerance);
+            if (x(i) <= lower(i))
+                EXPECT_GE(slope(i), -tolerance);
+            else if (x(i) >= upper(i))
+                EXPECT_LE(slope(i), tolerance);
+            else
+                EXPECT_NEAR(slope(i), 0.0, tolerance);
             at_bounds += x(i) <= lower(i) || x(i) >= upper(i);
         }
     }
@@ -72,4 +75,4 @@ TEST(BoundedStep, LeavesZeroColumnsAlone) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::inverse

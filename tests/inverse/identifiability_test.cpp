@@ -1,14 +1,14 @@
 #include "inverse/identifiability.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <random>
 
 #include "inverse/least_squares.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::MatrixXd;
@@ -31,7 +31,7 @@ VectorXd textbook_deviations(const MatrixXd& J) { return (J.transpose() * J).inv
 
 TEST(Identifiability, OfIndependentColumnsIsTheInverseOfTheNormalMatrix) {
     MatrixXd J = random_columns(4);
-    J.col(1) *= 30.0;   // a scale that nobody named does not make the others flat or dependent
+    J.col(1) *= 30.0;  // a scale that nobody named does not make the others flat or dependent
     J.col(3) *= 1e-3;
     const Identifiability found = identifiability(four_parameters, J, 4.0);
     EXPECT_TRUE(found.undetermined.empty());
@@ -88,19 +88,19 @@ TEST(Identifiability, NamesTheProductThatIsDetermined) {
 
 TEST(Identifiability, NamesQuotientsAndSums) {
     MatrixXd J = random_columns(4);
-    J.col(1) = -0.5 * J.col(0);   // a / b at a = 1, b = 2, times any number
-    EXPECT_EQ(undetermined_reason(four_parameters, identifiability(four_parameters, J, 1.0).undetermined,
-                                  values_of_four, 0),
-              "the data determine only its combination with b: a / b");
+    J.col(1) = -0.5 * J.col(0);  // a / b at a = 1, b = 2, times any number
+    EXPECT_EQ(
+        undetermined_reason(four_parameters, identifiability(four_parameters, J, 1.0).undetermined, values_of_four, 0),
+        "the data determine only its combination with b: a / b");
     J = random_columns(4);
-    J.col(2) = 3.0 * J.col(0);    // c may be negative: no power of it
-    EXPECT_EQ(undetermined_reason(four_parameters, identifiability(four_parameters, J, 1.0).undetermined,
-                                  values_of_four, 2),
-              "the data determine only its combination with a: a + 3 c");
+    J.col(2) = 3.0 * J.col(0);  // c may be negative: no power of it
+    EXPECT_EQ(
+        undetermined_reason(four_parameters, identifiability(four_parameters, J, 1.0).undetermined, values_of_four, 2),
+        "the data determine only its combination with a: a + 3 c");
     J.col(2) = -J.col(0);
-    EXPECT_EQ(undetermined_reason(four_parameters, identifiability(four_parameters, J, 1.0).undetermined,
-                                  values_of_four, 0),
-              "the data determine only its combination with c: a - c");
+    EXPECT_EQ(
+        undetermined_reason(four_parameters, identifiability(four_parameters, J, 1.0).undetermined, values_of_four, 0),
+        "the data determine only its combination with c: a - c");
 }
 
 /// Three parameters in two combinations, and two pairs that have nothing to do with each other.
@@ -142,7 +142,7 @@ TEST(Identifiability, ChoosesParametersThatSuffice) {
     EXPECT_EQ(sufficient_parameters(four_parameters, J, {2}), (Chosen{1, 2}));
     EXPECT_EQ(sufficient_parameters(four_parameters, J, {3}), (Chosen{0, 1, 3}));
     std::vector<Parameter> scaled = four_parameters;
-    scaled[2].scale = 100.0;   // a change of c matters from 100 on, which changes more than one of a does
+    scaled[2].scale = 100.0;  // a change of c matters from 100 on, which changes more than one of a does
     EXPECT_EQ(sufficient_parameters(scaled, J, {}), (Chosen{1, 2}));
     EXPECT_EQ(sufficient_parameters(four_parameters, random_columns(4), {}), (Chosen{0, 1, 2, 3}));
 }
@@ -211,13 +211,12 @@ TEST(LeastSquares, SecantsLeaveAFlatParameterWhereItIs) {
 TEST(LeastSquares, MovesAParameterThatGainsInfluenceOnTheWay) {
     const NoisyLine line;
     const VectorXd square = line.x.cwiseAbs2(), data = 2.0 * (line.x + 0.5 * square);
-    const LeastSquaresReport report =
-        fit_least_squares({{"amount", 0.0, -10.0, 10.0}, {"shape", 0.0, -1.0, 1.0}},
-                          [&](const VectorXd& p, const Progress&) {
-                              MatrixXd J(line.x.size(), 2);
-                              J << line.x + p(1) * square, p(0) * square;
-                              return ResidualEvaluation{true, {}, p(0) * (line.x + p(1) * square) - data, J};
-                          });
+    const LeastSquaresReport report = fit_least_squares(
+        {{"amount", 0.0, -10.0, 10.0}, {"shape", 0.0, -1.0, 1.0}}, [&](const VectorXd& p, const Progress&) {
+            MatrixXd J(line.x.size(), 2);
+            J << line.x + p(1) * square, p(0) * square;
+            return ResidualEvaluation{true, {}, p(0) * (line.x + p(1) * square) - data, J};
+        });
     ASSERT_TRUE(report.converged()) << report.message;
     EXPECT_NEAR(report.values(0), 2.0, 1e-3);
     EXPECT_NEAR(report.values(1), 0.5, 1e-3);
@@ -250,10 +249,10 @@ TEST(LeastSquares, FitsAProductAndSaysThatItIsAllItKnows) {
     });
     ASSERT_TRUE(report.converged()) << report.message;
     EXPECT_NEAR(report.values.prod(), 3.0, 1e-5);
-    EXPECT_EQ(report.values.maxCoeff(), report.values.prod());   // one of them was moved, the other is 1 as it was
+    EXPECT_EQ(report.values.maxCoeff(), report.values.prod());  // one of them was moved, the other is 1 as it was
     EXPECT_EQ(undetermined_reason(both, report.undetermined, report.values, 1),
               "the data determine only its combination with stiffness: stiffness · factor");
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::inverse

@@ -9,7 +9,7 @@
 #include <random>
 #include <thread>
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 /// y = amplitude exp(-rate t), unit noise.
@@ -65,12 +65,15 @@ TEST(LeastSquares, RunsTheModelOncePerPoint) {
     EXPECT_LT(report.cost_after, report.cost_before);
 }
 
-/// A model rounds: near the end a step may lose as little as it would have gained. That is the end; shorter ones would not be better.
+/// A model rounds: near the end a step may lose as little as it would have gained. That is the end; shorter ones would
+/// not be better.
 TEST(LeastSquares, EndsWhereAStepLosesNoMoreThanTheModelRounds) {
     const Decay decay = decay_data(3);
     const LeastSquaresReport smooth = fit_least_squares(start, decay);
     std::vector<Parameter> near = start;
-    for (std::size_t i = 0; i < near.size(); ++i) near[i].value = smooth.values(static_cast<Eigen::Index>(i)) + 0.001 * smooth.deviations(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < near.size(); ++i)
+        near[i].value = smooth.values(static_cast<Eigen::Index>(i)) +
+                        0.001 * smooth.deviations(static_cast<Eigen::Index>(i));
     const LeastSquaresReport report = fit_least_squares(near, [&](const Eigen::VectorXd& p, const Progress&) {
         ResidualEvaluation e = decay(p);
         const Eigen::Index m = e.residuals.size();
@@ -154,7 +157,10 @@ TEST(LeastSquares, AGoodGuessOfTheJacobianSavesAskingForIt) {
     const auto fit = [&] {
         asked.clear();
         return fit_by_secants(
-            near, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
+            near,
+            [&](const Eigen::VectorXd& p, const Progress&) {
+                return ResidualEvaluation{true, {}, decay(p).residuals, {}};
+            },
             [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
                 asked.push_back(p);
                 return decay(p).jacobian;
@@ -179,7 +185,10 @@ TEST(LeastSquares, SecantsHaveToDoWhereNoJacobianIsAllowed) {
     options.jacobian_guess = decay(Eigen::Vector2d(45.0, 0.9)).jacobian;
     options.most_jacobians = 0;
     const LeastSquaresReport report = fit_by_secants(
-        near, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
+        near,
+        [&](const Eigen::VectorXd& p, const Progress&) {
+            return ResidualEvaluation{true, {}, decay(p).residuals, {}};
+        },
         [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
             ADD_FAILURE() << "asked for";
             return decay(p).jacobian;
@@ -197,18 +206,27 @@ TEST(LeastSquares, RecoversFromABadGuessOfTheJacobian) {
     LeastSquaresOptions options;
     options.jacobian_guess = -decay(all.start).jacobian;
     const LeastSquaresReport report = fit_by_secants(
-        start, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, decay(p).residuals, {}}; },
-        [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; }, options, {});
+        start,
+        [&](const Eigen::VectorXd& p, const Progress&) {
+            return ResidualEvaluation{true, {}, decay(p).residuals, {}};
+        },
+        [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; },
+        options, {});
     ASSERT_TRUE(report.converged()) << report.message;
     EXPECT_LT(((report.values - all.values).cwiseQuotient(all.deviations)).norm(), 0.02);
 }
 
 /// Nothing to fit is judged all the same, and fewer data than numbers are fitted.
 TEST(LeastSquares, SecantsTakeNoNumbersAndFewData) {
-    const auto line = [](const Eigen::VectorXd& p) { return Eigen::VectorXd::Constant(1, p.size() > 0 ? 3.0 * p(0) + 4.0 * p(1) - 10.0 : 2.0); };
+    const auto line = [](const Eigen::VectorXd& p) {
+        return Eigen::VectorXd::Constant(1, p.size() > 0 ? 3.0 * p(0) + 4.0 * p(1) - 10.0 : 2.0);
+    };
     const auto fit = [&](const std::vector<Parameter>& parameters) {
         return fit_by_secants(
-            parameters, [&](const Eigen::VectorXd& p, const Progress&) { return ResidualEvaluation{true, {}, line(p), {}}; },
+            parameters,
+            [&](const Eigen::VectorXd& p, const Progress&) {
+                return ResidualEvaluation{true, {}, line(p), {}};
+            },
             [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) {
                 return p.size() > 0 ? Eigen::MatrixXd(Eigen::RowVector2d(3.0, 4.0)) : Eigen::MatrixXd(1, 0);
             },
@@ -234,7 +252,8 @@ TEST(LeastSquares, SecantsStayWithinBounds) {
             EXPECT_GE(p(1), 1.0 - 1e-12);
             return ResidualEvaluation{true, {}, decay(p).residuals, {}};
         },
-        [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; }, {}, {});
+        [&](const Eigen::VectorXd& p, const ResidualEvaluation&, const Progress&) { return decay(p).jacobian; }, {},
+        {});
     ASSERT_TRUE(report.converged()) << report.message;
     EXPECT_NEAR(report.values(1), 1.0, 1e-9);
     const Eigen::VectorXd shape = (-decay.t.array()).exp();
@@ -260,13 +279,15 @@ TEST(LeastSquares, StepsBackWhereTheModelCannotBeRun) {
 }
 
 TEST(LeastSquares, SaysWhenTheFirstPointCannotBeRun) {
-    const LeastSquaresReport report =
-        fit_least_squares(start, [](const Eigen::VectorXd&, const Progress&) { return ResidualEvaluation{false, "no equilibrium", {}, {}}; });
+    const LeastSquaresReport report = fit_least_squares(start, [](const Eigen::VectorXd&, const Progress&) {
+        return ResidualEvaluation{false, "no equilibrium", {}, {}};
+    });
     EXPECT_EQ(report.status, FitStatus::failed);
     EXPECT_EQ(report.message, "no equilibrium");
 }
 
-/// A rate a thousand times off is found by steps that are shares of it, zero can be left, and the deviations are those of the plain number.
+/// A rate a thousand times off is found by steps that are shares of it, zero can be left, and the deviations are those
+/// of the plain number.
 TEST(LeastSquares, ValuesOverDecadesAreFoundFromFarOffAndFromZero) {
     const Decay decay = decay_data(5);
     const LeastSquaresReport plain = fit_least_squares(start, decay);
@@ -296,7 +317,8 @@ TEST(LeastSquares, FailsWhereTheSumOfSquaresIsNotFinite) {
 TEST(LeastSquares, GivesNoDeviationForWhatTheDataDoNotSee) {
     const Decay decay = decay_data(6);
     const LeastSquaresReport report = fit_least_squares(
-        {{"amplitude", 20.0, 0.0, 1e3, 10.0}, {"rate_1_s", 2.0, 0.0, 10.0, 1.0}, {"unseen", 1.0, 0.0, 2.0, 1.0}}, [&](const Eigen::VectorXd& p, const Progress&) {
+        {{"amplitude", 20.0, 0.0, 1e3, 10.0}, {"rate_1_s", 2.0, 0.0, 10.0, 1.0}, {"unseen", 1.0, 0.0, 2.0, 1.0}},
+        [&](const Eigen::VectorXd& p, const Progress&) {
             ResidualEvaluation e = decay(p.head<2>());
             e.jacobian.conservativeResize(Eigen::NoChange, 3);
             e.jacobian.col(2).setZero();
@@ -319,7 +341,7 @@ TEST(LeastSquares, KeepsTheBestValuesWhenCancelledInAnEvaluation) {
     EXPECT_EQ(report.status, FitStatus::cancelled);
     EXPECT_EQ(report.message, "stopped by the user");
     EXPECT_EQ(calls, 7);
-    EXPECT_EQ(report.evaluations, 6);   // complete ones
+    EXPECT_EQ(report.evaluations, 6);  // complete ones
     ASSERT_TRUE(report.usable());
     for (const FitIterate& iterate : report.history) EXPECT_GE(iterate.cost, report.cost_after);
     EXPECT_LT(report.cost_after, report.cost_before);
@@ -374,4 +396,4 @@ TEST(LeastSquares, ProgressCountsARunningEvaluationAsAFraction) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::inverse

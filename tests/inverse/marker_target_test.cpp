@@ -7,22 +7,23 @@
 #include "measurement/rigid_motion.hpp"
 #include "support/beam.hpp"
 
-namespace myo {
+namespace myo::inverse {
 namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Two markers on a beam that is moved by hand: a smooth motion in time. The last samples are after its end, where it stays.
+/// Two markers on a beam that is moved by hand: a smooth motion in time. The last samples are after its end, where it
+/// stays.
 struct Moved {
-    Model model = test::make_beam({});
+    model::Model model = test::make_beam({});
     MarkerTarget target;
-    NodeMotion motion;
+    sensitivity::NodeMotion motion;
 
     explicit Moved(bool from_start) {
-        const VolumeMesh& mesh = model.body->mesh;
-        target.markers = marker_set(mesh, {{0.1, 0.01, 0.03}, {0.05, 0.03, 0.02}});
+        const mesh::VolumeMesh& mesh = model.body->mesh;
+        target.markers = measurement::marker_set(mesh, {{0.1, 0.01, 0.03}, {0.05, 0.03, 0.02}});
         target.from_start = from_start;
         const double h = 0.01;
         for (int k = 0; k <= 20; ++k) {
@@ -38,7 +39,7 @@ struct Moved {
             motion.velocities.push_back(v);
         }
         target.times_s = VectorXd::LinSpaced(12, 0.013, 0.257);
-        const MarkerTracks seen = observe(motion, target.markers, target.times_s);
+        const measurement::MarkerTracks seen = measurement::observe(motion, target.markers, target.times_s);
         for (std::size_t m = 0; m < 2; ++m) {
             Matrix3Xd y = seen.positions[m] + 1e-3 * test::rough_field(12, static_cast<double>(m));
             y.col(4).setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -65,19 +66,22 @@ TEST_P(MarkerTargets, KnowTheDerivativeByTheirPlacement) {
         const double turned = difference(1e-5, [k](MarkerPlacement& p, double by) { p.rotation_rad(k) += by; });
         EXPECT_NEAR(gradient.rotation_rad(k) / turned, 1.0, 1e-6);
         const double moved = difference(1e-6, [k](MarkerPlacement& p, double by) { p.translation_m(k) += by; });
-        if (GetParam()) EXPECT_EQ(gradient.translation_m(k), 0.0);
-        else EXPECT_NEAR(gradient.translation_m(k) / moved, 1.0, 1e-6);
+        if (GetParam())
+            EXPECT_EQ(gradient.translation_m(k), 0.0);
+        else
+            EXPECT_NEAR(gradient.translation_m(k) / moved, 1.0, 1e-6);
     }
-    EXPECT_NEAR(gradient.start_shift_s / difference(1e-6, [](MarkerPlacement& p, double by) { p.start_shift_s += by; }), 1.0, 1e-6);
+    EXPECT_NEAR(gradient.start_shift_s / difference(1e-6, [](MarkerPlacement& p, double by) { p.start_shift_s += by; }),
+                1.0, 1e-6);
 }
 
 TEST_P(MarkerTargets, KnowTheDerivativeByTheMotionAsPlaced) {
     const Moved given(GetParam());
-    const MotionLoss loss = mean_square(given.target, given.motion);
+    const sensitivity::MotionLoss loss = mean_square(given.target, given.motion);
     const std::size_t at = 6;
     const Matrix3Xd d = test::rough_field(given.motion.positions[at].cols(), 0.7);
     const auto moved = [&](double by) {
-        NodeMotion motion = given.motion;
+        sensitivity::NodeMotion motion = given.motion;
         motion.positions[at] += by * d;
         return mean_square(given.target, motion).value;
     };
@@ -88,12 +92,15 @@ TEST_P(MarkerTargets, KnowTheDerivativeByTheMotionAsPlaced) {
 TEST_P(MarkerTargets, AreMetByWhatThePlacementSays) {
     Moved given(GetParam());
     MarkerTarget& target = given.target;
-    const Eigen::Matrix3d R = small_rotation(target.placement.rotation_rad);
+    const Eigen::Matrix3d R = measurement::small_rotation(target.placement.rotation_rad);
     const VectorXd times = target.times_s.array() - target.placement.start_shift_s;
-    const MarkerTracks seen = observe(given.motion, target.markers, times), origin = observe(given.motion, target.markers, VectorXd::Zero(1));
+    const measurement::MarkerTracks seen = measurement::observe(given.motion, target.markers, times),
+                                    origin = measurement::observe(given.motion, target.markers, VectorXd::Zero(1));
     for (std::size_t m = 0; m < 2; ++m) {
-        if (target.from_start) target.positions_m[m] = R * (seen.positions[m].colwise() - Vector3d(origin.positions[m].col(0)));
-        else target.positions_m[m] = (R * seen.positions[m]).colwise() + target.placement.translation_m;
+        if (target.from_start)
+            target.positions_m[m] = R * (seen.positions[m].colwise() - Vector3d(origin.positions[m].col(0)));
+        else
+            target.positions_m[m] = (R * seen.positions[m]).colwise() + target.placement.translation_m;
     }
     EXPECT_LT(mean_square(target, given.motion).value, 1e-30);
 }
@@ -103,11 +110,12 @@ TEST_P(MarkerTargets, HaveTheTangentsOfTheirResiduals) {
     const Moved given(GetParam());
     const std::vector<int>& nodes = given.target.markers.nodes;
     const auto run_moved = [&](double by) {
-        SensitiveTrace run;
+        sensitivity::SensitiveTrace run;
         run.tangents.resize(1);
         run.trace.times_s = given.motion.times_s;
         for (std::size_t k = 0; k < given.motion.times_s.size(); ++k) {
-            const Matrix3Xd dx = test::rough_field(given.motion.positions[k].cols(), 0.1 * static_cast<double>(k)), dv = 20.0 * dx;
+            const Matrix3Xd dx = test::rough_field(given.motion.positions[k].cols(), 0.1 * static_cast<double>(k)),
+                            dv = 20.0 * dx;
             Matrix3Xd x = given.model.body->mesh.nodes, v = Matrix3Xd::Zero(3, x.cols());
             x(Eigen::all, nodes) = given.motion.positions[k] + by * dx;
             v(Eigen::all, nodes) = given.motion.velocities[k] + by * dv;
@@ -132,4 +140,4 @@ TEST_P(MarkerTargets, HaveTheTangentsOfTheirResiduals) {
 INSTANTIATE_TEST_SUITE_P(PositionsAndDisplacements, MarkerTargets, testing::Bool());
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::inverse

@@ -6,7 +6,7 @@
 #include "material/moduli.hpp"
 #include "support/deformations.hpp"
 
-namespace myo {
+namespace myo::material {
 namespace {
 
 using Eigen::Matrix3d;
@@ -80,7 +80,8 @@ TEST(MaterialInvariance, SmallStrainModuliAreMuAndKappa) {
         EXPECT_NEAR(energy_of_strain(W, Matrix3d::Identity()), 9.0 * bulk, 1e-12) << law->id();
         const double trace = general.trace();
         const Matrix3d deviator = general - trace / 3.0 * Matrix3d::Identity();
-        EXPECT_NEAR(energy_of_strain(W, general), 2.0 * mu * deviator.squaredNorm() + bulk * trace * trace, 1e-12) << law->id();
+        EXPECT_NEAR(energy_of_strain(W, general), 2.0 * mu * deviator.squaredNorm() + bulk * trace * trace, 1e-12)
+            << law->id();
     }
 }
 
@@ -119,4 +120,4 @@ TEST(Moduli, FollowFromYoungAndPoisson) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::material

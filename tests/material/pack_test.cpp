@@ -9,7 +9,7 @@
 #include "material/polar.hpp"
 #include "support/deformations.hpp"
 
-namespace myo {
+namespace myo::material {
 namespace {
 
 using Eigen::Matrix3d;
@@ -21,7 +21,9 @@ TEST(Packs, LanesAgreeWithSinglePoints) {
         for (std::size_t first = 0; first < samples.size(); ++first)
             for (const bool with_hessian : {false, true}) {
                 Matrix3<Pack> F;
-                const auto sample = [&](int lane) { return samples[(first + static_cast<std::size_t>(lane)) % samples.size()]; };
+                const auto sample = [&](int lane) {
+                    return samples[(first + static_cast<std::size_t>(lane)) % samples.size()];
+                };
                 for (int lane = 0; lane < pack_width; ++lane) set_lane(F, lane, sample(lane));
                 LawResponse<Pack> packed;
                 law->respond(F, Pack(0.7), Pack(2.3), with_hessian, packed);
@@ -30,14 +32,24 @@ TEST(Packs, LanesAgreeWithSinglePoints) {
                     LawResponse<double> single;
                     law->respond(sample(lane), 0.7, 2.3, with_hessian, single);
                     const std::string what = law->id() + (with_hessian ? " with Hessian" : "");
-                    EXPECT_NEAR(static_cast<double>(packed.distortion.value[l]), single.distortion.value, 1e-13 * (1.0 + std::abs(single.distortion.value))) << what;
-                    EXPECT_LT((lane_of(packed.distortion.gradient, lane) - single.distortion.gradient).norm(), 1e-12 * (1.0 + single.distortion.gradient.norm())) << what;
+                    EXPECT_NEAR(static_cast<double>(packed.distortion.value[l]), single.distortion.value,
+                                1e-13 * (1.0 + std::abs(single.distortion.value)))
+                        << what;
+                    EXPECT_LT((lane_of(packed.distortion.gradient, lane) - single.distortion.gradient).norm(),
+                              1e-12 * (1.0 + single.distortion.gradient.norm()))
+                        << what;
                     if (with_hessian) {
-                        EXPECT_LT((lane_of(packed.distortion.hessian, lane) - single.distortion.hessian).norm(), 1e-11 * (1.0 + single.distortion.hessian.norm())) << what;
+                        EXPECT_LT((lane_of(packed.distortion.hessian, lane) - single.distortion.hessian).norm(),
+                                  1e-11 * (1.0 + single.distortion.hessian.norm()))
+                            << what;
                     }
                     if (!law->has_split()) continue;
-                    EXPECT_NEAR(static_cast<double>(packed.volume.value[l]), single.volume.value, 1e-13 * (1.0 + std::abs(single.volume.value))) << what;
-                    EXPECT_LT((lane_of(packed.volume.gradient, lane) - single.volume.gradient).norm(), 1e-12 * (1.0 + single.volume.gradient.norm())) << what;
+                    EXPECT_NEAR(static_cast<double>(packed.volume.value[l]), single.volume.value,
+                                1e-13 * (1.0 + std::abs(single.volume.value)))
+                        << what;
+                    EXPECT_LT((lane_of(packed.volume.gradient, lane) - single.volume.gradient).norm(),
+                              1e-12 * (1.0 + single.volume.gradient.norm()))
+                        << what;
                     const double theta = 0.05 * lane;
                     const ScalarFunctionOf<Pack> U = law->bulk(Pack(theta), Pack(2.3));
                     const ScalarFunction u = law->bulk(theta, 2.3);
@@ -115,4 +127,4 @@ TEST(Packs, PolarRotationAgreesWithSingularValuesAlsoForBadMatrices) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::material

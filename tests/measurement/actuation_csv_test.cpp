@@ -5,13 +5,15 @@
 
 #include "test_files.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::TemporaryFile;
 using testing::HasSubstr;
 
-std::string actuation_error(const std::string& text) { return test::error_of_reading(read_actuation_csv, text, "act.csv"); }
+std::string actuation_error(const std::string& text) {
+    return test::error_of_reading(read_actuation_csv, text, "act.csv");
+}
 
 TEST(ActuationCsv, RoundTrip) {
     ActuationTable table;
@@ -39,8 +41,8 @@ TEST(ActuationCsv, AClosingRowThatGoesBackAndSaysNothingNewIsLeftOut) {
 }
 
 TEST(ActuationCsv, TwoRowsOfOneTimeAreAJump) {
-    const Result<ActuationTable> read =
-        read_actuation_csv(TemporaryFile("time_s,m\n0,1\n0.3,1\n0.3,0.8\n1,0.8\n", "act.csv").path());
+    const Result<ActuationTable> read = read_actuation_csv(
+        TemporaryFile("time_s,m\n0,1\n0.3,1\n0.3,0.8\n1,0.8\n", "act.csv").path());
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->time_s, Eigen::Vector4d(0.0, 0.3, 0.3, 1.0));
     EXPECT_TRUE(read->warnings.empty());
@@ -62,4 +64,4 @@ TEST(ActuationCsv, EveryErrorHasFileAndLine) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

@@ -6,7 +6,7 @@
 #include "c3d_writer.hpp"
 #include "test_files.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::c3d_file;
@@ -43,12 +43,13 @@ TEST_P(C3dFormats, RoundTripKeepsPositionsGapsLabelsAndResiduals) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllWords, C3dFormats,
-                         testing::Combine(testing::Values(Processor::intel, Processor::dec, Processor::sgi), testing::Bool(),
-                                          testing::Values(-1, 0, 6)));
+                         testing::Combine(testing::Values(Processor::intel, Processor::dec, Processor::sgi),
+                                          testing::Bool(), testing::Values(-1, 0, 6)));
 
 TEST(C3d, UnitsComeFromTheFile) {
     const Recording original = test::random_recording(2, 10, 2);
-    for (const auto& [name, per_metre] : std::vector<std::pair<std::string, double>>{{"mm", 1e3}, {"cm", 1e2}, {"m", 1.0}, {"IN", 1.0 / 0.0254}}) {
+    for (const auto& [name, per_metre] :
+         std::vector<std::pair<std::string, double>>{{"mm", 1e3}, {"cm", 1e2}, {"m", 1.0}, {"IN", 1.0 / 0.0254}}) {
         C3dOptions options;
         options.units = name;
         options.units_per_metre = per_metre;
@@ -74,10 +75,11 @@ TEST(C3d, LabelsFallBackToNumbersAndStayUnique) {
     Recording original = test::random_recording(3, 5, 4);
     C3dOptions options;
     options.labels = false;
-    EXPECT_EQ(read_bytes(c3d_file(original, options))->labels, (std::vector<std::string>{"point 1", "point 2", "point 3"}));
+    EXPECT_EQ(read_bytes(c3d_file(original, options))->labels,
+              (std::vector<std::string>{"point 1", "point 2", "point 3"}));
     original.labels = {"  left  ", "left", ""};
     EXPECT_EQ(read_bytes(c3d_file(original))->labels, (std::vector<std::string>{"left", "left (2)", "point 3"}));
-    original.labels = {"Gr\xFC\xDF", "b", "c"};   // Latin-1 becomes UTF-8
+    original.labels = {"Gr\xFC\xDF", "b", "c"};  // Latin-1 becomes UTF-8
     EXPECT_EQ(read_bytes(c3d_file(original))->labels[0], "Gr\xC3\xBC\xC3\x9F");
 }
 
@@ -99,7 +101,7 @@ TEST(C3d, LongRecordingsByEveryConvention) {
         EXPECT_EQ(read->sample_count(), 70000) << convention;
         EXPECT_LT(test::largest_difference(original, *read), 1e-7);
     }
-    original = test::random_recording(1, 40000, 6);   // above 32767: words are unsigned
+    original = test::random_recording(1, 40000, 6);  // above 32767: words are unsigned
     for (const char* convention : {"FRAMES", "header"}) {
         C3dOptions options;
         options.frames_as = convention;
@@ -123,7 +125,7 @@ TEST(C3d, SectionsAreFoundByTheirPointersAndGroupsInAnyOrder) {
 TEST(C3d, OccludedSamplesAreNaNHoweverTheyAreWritten) {
     Recording original = test::random_recording(2, 10, 8, true);
     for (const bool real : {true, false}) {
-        for (const double word : {-1.0, -16512.0, 0.0}) {   // 0: zeros all through, as some programs fill gaps
+        for (const double word : {-1.0, -16512.0, 0.0}) {  // 0: zeros all through, as some programs fill gaps
             C3dOptions options;
             options.real = real;
             options.occluded_word = word;
@@ -145,8 +147,10 @@ TEST(C3d, ErrorsSayWhatIsWrongInOneSentence) {
     const std::string good = c3d_file(original);
     EXPECT_THAT(read_bytes("").error().text(), HasSubstr("0 bytes are too few"));
     EXPECT_THAT(read_bytes(good.substr(0, 300)).error().text(), HasSubstr("300 bytes are too few"));
-    EXPECT_THAT(read_bytes(good.substr(0, 514)).error().text(), HasSubstr("the parameter section should start at byte 512"));
-    EXPECT_THAT(read_bytes(good.substr(0, good.size() - 1024)).error().text(), HasSubstr("100 frames of 3 points from byte 1024 need"));
+    EXPECT_THAT(read_bytes(good.substr(0, 514)).error().text(),
+                HasSubstr("the parameter section should start at byte 512"));
+    EXPECT_THAT(read_bytes(good.substr(0, good.size() - 1024)).error().text(),
+                HasSubstr("100 frames of 3 points from byte 1024 need"));
     std::string bad = good;
     bad[1] = 'x';
     EXPECT_THAT(read_bytes(bad).error().text(), HasSubstr("is no C3D file"));
@@ -201,7 +205,7 @@ TEST(C3d, TruncatedAndGarbledFilesNeverCrash) {
         expect_sane(read);
         errors += read ? 0 : 1;
     }
-    EXPECT_GT(errors, 700);   // every truncation at the least
+    EXPECT_GT(errors, 700);  // every truncation at the least
 }
 
 TEST(C3d, NoiseBehindAValidMarkNeverCrashes) {
@@ -218,4 +222,4 @@ TEST(C3d, NoiseBehindAValidMarkNeverCrashes) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

@@ -16,19 +16,19 @@ enum class Processor { intel = 84, dec = 85, sgi = 86 };
 struct C3dOptions {
     Processor processor = Processor::intel;
     bool real = true;
-    double scale = 1e-4;                  // always positive here; written negative for float data
-    std::string units = "m";              // empty = no POINT:UNITS
+    double scale = 1e-4;      // always positive here; written negative for float data
+    std::string units = "m";  // empty = no POINT:UNITS
     double units_per_metre = 1.0;
     bool labels = true;
-    int analog_channels = -1;             // -1 = no ANALOG group, 0 = a group that says 0
-    int analog_per_frame = 1;             // samples of each channel per frame
+    int analog_channels = -1;  // -1 = no ANALOG group, 0 = a group that says 0
+    int analog_per_frame = 1;  // samples of each channel per frame
     int parameter_block = 2;
-    int spare_blocks = 0;                 // between parameters and data
-    std::string frames_as = "FRAMES";     // "FRAMES", "FRAMES real", "LONG_FRAMES", "TRIAL", "header"
+    int spare_blocks = 0;              // between parameters and data
+    std::string frames_as = "FRAMES";  // "FRAMES", "FRAMES real", "LONG_FRAMES", "TRIAL", "header"
     bool header_rate_only = false;
-    bool groups_last = false;             // group records behind the parameters that belong to them
-    int residual_steps = 5;               // fourth word of seen samples
-    double occluded_word = -1.0;          // fourth word of occluded samples
+    bool groups_last = false;     // group records behind the parameters that belong to them
+    int residual_steps = 5;       // fourth word of seen samples
+    double occluded_word = -1.0;  // fourth word of occluded samples
 };
 
 /// Writes numbers as one of the three machines does.
@@ -45,7 +45,9 @@ public:
         byte(big ? value : value >> 8);
     }
     void real(double value) {
-        const std::uint32_t pattern = processor_ == Processor::dec ? vax(value) : std::bit_cast<std::uint32_t>(static_cast<float>(value));
+        const std::uint32_t pattern = processor_ == Processor::dec
+                                          ? vax(value)
+                                          : std::bit_cast<std::uint32_t>(static_cast<float>(value));
         const int high = static_cast<int>(pattern >> 16U);
         const int low = static_cast<int>(pattern & 0xFFFFU);
         const bool high_first = processor_ != Processor::intel;
@@ -61,7 +63,8 @@ private:
         int exponent = 0;
         const double mantissa = std::frexp(std::abs(static_cast<double>(static_cast<float>(value))), &exponent);
         const auto digits = static_cast<std::uint32_t>(std::ldexp(mantissa, 24));
-        return (value < 0.0 ? 0x80000000U : 0U) | static_cast<std::uint32_t>(exponent + 128) << 23U | (digits & 0x7FFFFFU);
+        return (value < 0.0 ? 0x80000000U : 0U) | static_cast<std::uint32_t>(exponent + 128) << 23U |
+               (digits & 0x7FFFFFU);
     }
 
     Processor processor_;
@@ -127,7 +130,8 @@ private:
     Processor processor_;
 };
 
-inline std::string c3d_parameter_section(const Recording& recording, const C3dOptions& options, int data_block) {
+inline std::string c3d_parameter_section(const measurement::Recording& recording, const C3dOptions& options,
+                                         int data_block) {
     const int points = static_cast<int>(recording.labels.size());
     const int frames = static_cast<int>(recording.sample_count());
     C3dParameterWriter writer(options.processor);
@@ -141,8 +145,10 @@ inline std::string c3d_parameter_section(const Recording& recording, const C3dOp
     writer.real(1, "SCALE", options.real ? -options.scale : options.scale);
     if (!options.header_rate_only) writer.real(1, "RATE", recording.rate_Hz);
     writer.words(1, "DATA_START", {data_block}, true);
-    if (options.frames_as == "FRAMES real") writer.real(1, "FRAMES", frames);
-    else if (options.frames_as != "header") writer.words(1, "FRAMES", {std::min(frames, 65535)}, true);
+    if (options.frames_as == "FRAMES real")
+        writer.real(1, "FRAMES", frames);
+    else if (options.frames_as != "header")
+        writer.words(1, "FRAMES", {std::min(frames, 65535)}, true);
     if (options.frames_as == "LONG_FRAMES") writer.real(1, "LONG_FRAMES", frames);
     if (options.frames_as == "TRIAL") {
         writer.words(3, "ACTUAL_START_FIELD", {1, 0}, false);
@@ -166,7 +172,7 @@ inline std::string c3d_parameter_section(const Recording& recording, const C3dOp
 }
 
 /// The bytes of a C3D file that holds the recording.
-inline std::string c3d_file(const Recording& recording, const C3dOptions& options = {}) {
+inline std::string c3d_file(const measurement::Recording& recording, const C3dOptions& options = {}) {
     constexpr std::size_t block = 512;
     const int points = static_cast<int>(recording.labels.size());
     const int frames = static_cast<int>(recording.sample_count());
@@ -196,8 +202,10 @@ inline std::string c3d_file(const Recording& recording, const C3dOptions& option
     out.pad(block * static_cast<std::size_t>(data_block - 1));
 
     const auto number = [&](double value) {
-        if (options.real) out.real(value);
-        else out.word(static_cast<int>(std::lround(value)));
+        if (options.real)
+            out.real(value);
+        else
+            out.word(static_cast<int>(std::lround(value)));
     };
     for (Eigen::Index t = 0; t < frames; ++t) {
         for (const Eigen::Matrix3Xd& track : recording.tracks) {

@@ -5,7 +5,7 @@
 
 #include "test_files.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::TemporaryFile;
@@ -27,8 +27,10 @@ TEST(Columns, HeaderlessTableInMillimetres) {
 
 TEST(Columns, ErrorsNameTheField) {
     const TemporaryFile file("1 2 3\n  1   2  x\n", "plain.txt");
-    EXPECT_THAT(read_columns(file.path(), {{"p"}, 1.0, ' ', 100.0}).error().text(), HasSubstr("plain.txt:2: column 3 (p z) is 'x'"));
-    EXPECT_THAT(read_columns(file.path(), {{"p", "q"}, 1.0, ' ', 100.0}).error().text(), HasSubstr("plain.txt:1: has 3 fields, expected 6"));
+    EXPECT_THAT(read_columns(file.path(), {{"p"}, 1.0, ' ', 100.0}).error().text(),
+                HasSubstr("plain.txt:2: column 3 (p z) is 'x'"));
+    EXPECT_THAT(read_columns(file.path(), {{"p", "q"}, 1.0, ' ', 100.0}).error().text(),
+                HasSubstr("plain.txt:1: has 3 fields, expected 6"));
     EXPECT_THAT(read_columns(file.path(), {{"p"}, 0.0, ' ', 100.0}).error().text(), HasSubstr("no length unit"));
     EXPECT_THAT(read_columns(file.path(), {{"p"}, 1.0, ' ', 0.0}).error().text(), HasSubstr("no rate"));
     EXPECT_THAT(read_columns(file.path(), {{}, 1.0, ' ', 100.0}).error().text(), HasSubstr("no marker"));
@@ -46,7 +48,8 @@ HeaderMapping motive_like() {
 }
 
 TEST(MappedCsv, ReadsTheNamedColumnsOnly) {
-    const TemporaryFile file("exported by a program, version 2\n\"Time (ms)\",comment,Z,X,Y\n0,\"a, b\",3,1,2\n8,c,3,1,2\n", "other.csv");
+    const TemporaryFile file(
+        "exported by a program, version 2\n\"Time (ms)\",comment,Z,X,Y\n0,\"a, b\",3,1,2\n8,c,3,1,2\n", "other.csv");
     HeaderMapping mapping = motive_like();
     mapping.header_line = 2;
     const Result<Recording> read = read_mapped_csv(file.path(), mapping);
@@ -71,7 +74,8 @@ TEST(MappedCsv, DecimalCommaAndRateInsteadOfTime) {
 
 TEST(MappedCsv, ErrorsOfMappingAndContent) {
     const TemporaryFile file("Time (ms),X,Y,Zed\n0,1,2,3\n", "other.csv");
-    EXPECT_THAT(read_mapped_csv(file.path(), motive_like()).error().text(), HasSubstr("other.csv:1: column 'Z' is not in the header"));
+    EXPECT_THAT(read_mapped_csv(file.path(), motive_like()).error().text(),
+                HasSubstr("other.csv:1: column 'Z' is not in the header"));
     HeaderMapping mapping = motive_like();
     mapping.time_column = "Time (s)";
     EXPECT_THAT(read_mapped_csv(file.path(), mapping).error().text(), HasSubstr("the closest name is 'Time (ms)'"));
@@ -86,8 +90,9 @@ TEST(MappedCsv, ErrorsOfMappingAndContent) {
     const TemporaryFile twice("Time (ms),X,Y,Z,X\n0,1,2,3,4\n", "other.csv");
     EXPECT_THAT(read_mapped_csv(twice.path(), motive_like()).error().text(), HasSubstr("'X' appears twice"));
     const TemporaryFile bad("Time (ms),X,Y,Z\n0,1,2,3\n5,1,2,three\n", "other.csv");
-    EXPECT_THAT(read_mapped_csv(bad.path(), motive_like()).error().text(), HasSubstr("other.csv:3: column 4 (Z) is 'three'"));
+    EXPECT_THAT(read_mapped_csv(bad.path(), motive_like()).error().text(),
+                HasSubstr("other.csv:3: column 4 (Z) is 'three'"));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

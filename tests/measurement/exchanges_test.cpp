@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
@@ -21,7 +21,10 @@ std::vector<Matrix3Xd> recorded(double swing_m, double noise_m, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0.0, 1.0);
     std::vector<Matrix3Xd> tracks;
-    for (const auto& [place, share] : {std::pair{Vector3d(0.1, 0.015, 0.0), 1.0}, {Vector3d(0.1, -0.015, 0.0), 1.0}, {Vector3d(0.05, 0.015, 0.01), 0.3}, {Vector3d(0.05, -0.015, 0.01), 0.3}}) {
+    for (const auto& [place, share] : {std::pair{Vector3d(0.1, 0.015, 0.0), 1.0},
+                                       {Vector3d(0.1, -0.015, 0.0), 1.0},
+                                       {Vector3d(0.05, 0.015, 0.01), 0.3},
+                                       {Vector3d(0.05, -0.015, 0.01), 0.3}}) {
         Matrix3Xd track(3, take_samples);
         for (Index t = 0; t < take_samples; ++t) {
             const double phase = 2.0 * M_PI * 4.0 * dt_s * static_cast<double>(t);
@@ -43,7 +46,9 @@ void exchange(std::vector<Matrix3Xd>& tracks, std::size_t a, std::size_t b, Inde
 bool same(const std::vector<Matrix3Xd>& a, const std::vector<Matrix3Xd>& b) {
     for (std::size_t i = 0; i < a.size(); ++i)
         for (Index t = 0; t < take_samples; ++t)
-            if (a[i].col(t).allFinite() != b[i].col(t).allFinite() || (a[i].col(t).allFinite() && a[i].col(t) != b[i].col(t))) return false;
+            if (a[i].col(t).allFinite() != b[i].col(t).allFinite() ||
+                (a[i].col(t).allFinite() && a[i].col(t) != b[i].col(t)))
+                return false;
     return true;
 }
 
@@ -67,7 +72,8 @@ TEST(Exchanges, ArePutBack) {
 TEST(Exchanges, ArePutBackBesideGapsAndInRings) {
     std::vector<Matrix3Xd> true_tracks = recorded(0.01, 1e-4, 1);
     // Where cameras lose sight of markers they name them anew.
-    for (const std::size_t i : {0u, 1u}) true_tracks[i].middleCols(40, 5).setConstant(std::numeric_limits<double>::quiet_NaN());
+    for (const std::size_t i : {0u, 1u})
+        true_tracks[i].middleCols(40, 5).setConstant(std::numeric_limits<double>::quiet_NaN());
     std::vector<Matrix3Xd> tracks = true_tracks;
     exchange(tracks, 0, 1, 45, 20);
     exchange(tracks, 2, 3, 50, 30);
@@ -98,7 +104,8 @@ TEST(Exchanges, ArePutBackWhereOneAloneWasLost) {
             }
 }
 
-/// Names that are not given back, a marker that slips or takes another's place, and swings of several times the distance of the markers.
+/// Names that are not given back, a marker that slips or takes another's place, and swings of several times the
+/// distance of the markers.
 TEST(Exchanges, AreNotSeenInWhatMotionsAndOtherFaultsDo) {
     for (const double noise : {0.0, 1e-5, 5e-4})
         for (unsigned seed = 1; seed <= 20; ++seed)
@@ -106,7 +113,7 @@ TEST(Exchanges, AreNotSeenInWhatMotionsAndOtherFaultsDo) {
                 std::vector<Matrix3Xd> tracks = recorded(swing, noise, seed), before = tracks;
                 EXPECT_TRUE(put_back_exchanges(tracks).empty()) << noise << " " << swing;
                 exchange(tracks, 0, 1, 70, take_samples - 70);
-                tracks[2].rightCols(50).colwise() += Vector3d(0.0, -0.03, 0.0);   // to where the fourth is
+                tracks[2].rightCols(50).colwise() += Vector3d(0.0, -0.03, 0.0);  // to where the fourth is
                 tracks[3].middleCols(20, 6).setConstant(std::numeric_limits<double>::quiet_NaN());
                 before = tracks;
                 EXPECT_TRUE(put_back_exchanges(tracks).empty()) << noise << " " << swing;
@@ -117,4 +124,4 @@ TEST(Exchanges, AreNotSeenInWhatMotionsAndOtherFaultsDo) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Index;
@@ -17,7 +17,9 @@ constexpr double frame_s = 0.01;
 constexpr Index frames = 120;
 constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
 
-Eigen::VectorXd frame_times() { return Eigen::VectorXd::LinSpaced(frames, 0.0, frame_s * static_cast<double>(frames - 1)); }
+Eigen::VectorXd frame_times() {
+    return Eigen::VectorXd::LinSpaced(frames, 0.0, frame_s * static_cast<double>(frames - 1));
+}
 
 /// Markers at four places along a beam that is let go at 0.2 s and swings at 4 Hz, its tip by 16 mm.
 std::vector<Matrix3Xd> filmed(double noise_m, unsigned seed) {
@@ -28,7 +30,9 @@ std::vector<Matrix3Xd> filmed(double noise_m, unsigned seed) {
         Matrix3Xd track(3, frames);
         for (Index t = 0; t < frames; ++t) {
             const double s = frame_s * static_cast<double>(t) - 0.2;
-            track.col(t) = Vector3d(0.1 * std::sqrt(share), 0.0, s < 0.0 ? 0.0 : -0.016 * share * (1.0 - std::exp(-2.0 * s) * std::cos(8.0 * M_PI * s)));
+            track.col(t) = Vector3d(
+                0.1 * std::sqrt(share), 0.0,
+                s < 0.0 ? 0.0 : -0.016 * share * (1.0 - std::exp(-2.0 * s) * std::cos(8.0 * M_PI * s)));
             for (int axis = 0; axis < 3; ++axis) track(axis, t) += noise_m * noise(random);
         }
         tracks.push_back(track);
@@ -37,10 +41,13 @@ std::vector<Matrix3Xd> filmed(double noise_m, unsigned seed) {
 }
 
 std::vector<Excursion> found_in(const std::vector<Matrix3Xd>& tracks, double noise_m) {
-    return find_excursions(tracks, frame_times(), Eigen::VectorXd::Constant(static_cast<Index>(tracks.size()), noise_m));
+    return find_excursions(tracks, frame_times(),
+                           Eigen::VectorXd::Constant(static_cast<Index>(tracks.size()), noise_m));
 }
 
-void displace(Matrix3Xd& track, Index first, Index end, const Vector3d& by_m) { track.middleCols(first, end - first).colwise() += by_m; }
+void displace(Matrix3Xd& track, Index first, Index end, const Vector3d& by_m) {
+    track.middleCols(first, end - first).colwise() += by_m;
+}
 
 TEST(Excursions, AreFoundInAMotion) {
     for (const double noise : {3e-6, 1e-4})
@@ -68,7 +75,8 @@ TEST(Excursions, BeginAndEndInGapsAndFollowOtherThings) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         std::vector<Matrix3Xd> tracks = filmed(1e-5, seed);
         const Vector3d elsewhere = tracks[2].col(60) + Vector3d(0.0, 0.02, 0.0);
-        for (Index t = 62; t < 78; ++t) tracks[2].col(t) = elsewhere + Vector3d::Constant(1e-5 * std::sin(static_cast<double>(t)));
+        for (Index t = 62; t < 78; ++t)
+            tracks[2].col(t) = elsewhere + Vector3d::Constant(1e-5 * std::sin(static_cast<double>(t)));
         for (const Index t : {60, 61, 78}) tracks[2].col(t).setConstant(unseen);
         const std::vector<Excursion> found = found_in(tracks, 1e-5);
         ASSERT_EQ(found.size(), 1u) << seed;
@@ -78,7 +86,8 @@ TEST(Excursions, BeginAndEndInGapsAndFollowOtherThings) {
     }
 }
 
-/// Neither noise, nor a body let go, nor a marker that slips, even twice, nor two that change places, nor a body that all markers show to jump.
+/// Neither noise, nor a body let go, nor a marker that slips, even twice, nor two that change places, nor a body that
+/// all markers show to jump.
 TEST(Excursions, AreNotSeenInWhatMotionsAndOtherFaultsDo) {
     for (const double noise : {0.0, 3e-6, 1e-4})
         for (unsigned seed = 1; seed <= 50; ++seed) {
@@ -123,4 +132,4 @@ TEST(Excursions, NeedOtherMarkersAndNeighbours) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

@@ -10,7 +10,7 @@
 #include "measurement/observe.hpp"
 #include "mesh/box_mesh.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -20,17 +20,18 @@ Matrix3Xd gathered(const MarkerBinding& binding, const Matrix3Xd& x) { return x(
 
 const Box box{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}};
 
-std::vector<VolumeMesh> meshes() {
-    return {box_hex_mesh(box, {5, 2, 2}), tet_box_mesh(box, {4, 1, 1}, CellType::tet4), tet_box_mesh(box, {3, 1, 1}, CellType::tet10)};
+std::vector<mesh::VolumeMesh> meshes() {
+    return {mesh::box_hex_mesh(box, {5, 2, 2}), mesh::tet_box_mesh(box, {4, 1, 1}, mesh::CellType::tet4),
+            mesh::tet_box_mesh(box, {3, 1, 1}, mesh::CellType::tet10)};
 }
 
 TEST(MarkerBinding, ReproducesAnyLinearMotionExactly) {
     Eigen::Matrix3d F;
     F << 1.1, 0.2, -0.1, 0.05, 0.9, 0.3, 0.0, -0.2, 1.05;
     const Vector3d shift(0.01, -0.02, 0.03);
-    const Vector3d rest(0.0612, 0.0, 0.0113);   // inside a face, at no node
-    for (const VolumeMesh& mesh : meshes()) {
-        const MarkerBinding binding = bind_marker(mesh, BoundaryLocator(mesh), rest);
+    const Vector3d rest(0.0612, 0.0, 0.0113);  // inside a face, at no node
+    for (const mesh::VolumeMesh& mesh : meshes()) {
+        const MarkerBinding binding = bind_marker(mesh, mesh::BoundaryLocator(mesh), rest);
         const Matrix3Xd x = (F * mesh.nodes).colwise() + shift;
         EXPECT_NEAR(binding.weights.sum(), 1.0, 1e-12);
         EXPECT_LT((marker_position(binding, gathered(binding, x)) - (F * rest + shift)).norm(), 1e-12);
@@ -41,8 +42,8 @@ TEST(MarkerBinding, TurnsAStandoffWithTheMaterial) {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
     const Vector3d shift(0.2, 0.1, -0.3);
     const Vector3d rest(0.08, -0.006, 0.024);
-    for (const VolumeMesh& mesh : meshes()) {
-        const MarkerBinding binding = bind_marker(mesh, BoundaryLocator(mesh), rest);
+    for (const mesh::VolumeMesh& mesh : meshes()) {
+        const MarkerBinding binding = bind_marker(mesh, mesh::BoundaryLocator(mesh), rest);
         EXPECT_NEAR(binding.standoff_m(), 0.006, 1e-12);
         const Matrix3Xd x = (R * mesh.nodes).colwise() + shift;
         EXPECT_LT((marker_position(binding, gathered(binding, x)) - (R * rest + shift)).norm(), 1e-12);
@@ -54,10 +55,11 @@ TEST(MarkerBinding, TurnsAStandoffWithTheMaterial) {
 }
 
 TEST(MarkerBinding, PullIsTheTransposedTangent) {
-    for (const VolumeMesh& mesh : meshes())
+    for (const mesh::VolumeMesh& mesh : meshes())
         for (const Vector3d& rest : {Vector3d(0.08, -0.006, 0.024), Vector3d(0.0612, 0.0, 0.0113)}) {
-            const MarkerBinding binding = bind_marker(mesh, BoundaryLocator(mesh), rest);
-            const Matrix3Xd x = gathered(binding, mesh.nodes) + 0.002 * Matrix3Xd::Random(3, static_cast<Eigen::Index>(binding.nodes.size()));
+            const MarkerBinding binding = bind_marker(mesh, mesh::BoundaryLocator(mesh), rest);
+            const Matrix3Xd x = gathered(binding, mesh.nodes) +
+                                0.002 * Matrix3Xd::Random(3, static_cast<Eigen::Index>(binding.nodes.size()));
             const Matrix3Xd dx = Matrix3Xd::Random(3, x.cols());
             const Vector3d pull(0.3, -1.0, 0.7);
             const double along = pull.dot(marker_tangent(binding, x, dx));
@@ -67,12 +69,13 @@ TEST(MarkerBinding, PullIsTheTransposedTangent) {
 }
 
 TEST(MarkerBinding, TangentEqualsDifferences) {
-    for (const VolumeMesh& mesh : meshes()) {
-        const MarkerBinding binding = bind_marker(mesh, BoundaryLocator(mesh), Vector3d(0.08, -0.006, 0.024));
+    for (const mesh::VolumeMesh& mesh : meshes()) {
+        const MarkerBinding binding = bind_marker(mesh, mesh::BoundaryLocator(mesh), Vector3d(0.08, -0.006, 0.024));
         const Matrix3Xd x = mesh.nodes + 0.002 * Matrix3Xd::Random(3, mesh.node_count());
         const Matrix3Xd dx = Matrix3Xd::Random(3, mesh.node_count());
         const Vector3d difference = (marker_position(binding, gathered(binding, x + 1e-6 * dx)) -
-                                     marker_position(binding, gathered(binding, x - 1e-6 * dx))) / 2e-6;
+                                     marker_position(binding, gathered(binding, x - 1e-6 * dx))) /
+                                    2e-6;
         const Vector3d tangent = marker_tangent(binding, gathered(binding, x), gathered(binding, dx));
         EXPECT_GT(tangent.norm(), 0.1);
         EXPECT_LT((tangent - difference).norm(), 1e-7 * difference.norm());
@@ -81,8 +84,8 @@ TEST(MarkerBinding, TangentEqualsDifferences) {
 }
 
 /// A body that turns about z at a constant rate, with exact positions and velocities at the steps.
-Trace turning(const VolumeMesh& mesh, double omega, double h, double end) {
-    Trace trace;
+dynamics::Trace turning(const mesh::VolumeMesh& mesh, double omega, double h, double end) {
+    dynamics::Trace trace;
     for (int k = 0; k * h < end + 0.5 * h; ++k) {
         const double t = k * h;
         const Eigen::Matrix3d R = Eigen::AngleAxisd(omega * t, Vector3d::UnitZ()).toRotationMatrix();
@@ -97,7 +100,7 @@ Trace turning(const VolumeMesh& mesh, double omega, double h, double end) {
 }
 
 double largest_error(double h) {
-    const VolumeMesh mesh = box_hex_mesh(box, {5, 2, 2});
+    const mesh::VolumeMesh mesh = mesh::box_hex_mesh(box, {5, 2, 2});
     const Vector3d rest(0.0612, 0.0, 0.0113);
     const MarkerSet markers = marker_set(mesh, {rest});
     const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(97, 0.0, 0.37);
@@ -117,9 +120,9 @@ TEST(Observe, InterpolatesBetweenStepsToFourthOrder) {
 }
 
 TEST(Observe, RestsBeforeTheStartAndStaysAfterTheEnd) {
-    const VolumeMesh mesh = box_hex_mesh(box, {5, 2, 2});
+    const mesh::VolumeMesh mesh = mesh::box_hex_mesh(box, {5, 2, 2});
     const Vector3d rest(0.0612, 0.0, 0.0113);
-    const Trace trace = turning(mesh, 10.0, 0.01, 0.1);
+    const dynamics::Trace trace = turning(mesh, 10.0, 0.01, 0.1);
     const Eigen::Vector2d times(-0.5, 9.0);
     const MarkerTracks tracks = observe(trace, marker_set(mesh, {rest}), times);
     EXPECT_LT((tracks.positions[0].col(0) - rest).norm(), 1e-12);
@@ -128,4 +131,4 @@ TEST(Observe, RestsBeforeTheStartAndStaysAfterTheEnd) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

@@ -8,7 +8,7 @@
 
 #include "measurement/marker_match.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,7 +23,8 @@ Matrix3Xd scattered(int count, unsigned seed) {
     return places;
 }
 
-const RigidMotion camera{Eigen::AngleAxisd(2.1, Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix(), {0.4, -0.7, 1.2}};
+const RigidMotion camera{Eigen::AngleAxisd(2.1, Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix(),
+                         {0.4, -0.7, 1.2}};
 
 /// What cameras see: the places in another order, with noise, moved.
 Matrix3Xd seen_from(const Matrix3Xd& rest_m, const std::vector<int>& order, double noise_m) {
@@ -31,7 +32,8 @@ Matrix3Xd seen_from(const Matrix3Xd& rest_m, const std::vector<int>& order, doub
     std::normal_distribution<double> noise(0.0, noise_m);
     Matrix3Xd seen(3, static_cast<Eigen::Index>(order.size()));
     for (std::size_t i = 0; i < order.size(); ++i)
-        seen.col(static_cast<Eigen::Index>(i)) = camera.inverse().apply(rest_m.col(order[i]) + Vector3d(noise(random), noise(random), noise(random)));
+        seen.col(static_cast<Eigen::Index>(i)) = camera.inverse().apply(
+            rest_m.col(order[i]) + Vector3d(noise(random), noise(random), noise(random)));
     return seen;
 }
 
@@ -61,7 +63,7 @@ TEST(MarkerMatch, LeavesOutWhatIsHiddenAndWhatIsForeign) {
 }
 
 TEST(MarkerMatch, TellsASymmetricArrangementByTheExpectedRotation) {
-    Matrix3Xd rest(3, 4);   // a rectangle, which half a turn brings onto itself
+    Matrix3Xd rest(3, 4);  // a rectangle, which half a turn brings onto itself
     rest << 0.0, 0.1, 0.1, 0.0, 0.0, 0.0, 0.04, 0.04, 0.0, 0.0, 0.0, 0.0;
     const Matrix3Xd seen = seen_from(rest, {0, 1, 2, 3}, 0.0);
     const Result<MarkerMatch> match = match_markers(rest, seen, 1e-3, camera.rotation);
@@ -84,8 +86,9 @@ TEST(MarkerMatch, OnOneLineKeepsTheExpectedRotation) {
 
 TEST(MarkerMatch, NeedsSomethingOnBothSides) {
     EXPECT_FALSE(match_markers(Matrix3Xd(3, 0), scattered(3, 1), 1e-3));
-    EXPECT_FALSE(match_markers(scattered(3, 1), Matrix3Xd::Constant(3, 2, std::numeric_limits<double>::quiet_NaN()), 1e-3));
+    EXPECT_FALSE(
+        match_markers(scattered(3, 1), Matrix3Xd::Constant(3, 2, std::numeric_limits<double>::quiet_NaN()), 1e-3));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

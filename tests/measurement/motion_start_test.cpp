@@ -6,7 +6,7 @@
 #include "measurement/recording_edit.hpp"
 #include "synthetic_take.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::make_take;
@@ -14,7 +14,8 @@ using test::SyntheticTake;
 using testing::HasSubstr;
 
 // Start found minus true start, in samples.
-double error_in_samples(const SyntheticTake& take, const Recording& recording, const std::vector<std::string>& labels = {}) {
+double error_in_samples(const SyntheticTake& take, const Recording& recording,
+                        const std::vector<std::string>& labels = {}) {
     const StartOfMotion start = find_motion_start(recording, labels);
     EXPECT_TRUE(start.found) << start.message;
     EXPECT_EQ(start.last_still, start.first_moving - 1);
@@ -101,4 +102,4 @@ TEST(MotionStart, WhatCannotBeFoundIsSaid) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

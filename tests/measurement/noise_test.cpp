@@ -6,13 +6,14 @@
 
 #include "synthetic_take.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::make_take;
 using test::SyntheticTake;
 
-// Sigma relative to the truth: mean over markers and seeds, the worst marker, and the worst take (all markers together).
+// Sigma relative to the truth: mean over markers and seeds, the worst marker, and the worst take (all markers
+// together).
 struct Recovery {
     double mean = 0.0;
     double worst = 0.0;
@@ -50,14 +51,15 @@ TEST(Noise, IsFoundWithinATenthBesideVibration) {
         const Recovery result = recovery(take, unchanged);
         EXPECT_NEAR(result.mean, 1.0, 0.02) << sigma;
         EXPECT_LT(result.worst_take, 0.06) << sigma;
-        EXPECT_LT(result.worst, 0.12) << sigma;   // of 48 markers with about 350 free differences each: 2.7 deviations
+        EXPECT_LT(result.worst, 0.12) << sigma;  // of 48 markers with about 350 free differences each: 2.7 deviations
     }
 }
 
 TEST(Noise, IsFoundWithGaps) {
     const Recovery result = recovery(SyntheticTake{}, [](Recording& recording) {
         for (Eigen::Matrix3Xd& track : recording.tracks) {
-            for (Eigen::Index t = 40; t + 12 < track.cols(); t += 70) track.middleCols(t, 12).setConstant(std::numeric_limits<double>::quiet_NaN());
+            for (Eigen::Index t = 40; t + 12 < track.cols(); t += 70)
+                track.middleCols(t, 12).setConstant(std::numeric_limits<double>::quiet_NaN());
         }
     });
     EXPECT_NEAR(result.mean, 1.0, 0.03);
@@ -69,7 +71,7 @@ TEST(Noise, RepeatedRowsDoNotFoolIt) {
     const Recovery result = recovery(SyntheticTake{}, test::poll);
     EXPECT_NEAR(result.mean, 1.0, 0.05);
     EXPECT_LT(result.worst_take, 0.1);
-    EXPECT_LT(result.worst, 0.25);   // a fifth of the samples is gone, and the rest is not evenly spaced
+    EXPECT_LT(result.worst, 0.25);  // a fifth of the samples is gone, and the rest is not evenly spaced
 }
 
 TEST(Noise, RoundingAddsItsVariance) {
@@ -127,4 +129,4 @@ TEST(Noise, TooFewSamplesAreSaidToBe) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

@@ -5,7 +5,7 @@
 
 #include "test_files.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::TemporaryFile;
@@ -20,7 +20,8 @@ const std::string rate = "FREQUENCY\t50\n";
 const std::string rows = "1\t2\t3\t4\t5\t6\n0.000\t0.000\t0.000\t4\t5\t6\n1\t2\t3\t\tNULL\t6\n";
 
 TEST(QtmTsv, AllColumnsAreCoordinatesWithoutAFrameLine) {
-    const Result<Recording> read = read_export(rate + "SOMETHING_NEW\t1\t2\nEVENT\tkick\t3\t0.1\n" + names + counts + rows);
+    const Result<Recording> read = read_export(rate + "SOMETHING_NEW\t1\t2\nEVENT\tkick\t3\t0.1\n" + names + counts +
+                                               rows);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->labels, (std::vector<std::string>{"a", "b"}));
     EXPECT_TRUE(read->tracks[1].col(0).isApprox(Eigen::Vector3d(4e-3, 5e-3, 6e-3), 1e-15));
@@ -32,8 +33,10 @@ TEST(QtmTsv, AllColumnsAreCoordinatesWithoutAFrameLine) {
 }
 
 TEST(QtmTsv, FrameAndTimeColumnsAreTakenWhenTheLineIsThere) {
-    const std::string content = "Frame\tTime\ta X\ta Y\ta Z\tb X\tb Y\tb Z\n11\t0.20\t1\t2\t3\t4\t5\t6\t\r\n12\t0.22\t1\t2\t3\t4\t5\t6\r\n";
-    const Result<Recording> read = read_export("NO_OF_MARKERS\t2\r\n" + names + "NO_OF_FRAMES\t2\n" + rate + content + "\n");
+    const std::string content =
+        "Frame\tTime\ta X\ta Y\ta Z\tb X\tb Y\tb Z\n11\t0.20\t1\t2\t3\t4\t5\t6\t\r\n12\t0.22\t1\t2\t3\t4\t5\t6\r\n";
+    const Result<Recording> read = read_export("NO_OF_MARKERS\t2\r\n" + names + "NO_OF_FRAMES\t2\n" + rate + content +
+                                               "\n");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_DOUBLE_EQ(read->time_s(0), 0.20);
     EXPECT_DOUBLE_EQ(read->time_s(1), 0.22);
@@ -45,18 +48,24 @@ TEST(QtmTsv, FrameAndTimeColumnsAreTakenWhenTheLineIsThere) {
 
 TEST(QtmTsv, CountsAreCheckedAndErrorsHaveLineAndColumn) {
     EXPECT_EQ(export_error(names + counts + rate + rows), "no error");
-    EXPECT_THAT(export_error(names + "NO_OF_FRAMES\t4\n" + rate + rows), HasSubstr("take.tsv:2: NO_OF_FRAMES is 4, but the file has 3 rows"));
-    EXPECT_THAT(export_error(names + "NO_OF_MARKERS\t3\n" + rate + rows), HasSubstr("take.tsv:2: NO_OF_MARKERS is 3, but MARKER_NAMES lists 2"));
-    EXPECT_THAT(export_error(names + "NO_OF_FRAMES\tmany\n" + rate + rows), HasSubstr("take.tsv:2: NO_OF_FRAMES is 'many'"));
+    EXPECT_THAT(export_error(names + "NO_OF_FRAMES\t4\n" + rate + rows),
+                HasSubstr("take.tsv:2: NO_OF_FRAMES is 4, but the file has 3 rows"));
+    EXPECT_THAT(export_error(names + "NO_OF_MARKERS\t3\n" + rate + rows),
+                HasSubstr("take.tsv:2: NO_OF_MARKERS is 3, but MARKER_NAMES lists 2"));
+    EXPECT_THAT(export_error(names + "NO_OF_FRAMES\tmany\n" + rate + rows),
+                HasSubstr("take.tsv:2: NO_OF_FRAMES is 'many'"));
     EXPECT_THAT(export_error(names + counts + rows), HasSubstr("no FREQUENCY"));
     EXPECT_THAT(export_error(rate + rows), HasSubstr("no MARKER_NAMES"));
-    EXPECT_THAT(export_error("MARKER_NAMES\ta\ta\n" + rate + rows), HasSubstr("take.tsv:1: MARKER_NAMES holds 'a' twice"));
-    EXPECT_THAT(export_error(names + rate + "1\t2\t3\t4\t5\t6\n1\t2\tx\t4\t5\t6\n"), HasSubstr("take.tsv:4: column 3 (a Z) is 'x'"));
+    EXPECT_THAT(export_error("MARKER_NAMES\ta\ta\n" + rate + rows),
+                HasSubstr("take.tsv:1: MARKER_NAMES holds 'a' twice"));
+    EXPECT_THAT(export_error(names + rate + "1\t2\t3\t4\t5\t6\n1\t2\tx\t4\t5\t6\n"),
+                HasSubstr("take.tsv:4: column 3 (a Z) is 'x'"));
     EXPECT_THAT(export_error(names + rate + "1\t2\t3\t4\t5\n"), HasSubstr("take.tsv:3: has 5 fields, expected 6"));
-    EXPECT_THAT(export_error(names + rate + "Frame\tTime\n1\t0\t1\t2\t3\t4\t5\t6\n2\t0\t1\t2\t3\t4\t5\t6\n"), HasSubstr("take.tsv:5: time 0 s does not ascend"));
+    EXPECT_THAT(export_error(names + rate + "Frame\tTime\n1\t0\t1\t2\t3\t4\t5\t6\n2\t0\t1\t2\t3\t4\t5\t6\n"),
+                HasSubstr("take.tsv:5: time 0 s does not ascend"));
     EXPECT_THAT(export_error(names + rate), HasSubstr("no rows"));
     EXPECT_THAT(export_error(""), HasSubstr("is empty"));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

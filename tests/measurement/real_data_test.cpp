@@ -15,10 +15,10 @@
 #include "support/shared_data.hpp"
 #include "test_files.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
-#define NEED_DATA(folder, part)                                        \
+#define NEED_DATA(folder, part)                                   \
     const std::filesystem::path folder = test::shared_data(part); \
     if (folder.empty()) GTEST_SKIP() << "skipped: no data"
 
@@ -26,19 +26,21 @@ struct Take {
     std::string file;
     int samples;
     std::vector<std::string> labels;
-    int first_moving;   // by eye, 0-based
+    int first_moving;  // by eye, 0-based
 };
 
 const std::vector<std::string> beam_labels{"Tip - 1", "Tip - 2", "Tip - 3", "Base - 1", "Base - 2", "Base - 3"};
-const std::vector<std::string> arm_labels{"Base - 1", "Base - 2", "Base - 3", "Base - 4", "Tip - 1", "Tip - 2", "Tip - 3"};
-const std::vector<std::string> segment_labels{"tip - 1", "tip - 2", "tip - 3", "tip - 4", "base - 1", "base - 2", "base - 3", "base - 4"};
+const std::vector<std::string> arm_labels{"Base - 1", "Base - 2", "Base - 3", "Base - 4",
+                                          "Tip - 1",  "Tip - 2",  "Tip - 3"};
+const std::vector<std::string> segment_labels{"tip - 1",  "tip - 2",  "tip - 3",  "tip - 4",
+                                              "base - 1", "base - 2", "base - 3", "base - 4"};
 
 const std::vector<Take> c3d_takes{
-    {"beam/beam_gravity_V2_a.c3d", 500, beam_labels, 71},    {"beam/beam_gravity_V2_b.c3d", 500, beam_labels, 65},
-    {"beam/beam_load101_V2_a.c3d", 600, beam_labels, 51},    {"beam/beam_load101_V2_b.c3d", 600, beam_labels, 55},
-    {"arm/100mbar_V3.c3d", 600, arm_labels, 59},             {"arm/200mbar_V3.c3d", 600, arm_labels, 79},
-    {"arm/300mbar_V3.c3d", 600, arm_labels, 155},            {"arm/400mbar_V3.c3d", 600, arm_labels, 50},
-    {"arm/segment-200mbar.c3d", 600, segment_labels, 126},   {"arm/segment-300mbar.c3d", 600, segment_labels, 284},
+    {"beam/beam_gravity_V2_a.c3d", 500, beam_labels, 71},  {"beam/beam_gravity_V2_b.c3d", 500, beam_labels, 65},
+    {"beam/beam_load101_V2_a.c3d", 600, beam_labels, 51},  {"beam/beam_load101_V2_b.c3d", 600, beam_labels, 55},
+    {"arm/100mbar_V3.c3d", 600, arm_labels, 59},           {"arm/200mbar_V3.c3d", 600, arm_labels, 79},
+    {"arm/300mbar_V3.c3d", 600, arm_labels, 155},          {"arm/400mbar_V3.c3d", 600, arm_labels, 50},
+    {"arm/segment-200mbar.c3d", 600, segment_labels, 126}, {"arm/segment-300mbar.c3d", 600, segment_labels, 284},
     {"arm/segment-400mbar.c3d", 600, segment_labels, 175}};
 
 TEST(RealData, C3dFilesAreReadWithTheirStartsWithinTwoFrames) {
@@ -67,7 +69,7 @@ TEST(RealData, PressureSweepStartsAndRepeats) {
         EXPECT_EQ(read->labels.size(), 7U);
         EXPECT_DOUBLE_EQ(read->rate_Hz, 100.0);
         const auto repeats = static_cast<double>(repeated_samples(*read).size());
-        EXPECT_GT(repeats / 150.0, 0.1) << name;   // about one in five
+        EXPECT_GT(repeats / 150.0, 0.1) << name;  // about one in five
         EXPECT_LT(repeats / 150.0, 0.3) << name;
         const StartOfMotion start = find_motion_start(*read);
         EXPECT_TRUE(start.found) << name;
@@ -78,7 +80,8 @@ TEST(RealData, PressureSweepStartsAndRepeats) {
 
 TEST(RealData, FishHasNoHeaderAndMovesFromRowTwo) {
     NEED_DATA(folder, "data/mocap");
-    const Result<Recording> read = read_columns(folder / "fish/soft_fish_data.csv", {{"spine", "base_1", "base_2", "base_3"}, 1e-3, ';', 100.0});
+    const Result<Recording> read = read_columns(folder / "fish/soft_fish_data.csv",
+                                                {{"spine", "base_1", "base_2", "base_3"}, 1e-3, ';', 100.0});
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->sample_count(), 198);
     const StartOfMotion start = find_motion_start(*read);
@@ -117,7 +120,7 @@ TEST(RealData, BeamNoiseIsThatOfTheReadme) {
     const Result<Recording> read = read_c3d(folder / "beam/beam_gravity_V2_a.c3d");
     ASSERT_TRUE(read);
     for (const NoiseEstimate& estimate : estimate_noise(*read)) {
-        EXPECT_GT(estimate.sigma_m, 2e-6) << estimate.label;   // 3 to 6 um, the white part of it
+        EXPECT_GT(estimate.sigma_m, 2e-6) << estimate.label;  // 3 to 6 um, the white part of it
         EXPECT_LT(estimate.sigma_m, 8e-6) << estimate.label;
     }
 }
@@ -141,7 +144,9 @@ TEST(RealData, ExampleTracesAreReadAndTheirNoiseIsTheTrueOne) {
         // Examples have white noise of 0.1 mm, one of 0.08 mm (their truth files).
         const double truth = path.string().find("quadratic_drag") != std::string::npos ? 8e-5 : 1e-4;
         const bool example = path.string().find("example_") != std::string::npos;
-        if (example) { EXPECT_NEAR(mean_noise(estimate_noise(*read)), truth, 0.1 * truth) << path; }
+        if (example) {
+            EXPECT_NEAR(mean_noise(estimate_noise(*read)), truth, 0.1 * truth) << path;
+        }
         // Where a trial is there in both forms they hold the same samples; the tsv has three decimals of a millimetre.
         std::filesystem::path twin = path;
         twin.replace_extension(".csv");
@@ -156,4 +161,4 @@ TEST(RealData, ExampleTracesAreReadAndTheirNoiseIsTheTrueOne) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

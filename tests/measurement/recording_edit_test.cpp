@@ -6,7 +6,7 @@
 #include "measurement/gaps.hpp"
 #include "test_files.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 TEST(RecordingEdit, TransformAndItsInverseAreTheIdentityAndKeepGaps) {
@@ -42,7 +42,8 @@ TEST(RecordingEdit, SelectsAndRenames) {
 
 TEST(Gaps, EveryRunOfOccludedSamplesIsListed) {
     Recording recording = test::random_recording(2, 10, 4);
-    for (const Eigen::Index t : {0, 1, 4, 9}) recording.tracks[1].col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
+    for (const Eigen::Index t : {0, 1, 4, 9})
+        recording.tracks[1].col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
     const std::vector<MarkerGaps> gaps = gap_map(recording);
     EXPECT_TRUE(gaps[0].gaps.empty());
     EXPECT_EQ(gaps[0].occluded_fraction, 0.0);
@@ -57,13 +58,15 @@ TEST(Gaps, EveryRunOfOccludedSamplesIsListed) {
 TEST(Gaps, ARepeatIsASampleInWhichNothingIsNew) {
     Recording recording = test::random_recording(2, 8, 5);
     for (Eigen::Matrix3Xd& track : recording.tracks) track.col(3) = track.col(2);
-    recording.tracks[0].col(6) = recording.tracks[0].col(5);   // the other marker moved
+    recording.tracks[0].col(6) = recording.tracks[0].col(5);  // the other marker moved
     EXPECT_EQ(repeated_samples(recording), (std::vector<Eigen::Index>{3}));
-    for (const Eigen::Index t : {2, 3}) recording.tracks[1].col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
-    EXPECT_EQ(repeated_samples(recording), (std::vector<Eigen::Index>{3}));   // gap on gap repeats as well
-    for (const Eigen::Index t : {2, 3}) recording.tracks[0].col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
-    EXPECT_TRUE(repeated_samples(recording).empty());   // nothing seen is not a repeat
+    for (const Eigen::Index t : {2, 3})
+        recording.tracks[1].col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(repeated_samples(recording), (std::vector<Eigen::Index>{3}));  // gap on gap repeats as well
+    for (const Eigen::Index t : {2, 3})
+        recording.tracks[0].col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_TRUE(repeated_samples(recording).empty());  // nothing seen is not a repeat
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

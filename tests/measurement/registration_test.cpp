@@ -1,12 +1,12 @@
 #include "measurement/registration.hpp"
 
-#include <Eigen/LU>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <random>
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using testing::HasSubstr;
@@ -98,7 +98,7 @@ TEST(Registration, IsTheLeastSquaresMotionAndReportsWhatIsLeft) {
     const double best = sum_of_squares(found->motion);
     EXPECT_NEAR(found->rms_m, std::sqrt(best), 1e-12);
     EXPECT_LT((found->residual_m - (found->motion.apply_all(from) - to)).norm(), 1e-14);
-    EXPECT_NEAR(found->distance_m(3), found->residual_m.col(3).norm(), 1e-16);   // weight 0 has a residual as well
+    EXPECT_NEAR(found->distance_m(3), found->residual_m.col(3).norm(), 1e-16);  // weight 0 has a residual as well
     for (unsigned seed = 1; seed < 50; ++seed) {
         const Eigen::Matrix3Xd v = random_points(2, seed, 1e-3);
         EXPECT_GE(sum_of_squares(compose({small_rotation(v.col(0)), v.col(1)}, found->motion)), best);
@@ -110,7 +110,8 @@ TEST(Registration, RefusesWhatDoesNotDetermineAMotion) {
     EXPECT_THAT(rigid_registration(two, two).error().text(), HasSubstr("at least 3 points, got 2"));
     const Eigen::Vector3d direction(1, 2, -1);
     Eigen::Matrix3Xd line(3, 5);
-    for (Eigen::Index k = 0; k < 5; ++k) line.col(k) = Eigen::Vector3d(0.4, 0.1, 7.0) + 0.1 * static_cast<double>(k * k) * direction;
+    for (Eigen::Index k = 0; k < 5; ++k)
+        line.col(k) = Eigen::Vector3d(0.4, 0.1, 7.0) + 0.1 * static_cast<double>(k * k) * direction;
     EXPECT_THAT(rigid_registration(line, line).error().text(), HasSubstr("one line"));
     EXPECT_THAT(rigid_registration(random_points(5, 2), line).error().text(), HasSubstr("one line"));
     const Eigen::Matrix3Xd same = Eigen::Matrix3Xd::Ones(3, 4);
@@ -122,4 +123,4 @@ TEST(Registration, RefusesWhatDoesNotDetermineAMotion) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

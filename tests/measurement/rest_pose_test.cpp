@@ -5,7 +5,7 @@
 
 #include "synthetic_take.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::make_take;
@@ -42,7 +42,7 @@ TEST(RestPose, OnlyTheLastSecondCountsWhenTheBodyDrifts) {
     take.drift_m_per_s = 1e-3;
     const Recording recording = make_take(take);
     const Result<RestPose> pose = rest_pose(recording, 400);
-    EXPECT_NEAR((pose->positions_m.col(0) - recording.tracks[0].col(399)).norm(), 0.5e-3, 0.05e-3);   // not 2 mm
+    EXPECT_NEAR((pose->positions_m.col(0) - recording.tracks[0].col(399)).norm(), 0.5e-3, 0.05e-3);  // not 2 mm
 }
 
 TEST(RestPose, HiddenMarkersAreNamed) {
@@ -56,10 +56,10 @@ TEST(RestPose, HiddenMarkersAreNamed) {
     EXPECT_TRUE(pose->positions_m.col(3).array().isNaN().all());
     EXPECT_TRUE(pose->positions_m.col(5).allFinite());
     EXPECT_FALSE(rest_pose(recording, 0));
-    EXPECT_TRUE(rest_pose_before(recording, -1.0));   // the first sample is all there is
+    EXPECT_TRUE(rest_pose_before(recording, -1.0));  // the first sample is all there is
     for (Eigen::Matrix3Xd& track : recording.tracks) track.setConstant(nan);
     EXPECT_THAT(rest_pose(recording, 100).error().what, testing::HasSubstr("no marker is seen"));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

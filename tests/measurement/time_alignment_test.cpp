@@ -6,7 +6,7 @@
 
 #include "measurement/time_alignment.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -23,13 +23,16 @@ Matrix3Xd swing(const Eigen::VectorXd& time_s, double amplitude_m, double phase_
 }
 
 TEST(TimeAlignment, FindsTheReleaseToATenthOfASample) {
-    const Eigen::VectorXd simulated = Eigen::VectorXd::LinSpaced(151, 0.0, 1.5), recorded = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
+    const Eigen::VectorXd simulated = Eigen::VectorXd::LinSpaced(151, 0.0, 1.5),
+                          recorded = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
     std::mt19937 random(2);
     std::normal_distribution<double> noise(0.0, 3e-4);
     Matrix3Xd seen = swing(recorded, 0.02, 1.2345);
     for (double& value : seen.reshaped()) value += noise(random);
-    seen.middleCols(140, 6).setConstant(std::numeric_limits<double>::quiet_NaN());   // hidden in the middle of the motion
-    const auto found = align_in_time(simulated, {swing(simulated, 0.017)}, recorded, {seen});   // the model is 15 % too stiff
+    seen.middleCols(140, 6).setConstant(
+        std::numeric_limits<double>::quiet_NaN());  // hidden in the middle of the motion
+    const auto found = align_in_time(simulated, {swing(simulated, 0.017)}, recorded,
+                                     {seen});  // the model is 15 % too stiff
     ASSERT_TRUE(found) << found.error().text();
     EXPECT_NEAR(found->delay_s, 1.2345, 1.5e-3);
     EXPECT_GT(found->correlation, 0.98);
@@ -43,4 +46,4 @@ TEST(TimeAlignment, RefusesWhatDoesNotMove) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

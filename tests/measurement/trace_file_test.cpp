@@ -4,14 +4,16 @@
 #include "measurement/test_files.hpp"
 #include "measurement/trace_file.hpp"
 
-namespace myo {
+namespace myo::measurement {
 namespace {
 
 using test::TemporaryFile;
 
 TEST(TraceFile, IsToldByItsFirstLines) {
-    EXPECT_EQ(guess_trace_source(TemporaryFile("time_s,a_x_m,a_y_m,a_z_m\n0,1,2,3\n").path())->format, TraceFormat::csv);
-    EXPECT_EQ(guess_trace_source(TemporaryFile("NO_OF_FRAMES\t1\nNO_OF_MARKERS\t1\n").path())->format, TraceFormat::qtm_tsv);
+    EXPECT_EQ(guess_trace_source(TemporaryFile("time_s,a_x_m,a_y_m,a_z_m\n0,1,2,3\n").path())->format,
+              TraceFormat::csv);
+    EXPECT_EQ(guess_trace_source(TemporaryFile("NO_OF_FRAMES\t1\nNO_OF_MARKERS\t1\n").path())->format,
+              TraceFormat::qtm_tsv);
     const auto table = guess_trace_source(TemporaryFile("\n1.5;2;nan;;NULL;3e-2\n", "stream.txt").path());
     ASSERT_TRUE(table) << table.error().text();
     EXPECT_EQ(table->format, TraceFormat::columns);
@@ -29,4 +31,4 @@ TEST(TraceFile, SaysWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::measurement

@@ -5,7 +5,7 @@
 #include "mesh/face_shape.hpp"
 #include "mesh/test_meshes.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 TEST(FaceShape, SumsToOneAndGradientMatchesDifferences) {
@@ -96,4 +96,4 @@ TEST(ClosestPoint, BindsInsideAFaceAndNotToANode) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

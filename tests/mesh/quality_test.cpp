@@ -9,7 +9,7 @@
 #include "mesh/test_surfaces.hpp"
 #include "mesh/voxel_mesh.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 TEST(Quality, PerfectCells) {
@@ -73,4 +73,4 @@ TEST(Estimate, NearForRoundBodies) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

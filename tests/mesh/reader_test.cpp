@@ -15,7 +15,7 @@
 #include "mesh/volume_reader.hpp"
 #include "mesh/vtk_writer.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,7 +29,8 @@ std::string ascii_stl(const SurfaceMesh& s) {
     text << "solid a free name\n";
     for (Eigen::Index t = 0; t < s.triangles.cols(); ++t) {
         text << "facet normal 0 0 0\n outer loop\n";
-        for (Eigen::Index i = 0; i < 3; ++i) text << "  vertex " << s.vertices.col(s.triangles(i, t)).transpose() << "\n";
+        for (Eigen::Index i = 0; i < 3; ++i)
+            text << "  vertex " << s.vertices.col(s.triangles(i, t)).transpose() << "\n";
         text << " endloop\nendfacet\n";
     }
     return text.str() + "endsolid a free name\n";
@@ -66,8 +67,8 @@ void append(std::string& bytes, T value, bool big) {
 std::string ply(const SurfaceMesh& s, const std::string& format) {
     std::ostringstream text;
     text << "ply\nformat " << format << " 1.0\ncomment made by hand\nelement vertex " << s.vertices.cols()
-         << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nelement face " << s.triangles.cols()
-         << "\nproperty list uchar int vertex_indices\nend_header\n";
+         << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nelement face "
+         << s.triangles.cols() << "\nproperty list uchar int vertex_indices\nend_header\n";
     std::string bytes;
     const bool big = format == "binary_big_endian";
     for (Eigen::Index v = 0; v < s.vertices.cols(); ++v) {
@@ -85,11 +86,14 @@ std::string ply(const SurfaceMesh& s, const std::string& format) {
 
 std::string vtp(const SurfaceMesh& s) {
     std::ostringstream text;
-    text << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\""
-         << s.vertices.cols() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << s.triangles.cols()
-         << "\">\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n" << s.vertices.transpose()
-         << "\n</DataArray></Points>\n<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n" << s.triangles.transpose()
-         << "\n</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+    text << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
+            "byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\""
+         << s.vertices.cols() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+         << s.triangles.cols()
+         << "\">\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n"
+         << s.vertices.transpose()
+         << "\n</DataArray></Points>\n<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n"
+         << s.triangles.transpose() << "\n</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
     for (Eigen::Index t = 1; t <= s.triangles.cols(); ++t) text << 3 * t << " ";
     text << "\n</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
     return text.str();
@@ -100,7 +104,8 @@ int vtk_type(CellType type) { return type == CellType::hex8 ? 12 : type == CellT
 std::string legacy(const VolumeMesh& mesh, bool binary) {
     std::ostringstream text;
     text.precision(17);
-    text << "# vtk DataFile Version 3.0\nby hand\n" << (binary ? "BINARY" : "ASCII") << "\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.node_count() << " double\n";
+    text << "# vtk DataFile Version 3.0\nby hand\n"
+         << (binary ? "BINARY" : "ASCII") << "\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.node_count() << " double\n";
     const auto block = [&](const auto& matrix, auto number) {
         if (!binary) {
             text << matrix.transpose() << "\n";
@@ -134,15 +139,19 @@ std::string gmsh(const VolumeMesh& mesh, int version) {
         text << tags.transpose() << "\n";
     };
     if (version == 2) {
-        text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"body\"\n$EndPhysicalNames\n$Nodes\n" << mesh.node_count() << "\n";
-        for (Eigen::Index i = 0; i < mesh.node_count(); ++i) text << i + 1 << " " << mesh.nodes.col(i).transpose() << "\n";
+        text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"body\"\n$EndPhysicalNames\n$Nodes\n"
+             << mesh.node_count() << "\n";
+        for (Eigen::Index i = 0; i < mesh.node_count(); ++i)
+            text << i + 1 << " " << mesh.nodes.col(i).transpose() << "\n";
         text << "$EndNodes\n$Elements\n" << mesh.cell_count() + 1 << "\n1 2 2 0 1 1 2 3\n";
         for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) text << c + 2 << " " << type << " 2 1 1 ", cell(c);
         text << "$EndElements\n";
     } else {
-        text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 " << mesh.node_count() << " 1 " << mesh.node_count() << "\n3 1 0 " << mesh.node_count() << "\n";
+        text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 " << mesh.node_count() << " 1 " << mesh.node_count()
+             << "\n3 1 0 " << mesh.node_count() << "\n";
         for (Eigen::Index i = 0; i < mesh.node_count(); ++i) text << i + 1 << "\n";
-        text << mesh.nodes.transpose() << "\n$EndNodes\n$Elements\n2 " << mesh.cell_count() + 1 << " 1 " << mesh.cell_count() + 1 << "\n2 1 2 1\n1 1 2 3\n3 1 " << type << " " << mesh.cell_count() << "\n";
+        text << mesh.nodes.transpose() << "\n$EndNodes\n$Elements\n2 " << mesh.cell_count() + 1 << " 1 "
+             << mesh.cell_count() + 1 << "\n2 1 2 1\n1 1 2 3\n3 1 " << type << " " << mesh.cell_count() << "\n";
         for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) text << c + 2 << " ", cell(c);
         text << "$EndElements\n";
     }
@@ -155,7 +164,8 @@ void write_tetgen(const fs::path& stem, const VolumeMesh& mesh, int first) {
     std::ostringstream nodes, cells;
     nodes.precision(17);
     nodes << "# points\n" << mesh.node_count() << " 3 0 1\n";
-    for (Eigen::Index i = 0; i < mesh.node_count(); ++i) nodes << i + first << " " << mesh.nodes.col(i).transpose() << " 1\n";
+    for (Eigen::Index i = 0; i < mesh.node_count(); ++i)
+        nodes << i + first << " " << mesh.nodes.col(i).transpose() << " 1\n";
     cells << mesh.cell_count() << " " << mesh.cells.rows() << " 0\n";
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         cells << c + first;
@@ -186,7 +196,8 @@ protected:
             write_text(folder_ / (name + "_binary.vtk"), legacy(mesh, true));
             write_text(folder_ / (name + "_2.msh"), gmsh(mesh, 2));
             write_text(folder_ / (name + "_4.msh"), gmsh(mesh, 4));
-            for (const char* kind : {".vtu", "_ascii.vtk", "_binary.vtk", "_2.msh", "_4.msh"}) volumes_.push_back(name + kind);
+            for (const char* kind : {".vtu", "_ascii.vtk", "_binary.vtk", "_2.msh", "_4.msh"})
+                volumes_.push_back(name + kind);
             if (mesh.type == CellType::hex8) continue;
             write_tetgen(folder_ / (name + "_0"), mesh, 0);
             write_tetgen(folder_ / (name + "_1"), mesh, 1);
@@ -233,7 +244,8 @@ TEST_F(Readers, TruncatedFilesAreErrorsWithThePath) {
     auto check = [&](const std::string& name, const auto& read) {
         const std::string content = *read_file(folder_ / name);
         for (const double part : {0.0, 0.03, 0.2, 0.5, 0.8, 0.95}) {
-            const std::string cut = content.substr(0, static_cast<std::size_t>(part * static_cast<double>(content.size())));
+            const std::string cut = content.substr(
+                0, static_cast<std::size_t>(part * static_cast<double>(content.size())));
             write_text(folder_ / ("cut_" + name), cut);
             const auto error = read(folder_ / ("cut_" + name));
             EXPECT_NE(error.find(name), std::string::npos) << name << " at " << part << ": " << error;
@@ -249,7 +261,8 @@ TEST_F(Readers, TruncatedFilesAreErrorsWithThePath) {
     }
     for (const std::string& name : volumes_) {
         if (name.ends_with(".node") || name.ends_with(".ele")) {
-            const std::string other = name.ends_with(".node") ? name.substr(0, name.size() - 4) + "ele" : name.substr(0, name.size() - 3) + "node";
+            const std::string other = name.ends_with(".node") ? name.substr(0, name.size() - 4) + "ele"
+                                                              : name.substr(0, name.size() - 3) + "node";
             fs::copy_file(folder_ / other, folder_ / ("cut_" + other));
         }
         check(name, [](const fs::path& path) {
@@ -289,7 +302,8 @@ TEST_F(Readers, GarbledFilesNeverCrash) {
     for (const std::string& name : volumes_) {
         const std::string content = *read_file(folder_ / name);
         if (name.ends_with(".node") || name.ends_with(".ele")) {
-            const std::string other = name.ends_with(".node") ? name.substr(0, name.size() - 4) + "ele" : name.substr(0, name.size() - 3) + "node";
+            const std::string other = name.ends_with(".node") ? name.substr(0, name.size() - 4) + "ele"
+                                                              : name.substr(0, name.size() - 3) + "node";
             fs::copy_file(folder_ / other, folder_ / ("garbled_" + other));
         }
         for (int k = 0; k < 40; ++k) {
@@ -311,7 +325,9 @@ TEST_F(Readers, PlainMistakesAreNamed) {
     EXPECT_FALSE(read_volume(folder_ / "ascii.stl", 1.0));
     write_text(folder_ / "index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
     EXPECT_NE(read_surface(folder_ / "index.obj", 1.0).error().where.find("index.obj:5"), std::string::npos);
-    write_text(folder_ / "nan.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+    write_text(folder_ / "nan.stl",
+               "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 "
+               "0\nendloop\nendfacet\nendsolid\n");
     EXPECT_NE(read_surface(folder_ / "nan.stl", 1.0).error().where.find(":5"), std::string::npos);
     write_text(folder_ / "empty.stl", "solid empty\nendsolid empty\n");
     EXPECT_FALSE(read_surface(folder_ / "empty.stl", 1.0));
@@ -354,7 +370,8 @@ TEST_F(Readers, CellsAreTurnedRoundCountedAndChecked) {
 
 TEST_F(Readers, MixedMeshesAreRefused) {
     write_text(folder_ / "mixed.vtk",
-               "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1\n"
+               "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n0 0 0 1 0 0 1 1 0 0 "
+               "1 0 0 0 1 1 0 1 1 1 1 0 1 1\n"
                "CELLS 2 14\n8 0 1 2 3 4 5 6 7\n4 0 1 2 4\nCELL_TYPES 2\n12 10\n");
     const auto mixed = read_volume(folder_ / "mixed.vtk", 1.0);
     ASSERT_FALSE(mixed);
@@ -372,4 +389,4 @@ TEST_F(Readers, WritingToABadPlaceIsAnError) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

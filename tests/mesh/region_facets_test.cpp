@@ -18,7 +18,7 @@
 #include "mesh/tet_mesh.hpp"
 #include "support/shared_data.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 constexpr double far_away = 1.0;
@@ -175,4 +175,4 @@ TEST(FillContours, FillsNestedOnesAndRefusesOpenOnes) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

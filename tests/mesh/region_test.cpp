@@ -4,7 +4,7 @@
 
 #include "mesh/test_meshes.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 const Box everything{{-1, -1, -1}, {1, 1, 1}};
@@ -33,8 +33,9 @@ TEST(SurfaceWeights, BoxThinnerThanACell) {
     for (const VolumeMesh& mesh : test::one_of_each()) {
         // the strip, and the slivers of the two side faces y = 0.02, 0.04 between x = 0.0499 and 0.05
         const double face = 0.02 * 0.001, side = 1e-4 * 0.001;
-        const Eigen::Vector3d centroid =
-            (face * Eigen::Vector3d(0.05, 0.03, 0.0315) + 2 * side * Eigen::Vector3d(0.04995, 0.03, 0.0315)) / (face + 2 * side);
+        const Eigen::Vector3d centroid = (face * Eigen::Vector3d(0.05, 0.03, 0.0315) +
+                                          2 * side * Eigen::Vector3d(0.04995, 0.03, 0.0315)) /
+                                         (face + 2 * side);
         expect_linear_exact(mesh, strip, face + 2 * side, centroid);
     }
 }
@@ -58,7 +59,8 @@ TEST(SurfaceWeights, BilinearFunctionIsIntegratedExactly) {
 TEST(SurfaceWeights, QuadraticFunctionOnTet10IsExact) {
     const VolumeMesh mesh = tet_box_mesh({{0, 0, 0}, {1, 1, 1}}, {1, 1, 1}, CellType::tet10);
     const SurfaceIntegral integral = surface_weights(mesh, boundary_faces(mesh), {{1, 0, 0}, {1, 0.3, 0.5}});
-    const Eigen::VectorXd f = mesh.nodes.row(1).array().square() + mesh.nodes.row(1).array() * mesh.nodes.row(2).array();
+    const Eigen::VectorXd f = mesh.nodes.row(1).array().square() +
+                              mesh.nodes.row(1).array() * mesh.nodes.row(2).array();
     EXPECT_NEAR(integral.weight.dot(f), 0.009 * 0.5 + 0.045 * 0.125, 1e-15);
 }
 
@@ -102,4 +104,4 @@ TEST(NodesInBox, IncludesTheFace) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

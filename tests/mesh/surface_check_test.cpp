@@ -10,13 +10,14 @@
 #include "mesh/test_surfaces.hpp"
 #include "support/shared_data.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 const Box unit_box{{0, 0, 0}, {0.01, 0.01, 0.01}};
 
 TEST(CheckSurface, GoodBodies) {
-    for (const SurfaceMesh& s : {box_surface(unit_box), test::cylinder(32, 0.01, 0.05), test::l_shape(), weld(test::sphere(3, 0.02))}) {
+    for (const SurfaceMesh& s :
+         {box_surface(unit_box), test::cylinder(32, 0.01, 0.05), test::l_shape(), weld(test::sphere(3, 0.02))}) {
         const SurfaceReport report = check_surface(s);
         EXPECT_TRUE(report.closed && report.manifold && report.oriented && report.outward && report.plausible);
         EXPECT_EQ(report.self_intersections, 0);
@@ -46,10 +47,12 @@ TEST(CheckSurface, OpenInwardAndTurned) {
 }
 
 TEST(CheckSurface, TwoBoxesSharingAnEdgeOrACornerAreNotManifold) {
-    const SurfaceMesh edge = weld(test::together(box_surface(unit_box), box_surface({{0.01, 0.01, 0}, {0.02, 0.02, 0.01}})));
+    const SurfaceMesh edge = weld(
+        test::together(box_surface(unit_box), box_surface({{0.01, 0.01, 0}, {0.02, 0.02, 0.01}})));
     EXPECT_TRUE(check_surface(edge).closed);
     EXPECT_FALSE(check_surface(edge).manifold);
-    const SurfaceMesh corner = weld(test::together(box_surface(unit_box), box_surface({{0.01, 0.01, 0.01}, {0.02, 0.02, 0.02}})));
+    const SurfaceMesh corner = weld(
+        test::together(box_surface(unit_box), box_surface({{0.01, 0.01, 0.01}, {0.02, 0.02, 0.02}})));
     EXPECT_EQ(check_surface(corner).crowded_edges, 0);
     EXPECT_FALSE(check_surface(corner).manifold);
 }
@@ -65,7 +68,8 @@ TEST(CheckSurface, WrongUnitIsNamed) {
 }
 
 TEST(SelfIntersections, CrossingBoxesAreFound) {
-    const SurfaceMesh crossing = test::together(box_surface(unit_box), box_surface({{0.004, 0.003, 0.002}, {0.03, 0.007, 0.006}}));
+    const SurfaceMesh crossing = test::together(box_surface(unit_box),
+                                                box_surface({{0.004, 0.003, 0.002}, {0.03, 0.007, 0.006}}));
     const SurfaceReport report = check_surface(crossing);
     EXPECT_GT(report.self_intersections, 3);
     EXPECT_FALSE(report.intersecting_pairs.empty());
@@ -76,7 +80,8 @@ TEST(SelfIntersections, CrossingBoxesAreFound) {
 
 TEST(SelfIntersections, OverlapInOnePlaneAndFoldsAreFound) {
     // Two boxes that share a part of a face plane.
-    const SurfaceMesh stacked = test::together(box_surface(unit_box), box_surface({{0.003, 0.003, 0.01}, {0.006, 0.006, 0.02}}));
+    const SurfaceMesh stacked = test::together(box_surface(unit_box),
+                                               box_surface({{0.003, 0.003, 0.01}, {0.006, 0.006, 0.02}}));
     EXPECT_GT(check_surface(stacked).self_intersections, 0);
 
     SurfaceMesh fold;  // the second triangle lies on the first and shares an edge
@@ -138,4 +143,4 @@ TEST(RealGeometry, AllFilesAreClosedAndOutward) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

@@ -37,14 +37,14 @@ private:
 inline Box unequal_box() { return {{-0.01, 0.02, 0.005}, {0.05, 0.04, 0.045}}; }
 
 /// One small mesh of each cell type on the same box.
-inline std::vector<VolumeMesh> one_of_each() {
+inline std::vector<mesh::VolumeMesh> one_of_each() {
     const Eigen::Vector3i cells(3, 2, 2);
-    return {box_hex_mesh(unequal_box(), cells), tet_box_mesh(unequal_box(), cells, CellType::tet4),
-            tet_box_mesh(unequal_box(), cells, CellType::tet10)};
+    return {mesh::box_hex_mesh(unequal_box(), cells), mesh::tet_box_mesh(unequal_box(), cells, mesh::CellType::tet4),
+            mesh::tet_box_mesh(unequal_box(), cells, mesh::CellType::tet10)};
 }
 
 /// Moves the nodes by a smooth map that keeps straight edges straight only on linear cells.
-inline VolumeMesh bent(VolumeMesh mesh, double strength) {
+inline mesh::VolumeMesh bent(mesh::VolumeMesh mesh, double strength) {
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
         const Eigen::Vector3d x = mesh.nodes.col(i);
         mesh.nodes.col(i) += strength * Eigen::Vector3d(x[1] * x[2], x[0] * x[0] + x[2] * x[1], x[0] * x[1]);
@@ -52,7 +52,7 @@ inline VolumeMesh bent(VolumeMesh mesh, double strength) {
     return mesh;
 }
 
-inline VolumeMesh rotated(VolumeMesh mesh) {
+inline mesh::VolumeMesh rotated(mesh::VolumeMesh mesh) {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     mesh.nodes = (R * mesh.nodes).eval();
     return mesh;

@@ -8,9 +8,9 @@
 namespace myo::test {
 
 /// Prism over a convex or not polygon (corners counter-clockwise), fan-triangulated from a corner that sees all others.
-inline SurfaceMesh prism(const Eigen::Matrix2Xd& corners, double height) {
+inline mesh::SurfaceMesh prism(const Eigen::Matrix2Xd& corners, double height) {
     const int n = static_cast<int>(corners.cols());
-    SurfaceMesh s;
+    mesh::SurfaceMesh s;
     s.vertices.resize(3, 2 * n);
     s.triangles.resize(3, 2 * n + 2 * (n - 2));
     int t = 0;
@@ -28,7 +28,7 @@ inline SurfaceMesh prism(const Eigen::Matrix2Xd& corners, double height) {
     return s;
 }
 
-inline SurfaceMesh cylinder(int sides, double radius, double height) {
+inline mesh::SurfaceMesh cylinder(int sides, double radius, double height) {
     Eigen::Matrix2Xd corners(2, sides);
     for (int i = 0; i < sides; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / sides;
@@ -38,15 +38,15 @@ inline SurfaceMesh cylinder(int sides, double radius, double height) {
 }
 
 /// An L of two 20 mm arms, 10 mm wide, 10 mm high: 3e-6 m3. The first corner is the inner one, which sees all others.
-inline SurfaceMesh l_shape() {
+inline mesh::SurfaceMesh l_shape() {
     Eigen::Matrix2Xd corners(2, 6);
     corners << 0.01, 0.01, 0.0, 0.0, 0.02, 0.02, 0.01, 0.02, 0.02, 0.0, 0.0, 0.01;
     return prism(corners, 0.01);
 }
 
 /// Two surfaces in one.
-inline SurfaceMesh together(const SurfaceMesh& a, const SurfaceMesh& b) {
-    SurfaceMesh s;
+inline mesh::SurfaceMesh together(const mesh::SurfaceMesh& a, const mesh::SurfaceMesh& b) {
+    mesh::SurfaceMesh s;
     s.vertices.resize(3, a.vertices.cols() + b.vertices.cols());
     s.vertices << a.vertices, b.vertices;
     s.triangles.resize(3, a.triangles.cols() + b.triangles.cols());
@@ -55,8 +55,8 @@ inline SurfaceMesh together(const SurfaceMesh& a, const SurfaceMesh& b) {
 }
 
 /// Every triangle with corners of its own, as in an STL file.
-inline SurfaceMesh unwelded(const SurfaceMesh& s) {
-    SurfaceMesh soup;
+inline mesh::SurfaceMesh unwelded(const mesh::SurfaceMesh& s) {
+    mesh::SurfaceMesh soup;
     soup.vertices.resize(3, 3 * s.triangles.cols());
     soup.triangles.resize(3, s.triangles.cols());
     for (Eigen::Index t = 0; t < s.triangles.cols(); ++t) {
@@ -69,21 +69,22 @@ inline SurfaceMesh unwelded(const SurfaceMesh& s) {
 }
 
 /// Geodesic-like sphere from a subdivided octahedron: 8 * 4^levels triangles.
-inline SurfaceMesh sphere(int levels, double radius) {
-    SurfaceMesh s;
+inline mesh::SurfaceMesh sphere(int levels, double radius) {
+    mesh::SurfaceMesh s;
     s.vertices.resize(3, 6);
     s.vertices << 1, -1, 0, 0, 0, 0, 0, 0, 1, -1, 0, 0, 0, 0, 0, 0, 1, -1;
     s.triangles.resize(3, 8);
     s.triangles << 0, 2, 1, 3, 2, 1, 3, 0, 2, 1, 3, 0, 0, 2, 1, 3, 4, 4, 4, 4, 5, 5, 5, 5;
     for (int level = 0; level < levels; ++level) {
-        SurfaceMesh fine;
+        mesh::SurfaceMesh fine;
         fine.vertices.resize(3, 6 * s.triangles.cols());
         fine.triangles.resize(3, 4 * s.triangles.cols());
         for (Eigen::Index t = 0; t < s.triangles.cols(); ++t) {
             for (Eigen::Index i = 0; i < 3; ++i) {
                 fine.vertices.col(6 * t + i) = s.vertices.col(s.triangles(i, t));
-                fine.vertices.col(6 * t + 3 + i) =
-                    (s.vertices.col(s.triangles(i, t)) + s.vertices.col(s.triangles((i + 1) % 3, t))).normalized();
+                fine.vertices.col(
+                    6 * t + 3 +
+                    i) = (s.vertices.col(s.triangles(i, t)) + s.vertices.col(s.triangles((i + 1) % 3, t))).normalized();
             }
             const int b = static_cast<int>(6 * t);
             fine.triangles.col(4 * t) << b, b + 3, b + 5;

@@ -16,7 +16,7 @@
 #include "mesh/test_surfaces.hpp"
 #include "support/shared_data.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 // The worker lies beside the test program, or MYOLOOP_TETGEN names it.
@@ -43,7 +43,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 TEST_F(Tetrahedralize, FillsBodiesExactly) {
-    for (const SurfaceMesh& surface : {box_surface(test::unequal_box()), test::cylinder(24, 0.015, 0.06), test::l_shape()}) {
+    for (const SurfaceMesh& surface :
+         {box_surface(test::unequal_box()), test::cylinder(24, 0.015, 0.06), test::l_shape()}) {
         for (const CellType type : {CellType::tet4, CellType::tet10}) {
             const auto mesh = tetrahedralize(surface, with_edge(0.004, type));
             ASSERT_TRUE(mesh) << mesh.error().text();
@@ -58,7 +59,8 @@ TEST_F(Tetrahedralize, FillsBodiesExactly) {
 }
 
 TEST_F(Tetrahedralize, IsRepeatable) {
-    const auto a = tetrahedralize(test::l_shape(), with_edge(0.003)), b = tetrahedralize(test::l_shape(), with_edge(0.003));
+    const auto a = tetrahedralize(test::l_shape(), with_edge(0.003)),
+               b = tetrahedralize(test::l_shape(), with_edge(0.003));
     ASSERT_TRUE(a && b);
     EXPECT_EQ(a->cells, b->cells);
     EXPECT_EQ(a->nodes, b->nodes);
@@ -73,7 +75,8 @@ TEST_F(Tetrahedralize, VolumeLimitIsKept) {
 }
 
 TEST_F(Tetrahedralize, CavityStaysHollow) {
-    const SurfaceMesh hollow = test::together(box_surface({{0, 0, 0}, {0.04, 0.04, 0.04}}), flipped(box_surface({{0.01, 0.01, 0.01}, {0.03, 0.03, 0.03}})));
+    const SurfaceMesh hollow = test::together(box_surface({{0, 0, 0}, {0.04, 0.04, 0.04}}),
+                                              flipped(box_surface({{0.01, 0.01, 0.01}, {0.03, 0.03, 0.03}})));
     const auto mesh = tetrahedralize(hollow, with_edge(0.008));
     ASSERT_TRUE(mesh) << mesh.error().text();
     EXPECT_NEAR(cell_volumes(*mesh).sum(), 5.6e-5, 1e-14);
@@ -175,4 +178,4 @@ TEST_F(Tetrahedralize, RealGeometry) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

@@ -9,7 +9,7 @@
 #include "mesh/surface_check.hpp"
 #include "mesh/test_meshes.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 // Area vector and enclosed volume of a boundary by quadrature on its true (curved) faces.
@@ -78,8 +78,8 @@ TEST(BoundaryFaces, MidNodesLieBetweenTheirCorners) {
     ASSERT_EQ(faces.nodes.rows(), 6);
     for (Eigen::Index f = 0; f < faces.count(); ++f) {
         for (int i = 0; i < 3; ++i) {
-            const Eigen::Vector3d middle =
-                0.5 * (mesh.nodes.col(faces.nodes(i, f)) + mesh.nodes.col(faces.nodes((i + 1) % 3, f)));
+            const Eigen::Vector3d middle = 0.5 * (mesh.nodes.col(faces.nodes(i, f)) +
+                                                  mesh.nodes.col(faces.nodes((i + 1) % 3, f)));
             EXPECT_LT((mesh.nodes.col(faces.nodes(3 + i, f)) - middle).norm(), 1e-16);
         }
     }
@@ -120,14 +120,16 @@ TEST(TetBoxMesh, OfMirroredCellsIsAsSymmetricAsTheBox) {
 /// Every face is either on the boundary or between two cells.
 TEST(NeighbouringCells, ShareTheFacesThatAreNotOnTheBoundary) {
     for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10}) {
-        const VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(test::unequal_box(), {4, 3, 2}) : tet_box_mesh(test::unequal_box(), {4, 3, 2}, type);
+        const VolumeMesh mesh = type == CellType::hex8 ? box_hex_mesh(test::unequal_box(), {4, 3, 2})
+                                                       : tet_box_mesh(test::unequal_box(), {4, 3, 2}, type);
         const Eigen::Matrix2Xi pairs = neighbouring_cells(mesh);
         const Eigen::Index faces = type == CellType::hex8 ? 6 : 4;
         EXPECT_EQ(2 * pairs.cols() + boundary_faces(mesh).count(), faces * mesh.cell_count());
         for (Eigen::Index k = 0; k < pairs.cols(); ++k) {
             ASSERT_LT(pairs(0, k), pairs(1, k));
             int shared = 0;
-            for (const int n : mesh.cells.col(pairs(0, k))) shared += static_cast<int>((mesh.cells.col(pairs(1, k)).array() == n).count());
+            for (const int n : mesh.cells.col(pairs(0, k)))
+                shared += static_cast<int>((mesh.cells.col(pairs(1, k)).array() == n).count());
             ASSERT_EQ(shared, type == CellType::hex8 ? 4 : type == CellType::tet4 ? 3 : 6);
         }
     }
@@ -177,8 +179,10 @@ TEST(BoxMesh, RefusesGridsThatWouldFillTheMemory) {
         EXPECT_NE(grid.error().what.find("over the limit of"), std::string::npos);
     }
     // The planes alone make 6 x 5 x 4 cells.
-    EXPECT_TRUE(limited_grid_lines(box, 1.0, {{{0.01, 0.02, 0.03, 0.04, 0.05}, {0.01, 0.015, 0.02, 0.025}, {0.01, 0.015, 0.02}}}, 120.0));
-    EXPECT_FALSE(limited_grid_lines(box, 1.0, {{{0.01, 0.02, 0.03, 0.04, 0.05}, {0.01, 0.015, 0.02, 0.025}, {0.01, 0.015, 0.02}}}, 119.0));
+    EXPECT_TRUE(limited_grid_lines(
+        box, 1.0, {{{0.01, 0.02, 0.03, 0.04, 0.05}, {0.01, 0.015, 0.02, 0.025}, {0.01, 0.015, 0.02}}}, 120.0));
+    EXPECT_FALSE(limited_grid_lines(
+        box, 1.0, {{{0.01, 0.02, 0.03, 0.04, 0.05}, {0.01, 0.015, 0.02, 0.025}, {0.01, 0.015, 0.02}}}, 119.0));
 }
 
 TEST(BoxMesh, RecognisesBoxesOnly) {
@@ -209,4 +213,4 @@ TEST(ToTet10, IsDeterministicAndConforming) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

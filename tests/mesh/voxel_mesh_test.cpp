@@ -14,7 +14,7 @@
 #include "mesh/test_surfaces.hpp"
 #include "support/shared_data.hpp"
 
-namespace myo {
+namespace myo::mesh {
 namespace {
 
 VoxelOptions voxels_of(double edge) {
@@ -90,7 +90,8 @@ TEST(Voxelize, BadInputIsAnError) {
     EXPECT_NE(result.error().what.find("not closed"), std::string::npos);
     EXPECT_FALSE(voxelize(SurfaceMesh{}, voxels_of(0.01)));
     // A tube with thin walls and a coarse grid: nothing is half full.
-    const SurfaceMesh tube = test::together(box_surface({{0, 0, 0}, {0.1, 0.1, 0.1}}), flipped(box_surface({{1e-3, 1e-3, 1e-3}, {0.099, 0.099, 0.099}})));
+    const SurfaceMesh tube = test::together(box_surface({{0, 0, 0}, {0.1, 0.1, 0.1}}),
+                                            flipped(box_surface({{1e-3, 1e-3, 1e-3}, {0.099, 0.099, 0.099}})));
     EXPECT_FALSE(voxelize(tube, voxels_of(0.05)));
 }
 
@@ -109,8 +110,8 @@ TEST(Connectivity, NamesWeakJoints) {
 
 bool holds(const VolumeMesh& mesh, Eigen::Index cell, int node) { return (mesh.cells.col(cell).array() == node).any(); }
 
-/// Whether the cells that hold all these nodes fall apart when only faces that hold them too join cells. For grids, whose
-/// cells have a face in common when they have so many corners in common.
+/// Whether the cells that hold all these nodes fall apart when only faces that hold them too join cells. For grids,
+/// whose cells have a face in common when they have so many corners in common.
 bool falls_apart(const VolumeMesh& mesh, const std::vector<int>& nodes) {
     std::vector<Eigen::Index> cells;
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
@@ -134,7 +135,8 @@ bool falls_apart(const VolumeMesh& mesh, const std::vector<int>& nodes) {
 
 TEST(Connectivity, AgreesWithASearchOfEveryNodeAndEdgeOfPorousMeshes) {
     std::mt19937 random(3);
-    for (VolumeMesh mesh : {box_hex_mesh(test::unequal_box(), {5, 5, 5}), tet_box_mesh(test::unequal_box(), {3, 3, 3})}) {
+    for (VolumeMesh mesh :
+         {box_hex_mesh(test::unequal_box(), {5, 5, 5}), tet_box_mesh(test::unequal_box(), {3, 3, 3})}) {
         std::vector<Eigen::Index> kept;
         for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
             if (random() % 5 < 2) kept.push_back(c);
@@ -146,8 +148,10 @@ TEST(Connectivity, AgreesWithASearchOfEveryNodeAndEdgeOfPorousMeshes) {
             const auto add = [&](const auto& table) {
                 for (const auto& [a, b] : table) edges.insert(std::minmax<int>(cell[a], cell[b]));
             };
-            if (mesh.type == CellType::hex8) add(hexahedron_edges);
-            else add(tetrahedron_edges);
+            if (mesh.type == CellType::hex8)
+                add(hexahedron_edges);
+            else
+                add(tetrahedron_edges);
         }
         int weak_nodes = 0, weak_edges = 0;
         for (const int n : nodes) weak_nodes += falls_apart(mesh, {n}) ? 1 : 0;
@@ -176,4 +180,4 @@ TEST(RealGeometry, VoxelVolumesApproachTheSurface) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::mesh

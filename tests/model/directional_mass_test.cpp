@@ -10,7 +10,7 @@
 #include "support/beam.hpp"
 #include "support/differences.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -18,7 +18,7 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-constexpr double per_area = 3.7;   // [kg/m2]
+constexpr double per_area = 3.7;  // [kg/m2]
 
 /// What a motion of all nodes alike feels: the sum of all 3 x 3 blocks.
 Matrix3d rigid_mass(const DirectionalMass& mass) {
@@ -35,7 +35,7 @@ Matrix3d rigid_mass(const DirectionalMass& mass) {
 
 /// A box displaces fluid along x with its two faces across x, and so on; slip along the other faces costs nothing.
 TEST(AddedMass, OfABoxMovedAsAWholeIsThatOfItsFacesAcrossTheMotion) {
-    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet4, ElementKind::tet10}) {
+    for (const fem::ElementKind kind : {fem::ElementKind::hex8, fem::ElementKind::tet4, fem::ElementKind::tet10}) {
         test::BeamSpec spec;
         spec.kind = kind;
         spec.size = {0.1, 0.03, 0.02};
@@ -57,17 +57,22 @@ TEST(AddedMass, OfAHeldBodyLeavesTheClampedFaceOut) {
     EXPECT_NEAR(rigid(1, 1), 2.0 * per_area * spec.size(0) * spec.size(2), 1e-14);
 }
 
-/// Faces that lie oblique, and warped ones: the sum over a closed surface has the trace of its area; no motion has negative inertia.
+/// Faces that lie oblique, and warped ones: the sum over a closed surface has the trace of its area; no motion has
+/// negative inertia.
 TEST(AddedMass, IsSymmetricAndPositiveWithTheTraceOfTheArea) {
-    for (const CellType type : {CellType::hex8, CellType::tet10}) {
-        const VolumeMesh mesh = test::distorted_mesh(type, {2, 2, 1}, 0.2);
-        const BodyPointer body = make_body(mesh, type == CellType::hex8 ? ElementKind::hex8 : ElementKind::tet10, {});
+    for (const mesh::CellType type : {mesh::CellType::hex8, mesh::CellType::tet10}) {
+        const mesh::VolumeMesh mesh = test::distorted_mesh(type, {2, 2, 1}, 0.2);
+        const BodyPointer body = make_body(
+            mesh, type == mesh::CellType::hex8 ? fem::ElementKind::hex8 : fem::ElementKind::tet10, {});
         const DirectionalMass mass = added_mass(*body, free_faces(*body), per_area);
         const MatrixXd D = mass.inertia_kg;
         EXPECT_LT((D - D.transpose()).norm(), 1e-14 * D.norm());
         EXPECT_GT(symmetric_eigenvalues(D)(0), -1e-13 * D.norm());
-        const double area = surface_weights(mesh, body->boundary, Box{Vector3d::Constant(-10.0), Vector3d::Constant(10.0)}).weight.sum();
-        EXPECT_NEAR(rigid_mass(mass).trace() / (per_area * area), 1.0, type == CellType::hex8 ? 1e-2 : 1e-12);   // warped faces have no closed form
+        const double area = mesh::surface_weights(mesh, body->boundary,
+                                                  Box{Vector3d::Constant(-10.0), Vector3d::Constant(10.0)})
+                                .weight.sum();
+        EXPECT_NEAR(rigid_mass(mass).trace() / (per_area * area), 1.0,
+                    type == mesh::CellType::hex8 ? 1e-2 : 1e-12);  // warped faces have no closed form
     }
 }
 
@@ -87,11 +92,13 @@ TEST(MassMatrix, AddsDirectionalMassesAsThePlainProductDoesAndWeighsThemNot) {
     const MassMatrix plain = mass_matrix(model);
     EXPECT_FALSE(plain.has_directional());
     const Matrix3Xd weight = external_forces(model, plain, 0.0), X = test::rough_field(model.body->node_count(), 0.7);
-    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), per_area), line_mass(test::tip_share(model, spec), Vector3d(1.0, 1.0, 0.0), 0.2)};
+    model.directional_masses = {added_mass(*model.body, free_faces(*model.body), per_area),
+                                line_mass(test::tip_share(model, spec), Vector3d(1.0, 1.0, 0.0), 0.2)};
     const MassMatrix mass = mass_matrix(model);
     ASSERT_TRUE(mass.has_directional());
     EXPECT_EQ((external_forces(model, mass, 0.0) - weight).norm(), 0.0);
-    const MatrixXd D = MatrixXd(model.directional_masses[0].inertia_kg) + MatrixXd(model.directional_masses[1].inertia_kg);
+    const MatrixXd D = MatrixXd(model.directional_masses[0].inertia_kg) +
+                       MatrixXd(model.directional_masses[1].inertia_kg);
     const Eigen::VectorXd product = D * Eigen::Map<const Eigen::VectorXd>(X.data(), X.size());
     const Matrix3Xd added = times_mass(X, mass) - times_mass(X, plain);
     EXPECT_GT(product.norm(), 0.0);
@@ -118,7 +125,7 @@ TEST(DirectionalMass, IsInTheSpansOfItsWindow) {
     const Eigen::VectorXd share = test::tip_share(model, spec);
     const double inf = std::numeric_limits<double>::infinity();
     const std::vector<std::array<double, 2>> windows{{-inf, inf}, {-2.0, 0.0}, {-1.0, 0.5}, {0.5, 0.8}, {0.2, inf}};
-    double kg = 1.0;   // each twice the one before, so that sums tell which are there
+    double kg = 1.0;  // each twice the one before, so that sums tell which are there
     for (const auto& [from_s, until_s] : windows) {
         model.directional_masses.push_back(line_mass(share, Vector3d::UnitZ(), kg));
         model.directional_masses.back().from_s = from_s;
@@ -137,4 +144,4 @@ TEST(DirectionalMass, IsInTheSpansOfItsWindow) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

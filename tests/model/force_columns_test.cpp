@@ -6,7 +6,7 @@
 #include "support/beam.hpp"
 #include "support/meshes.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Index;
@@ -17,12 +17,12 @@ using Eigen::VectorXd;
 /// More columns than are looked at once, on every element and law: what single columns give.
 TEST(ForceColumns, EqualTheFunctionsForSingleOnes) {
     constexpr Index columns = 11;
-    for (const std::string& element : element_ids())
-        for (const MaterialPointer& law : material_catalogue()) {
+    for (const std::string& element : fem::element_ids())
+        for (const material::MaterialPointer& law : material::material_catalogue()) {
             test::BeamSpec spec;
             spec.kind = test::element(element);
             spec.damping_s = 0.01;
-            if (cell_type(spec.kind) == CellType::tet10) spec.cells = {2, 1, 1};
+            if (fem::cell_type(spec.kind) == mesh::CellType::tet10) spec.cells = {2, 1, 1};
             Model model = test::make_beam(spec);
             model.material = law;
             const Body& body = *model.body;
@@ -49,8 +49,8 @@ TEST(ForceColumns, EqualTheFunctionsForSingleOnes) {
                 }
             }
             const MatrixXd tangents = strain_tangents(model, x, motions);
-            const NodalColumns gradients =
-                gradient_columns(model, x, unit_forces(model, x, softening, rate), {stiffness, tangents, d_softening});
+            const NodalColumns gradients = gradient_columns(model, x, unit_forces(model, x, softening, rate),
+                                                            {stiffness, tangents, d_softening});
             for (Index p = 0; p < columns; ++p) {
                 const std::string what = element + " " + law->id() + " column " + std::to_string(p);
                 const VectorXd tangent = strain_tangent(model, x, nodal_column(motions, p));
@@ -62,7 +62,7 @@ TEST(ForceColumns, EqualTheFunctionsForSingleOnes) {
                 input.stiffness = &own;
                 input.rate = {0.0, &rate};
                 const Matrix3Xd of_stiffness = internal_energy(model, x, input, HessianKind::none).gradient;
-                Stiffness softened;   // the moduli times the changes of their factors
+                Stiffness softened;  // the moduli times the changes of their factors
                 softened.elastic = model.moduli;
                 softened.elastic_factors = times_factors(model.point_factors, d_softening.col(p));
                 softened.fibres = false;
@@ -80,4 +80,4 @@ TEST(ForceColumns, EqualTheFunctionsForSingleOnes) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

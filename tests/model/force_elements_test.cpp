@@ -10,7 +10,7 @@
 #include "model/surface_drag.hpp"
 #include "support/hollow.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 struct ForceCase {
     const char* element;
-    ElementKind kind;
+    fem::ElementKind kind;
 };
 
 /// A hollow block, clamped at one end, with one force element.
@@ -29,7 +29,9 @@ Model model_with(const ForceCase& c) {
     const std::string element = c.element;
     if (element == "bed") model.force_elements = {elastic_bed(body, free_faces(body), 3e5)};
     if (element == "drag") model.force_elements = {surface_drag(body, free_faces(body), 20.0, 900.0)};
-    if (element == "pressure") model.force_elements = {cavity_pressure(body, closed_cavities(body).at(0), Signal{{0.0, 1.0}, {4e3, 6e3}})};
+    if (element == "pressure")
+        model.force_elements = {
+            cavity_pressure(body, closed_cavities(body).at(0), fibre::Signal{{0.0, 1.0}, {4e3, 6e3}})};
     return model;
 }
 
@@ -57,7 +59,8 @@ protected:
 TEST_P(ForceElements, HaveTheGradientOfTheirPotentialAndItsHessian) {
     const Matrix3Xd d = scatter(model.body->pattern, gather(model.body->pattern, test::rough_field(X.cols(), 2.0)));
     const double step = 1e-6;
-    const InternalEnergy here = at(x, HessianKind::exact), up = at(x + step * d, HessianKind::none), down = at(x - step * d, HessianKind::none);
+    const InternalEnergy here = at(x, HessianKind::exact), up = at(x + step * d, HessianKind::none),
+                         down = at(x - step * d, HessianKind::none);
     const double slope = here.gradient.cwiseProduct(d).sum();
     EXPECT_NE(slope, 0.0);
     EXPECT_NEAR((up.energy - down.energy) / (2.0 * step) / slope, 1.0, 1e-6);
@@ -82,33 +85,41 @@ TEST_P(ForceElements, KnowTheirDerivativesByParametersAndVelocity) {
     VectorXd work = VectorXd::Zero(values.size());
     element.add_work(body, state, p, work);
     for (Eigen::Index k = 0; k < values.size(); ++k) {
-        const VectorXd change = 1e-4 * element.parameters()[static_cast<std::size_t>(k)].scale * VectorXd::Unit(values.size(), k);
+        const VectorXd change = 1e-4 * element.parameters()[static_cast<std::size_t>(k)].scale *
+                                VectorXd::Unit(values.size(), k);
         Matrix3Xd tangent = Matrix3Xd::Zero(3, X.cols());
         element.add_tangent(body, state, change, tangent);
-        const Matrix3Xd difference = 0.5 * (gradient_of(*element.changed(values + change), state) - gradient_of(*element.changed(values - change), state));
+        const Matrix3Xd difference = 0.5 * (gradient_of(*element.changed(values + change), state) -
+                                            gradient_of(*element.changed(values - change), state));
         EXPECT_GT(difference.norm(), 0.0);
         EXPECT_LT((tangent - difference).norm(), 1e-8 * difference.norm());
-        EXPECT_NEAR(work(k) * change(k), tangent.cwiseProduct(p).sum(), 1e-10 * std::abs(tangent.cwiseProduct(p).sum()));
+        EXPECT_NEAR(work(k) * change(k), tangent.cwiseProduct(p).sum(),
+                    1e-10 * std::abs(tangent.cwiseProduct(p).sum()));
     }
     if (!element.depends_on_velocity()) return;
     const Matrix3Xd dv = test::rough_field(X.cols(), 7.0), up = v + 1e-5 * dv, down = v - 1e-5 * dv;
-    const Matrix3Xd difference = (gradient_of(element, {x, &up, factor, time_s}) - gradient_of(element, {x, &down, factor, time_s})) / 2e-5;
+    const Matrix3Xd difference = (gradient_of(element, {x, &up, factor, time_s}) -
+                                  gradient_of(element, {x, &down, factor, time_s})) /
+                                 2e-5;
     EXPECT_LT((velocity_tangent(model, state, dv) - difference).norm(), 1e-7 * difference.norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ForceElements,
-                         testing::Values(ForceCase{"bed", ElementKind::hex8}, ForceCase{"bed", ElementKind::tet10}, ForceCase{"drag", ElementKind::hex8}, ForceCase{"drag", ElementKind::tet10},
-                                         ForceCase{"pressure", ElementKind::hex8}, ForceCase{"pressure", ElementKind::tet4}, ForceCase{"pressure", ElementKind::tet10}),
-                         [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
+INSTANTIATE_TEST_SUITE_P(
+    All, ForceElements,
+    testing::Values(ForceCase{"bed", fem::ElementKind::hex8}, ForceCase{"bed", fem::ElementKind::tet10},
+                    ForceCase{"drag", fem::ElementKind::hex8}, ForceCase{"drag", fem::ElementKind::tet10},
+                    ForceCase{"pressure", fem::ElementKind::hex8}, ForceCase{"pressure", fem::ElementKind::tet4},
+                    ForceCase{"pressure", fem::ElementKind::tet10}),
+    [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
 
 TEST(CavityPressure, PushesNothingAwayAndTurnsWithTheBody) {
-    const Model model = test::hollow_block(ElementKind::hex8);
+    const Model model = test::hollow_block(fem::ElementKind::hex8);
     const Body& body = *model.body;
     const std::vector<std::vector<int>> cavities = closed_cavities(body);
     ASSERT_EQ(cavities.size(), 1u);
     EXPECT_EQ(open_edges(body, cavities[0]), 0);
     EXPECT_NEAR(cavity_volume(body, cavities[0], body.mesh.nodes), test::hollow_volume_m3, 1e-12);
-    const ForceElementPointer pressure = cavity_pressure(body, cavities[0], Signal::constant(5e3));
+    const ForceElementPointer pressure = cavity_pressure(body, cavities[0], fibre::Signal::constant(5e3));
     const auto gradient = [&](const Matrix3Xd& x) {
         InternalEnergy out;
         out.gradient = Matrix3Xd::Zero(3, x.cols());
@@ -124,4 +135,4 @@ TEST(CavityPressure, PushesNothingAwayAndTurnsWithTheBody) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

@@ -2,7 +2,7 @@
 
 #include "support/beam.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 TEST(Loads, GravityAndAttachedMassWeighWhatTheyShould) {
-    for (const ElementKind kind : {ElementKind::hex8, ElementKind::tet4, ElementKind::tet10}) {
+    for (const fem::ElementKind kind : {fem::ElementKind::hex8, fem::ElementKind::tet4, fem::ElementKind::tet10}) {
         test::BeamSpec spec;
         spec.kind = kind;
         spec.gravity_m_s2 = 9.81;
@@ -20,7 +20,8 @@ TEST(Loads, GravityAndAttachedMassWeighWhatTheyShould) {
         const VectorXd ones = VectorXd::Ones(model.body->node_count());
         const double body = 1070.0 * spec.size.prod();
         EXPECT_NEAR(ones.dot(mass.isotropic * ones), body + 0.05, 1e-15);
-        EXPECT_LT((Eigen::MatrixXd(mass.isotropic) - Eigen::MatrixXd(mass.isotropic).transpose()).norm(), 1e-15 * mass.isotropic.norm());
+        EXPECT_LT((Eigen::MatrixXd(mass.isotropic) - Eigen::MatrixXd(mass.isotropic).transpose()).norm(),
+                  1e-15 * mass.isotropic.norm());
         const Matrix3Xd f = external_forces(model, mass, 0.0);
         EXPECT_LT((f.rowwise().sum() - Vector3d(0, 0, -9.81 * (body + 0.05))).norm(), 1e-14);
         // About the clamp: the body's weight at half the length, the attached one at the tip.
@@ -38,7 +39,9 @@ TEST(Loads, WindowsAreClosedOnTheLeftAndOpenOnTheRight) {
     force.until_s = 0.3;
     model.forces.push_back(force);
     const auto mass = mass_matrix(model);
-    const auto total = [&](double t, bool before) { return Vector3d(external_forces(model, mass, t, before).rowwise().sum()); };
+    const auto total = [&](double t, bool before) {
+        return Vector3d(external_forces(model, mass, t, before).rowwise().sum());
+    };
     EXPECT_EQ(total(0.05, false).norm(), 0.0);
     EXPECT_LT((total(0.1, false) - force.force_N).norm(), 1e-14);
     EXPECT_EQ(total(0.1, true).norm(), 0.0);
@@ -50,7 +53,7 @@ TEST(Loads, WindowsAreClosedOnTheLeftAndOpenOnTheRight) {
     always.from_s = -std::numeric_limits<double>::infinity();
     always.until_s = 0.1;
     model.forces.push_back(always);
-    model.activation = {Signal::step(0.2, 1.0, 0.8), Signal::constant(1.0)};
+    model.activation = {fibre::Signal::step(0.2, 1.0, 0.8), fibre::Signal::constant(1.0)};
     EXPECT_EQ(jump_times(model), (std::vector<double>{0.1, 0.2, 0.3}));
     EXPECT_EQ(activations(model, 0.2), (std::vector<double>{0.8, 1.0}));
     EXPECT_EQ(activations(model, 0.2, true), (std::vector<double>{1.0, 1.0}));
@@ -66,7 +69,7 @@ TEST(Loads, FreeNodesAreNumberedAndThePatternIsSorted) {
     EXPECT_EQ(pattern.zero.rows(), pattern.unknowns());
     for (int column = 0; column < pattern.zero.outerSize(); ++column) {
         int last = column - 1;
-        for (SymmetricSparse::InnerIterator entry(pattern.zero, column); entry; ++entry) {
+        for (solver::SymmetricSparse::InnerIterator entry(pattern.zero, column); entry; ++entry) {
             EXPECT_GT(entry.row(), last);
             last = static_cast<int>(entry.row());
         }
@@ -74,4 +77,4 @@ TEST(Loads, FreeNodesAreNumberedAndThePatternIsSorted) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

@@ -2,7 +2,7 @@
 
 #include "support/beam.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Vector3d;
@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 /// A box of n cells has more vertices than cells, and tetrahedra fewer: the body weighs too much or too little.
 TEST(MassModel, EqualVertexMassesWeighByTheNumberOfVertices) {
-    for (const ElementKind kind : {ElementKind::hex8_full, ElementKind::tet4, ElementKind::tet10}) {
+    for (const fem::ElementKind kind : {fem::ElementKind::hex8_full, fem::ElementKind::tet4, fem::ElementKind::tet10}) {
         test::BeamSpec spec;
         spec.kind = kind;
         spec.cells = {5, 3, 2};
@@ -23,7 +23,8 @@ TEST(MassModel, EqualVertexMassesWeighByTheNumberOfVertices) {
         EXPECT_EQ(mass.isotropic.nonZeros(), model.body->node_count());
         EXPECT_LT((mass.isotropic.diagonal().array() / mass.isotropic.coeff(0, 0) - 1.0).abs().maxCoeff(), 1e-14);
         EXPECT_NEAR(mass.isotropic.sum() / true_kg, vertices_per_cell, 1e-12);
-        EXPECT_NEAR(-external_forces(model, mass, 0.0).row(2).sum() / (9.81 * true_kg), vertices_per_cell, 1e-12) << "weight follows mass";
+        EXPECT_NEAR(-external_forces(model, mass, 0.0).row(2).sum() / (9.81 * true_kg), vertices_per_cell, 1e-12)
+            << "weight follows mass";
         model.masses.push_back({test::tip_share(model, spec), 0.05});
         mass = mass_matrix(model);
         EXPECT_NEAR(mass.isotropic.sum(), vertices_per_cell * true_kg + 0.05, 1e-14);
@@ -32,7 +33,8 @@ TEST(MassModel, EqualVertexMassesWeighByTheNumberOfVertices) {
 
 /// The paper's meshes of the beam: 136 and 127 % of the body's mass.
 TEST(MassModel, PublishedBeamsAreTooHeavy) {
-    for (const auto& [cells, part] : {std::pair{Eigen::Vector3i(23, 7, 7), 1.363}, {Eigen::Vector3i(32, 9, 9), 1.273}}) {
+    for (const auto& [cells, part] :
+         {std::pair{Eigen::Vector3i(23, 7, 7), 1.363}, {Eigen::Vector3i(32, 9, 9), 1.273}}) {
         test::BeamSpec spec;
         spec.cells = cells;
         Model model = test::make_beam(spec);
@@ -54,4 +56,4 @@ TEST(MassModel, NamesGoThereAndBack) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

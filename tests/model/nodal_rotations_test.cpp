@@ -5,7 +5,7 @@
 #include "model/nodal_rotations.hpp"
 #include "support/beam.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Map;
@@ -16,9 +16,9 @@ using Eigen::Vector3d;
 TEST(NodalRotations, OfATurnedAndStretchedBodyAreTheTurn) {
     const Matrix3d Q = Eigen::AngleAxisd(2.1, Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
     const Matrix3d stretch = Vector3d(1.3, 0.8, 0.95).asDiagonal();
-    for (const std::string& id : element_ids()) {
+    for (const std::string& id : fem::element_ids()) {
         test::BeamSpec spec;
-        ASSERT_TRUE(parse_element(id, spec.kind));
+        ASSERT_TRUE(fem::parse_element(id, spec.kind));
         const Model model = test::make_beam(spec);
         const Matrix3Xd x = (Q * stretch * model.body->mesh.nodes).colwise() + Vector3d(3.0, -1.0, 7.0);
         const auto rotations = nodal_rotations(*model.body, x);
@@ -42,4 +42,4 @@ TEST(NodalRotations, OfDegenerateBodiesAreRotations) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

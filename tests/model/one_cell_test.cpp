@@ -6,7 +6,7 @@
 #include "support/figures.hpp"
 #include "support/meshes.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -16,9 +16,9 @@ using Eigen::VectorXd;
 
 Model one_cell(double nu) {
     Model model;
-    model.body = make_body(test::box_mesh(ElementKind::hex8, {Vector3d::Zero(), Vector3d::Ones()}, {1, 1, 1}),
-                           ElementKind::hex8, {});
-    model.material = neo_hookean();
+    model.body = make_body(test::box_mesh(fem::ElementKind::hex8, {Vector3d::Zero(), Vector3d::Ones()}, {1, 1, 1}),
+                           fem::ElementKind::hex8, {});
+    model.material = material::neo_hookean();
     model.moduli = uniform_moduli(1, 1.0, nu);
     return model;
 }
@@ -76,7 +76,7 @@ TEST(OneCell, BendsWithYoungsModulus) {
         return u.dot(K * u);
     };
     EXPECT_NEAR(energy(0.0), 1.0 / (1.0 - nu * nu) / 3.0, 1e-12);
-    EXPECT_NEAR(energy(-nu), 1.0 / 3.0, 1e-12);   // free to contract across: E
+    EXPECT_NEAR(energy(-nu), 1.0 / 3.0, 1e-12);  // free to contract across: E
     const MatrixXd within = motions.transpose() * K * motions;
     EXPECT_GT(symmetric_eigenvalues(within).minCoeff(), 0.0);
 }
@@ -98,4 +98,4 @@ TEST(OneCell, StaysStableWhenPressedToHalf) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

@@ -7,7 +7,7 @@
 #include "support/deformations.hpp"
 #include "support/meshes.hpp"
 
-namespace myo {
+namespace myo::model {
 namespace {
 
 using Eigen::Matrix3d;
@@ -15,10 +15,10 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-Model body_of(const std::string& element, const MaterialPointer& law, double poissons_ratio) {
-    const ElementKind kind = test::element(element);
+Model body_of(const std::string& element, const material::MaterialPointer& law, double poissons_ratio) {
+    const fem::ElementKind kind = test::element(element);
     Model model;
-    model.body = make_body(test::distorted_mesh(cell_type(kind), {3, 3, 3}, 0.2, 5), kind, {});
+    model.body = make_body(test::distorted_mesh(fem::cell_type(kind), {3, 3, 3}, 0.2, 5), kind, {});
     model.material = law;
     model.moduli = uniform_moduli(model.body->cell_count(), 1.0, poissons_ratio);
     model.damping_s = 0.01;
@@ -46,8 +46,8 @@ std::vector<int> inner_nodes(const Body& body) {
 /// Large rotation and translation: no energy, no force, no strain, at rounding (kappa = 167 E).
 TEST(RigidMotion, GivesNoForce) {
     const Matrix3d Q = Eigen::AngleAxisd(2.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-    for (const std::string& element : element_ids())
-        for (const MaterialPointer& law : material_catalogue()) {
+    for (const std::string& element : fem::element_ids())
+        for (const material::MaterialPointer& law : material::material_catalogue()) {
             const Model model = body_of(element, law, 0.499);
             const Matrix3Xd x = test::mapped(model.body->mesh, Q, {3.0, -2.0, 5.0});
             const VectorXd strain = strains(model, x);
@@ -61,17 +61,17 @@ TEST(RigidMotion, GivesNoForce) {
             const InternalEnergy at = energy_at(model, y, rate);
             const InternalEnergy turned = energy_at(model, (Q * y).colwise() + Vector3d(1, 2, 3), rate);
             EXPECT_NEAR(turned.energy, at.energy, 1e-10 * at.energy) << element << " " << law->id();
-            EXPECT_LT((turned.gradient - Q * at.gradient).norm(), 1e-10 * at.gradient.norm()) << element << " " << law->id();
+            EXPECT_LT((turned.gradient - Q * at.gradient).norm(), 1e-10 * at.gradient.norm())
+                << element << " " << law->id();
         }
 }
 
 /// Forces and moments of internal forces vanish at any deformation.
 TEST(RigidMotion, InternalForcesHaveNoResultantAndNoMoment) {
-    for (const std::string& element : element_ids())
-        for (const MaterialPointer& law : material_catalogue()) {
+    for (const std::string& element : fem::element_ids())
+        for (const material::MaterialPointer& law : material::material_catalogue()) {
             const Model model = body_of(element, law, 0.45);
-            const Matrix3Xd x = model.body->mesh.nodes +
-                                0.006 * test::rough_field(model.body->node_count(), 0.4);
+            const Matrix3Xd x = model.body->mesh.nodes + 0.006 * test::rough_field(model.body->node_count(), 0.4);
             const VectorXd rate = VectorXd::LinSpaced(model.body->strain_count(), -1.0, 1.0);
             const Matrix3Xd f = energy_at(model, x, rate).gradient;
             Vector3d moment = Vector3d::Zero();
@@ -81,14 +81,14 @@ TEST(RigidMotion, InternalForcesHaveNoResultantAndNoMoment) {
         }
 }
 
-/// Patch test on arbitrarily distorted meshes: a homogeneous deformation, small or large, loads no inner node, and its energy is
-/// the energy density times the volume.
+/// Patch test on arbitrarily distorted meshes: a homogeneous deformation, small or large, loads no inner node, and its
+/// energy is the energy density times the volume.
 TEST(PatchTest, HomogeneousDeformationIsInEquilibrium) {
     std::mt19937 random(8);
     std::vector<Matrix3d> deformations{Matrix3d::Identity() + 1e-6 * Matrix3d::Random()};
     for (int k = 0; k < 2; ++k) deformations.push_back(test::random_deformation(random, 0.6, 1.6));
-    for (const std::string& element : element_ids())
-        for (const MaterialPointer& law : material_catalogue())
+    for (const std::string& element : fem::element_ids())
+        for (const material::MaterialPointer& law : material::material_catalogue())
             for (const Matrix3d& A : deformations) {
                 const Model model = body_of(element, law, 0.4);
                 const std::vector<int> inside = inner_nodes(*model.body);
@@ -97,12 +97,13 @@ TEST(PatchTest, HomogeneousDeformationIsInEquilibrium) {
                 const InternalEnergy at = energy_at(model, x, VectorXd::Zero(model.body->strain_count()));
                 double largest = 0.0;
                 for (const int i : inside) largest = std::max(largest, at.gradient.col(i).norm());
-                EXPECT_LT(largest, 1e-12 * at.gradient.colwise().norm().maxCoeff() + 1e-15) << element << " " << law->id();
+                EXPECT_LT(largest, 1e-12 * at.gradient.colwise().norm().maxCoeff() + 1e-15)
+                    << element << " " << law->id();
 
-                const Moduli m = model.moduli.front();
+                const material::Moduli m = model.moduli.front();
                 const double W = law->distortion(A, m.mu, m.kappa, false).value +
                                  law->bulk(law->volume_measure(A, false).value, m.kappa).value;
-                const double volume = cell_volumes(model.body->mesh).sum();
+                const double volume = mesh::cell_volumes(model.body->mesh).sum();
                 // The law subtracts 3 mu / 2 from a number of that size.
                 const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * m.mu * volume;
                 EXPECT_NEAR(at.energy, volume * W, 1e-12 * volume * W + rounding) << element << " " << law->id();
@@ -110,4 +111,4 @@ TEST(PatchTest, HomogeneousDeformationIsInEquilibrium) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::model

@@ -17,14 +17,19 @@ public:
 
     void act() {
         const int kind = below(100);
-        if (kind < 45) click(below(10) < 8 ? 0 : 1 + below(2));
-        else if (kind < 65) drag();
-        else if (kind < 72) push(MouseWheel{0.0f, static_cast<float>(below(5) - 2)});
-        else if (kind < 90) press_key();
-        else type();
+        if (kind < 45)
+            click(below(10) < 8 ? 0 : 1 + below(2));
+        else if (kind < 65)
+            drag();
+        else if (kind < 72)
+            push(ui::platform::MouseWheel{0.0f, static_cast<float>(below(5) - 2)});
+        else if (kind < 90)
+            press_key();
+        else
+            type();
     }
     int events() const { return events_; }
-    void push(const InputEvent& event) {
+    void push(const ui::platform::InputEvent& event) {
         driver_.window->input().push(event);
         ++events_;
     }
@@ -36,35 +41,40 @@ private:
     /// Mostly on something.
     ImVec2 place() {
         const auto& items = driver_.window->items().all();
-        if (items.empty() || below(10) < 2) return {within(static_cast<float>(driver_.width)), within(static_cast<float>(driver_.height))};
+        if (items.empty() || below(10) < 2)
+            return {within(static_cast<float>(driver_.width)), within(static_cast<float>(driver_.height))};
         auto item = items.begin();
         std::advance(item, below(static_cast<int>(items.size())));
-        const Rectangle& r = item->second;
+        const ui::platform::Rectangle& r = item->second;
         return {r.lowest.x + within(r.width()), r.lowest.y + within(r.height())};
     }
     void click(int button) {
         const ImVec2 at = place();
-        push(MouseMoved{at.x, at.y});
+        push(ui::platform::MouseMoved{at.x, at.y});
         for (int i = below(8) == 0 ? 2 : 1; i > 0; --i) {
-            push(MouseButton{button, true, {below(12) == 0, below(12) == 0, false}});
-            push(MouseButton{button, false, {}});
+            push(ui::platform::MouseButton{button, true, {below(12) == 0, below(12) == 0, false}});
+            push(ui::platform::MouseButton{button, false, {}});
         }
     }
     void drag() {
         const ImVec2 from = place(), to = place();
-        push(MouseMoved{from.x, from.y});
-        push(MouseButton{below(4) == 0 ? 1 : 0, true, {}});
-        for (int i = 1; i <= 3; ++i) push(MouseMoved{from.x + (to.x - from.x) * static_cast<float>(i) / 3.0f, from.y + (to.y - from.y) * static_cast<float>(i) / 3.0f});
-        for (int button = 0; button < 2; ++button) push(MouseButton{button, false, {}});
+        push(ui::platform::MouseMoved{from.x, from.y});
+        push(ui::platform::MouseButton{below(4) == 0 ? 1 : 0, true, {}});
+        for (int i = 1; i <= 3; ++i)
+            push(ui::platform::MouseMoved{from.x + (to.x - from.x) * static_cast<float>(i) / 3.0f,
+                                          from.y + (to.y - from.y) * static_cast<float>(i) / 3.0f});
+        for (int button = 0; button < 2; ++button) push(ui::platform::MouseButton{button, false, {}});
     }
     void press_key() {
-        const int key = below(key_count);
-        push(KeyPressed{key, true, {below(3) == 0, below(6) == 0, false}});
-        push(KeyPressed{key, false, {}});
+        const int key = below(ui::platform::key_count);
+        push(ui::platform::KeyPressed{key, true, {below(3) == 0, below(6) == 0, false}});
+        push(ui::platform::KeyPressed{key, false, {}});
     }
     void type() {
         static const std::string letters = "0123456789.-eE+ abcxyz/\\~,\"'";
-        for (int i = 1 + below(4); i > 0; --i) push(TextTyped{static_cast<unsigned char>(letters[static_cast<std::size_t>(below(static_cast<int>(letters.size())))])});
+        for (int i = 1 + below(4); i > 0; --i)
+            push(ui::platform::TextTyped{static_cast<unsigned char>(
+                letters[static_cast<std::size_t>(below(static_cast<int>(letters.size())))])});
     }
 
     Driver& driver_;
@@ -72,7 +82,8 @@ private:
     int events_ = 0;
 };
 
-/// Ten thousand events must neither crash nor hang nor bring forth numbers that are none. With the sanitizers this is where they look.
+/// Ten thousand events must neither crash nor hang nor bring forth numbers that are none. With the sanitizers this is
+/// where they look.
 TEST(RandomInput, NeverBreaksTheWorkbench) {
     Driver driver(1000, 700);
     driver.open_beam();
@@ -83,17 +94,20 @@ TEST(RandomInput, NeverBreaksTheWorkbench) {
         do {
             driver.frame();
             // Nothing is written where a person did not say so.
-            if (driver.has("browser/name")) monkey.push(KeyPressed{ImGuiKey_Escape, true, {}}), monkey.push(KeyPressed{ImGuiKey_Escape, false, {}});
+            if (driver.has("browser/name"))
+                monkey.push(ui::platform::KeyPressed{ImGuiKey_Escape, true, {}}),
+                    monkey.push(ui::platform::KeyPressed{ImGuiKey_Escape, false, {}});
         } while (!driver.window->input().empty());
         ASSERT_TRUE(std::isfinite(driver.state().time_s));
         ASSERT_TRUE(driver.window->viewport().camera.target.allFinite());
         ASSERT_GT(driver.window->viewport().camera.distance, 0.0);
-        ASSERT_EQ(driver.state().settings, within_limits(driver.state().settings));
+        ASSERT_EQ(driver.state().settings, ui::commands::within_limits(driver.state().settings));
         // A search through the disk may end anywhere; the beam comes back.
-        if (!driver.state().scene && !driver.state().busy() && ++opened < 1000) driver.workbench->execute(command::Open{"/beam", std::nullopt});
-        if (driver.state().job && monkey.events() % 7 == 0) driver.workbench->execute(command::Cancel{});
+        if (!driver.state().scene && !driver.state().busy() && ++opened < 1000)
+            driver.workbench->execute(ui::commands::Open{"/beam", std::nullopt});
+        if (driver.state().job && monkey.events() % 7 == 0) driver.workbench->execute(ui::commands::Cancel{});
     }
-    driver.workbench->execute(command::Cancel{});
+    driver.workbench->execute(ui::commands::Cancel{});
     ASSERT_TRUE(driver.wait_for_job(60));
     EXPECT_FALSE(driver.state().log.empty());
 }

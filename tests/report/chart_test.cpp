@@ -8,18 +8,18 @@
 #include "report/markup_check.hpp"
 #include "report/not_finite.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
-using test::nan;
 using test::infinity;
+using test::nan;
 
 void expect_sound(const std::string& figure) {
     EXPECT_EQ(test::markup_fault(figure), "");
     EXPECT_FALSE(test::holds_non_number(figure));
-    EXPECT_EQ(figure.find(" id="), std::string::npos);   // two figures of one page could clash
+    EXPECT_EQ(figure.find(" id="), std::string::npos);  // two figures of one page could clash
     EXPECT_EQ(figure.substr(0, 4), "<svg");
-    EXPECT_EQ(figure.substr(0, figure.find('>')).find(" width="), std::string::npos);   // fills its column
+    EXPECT_EQ(figure.substr(0, figure.find('>')).find(" width="), std::string::npos);  // fills its column
 }
 
 LineChart chart_of(std::vector<double> x, std::vector<double> y) {
@@ -35,7 +35,8 @@ TEST(LineChart, DrawsAPointWhereTheScaleSaysItIs) {
     // The panel is 240 px high: the middle sample lies half way between the ends.
     const std::size_t path = figure.find("<path d=\"M");
     double x0, y0, x1, y1, x2, y2;
-    ASSERT_EQ(std::sscanf(figure.c_str() + path, "<path d=\"M%lf %lfL%lf %lfL%lf %lf", &x0, &y0, &x1, &y1, &x2, &y2), 6);
+    ASSERT_EQ(std::sscanf(figure.c_str() + path, "<path d=\"M%lf %lfL%lf %lfL%lf %lf", &x0, &y0, &x1, &y1, &x2, &y2),
+              6);
     EXPECT_NEAR(y0 - y2, 240.0, 0.011);
     EXPECT_NEAR(y1, 0.5 * (y0 + y2), 0.011);
     EXPECT_NEAR(x1, 0.5 * (x0 + x2), 0.011);
@@ -48,16 +49,17 @@ TEST(LineChart, BreaksAtNanAndShowsLonelySamples) {
     expect_sound(figure);
     const std::size_t begin = figure.find("<path d=\"M");
     const std::string line = figure.substr(begin, figure.find("/>", begin) - begin);
-    EXPECT_EQ(test::count_of(line, "M"), 2);       // two runs of two samples
+    EXPECT_EQ(test::count_of(line, "M"), 2);  // two runs of two samples
     EXPECT_EQ(test::count_of(line, "L"), 2);
-    EXPECT_EQ(test::count_of(figure, "h0"), 1);    // and a dot for the sample between two gaps
+    EXPECT_EQ(test::count_of(figure, "h0"), 1);  // and a dot for the sample between two gaps
 }
 
 TEST(LineChart, WritesOnlyNumbersWhateverIsInTheData) {
     const std::vector<double> odd = {nan, infinity, -infinity, 0.0, 1e308, -1e308, 5e-324, 1.0};
     const std::vector<double> x = {0, 1, 2, 3, 4, nan, infinity, 7};
     for (const bool logarithmic : {false, true})
-        for (const SeriesStyle style : {SeriesStyle::line, SeriesStyle::dots, SeriesStyle::dashed, SeriesStyle::line_and_dots}) {
+        for (const SeriesStyle style :
+             {SeriesStyle::line, SeriesStyle::dots, SeriesStyle::dashed, SeriesStyle::line_and_dots}) {
             LineChart chart = chart_of(x, odd);
             chart.panels[0].series[0].style = style;
             chart.panels[0].series[0].half_width = {1, nan, 3, infinity, 5, 1, 1, 1};
@@ -95,8 +97,8 @@ TEST(LineChart, OneNameHasOneColourInAllPanels) {
     chart.panels.push_back({.y = {"residual", "mm"}, .series = {{"measured", {0, 1}, {0, 1}}}, .height_px = 90});
     const std::string figure = svg(chart);
     expect_sound(figure);
-    EXPECT_EQ(test::count_of(figure, "stroke=\"#0072b2\""), 2);   // curve and legend of "simulated"
-    EXPECT_EQ(test::count_of(figure, "stroke=\"#d55e00\""), 3);   // dots, legend, residual
+    EXPECT_EQ(test::count_of(figure, "stroke=\"#0072b2\""), 2);  // curve and legend of "simulated"
+    EXPECT_EQ(test::count_of(figure, "stroke=\"#d55e00\""), 3);  // dots, legend, residual
     EXPECT_EQ(test::count_of(figure, ">measured</text>"), 1);
     EXPECT_EQ(test::count_of(figure, "time [s]"), 1);
 }
@@ -120,14 +122,16 @@ TEST(LineChart, PutsTheScaleFactorIntoTheUnit) {
 }
 
 TEST(BarChart, DrawsOneBarPerFiniteValue) {
-    const BarChart chart{.categories = {"none", "drag <1>", "lag"}, .y = {"rms", "mm"},
+    const BarChart chart{.categories = {"none", "drag <1>", "lag"},
+                         .y = {"rms", "mm"},
                          .groups = {{"before", {3.0, nan, 1.0}}, {"after", {1.0, 0.5, infinity}}}};
     const std::string figure = svg(chart);
     expect_sound(figure);
-    EXPECT_EQ(test::count_of(figure, "fill=\"#0072b2\""), 2 + 1);   // and one in the legend
+    EXPECT_EQ(test::count_of(figure, "fill=\"#0072b2\""), 2 + 1);  // and one in the legend
     EXPECT_EQ(test::count_of(figure, "fill=\"#d55e00\""), 2 + 1);
     expect_sound(svg(BarChart{}));
-    expect_sound(svg(BarChart{.categories = {"a"}, .y = {.label = "x", .logarithmic = true}, .groups = {{"", {-1.0}}}}));
+    expect_sound(
+        svg(BarChart{.categories = {"a"}, .y = {.label = "x", .logarithmic = true}, .groups = {{"", {-1.0}}}}));
 }
 
 TEST(Histogram, CountsEveryFiniteSampleOnce) {
@@ -152,15 +156,16 @@ TEST(Histogram, CountsEveryFiniteSampleOnce) {
 }
 
 TEST(ErrorBarChart, ShowsEveryRow) {
-    const ErrorBarChart chart{.x = {"relative error", "%"},
-                              .rows = {{"Young's modulus", 1.0, 0.5, 1.5, 0.0}, {"damping", nan}, {"<third>", 2.0, -infinity, infinity}},
-                              .reference_name = "truth"};
+    const ErrorBarChart chart{
+        .x = {"relative error", "%"},
+        .rows = {{"Young's modulus", 1.0, 0.5, 1.5, 0.0}, {"damping", nan}, {"<third>", 2.0, -infinity, infinity}},
+        .reference_name = "truth"};
     const std::string figure = svg(chart);
     expect_sound(figure);
-    EXPECT_EQ(test::count_of(figure, "<circle"), 2 + 1);   // two values and the legend
+    EXPECT_EQ(test::count_of(figure, "<circle"), 2 + 1);  // two values and the legend
     EXPECT_EQ(test::count_of(figure, "no value"), 1);
     expect_sound(svg(ErrorBarChart{}));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::report

@@ -7,7 +7,7 @@
 
 #include "report/not_finite.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 using test::nan;
@@ -55,4 +55,4 @@ TEST(Decimate, NothingIsLeftOfACurveOfGaps) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::report

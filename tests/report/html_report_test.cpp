@@ -7,35 +7,43 @@
 #include "report/chart.hpp"
 #include "report/markup_check.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 const std::string nasty = "</script><script>alert(1)</script> & \"x\" 'y' <b>\x01\xFF";
 
 HtmlReport report_with_everything() {
-    const LineChart chart{.title = nasty, .x = {"time", "s"}, .panels = {{.y = {"z", "mm"}, .series = {{nasty, {0, 1}, {0, 1}}}}}};
+    const LineChart chart{
+        .title = nasty, .x = {"time", "s"}, .panels = {{.y = {"z", "mm"}, .series = {{nasty, {0, 1}, {0, 1}}}}}};
     Json data;
     data[nasty] = nasty;
     data["value"] = std::numeric_limits<double>::quiet_NaN();
-    HtmlReport report{.title = nasty, .summary = {nasty}, .key_figures = {{nasty, nasty, nasty, nasty}}, .warnings = {{nasty, nasty}}, .footer = nasty};
-    report.sections.push_back({nasty, {Paragraph{nasty}, BulletList{{nasty}}, Table{nasty, {{nasty, nasty}}, {{nasty}}},
-                                       Figure{svg(chart), nasty}, WarningBox{{nasty}}, Preformatted{nasty}, EmbeddedJson{nasty, data},
-                                       Details{nasty, {Paragraph{nasty}, Details{nasty, {Figure{svg(chart), ""}}}}}}});
+    HtmlReport report{.title = nasty,
+                      .summary = {nasty},
+                      .key_figures = {{nasty, nasty, nasty, nasty}},
+                      .warnings = {{nasty, nasty}},
+                      .footer = nasty};
+    report.sections.push_back(
+        {nasty,
+         {Paragraph{nasty}, BulletList{{nasty}}, Table{nasty, {{nasty, nasty}}, {{nasty}}}, Figure{svg(chart), nasty},
+          WarningBox{{nasty}}, Preformatted{nasty}, EmbeddedJson{nasty, data},
+          Details{nasty, {Paragraph{nasty}, Details{nasty, {Figure{svg(chart), ""}}}}}}});
     return report;
 }
 
 TEST(HtmlReport, IsWellFormedWhateverTheTextSays) {
     const std::string page = html(report_with_everything());
     EXPECT_EQ(test::markup_fault(page), "");
-    EXPECT_EQ(test::count_of(page, "<script"), 1);   // the data; nothing else
+    EXPECT_EQ(test::count_of(page, "<script"), 1);  // the data; nothing else
     EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
     EXPECT_EQ(page, html(report_with_everything()));
 }
 
 TEST(HtmlReport, AsksTheNetworkForNothing) {
     std::string page = html(report_with_everything());
-    const std::string name_space = "xmlns=\"http://www.w3.org/2000/svg\"";   // a name, not a request
-    for (std::size_t i = page.find(name_space); i != std::string::npos; i = page.find(name_space)) page.erase(i, name_space.size());
+    const std::string name_space = "xmlns=\"http://www.w3.org/2000/svg\"";  // a name, not a request
+    for (std::size_t i = page.find(name_space); i != std::string::npos; i = page.find(name_space))
+        page.erase(i, name_space.size());
     for (const char* request : {"http:", "https:", "src=", "url(", "@import", "//"})
         EXPECT_EQ(page.find(request), std::string::npos) << request;
 }
@@ -73,7 +81,10 @@ std::string page_of(const Table& table) {
 }
 
 TEST(HtmlTable, NumbersOfAColumnShareTheirDecimals) {
-    const std::string page = page_of({"Errors", {{"marker"}, {"rms", "mm"}}, {{"a", 0.12345}, {"b", 12.3456}, {"c", std::numeric_limits<double>::quiet_NaN()}}});
+    const std::string page = page_of(
+        {"Errors",
+         {{"marker"}, {"rms", "mm"}},
+         {{"a", 0.12345}, {"b", 12.3456}, {"c", std::numeric_limits<double>::quiet_NaN()}}});
     EXPECT_NE(page.find("<td class=\"n\">0.12</td>"), std::string::npos);
     EXPECT_NE(page.find("<td class=\"n\">12.35</td>"), std::string::npos);
     EXPECT_NE(page.find("<td class=\"n\">–</td>"), std::string::npos);
@@ -100,4 +111,4 @@ TEST(HtmlTable, ShortRowsAreFilled) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::report

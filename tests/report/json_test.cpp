@@ -9,7 +9,7 @@
 #include "base/files.hpp"
 #include "report/not_finite.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 using test::nan;
@@ -18,7 +18,7 @@ TEST(Json, NonFiniteNumbersBecomeNull) {
     Json json;
     json["schema"] = "test/1";
     json["value"] = json_number(nan);
-    json["raw"] = std::numeric_limits<double>::infinity();   // not through the helper
+    json["raw"] = std::numeric_limits<double>::infinity();  // not through the helper
     json["list"] = json_array(std::vector<double>{1.5, nan, -0.25});
     EXPECT_EQ(json_line(json), R"({"schema":"test/1","value":null,"raw":null,"list":[1.5,null,-0.25]})");
 }
@@ -59,4 +59,4 @@ TEST(Json, FileRoundTripAndOneSentenceForABrokenOne) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::report

@@ -19,7 +19,9 @@ inline std::string markup_fault(std::string_view text) {
         return false;
     };
     const auto name_end = [&](std::size_t from) {
-        while (from < text.size() && (std::isalnum(static_cast<unsigned char>(text[from])) || text[from] == '-' || text[from] == ':')) ++from;
+        while (from < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[from])) || text[from] == '-' || text[from] == ':'))
+            ++from;
         return from;
     };
     bool root_closed = false;

@@ -7,16 +7,16 @@
 #include "report/markup_check.hpp"
 #include "report/not_finite.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
-using test::nan;
 using test::infinity;
+using test::nan;
 
 TEST(MarkupFault, FindsWhatIsBroken) {
     EXPECT_EQ(test::markup_fault("<a b=\"1\"><c/>x &amp; y</a>"), "");
-    for (const char* broken : {"<a>", "<a></b>", "<a><b></a></b>", "<a>&</a>", "<a b=1/>", "<a b=\"<\"/>", "<a>1 < 2</a>",
-                               "<a/><b/>x", "<a b=\"1\" b=\"2\"/>", "<a>\x01</a>"})
+    for (const char* broken : {"<a>", "<a></b>", "<a><b></a></b>", "<a>&</a>", "<a b=1/>", "<a b=\"<\"/>",
+                               "<a>1 < 2</a>", "<a/><b/>x", "<a b=\"1\" b=\"2\"/>", "<a>\x01</a>"})
         EXPECT_NE(test::markup_fault(broken), "") << broken;
 }
 
@@ -29,10 +29,10 @@ TEST(EscapeMarkup, ReplacesWhatXmlForbids) {
     const std::string mark = "\xEF\xBF\xBD";
     EXPECT_EQ(escape_markup(std::string_view("a\0b\x01", 4)), "a" + mark + "b" + mark);
     EXPECT_EQ(escape_markup("\xFFz"), mark + "z");
-    EXPECT_EQ(escape_markup("\xC3"), mark);                               // cut off
-    EXPECT_EQ(escape_markup("\xC0\xAF"), mark + mark);                    // overlong
-    EXPECT_EQ(escape_markup("\xED\xA0\x80"), mark + mark + mark);         // surrogate
-    EXPECT_EQ(escape_markup("\xF4\x90\x80\x80"), mark + mark + mark + mark);   // beyond Unicode
+    EXPECT_EQ(escape_markup("\xC3"), mark);                                   // cut off
+    EXPECT_EQ(escape_markup("\xC0\xAF"), mark + mark);                        // overlong
+    EXPECT_EQ(escape_markup("\xED\xA0\x80"), mark + mark + mark);             // surrogate
+    EXPECT_EQ(escape_markup("\xF4\x90\x80\x80"), mark + mark + mark + mark);  // beyond Unicode
 }
 
 TEST(Pixel, IsAlwaysAFiniteNumber) {
@@ -64,4 +64,4 @@ TEST(FixedDecimals, HasNoNegativeZero) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::report

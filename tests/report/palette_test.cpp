@@ -8,13 +8,14 @@
 #include <cmath>
 #include <string>
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 Eigen::Vector3d linear_rgb(std::string_view colour) {
     Eigen::Vector3d rgb;
     for (int i = 0; i < 3; ++i) {
-        const double c = std::stoi(std::string(colour.substr(static_cast<std::size_t>(1 + 2 * i), 2)), nullptr, 16) / 255.0;
+        const double c = std::stoi(std::string(colour.substr(static_cast<std::size_t>(1 + 2 * i), 2)), nullptr, 16) /
+                         255.0;
         rgb[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
     }
     return rgb;
@@ -26,14 +27,15 @@ Eigen::Vector3d lab(Eigen::Vector3d rgb) {
     rgb = rgb.cwiseMax(0.0).cwiseMin(1.0);
     const Eigen::Vector3d xyz(Eigen::Vector3d(0.4124, 0.3576, 0.1805).dot(rgb) / 0.9505, luminance(rgb),
                               Eigen::Vector3d(0.0193, 0.1192, 0.9505).dot(rgb) / 1.089);
-    const Eigen::Vector3d f = xyz.unaryExpr([](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; });
+    const Eigen::Vector3d f = xyz.unaryExpr(
+        [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; });
     return {116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])};
 }
 
 TEST(Palette, StandsOutOnPaper) {
     for (const std::string_view colour : series_palette)
-        EXPECT_GE(1.05 / (luminance(linear_rgb(colour)) + 0.05), 3.0) << colour;   // WCAG 2.1, graphical objects
-    EXPECT_GE(1.05 / (luminance(linear_rgb(ink::quiet)) + 0.05), 4.5);             // small text
+        EXPECT_GE(1.05 / (luminance(linear_rgb(colour)) + 0.05), 3.0) << colour;  // WCAG 2.1, graphical objects
+    EXPECT_GE(1.05 / (luminance(linear_rgb(ink::quiet)) + 0.05), 4.5);            // small text
 }
 
 // Full protanopia, deuteranopia and tritanopia after Machado, Oliveira & Fernandes 2009.
@@ -45,9 +47,11 @@ TEST(Palette, StaysApartWithoutOneKindOfCone) {
     for (const Eigen::Matrix3d& vision : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), protan, deutan, tritan})
         for (std::size_t i = 0; i < series_palette.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
-                EXPECT_GT((lab(vision * linear_rgb(series_palette[i])) - lab(vision * linear_rgb(series_palette[j]))).norm(), 30.0)
+                EXPECT_GT(
+                    (lab(vision * linear_rgb(series_palette[i])) - lab(vision * linear_rgb(series_palette[j]))).norm(),
+                    30.0)
                     << series_palette[i] << " " << series_palette[j];
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::report

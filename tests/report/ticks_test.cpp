@@ -9,7 +9,7 @@
 
 #include "report/not_finite.hpp"
 
-namespace myo {
+namespace myo::report {
 namespace {
 
 using test::infinity;
@@ -62,8 +62,18 @@ TEST(LinearTicks, AreReadableForEveryRange) {
 
 TEST(LinearTicks, SurviveEveryDegenerateRange) {
     const double largest = std::numeric_limits<double>::max(), smallest = std::numeric_limits<double>::denorm_min();
-    for (const auto& [low, high] : std::vector<std::pair<double, double>>{{0, 0}, {5, 5}, {-3, -3}, {2, 1}, {-infinity, infinity},
-             {infinity, -infinity}, {NAN, NAN}, {0, NAN}, {-largest, largest}, {0, smallest}, {1, 1 + 1e-15}, {1e300, 1e308}}) {
+    for (const auto& [low, high] : std::vector<std::pair<double, double>>{{0, 0},
+                                                                          {5, 5},
+                                                                          {-3, -3},
+                                                                          {2, 1},
+                                                                          {-infinity, infinity},
+                                                                          {infinity, -infinity},
+                                                                          {NAN, NAN},
+                                                                          {0, NAN},
+                                                                          {-largest, largest},
+                                                                          {0, smallest},
+                                                                          {1, 1 + 1e-15},
+                                                                          {1e300, 1e308}}) {
         expect_readable(linear_ticks(low, high, 5));
         expect_readable(logarithmic_ticks(low, high, 5));
     }
@@ -89,4 +99,4 @@ TEST(LogarithmicTicks, AreReadableForEveryRange) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::report

@@ -8,7 +8,7 @@
 #include "support/figures.hpp"
 #include "support/folder.hpp"
 
-namespace myo {
+namespace myo::reproduce {
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -19,18 +19,19 @@ Vector3d tip_under(const ChamberedArm& arm, double pressure_Pa) {
     Vector3d tip = Vector3d::Zero();
     Matrix3Xd x = arm.model.body->mesh.nodes;
     for (const double p : {0.0, pressure_Pa}) {
-        Model model = arm.model;
-        model.force_elements = {cavity_pressure(*model.body, arm.walls, Signal::constant(p))};
-        StageSolver solver(model);
-        const StageReport report = solve_equilibrium(solver, 0.0, x);
+        model::Model model = arm.model;
+        model.force_elements = {model::cavity_pressure(*model.body, arm.walls, fibre::Signal::constant(p))};
+        dynamics::StageSolver solver(model);
+        const dynamics::StageReport report = dynamics::solve_equilibrium(solver, 0.0, x);
         EXPECT_TRUE(report.ok()) << report.message;
-        for (const MarkerBinding& binding : arm.points.bindings) tip += (p > 0.0 ? 0.25 : -0.25) * marker_position(binding, x(Eigen::all, binding.nodes));
+        for (const measurement::MarkerBinding& binding : arm.points.bindings)
+            tip += (p > 0.0 ? 0.25 : -0.25) * measurement::marker_position(binding, x(Eigen::all, binding.nodes));
     }
     return tip;
 }
 
 /// The body's surface as an ASCII STL in mm, the quadrilaterals cut along the diagonal.
-void write_surface(const std::filesystem::path& file, const Body& body) {
+void write_surface(const std::filesystem::path& file, const model::Body& body) {
     std::ofstream out(file);
     out << "solid arm\n";
     for (Eigen::Index f = 0; f < body.boundary.count(); ++f)
@@ -52,13 +53,14 @@ TEST(ChamberedArm, BendsAwayFromItsPressureInProportionToSmallOnes) {
     const Result<ChamberedArm> arm = make_chambered_arm(settings, 9e-3);
     ASSERT_TRUE(arm) << arm.error().text();
     EXPECT_EQ(arm->chambers, 4);
-    EXPECT_EQ(open_edges(*arm->model.body, arm->walls), 0);
+    EXPECT_EQ(model::open_edges(*arm->model.body, arm->walls), 0);
     // Two chambers of 13.2 x 13.2 x 90 mm.
-    EXPECT_NEAR(cavity_volume(*arm->model.body, arm->walls, arm->model.body->mesh.nodes), 2.0 * 13.2e-3 * 13.2e-3 * 90e-3, 1e-9);
+    EXPECT_NEAR(model::cavity_volume(*arm->model.body, arm->walls, arm->model.body->mesh.nodes),
+                2.0 * 13.2e-3 * 13.2e-3 * 90e-3, 1e-9);
     const Vector3d once = tip_under(*arm, 200.0), twice = tip_under(*arm, 400.0), far = tip_under(*arm, 7500.0);
     EXPECT_LT(once(0), 0.0);
     EXPECT_NEAR(twice(0) / once(0), 2.0, 0.05);
-    EXPECT_LT(std::abs(far(1)), 1e-6);          // symmetric
+    EXPECT_LT(std::abs(far(1)), 1e-6);  // symmetric
     EXPECT_LT(far(0), 20.0 * once(0));
 }
 
@@ -75,7 +77,7 @@ TEST(ChamberedArm, FromAFileIsTheSameArm) {
     const Result<ChamberedArm> read = make_chambered_arm(settings, 9e-3);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->chambers, 4);
-    EXPECT_EQ(read->model.body->kind, ElementKind::tet10);
+    EXPECT_EQ(read->model.body->kind, fem::ElementKind::tet10);
     const Vector3d a = tip_under(*fine, 2000.0), b = tip_under(*read, 2000.0);
     test::record("tip_x_from_tetrahedra_over_hexahedra", b(0) / a(0));
     EXPECT_NEAR(b(0) / a(0), 1.0, 0.08);
@@ -90,11 +92,12 @@ TEST(ReproduceArmChamber, ComparesChambersWithMusclesWithoutAnyData) {
     const Result<Reproduction> result = find_reproduction("arm-chamber")->run(settings, {});
     ASSERT_TRUE(result) << result.error().text();
     EXPECT_EQ(result->warnings.size(), 2u);
-    const Json rows = table_json(result->tables.front());
+    const report::Json rows = table_json(result->tables.front());
     ASSERT_EQ(rows.size(), 7u) << "the walls ballooned";
     for (std::size_t i = 1; i < rows.size(); ++i)
-        for (const char* grows : {"chambers grown by [ml]", "AC1 level"}) EXPECT_GT(rows[i].at(grows).get<double>(), rows[i - 1].at(grows).get<double>()) << grows;
+        for (const char* grows : {"chambers grown by [ml]", "AC1 level"})
+            EXPECT_GT(rows[i].at(grows).get<double>(), rows[i - 1].at(grows).get<double>()) << grows;
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::reproduce

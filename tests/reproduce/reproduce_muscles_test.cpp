@@ -11,12 +11,15 @@
 #include "support/folder.hpp"
 #include "support/shared_data.hpp"
 
-namespace myo {
+namespace myo::reproduce {
 namespace {
 
 using ::testing::HasSubstr;
 
-bool has_data() { return !test::shared_data("data/mocap/arm_pressure_sweep").empty() && !test::shared_data("data/mocap/fish").empty() && !test::shared_data("data/geometry").empty(); }
+bool has_data() {
+    return !test::shared_data("data/mocap/arm_pressure_sweep").empty() &&
+           !test::shared_data("data/mocap/fish").empty() && !test::shared_data("data/geometry").empty();
+}
 
 ReproduceSettings coarse_with_data() {
     ReproduceSettings settings;
@@ -26,7 +29,7 @@ ReproduceSettings coarse_with_data() {
     return settings;
 }
 
-Json values_of(const std::string& id) {
+report::Json values_of(const std::string& id) {
     const Result<Reproduction> result = find_reproduction(id)->run(coarse_with_data(), {});
     EXPECT_TRUE(result) << result.error().text();
     EXPECT_TRUE(result->warnings.empty());
@@ -34,12 +37,13 @@ Json values_of(const std::string& id) {
     return result->values;
 }
 
-double number(const Json& json, const char* key) { return json.at(key).get<double>(); }
+double number(const report::Json& json, const char* key) { return json.at(key).get<double>(); }
 
 TEST(ReproduceArm, PressuresLeftOutArePredicted) {
     if (!has_data()) GTEST_SKIP() << "skipped: no data";
-    const Json values = values_of("arm-static");
-    const Json &published = values.at("models").at(1), &single = values.at("models").at(2), &tied = values.at("models").at(3), &own = values.at("models").at(4);
+    const report::Json values = values_of("arm-static");
+    const report::Json &published = values.at("models").at(1), &single = values.at("models").at(2),
+                       &tied = values.at("models").at(3), &own = values.at("models").at(4);
     for (const char* key : {"every_second_0.7_s", "every_second_end"}) {
         test::record(key, number(own, key));
         EXPECT_LT(number(own, key), 0.04) << key;
@@ -57,29 +61,32 @@ TEST(ReproduceArm, PressuresLeftOutArePredicted) {
         EXPECT_LT(values.at("signals").at(i).at(1), values.at("signals").at(i - 1).at(1));
     }
     for (std::size_t k = 1; k < values.at("map").size(); ++k)
-        for (const char* when : {"at_0.7_s", "at_end"}) EXPECT_LT(number(values.at("map").at(k).at(when), "x_m"), number(values.at("map").at(k - 1).at(when), "x_m"));
+        for (const char* when : {"at_0.7_s", "at_end"})
+            EXPECT_LT(number(values.at("map").at(k).at(when), "x_m"),
+                      number(values.at("map").at(k - 1).at(when), "x_m"));
 }
 
 TEST(ReproduceArm, ASignalFollowsTheRecordedMotion) {
     if (!has_data()) GTEST_SKIP() << "skipped: no data";
-    const Json fits = values_of("arm-dynamic").at("fits");
-    for (const Json& fit : fits) {
+    const report::Json fits = values_of("arm-dynamic").at("fits");
+    for (const report::Json& fit : fits) {
         test::record(fit.at("name").get<std::string>() + " x, m", number(fit, "rms_x_m"));
         test::record(fit.at("name").get<std::string>() + " z, m", number(fit, "rms_z_m"));
         EXPECT_EQ(fit.at("at_bounds"), 0) << fit.at("name");
         EXPECT_LT(number(fit, "rms_x_m"), 0.04 * number(fit, "way_m")) << fit.at("name");
         EXPECT_LT(number(fit, "largest_jump"), 0.6 * number(fit, "range")) << fit.at("name");
     }
-    const Json &published = fits.at(0), &single = fits.at(1), &tied = fits.at(2), &both = fits.at(3);
-    EXPECT_LT(number(both, "rms_z_m"), 0.2 * number(tied, "rms_z_m")) << "a signal for each can lengthen the arm while it bends";
+    const report::Json &published = fits.at(0), &single = fits.at(1), &tied = fits.at(2), &both = fits.at(3);
+    EXPECT_LT(number(both, "rms_z_m"), 0.2 * number(tied, "rms_z_m"))
+        << "a signal for each can lengthen the arm while it bends";
     EXPECT_LT(number(single, "rms_z_m"), 0.4 * number(tied, "rms_z_m"));
     EXPECT_LT(number(both, "rms_y_m"), 0.3 * number(published, "rms_y_m"));
 }
 
 TEST(ReproduceFish, SignalsFollowTheTail) {
     if (!has_data()) GTEST_SKIP() << "skipped: no data";
-    const Json fits = values_of("fish").at("fits");
-    for (const Json& fit : fits) {
+    const report::Json fits = values_of("fish").at("fits");
+    for (const report::Json& fit : fits) {
         test::record(fit.at("name").get<std::string>() + " x, m", number(fit, "rms_x_m"));
         test::record(fit.at("name").get<std::string>() + " z, m", number(fit, "rms_z_m"));
         EXPECT_LT(number(fit, "rms_x_m"), 0.08 * number(fit, "way_m")) << fit.at("name");
@@ -98,7 +105,8 @@ TEST(ReproduceMuscles, WithoutDataTheySayWhatToFetch) {
         const Result<Reproduction> result = find_reproduction(id)->run(settings, {});
         ASSERT_TRUE(result) << result.error().text();
         ASSERT_GE(result->warnings.size(), 2u) << id;
-        for (const std::string& warning : result->warnings) EXPECT_THAT(warning, HasSubstr("srl-ethz/diffPD_sim2real")) << id;
+        for (const std::string& warning : result->warnings)
+            EXPECT_THAT(warning, HasSubstr("srl-ethz/diffPD_sim2real")) << id;
         EXPECT_THAT(result->warnings.back(), HasSubstr("data/geometry")) << id;
     }
 }
@@ -116,7 +124,8 @@ TEST(ReproduceMuscles, DamagedRecordingsAreNamed) {
 
 TEST(RealRobots, TheArmBendsInOnePlaneAndFartherWithPressure) {
     if (!has_data()) GTEST_SKIP() << "skipped: no data";
-    const Result<std::vector<RobotTrial>> sweep = read_arm_sweep(coarse_with_data()), steps = read_arm_steps(coarse_with_data());
+    const Result<std::vector<RobotTrial>> sweep = read_arm_sweep(coarse_with_data()),
+                                          steps = read_arm_steps(coarse_with_data());
     ASSERT_TRUE(sweep) << sweep.error().text();
     ASSERT_TRUE(steps) << steps.error().text();
     ASSERT_GE(sweep->size(), 3u);
@@ -163,7 +172,7 @@ TEST(TipResponse, HasTheDerivativeOfItsPoses) {
     if (!has_data()) GTEST_SKIP() << "skipped: no data";
     Result<MuscleBody> body = make_muscle_body(coarse_with_data(), paper_arm(), {.edge_m = 12e-3});
     ASSERT_TRUE(body) << body.error().text();
-    EXPECT_NEAR(mass_matrix(body->model).isotropic.sum(), 1070.0 * 126.675e-6, 1e-6) << "the plus with its hole";
+    EXPECT_NEAR(model::mass_matrix(body->model).isotropic.sum(), 1070.0 * 126.675e-6, 1e-6) << "the plus with its hole";
     const TipResponse response(*body, free_muscles());
     const Eigen::Vector2d signals(1.2, 0.95), step(1e-4, 0.0);
     const TipPose pose = response.at(signals);
@@ -171,7 +180,9 @@ TEST(TipResponse, HasTheDerivativeOfItsPoses) {
     EXPECT_LT(pose.tracked_m()(0), -5e-3) << "away from the muscle that lengthens";
     for (std::size_t s = 0; s < 2; ++s) {
         const Eigen::Vector2d d = s == 0 ? step : Eigen::Vector2d(0.0, 1e-4);
-        const Eigen::Matrix3Xd difference = (response.at(signals + d).displacement_m - response.at(signals - d).displacement_m) / 2e-4;
+        const Eigen::Matrix3Xd difference = (response.at(signals + d).displacement_m -
+                                             response.at(signals - d).displacement_m) /
+                                            2e-4;
         EXPECT_GT(difference.norm(), 1e-2);
         EXPECT_LT((difference - pose.by_signal_m[s]).norm(), 1e-4 * difference.norm());
     }
@@ -192,4 +203,4 @@ TEST(TipResponse, FindsTheSignalsOfItsOwnPose) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::reproduce

@@ -12,7 +12,7 @@
 #include "support/folder.hpp"
 #include "support/shared_data.hpp"
 
-namespace myo {
+namespace myo::reproduce {
 namespace {
 
 using ::testing::HasSubstr;
@@ -41,10 +41,10 @@ Reproduction reproduced(const std::string& id) {
     return *result;
 }
 
-double number_of(const Json& json, const char* key) { return json.at(key).get<double>(); }
+double number_of(const report::Json& json, const char* key) { return json.at(key).get<double>(); }
 
 TEST(Reproduce, ImplicitEulerFollowsThePapersFormula) {
-    const Json values = reproduced("numerical-damping").values;
+    const report::Json values = reproduced("numerical-damping").values;
     for (const char* key : {"largest_error_our_beam", "largest_error_as_published"}) {
         test::record(key, number_of(values, key));
         EXPECT_LT(number_of(values, key), 0.005) << key;
@@ -56,21 +56,25 @@ TEST(Reproduce, ImplicitEulerFollowsThePapersFormula) {
 }
 
 TEST(Reproduce, LambdaIsTheLinearOneAndOneDampingHoldsAtEveryStep) {
-    const Json values = reproduced("lambda").values;
-    for (const auto& [key, most] : {std::pair{"largest_error_power_iteration", 0.002}, {"largest_error_constant_amplitude", 0.01}, {"largest_decay_error_tr_bdf2", 0.05}}) {
+    const report::Json values = reproduced("lambda").values;
+    for (const auto& [key, most] : {std::pair{"largest_error_power_iteration", 0.002},
+                                    {"largest_error_constant_amplitude", 0.01},
+                                    {"largest_decay_error_tr_bdf2", 0.05}}) {
         test::record(key, number_of(values, key));
         EXPECT_LT(number_of(values, key), most) << key;
     }
     // Rate = damping omega^2 / 2 if all of the stiffness damped; only its shear part does, which is most of it.
     const double omega = 2.0 * 3.14159265 * 7.385;
-    EXPECT_NEAR(0.5 * number_of(values, "damping_s") * omega * omega, number_of(values, "wanted_decay_1_s"), 0.05 * number_of(values, "wanted_decay_1_s"));
+    EXPECT_NEAR(0.5 * number_of(values, "damping_s") * omega * omega, number_of(values, "wanted_decay_1_s"),
+                0.05 * number_of(values, "wanted_decay_1_s"));
 }
 
 TEST(Reproduce, StaticsGoFromThePublishedModelToTheCommercialSolvers) {
-    const Json values = reproduced("beam-static").values;
-    for (const Json& row : values.at("cases")) {
+    const report::Json values = reproduced("beam-static").values;
+    for (const report::Json& row : values.at("cases")) {
         const std::string label = row.at("case").get<std::string>() + " " + row.at("mesh").get<std::string>();
-        const double share = number_of(row, "published_mass_share"), ours = number_of(row, "our_model_dz_m") / number_of(row, "commercial_dz_m");
+        const double share = number_of(row, "published_mass_share"),
+                     ours = number_of(row, "our_model_dz_m") / number_of(row, "commercial_dz_m");
         test::record(label, ours - 1.0);
         EXPECT_NEAR(ours, 1.0, 0.04) << label;
         // Weight goes with the mass: what is too heavy sinks more.
@@ -81,13 +85,14 @@ TEST(Reproduce, StaticsGoFromThePublishedModelToTheCommercialSolvers) {
         }
     }
     // 10 x 3 x 3 cubes of a 10.9th of the length: each vertex weighs as much as a cube.
-    EXPECT_NEAR(number_of(values.at("cases").at(0), "published_mass_share"), 11 * 4 * 4 * std::pow(100.0 / 10.9, 3) / 9e4, 1e-9);
+    EXPECT_NEAR(number_of(values.at("cases").at(0), "published_mass_share"),
+                11 * 4 * 4 * std::pow(100.0 / 10.9, 3) / 9e4, 1e-9);
 }
 
 TEST(Reproduce, ModulusIsTheSameFromEveryStart) {
-    const Json values = reproduced("beam-modulus").values;
+    const report::Json values = reproduced("beam-modulus").values;
     EXPECT_EQ(values.at("fits").size(), has_beam() ? 6u : 1u);
-    for (const Json& fit : values.at("fits")) {
+    for (const report::Json& fit : values.at("fits")) {
         EXPECT_LT(number_of(fit, "ends_apart"), 1e-3) << fit.at("name");
         EXPECT_LE(number_of(fit, "most_simulations"), 8) << fit.at("name");
         EXPECT_LT(number_of(fit, "rms_m"), 1.2e-3) << fit.at("name");
@@ -102,9 +107,10 @@ TEST(Reproduce, WithoutDataSaysWhatToFetchAndWritesTheRest) {
     const Result<Reproduction> result = one->run(coarse(folder.path()), {});
     ASSERT_TRUE(result) << result.error().text();
     ASSERT_EQ(result->warnings.size(), 1u);
-    for (const char* word : {"srl-ethz/diffPD_sim2real", "MYOLOOP_DATA", "data/mocap/beam"}) EXPECT_THAT(result->warnings[0], HasSubstr(word));
+    for (const char* word : {"srl-ethz/diffPD_sim2real", "MYOLOOP_DATA", "data/mocap/beam"})
+        EXPECT_THAT(result->warnings[0], HasSubstr(word));
     ASSERT_TRUE(write_reproduction(folder.path() / "out", *one, *result));
-    const Result<Json> json = read_json(folder.path() / "out/beam-static.json");
+    const Result<report::Json> json = report::read_json(folder.path() / "out/beam-static.json");
     ASSERT_TRUE(json) << json.error().text();
     EXPECT_EQ(json->at("schema"), "reproduce/1");
     EXPECT_EQ(json->at("cases").size(), 11u);
@@ -136,7 +142,7 @@ TEST(RealBeam, SwingsAndRestsAsThePublishedEnvelopesSay) {
     ASSERT_EQ(trials->size(), 4u);
     for (const BeamTrial& trial : *trials) {
         EXPECT_LT(trial.frame_rms_m, 1.4e-3);
-        const DampedCosine vibration = measured_vibration(trial);
+        const inverse::DampedCosine vibration = measured_vibration(trial);
         ASSERT_TRUE(vibration.ok);
         test::record(trial.name, vibration.rate_1_s);
         if (trial.tip_force_N == 0.0) {
@@ -147,4 +153,4 @@ TEST(RealBeam, SwingsAndRestsAsThePublishedEnvelopesSay) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::reproduce

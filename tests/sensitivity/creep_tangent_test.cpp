@@ -6,15 +6,15 @@
 
 #include "sensitivity/driven_beam.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using Eigen::Matrix3Xd;
 
 struct CreepCase {
-    ElementKind kind;
-    TimeScheme integrator;
-    StartKind start;
+    fem::ElementKind kind;
+    dynamics::TimeScheme integrator;
+    dynamics::StartKind start;
     double damping_s;
 };
 
@@ -23,29 +23,30 @@ class CreepTangents : public testing::TestWithParam<CreepCase> {};
 /// Modulus, damping and a level of actuation, over jumps of loads and signals.
 TEST_P(CreepTangents, EqualCentralDifferencesOfTheDiscreteMotion) {
     const auto [kind, integrator, start, damping] = GetParam();
-    Model model = test::driven_beam(kind);
+    model::Model model = test::driven_beam(kind);
     model.damping_s = damping;
-    model.creep = MaxwellBranch{0.6, 0.02};
-    const SimulationOptions options = test::short_run(integrator, start);
+    model.creep = material::MaxwellBranch{0.6, 0.02};
+    const dynamics::SimulationOptions options = test::short_run(integrator, start);
     const double E = 2.6e5;
-    const auto with_level = [](Model m, double by) {
+    const auto with_level = [](model::Model m, double by) {
         m.activation[0].values[1] += by;
         return m;
     };
     ModelTangent level;
     level.activation = {model.activation[0], model.activation[1]};
-    for (Signal& signal : level.activation) std::fill(signal.values.begin(), signal.values.end(), 0.0);
+    for (fibre::Signal& signal : level.activation) std::fill(signal.values.begin(), signal.values.end(), 0.0);
     level.activation[0].values[1] = 1.0;
-    const std::vector<std::pair<double, std::function<Model(double)>>> parameters = {
+    const std::vector<std::pair<double, std::function<model::Model(double)>>> parameters = {
         {26.0,
          [&](double by) {
-             Model m = model;
-             for (Moduli& moduli : m.moduli) moduli = {moduli.mu * (1.0 + by / E), moduli.kappa * (1.0 + by / E)};
+             model::Model m = model;
+             for (material::Moduli& moduli : m.moduli)
+                 moduli = {moduli.mu * (1.0 + by / E), moduli.kappa * (1.0 + by / E)};
              return m;
          }},
         {3e-6,
          [&](double by) {
-             Model m = model;
+             model::Model m = model;
              m.damping_s += by;
              return m;
          }},
@@ -53,11 +54,13 @@ TEST_P(CreepTangents, EqualCentralDifferencesOfTheDiscreteMotion) {
     };
     std::vector<int> nodes(static_cast<std::size_t>(model.body->node_count()));
     std::iota(nodes.begin(), nodes.end(), 0);
-    const SensitiveTrace run = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, E), damping_tangent(), level}, nodes);
+    const SensitiveTrace run = simulate_with_tangents(
+        model, options, {youngs_modulus_tangent(model, E), damping_tangent(), level}, nodes);
     ASSERT_TRUE(run.trace.complete()) << run.trace.message;
     for (std::size_t p = 0; p < parameters.size(); ++p) {
         const auto& [step, shifted] = parameters[p];
-        const Trace up = simulate(shifted(step), options), down = simulate(shifted(-step), options);
+        const dynamics::Trace up = dynamics::simulate(shifted(step), options),
+                              down = dynamics::simulate(shifted(-step), options);
         double error = 0.0, size = 0.0;
         bool identical = true;
         for (std::size_t k = 0; k < up.positions.size(); ++k) {
@@ -72,42 +75,51 @@ TEST_P(CreepTangents, EqualCentralDifferencesOfTheDiscreteMotion) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CreepTangents,
-                         testing::Values(CreepCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight, 0.003},
-                                         CreepCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium, 0.003},
-                                         CreepCase{ElementKind::hex8, Integrator::bdf2, StartKind::equilibrium, 0.001},
-                                         CreepCase{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight, 0.003},
-                                         CreepCase{ElementKind::tet10, Integrator::tr_bdf2, StartKind::equilibrium, 0.001},
-                                         CreepCase{ElementKind::hex8_mean_dilatation, Integrator::implicit_euler, StartKind::straight, 0.001}));
+INSTANTIATE_TEST_SUITE_P(
+    All, CreepTangents,
+    testing::Values(
+        CreepCase{fem::ElementKind::hex8, dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight, 0.003},
+        CreepCase{fem::ElementKind::hex8, dynamics::Integrator::tr_bdf2, dynamics::StartKind::equilibrium, 0.003},
+        CreepCase{fem::ElementKind::hex8, dynamics::Integrator::bdf2, dynamics::StartKind::equilibrium, 0.001},
+        CreepCase{fem::ElementKind::hex8, dynamics::Integrator::generalized_alpha, dynamics::StartKind::straight,
+                  0.003},
+        CreepCase{fem::ElementKind::tet10, dynamics::Integrator::tr_bdf2, dynamics::StartKind::equilibrium, 0.001},
+        CreepCase{fem::ElementKind::hex8_mean_dilatation, dynamics::Integrator::implicit_euler,
+                  dynamics::StartKind::straight, 0.001}));
 
 /// With the factors held, which they are exactly where nothing softens any more or nothing has begun to.
 TEST(SofteningTangents, AreThoseOfTheFactorsHeld) {
-    Model model = test::driven_beam(ElementKind::hex8);
-    const SimulationOptions options = test::short_run(Integrator::tr_bdf2, StartKind::straight);
-    model.softening = StressSoftening{0.3, 1e-9};   // at its most from the first step on
+    model::Model model = test::driven_beam(fem::ElementKind::hex8);
+    const dynamics::SimulationOptions options = test::short_run(dynamics::Integrator::tr_bdf2,
+                                                                dynamics::StartKind::straight);
+    model.softening = material::StressSoftening{0.3, 1e-9};  // at its most from the first step on
     const double E = 2.6e5, step = 26.0;
     const SensitiveTrace run = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, E)}, {3, 7});
     const auto shifted = [&](double by) {
-        Model m = model;
-        for (Moduli& moduli : m.moduli) moduli = {moduli.mu * (1.0 + by / E), moduli.kappa * (1.0 + by / E)};
-        return simulate(m, options);
+        model::Model m = model;
+        for (material::Moduli& moduli : m.moduli) moduli = {moduli.mu * (1.0 + by / E), moduli.kappa * (1.0 + by / E)};
+        return dynamics::simulate(m, options);
     };
     const Matrix3Xd difference = (shifted(step).positions.back() - shifted(-step).positions.back()) / (2.0 * step);
     ASSERT_TRUE(run.trace.complete());
-    EXPECT_LT((difference(Eigen::all, std::vector<int>{3, 7}) - run.tangents[0].positions.back()).norm(), 1e-4 * difference.norm());
+    EXPECT_LT((difference(Eigen::all, std::vector<int>{3, 7}) - run.tangents[0].positions.back()).norm(),
+              1e-4 * difference.norm());
 }
 
 TEST(AdjointRun, RefusesBodiesWithAMemory) {
-    const SimulationOptions options = test::short_run(Integrator::tr_bdf2, StartKind::straight);
+    const dynamics::SimulationOptions options = test::short_run(dynamics::Integrator::tr_bdf2,
+                                                                dynamics::StartKind::straight);
     for (const bool creep : {true, false}) {
-        Model model = test::driven_beam(ElementKind::hex8);
-        if (creep) model.creep = MaxwellBranch{0.6, 0.02};
-        else model.softening = StressSoftening{0.3, 100.0};
+        model::Model model = test::driven_beam(fem::ElementKind::hex8);
+        if (creep)
+            model.creep = material::MaxwellBranch{0.6, 0.02};
+        else
+            model.softening = material::StressSoftening{0.3, 100.0};
         const GradientRun run = simulate_with_gradient(model, options, test::rough_loss(model));
-        EXPECT_EQ(run.status, RunStatus::failed);
+        EXPECT_EQ(run.status, dynamics::RunStatus::failed);
         EXPECT_NE(run.message.find(creep ? "creep" : "soften"), std::string::npos) << run.message;
     }
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::sensitivity

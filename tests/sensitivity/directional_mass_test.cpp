@@ -6,24 +6,26 @@
 #include "sensitivity/gradient_check.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 struct MassCase {
-    ElementKind kind;
-    TimeScheme scheme;
-    StartKind start;
+    fem::ElementKind kind;
+    dynamics::TimeScheme scheme;
+    dynamics::StartKind start;
 };
 
 class DirectionalMassGradient : public testing::TestWithParam<MassCase> {
 protected:
     /// Fluid all around and a weight on an oblique thread, many times as heavy as the body.
-    DirectionalMassGradient() : model(test::driven_beam(GetParam().kind)), options(test::short_run(GetParam().scheme, GetParam().start)) {
+    DirectionalMassGradient()
+        : model(test::driven_beam(GetParam().kind)), options(test::short_run(GetParam().scheme, GetParam().start)) {
         Eigen::VectorXd share = model.masses.front().share;
-        model.directional_masses = {added_mass(*model.body, free_faces(*model.body), 8.0), line_mass(share, {0.3, 1.0, -0.4}, 0.2)};
+        model.directional_masses = {model::added_mass(*model.body, model::free_faces(*model.body), 8.0),
+                                    model::line_mass(share, {0.3, 1.0, -0.4}, 0.2)};
     }
-    Model model;
-    SimulationOptions options;
+    model::Model model;
+    dynamics::SimulationOptions options;
 };
 
 class PassingMassGradient : public DirectionalMassGradient {
@@ -35,13 +37,15 @@ protected:
     }
 };
 
-void expect_gradient(const Model& model, const SimulationOptions& options) {
-    const GradientCheck check = check_gradient(model, options, test::rough_loss(model), checked_parameters(model, options));
+void expect_gradient(const model::Model& model, const dynamics::SimulationOptions& options) {
+    const GradientCheck check = check_gradient(model, options, test::rough_loss(model),
+                                               checked_parameters(model, options));
     ASSERT_TRUE(check.complete()) << check.message;
     int of_masses = 0;
     for (const GradientCheckRow& row : check.rows) {
         EXPECT_NE(row.adjoint, 0.0) << row.name;
-        EXPECT_LT(row.relative_error, 1e-5) << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
+        EXPECT_LT(row.relative_error, 1e-5)
+            << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
         of_masses += row.name.starts_with("directional mass") ? 1 : 0;
     }
     EXPECT_EQ(of_masses, 2);
@@ -52,26 +56,30 @@ void expect_gradient(const Model& model, const SimulationOptions& options) {
 TEST_P(DirectionalMassGradient, OfAllParametersEqualsCentralDifferences) { expect_gradient(model, options); }
 TEST_P(PassingMassGradient, OfAllParametersEqualsCentralDifferences) { expect_gradient(model, options); }
 
-void expect_tangents(const Model& model, SimulationOptions options) {
+void expect_tangents(const model::Model& model, dynamics::SimulationOptions options) {
     options.solver.tangent_tolerance = 1e-12;
     const LossOfMotion loss = test::rough_loss(model);
-    const auto [E, nu] = young_from_moduli(model.moduli.front());
+    const auto [E, nu] = material::young_from_moduli(model.moduli.front());
     AdjointOptions adjoint;
     adjoint.tolerance = 1e-12;
     const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
     ASSERT_TRUE(run.complete()) << run.message;
-    const SensitiveTrace tangents = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, E)}, loss.nodes);
+    const SensitiveTrace tangents = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, E)},
+                                                           loss.nodes);
     ASSERT_TRUE(tangents.trace.complete());
-    EXPECT_NEAR(test::along(loss.evaluate(run.motion), tangents.tangents[0]) / young_gradient(model, run.gradient).youngs_modulus_Pa, 1.0, 1e-7);
+    EXPECT_NEAR(test::along(loss.evaluate(run.motion), tangents.tangents[0]) /
+                    young_gradient(model, run.gradient).youngs_modulus_Pa,
+                1.0, 1e-7);
 
     const double step = 1e-4 * E;
     const auto moved = [&](double by) {
-        Model other = model;
-        other.moduli = uniform_moduli(model.body->cell_count(), E + by, nu);
-        return simulate(other, options);
+        model::Model other = model;
+        other.moduli = model::uniform_moduli(model.body->cell_count(), E + by, nu);
+        return dynamics::simulate(other, options);
     };
-    const Trace up = moved(step), down = moved(-step);
-    const Eigen::Matrix3Xd x = (up.positions.back() - down.positions.back()) / (2.0 * step), v = (up.velocities.back() - down.velocities.back()) / (2.0 * step);
+    const dynamics::Trace up = moved(step), down = moved(-step);
+    const Eigen::Matrix3Xd x = (up.positions.back() - down.positions.back()) / (2.0 * step),
+                           v = (up.velocities.back() - down.velocities.back()) / (2.0 * step);
     EXPECT_GT(x.norm(), 0.0);
     EXPECT_LT((tangents.tangents[0].positions.back() - x).norm(), 1e-5 * x.norm());
     EXPECT_LT((tangents.tangents[0].velocities.back() - v).norm(), 1e-5 * v.norm());
@@ -80,19 +88,19 @@ void expect_tangents(const Model& model, SimulationOptions options) {
 TEST_P(DirectionalMassGradient, TangentsOfTheModulusEqualDifferencesAndTheAdjoint) { expect_tangents(model, options); }
 TEST_P(PassingMassGradient, TangentsOfTheModulusEqualDifferencesAndTheAdjoint) { expect_tangents(model, options); }
 
-const auto mass_cases =
-    testing::Values(MassCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight},
-                    MassCase{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
-                    MassCase{ElementKind::hex8, Integrator::trapezoidal, StartKind::equilibrium},
-                    MassCase{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
-                    MassCase{ElementKind::tet10, Integrator::implicit_euler, StartKind::equilibrium});
+const auto mass_cases = testing::Values(
+    MassCase{fem::ElementKind::hex8, dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight},
+    MassCase{fem::ElementKind::hex8, dynamics::Integrator::bdf2, dynamics::StartKind::straight},
+    MassCase{fem::ElementKind::hex8, dynamics::Integrator::trapezoidal, dynamics::StartKind::equilibrium},
+    MassCase{fem::ElementKind::tet4, dynamics::Integrator::generalized_alpha, dynamics::StartKind::straight},
+    MassCase{fem::ElementKind::tet10, dynamics::Integrator::implicit_euler, dynamics::StartKind::equilibrium});
 
 std::string mass_case_name(const testing::TestParamInfo<MassCase>& c) {
     return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) +
-           (c.param.start == StartKind::equilibrium ? "_equilibrium" : "");
+           (c.param.start == dynamics::StartKind::equilibrium ? "_equilibrium" : "");
 }
 INSTANTIATE_TEST_SUITE_P(All, DirectionalMassGradient, mass_cases, mass_case_name);
 INSTANTIATE_TEST_SUITE_P(All, PassingMassGradient, mass_cases, mass_case_name);
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::sensitivity

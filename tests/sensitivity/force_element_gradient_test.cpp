@@ -5,7 +5,7 @@
 #include "sensitivity/tangent_run.hpp"
 #include "support/figures.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using test::blown_block;
@@ -13,9 +13,9 @@ using test::rough_loss;
 using test::short_run;
 
 struct ForceElementCase {
-    ElementKind kind;
-    TimeScheme scheme;
-    StartKind start;
+    fem::ElementKind kind;
+    dynamics::TimeScheme scheme;
+    dynamics::StartKind start;
 };
 
 /// Springs, drag and the pressure of a cavity, all at once.
@@ -23,15 +23,16 @@ class ForceElementGradient : public testing::TestWithParam<ForceElementCase> {};
 
 TEST_P(ForceElementGradient, EqualsCentralDifferences) {
     const auto [kind, scheme, start] = GetParam();
-    const Model model = blown_block(kind);
-    SimulationOptions options = short_run(scheme, start);
+    const model::Model model = blown_block(kind);
+    dynamics::SimulationOptions options = short_run(scheme, start);
     options.initial.velocities = 0.3 * test::rough_field(model.body->node_count(), 0.4);
     const GradientCheck check = check_gradient(model, options, rough_loss(model), checked_parameters(model, options));
     ASSERT_TRUE(check.complete()) << check.message;
     int of_elements = 0;
     for (const GradientCheckRow& row : check.rows) {
         EXPECT_NE(row.adjoint, 0.0) << row.name;
-        EXPECT_LT(row.relative_error, 1e-5) << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
+        EXPECT_LT(row.relative_error, 1e-5)
+            << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
         of_elements += row.name.starts_with("force element") ? 1 : 0;
     }
     EXPECT_EQ(of_elements, 7);
@@ -42,8 +43,8 @@ TEST_P(ForceElementGradient, EqualsCentralDifferences) {
 
 TEST_P(ForceElementGradient, EqualsTheTangents) {
     const auto [kind, scheme, start] = GetParam();
-    const Model model = blown_block(kind);
-    SimulationOptions options = short_run(scheme, start);
+    const model::Model model = blown_block(kind);
+    dynamics::SimulationOptions options = short_run(scheme, start);
     options.solver.tangent_tolerance = 1e-12;
     const LossOfMotion loss = rough_loss(model);
     AdjointOptions adjoint;
@@ -69,14 +70,21 @@ TEST_P(ForceElementGradient, EqualsTheTangents) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ForceElementGradient,
-                         testing::Values(ForceElementCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight}, ForceElementCase{ElementKind::hex8, Integrator::bdf2, StartKind::straight}, ForceElementCase{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
-                                         ForceElementCase{ElementKind::hex8, Integrator::implicit_euler, StartKind::equilibrium},
-                                         ForceElementCase{ElementKind::tet4, Integrator::generalized_alpha, StartKind::straight},
-                                         ForceElementCase{ElementKind::tet10, Integrator::tr_bdf2, StartKind::straight}),
-                         [](const auto& c) {
-                             return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) + (c.param.start == StartKind::equilibrium ? "_equilibrium" : "");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, ForceElementGradient,
+    testing::Values(
+        ForceElementCase{fem::ElementKind::hex8, dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight},
+        ForceElementCase{fem::ElementKind::hex8, dynamics::Integrator::bdf2, dynamics::StartKind::straight},
+        ForceElementCase{fem::ElementKind::hex8, dynamics::Integrator::trapezoidal, dynamics::StartKind::straight},
+        ForceElementCase{fem::ElementKind::hex8, dynamics::Integrator::implicit_euler,
+                         dynamics::StartKind::equilibrium},
+        ForceElementCase{fem::ElementKind::tet4, dynamics::Integrator::generalized_alpha,
+                         dynamics::StartKind::straight},
+        ForceElementCase{fem::ElementKind::tet10, dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight}),
+    [](const auto& c) {
+        return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) +
+               (c.param.start == dynamics::StartKind::equilibrium ? "_equilibrium" : "");
+    });
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::sensitivity

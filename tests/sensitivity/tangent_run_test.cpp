@@ -9,7 +9,7 @@
 #include "sensitivity/driven_beam.hpp"
 #include "support/beam.hpp"
 
-namespace myo {
+namespace myo::sensitivity {
 namespace {
 
 using test::BeamSpec;
@@ -21,43 +21,44 @@ struct Values {
     double level = 0.9;
 };
 
-Model pushed_beam(ElementKind kind, const Values& values) {
+model::Model pushed_beam(fem::ElementKind kind, const Values& values) {
     BeamSpec spec;
     spec.kind = kind;
     spec.gravity_m_s2 = 9.81;
     spec.youngs_modulus_Pa = values.youngs_modulus_Pa;
     spec.damping_s = values.damping_s;
-    if (cell_type(kind) == CellType::tet10) spec.cells = {3, 1, 1};
-    Model model = test::make_beam(spec);
-    auto fibres = std::make_shared<std::vector<FibreGroup>>();
-    fibres->push_back(fibres_in_box(model.body->mesh, Box{{0.02, 0, 0}, {0.09, 0.03, 0.01}}, Eigen::Vector3d::UnitX(), 8e4, "muscle"));
+    if (fem::cell_type(kind) == mesh::CellType::tet10) spec.cells = {3, 1, 1};
+    model::Model model = test::make_beam(spec);
+    auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
+    fibres->push_back(fibre::fibres_in_box(model.body->mesh, Box{{0.02, 0, 0}, {0.09, 0.03, 0.01}},
+                                           Eigen::Vector3d::UnitX(), 8e4, "muscle"));
     model.fibres = fibres;
-    model.activation = {Signal::step(0.0, 1.0, values.level)};
+    model.activation = {fibre::Signal::step(0.0, 1.0, values.level)};
     test::push_tip(model, spec, {0.0, 0.05, 0.0});
-    model.forces.back().until_s = 0.012;   // ends inside a step
+    model.forces.back().until_s = 0.012;  // ends inside a step
     model.velocity_force_1_s = 3.0;
     return model;
 }
 
 struct TangentCase {
-    ElementKind kind;
-    TimeScheme integrator;
-    StartKind start;
+    fem::ElementKind kind;
+    dynamics::TimeScheme integrator;
+    dynamics::StartKind start;
 };
 
 class TangentRun : public testing::TestWithParam<TangentCase> {};
 
 TEST_P(TangentRun, EqualsCentralDifferencesOfTheDiscreteMotion) {
     const auto [kind, integrator, start] = GetParam();
-    const SimulationOptions options = test::short_run(integrator, start);
+    const dynamics::SimulationOptions options = test::short_run(integrator, start);
     const Values values;
-    const Model model = pushed_beam(kind, values);
+    const model::Model model = pushed_beam(kind, values);
     ModelTangent level;
-    level.activation = {Signal::step(0.0, 0.0, 1.0)};
+    level.activation = {fibre::Signal::step(0.0, 0.0, 1.0)};
     std::vector<int> nodes(static_cast<std::size_t>(model.body->node_count()));
     std::iota(nodes.begin(), nodes.end(), 0);
-    const SensitiveTrace run =
-        simulate_with_tangents(model, options, {youngs_modulus_tangent(model, values.youngs_modulus_Pa), damping_tangent(), level}, nodes);
+    const SensitiveTrace run = simulate_with_tangents(
+        model, options, {youngs_modulus_tangent(model, values.youngs_modulus_Pa), damping_tangent(), level}, nodes);
     ASSERT_TRUE(run.trace.complete()) << run.trace.message;
 
     const std::vector<std::pair<double, std::function<void(Values&, double)>>> parameters = {
@@ -70,9 +71,9 @@ TEST_P(TangentRun, EqualsCentralDifferencesOfTheDiscreteMotion) {
         const auto shifted = [&, &change = change](double by) {
             Values v = values;
             change(v, by);
-            return simulate(pushed_beam(kind, v), options);
+            return dynamics::simulate(pushed_beam(kind, v), options);
         };
-        const Trace up = shifted(step), down = shifted(-step);
+        const dynamics::Trace up = shifted(step), down = shifted(-step);
         double error = 0.0, size = 0.0;
         bool identical = true;
         for (std::size_t k = 0; k < up.positions.size(); ++k) {
@@ -89,23 +90,27 @@ TEST_P(TangentRun, EqualsCentralDifferencesOfTheDiscreteMotion) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, TangentRun,
-    testing::Values(TangentCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::straight},
-                    TangentCase{ElementKind::hex8, Integrator::tr_bdf2, StartKind::equilibrium},
-                    TangentCase{ElementKind::hex8, Integrator::implicit_euler, StartKind::straight},
-                    TangentCase{ElementKind::hex8, Integrator::bdf2, StartKind::straight},
-                    TangentCase{ElementKind::tet10, Integrator::bdf2, StartKind::equilibrium},
-                    TangentCase{ElementKind::hex8, Integrator::trapezoidal, StartKind::straight},
-                    TangentCase{ElementKind::hex8, Integrator::generalized_alpha, StartKind::straight},
-                    TangentCase{ElementKind::tet10, {Integrator::generalized_alpha, 0.2}, StartKind::equilibrium},
-                    TangentCase{ElementKind::hex8_mean_dilatation, Integrator::tr_bdf2, StartKind::straight},
-                    TangentCase{ElementKind::tet10, Integrator::tr_bdf2, StartKind::equilibrium},
-                    TangentCase{ElementKind::tet4, Integrator::implicit_euler, StartKind::equilibrium}));
+    testing::Values(
+        TangentCase{fem::ElementKind::hex8, dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight},
+        TangentCase{fem::ElementKind::hex8, dynamics::Integrator::tr_bdf2, dynamics::StartKind::equilibrium},
+        TangentCase{fem::ElementKind::hex8, dynamics::Integrator::implicit_euler, dynamics::StartKind::straight},
+        TangentCase{fem::ElementKind::hex8, dynamics::Integrator::bdf2, dynamics::StartKind::straight},
+        TangentCase{fem::ElementKind::tet10, dynamics::Integrator::bdf2, dynamics::StartKind::equilibrium},
+        TangentCase{fem::ElementKind::hex8, dynamics::Integrator::trapezoidal, dynamics::StartKind::straight},
+        TangentCase{fem::ElementKind::hex8, dynamics::Integrator::generalized_alpha, dynamics::StartKind::straight},
+        TangentCase{
+            fem::ElementKind::tet10, {dynamics::Integrator::generalized_alpha, 0.2}, dynamics::StartKind::equilibrium},
+        TangentCase{fem::ElementKind::hex8_mean_dilatation, dynamics::Integrator::tr_bdf2,
+                    dynamics::StartKind::straight},
+        TangentCase{fem::ElementKind::tet10, dynamics::Integrator::tr_bdf2, dynamics::StartKind::equilibrium},
+        TangentCase{fem::ElementKind::tet4, dynamics::Integrator::implicit_euler, dynamics::StartKind::equilibrium}));
 
 TEST(TangentRunItself, DoesNotChangeTheMotion) {
-    const Model model = pushed_beam(ElementKind::hex8, {});
-    const SimulationOptions options = test::short_run(Integrator::tr_bdf2, StartKind::straight);
+    const model::Model model = pushed_beam(fem::ElementKind::hex8, {});
+    const dynamics::SimulationOptions options = test::short_run(dynamics::Integrator::tr_bdf2,
+                                                                dynamics::StartKind::straight);
     const SensitiveTrace with = simulate_with_tangents(model, options, {damping_tangent()}, {1, 2});
-    const Trace without = simulate(model, options);
+    const dynamics::Trace without = dynamics::simulate(model, options);
     ASSERT_EQ(with.trace.positions.size(), without.positions.size());
     for (std::size_t k = 0; k < without.positions.size(); ++k)
         EXPECT_LT((with.trace.positions[k] - without.positions[k]).cwiseAbs().maxCoeff(), 1e-10);
@@ -113,4 +118,4 @@ TEST(TangentRunItself, DoesNotChangeTheMotion) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::sensitivity

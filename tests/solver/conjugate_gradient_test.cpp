@@ -6,7 +6,7 @@
 
 #include "solver/conjugate_gradient.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 using Eigen::MatrixXd;
@@ -73,7 +73,8 @@ TEST(ConjugateGradient, SolvesColumnsSideBySideAndStartsFromAGuess) {
         EXPECT_LT((together.solution.col(k) - alone.solution).norm(), 1e-7 * (1.0 + alone.solution.norm())) << k;
         EXPECT_LE(alone.iterations, together.iterations);
     }
-    const ConjugateGradientReport guessed = conjugate_gradient(product(A), nothing, B, 1e-10, 100, together.solution + MatrixXd::Constant(12, 4, 1e-7));
+    const ConjugateGradientReport guessed = conjugate_gradient(product(A), nothing, B, 1e-10, 100,
+                                                               together.solution + MatrixXd::Constant(12, 4, 1e-7));
     EXPECT_TRUE(guessed.converged);
     EXPECT_LT(guessed.iterations, together.iterations);
     EXPECT_LT((A * guessed.solution - B).norm(), 1e-9 * B.norm());
@@ -112,10 +113,11 @@ TEST(SymmetricProduct, EqualsTheDenseOne) {
         const MatrixXd full = MatrixXd(lower).selfadjointView<Eigen::Lower>();
         for (const int columns : {1, 3, 7, 16, 37}) {
             const MatrixXd X = MatrixXd::NullaryExpr(n, columns, [&] { return value(random); });
-            EXPECT_LT((symmetric_product(lower, X) - full * X).norm(), 1e-14 * full.norm() * X.norm()) << blocks << ' ' << columns;
+            EXPECT_LT((symmetric_product(lower, X) - full * X).norm(), 1e-14 * full.norm() * X.norm())
+                << blocks << ' ' << columns;
         }
     }
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::solver

@@ -9,18 +9,21 @@
 #include "base/parallel.hpp"
 #include "support/matrices.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 using Eigen::MatrixXd;
 using test::laplacian;
 using test::random_matrix;
 
-double residual(const SymmetricSparse& H, const MatrixXd& X, const MatrixXd& B) { return (H.selfadjointView<Eigen::Lower>() * X - B).norm() / B.norm(); }
+double residual(const SymmetricSparse& H, const MatrixXd& X, const MatrixXd& B) {
+    return (H.selfadjointView<Eigen::Lower>() * X - B).norm() / B.norm();
+}
 
 /// Our factor in double precision against CHOLMOD's, on matrices without structure and on one with a bushy tree.
 TEST(SupernodalFactor, SolvesAsCholmodDoes) {
-    for (const SymmetricSparse& H : {random_matrix(1, 7, 0.5), random_matrix(400, 7, 0.5), laplacian(17, 14, 11, 0.01), laplacian(300, 3, 3, 0.0)}) {
+    for (const SymmetricSparse& H : {random_matrix(1, 7, 0.5), random_matrix(400, 7, 0.5), laplacian(17, 14, 11, 0.01),
+                                     laplacian(300, 3, 3, 0.0)}) {
         std::srand(6);
         const MatrixXd B = MatrixXd::Random(H.rows(), 20);
         const SupernodalPattern pattern = analyse_pattern(H);
@@ -58,7 +61,7 @@ TEST(FastCholesky, SolvesToItsPrecision) {
         const SymmetricSparse H = random_matrix(n, 13, 4.0);
         std::srand(5);
         MatrixXd B = MatrixXd::Random(n, 5);
-        B.col(1) *= 1e60;    // beyond the range of single precision
+        B.col(1) *= 1e60;  // beyond the range of single precision
         B.col(2) *= 1e-60;
         B.col(3).setZero();
         FastCholesky factor;
@@ -69,7 +72,8 @@ TEST(FastCholesky, SolvesToItsPrecision) {
         const MatrixXd exact = reference.solve(B), X = factor.solve(B);
         for (int k = 0; k < 5; ++k) {
             EXPECT_LE((X.col(k) - exact.col(k)).norm(), 1e-4 * exact.col(k).norm()) << n << " column " << k;
-            EXPECT_LE((factor.solve(B.col(k)) - exact.col(k)).norm(), 1e-4 * exact.col(k).norm()) << n << " column " << k << " alone";
+            EXPECT_LE((factor.solve(B.col(k)) - exact.col(k)).norm(), 1e-4 * exact.col(k).norm())
+                << n << " column " << k << " alone";
         }
         EXPECT_GE(factor.factor_entries(), static_cast<double>(n));
     }
@@ -97,7 +101,7 @@ TEST(FastCholesky, IndefiniteMatricesAreToldAndTheFactorRecovers) {
     indefinite.coeffRef(40, 40) = -1.0;
     EXPECT_FALSE(factor.factorize(indefinite));
     EXPECT_FALSE(factor.has_factor());
-    SymmetricSparse hidden = laplacian(6, 6, 6, -2.0);   // a positive diagonal, but indefinite
+    SymmetricSparse hidden = laplacian(6, 6, 6, -2.0);  // a positive diagonal, but indefinite
     EXPECT_FALSE(factor.factorize(hidden));
     ASSERT_TRUE(factor.factorize(H));
     EXPECT_LT(residual(H, factor.solve(MatrixXd::Ones(80, 1)), MatrixXd::Ones(80, 1)), 1e-2);
@@ -106,9 +110,11 @@ TEST(FastCholesky, IndefiniteMatricesAreToldAndTheFactorRecovers) {
 /// Entries that differ by many orders between unknowns, as of stiff and soft parts, are taken out by the scaling.
 TEST(FastCholesky, StiffnessContrastCostsNoDigits) {
     SymmetricSparse H = laplacian(8, 8, 8, 0.5);
-    const Eigen::VectorXd size = Eigen::VectorXd::NullaryExpr(H.rows(), [](Eigen::Index i) { return std::pow(10.0, static_cast<double>(i % 9)); });
+    const Eigen::VectorXd size = Eigen::VectorXd::NullaryExpr(
+        H.rows(), [](Eigen::Index i) { return std::pow(10.0, static_cast<double>(i % 9)); });
     H = SymmetricSparse(size.asDiagonal() * H * size.asDiagonal());
-    const Eigen::VectorXd x = Eigen::VectorXd::Ones(H.rows()), b = H.selfadjointView<Eigen::Lower>() * size.cwiseInverse();
+    const Eigen::VectorXd x = Eigen::VectorXd::Ones(H.rows()),
+                          b = H.selfadjointView<Eigen::Lower>() * size.cwiseInverse();
     FastCholesky factor;
     ASSERT_TRUE(factor.factorize(H));
     EXPECT_LT((size.cwiseProduct(factor.solve(b)) - x).norm(), 1e-5 * x.norm());
@@ -118,7 +124,7 @@ TEST(FastCholesky, StiffnessContrastCostsNoDigits) {
 TEST(FastCholesky, TakesDoublePrecisionWhereSingleBreaksDown) {
     int broken = 0;
     for (int n = 40; n < 60; ++n) {
-        const double smallest = 2.0 - 2.0 * std::cos(M_PI / (n + 1));             // eigenvalue of the chain of n nodes
+        const double smallest = 2.0 - 2.0 * std::cos(M_PI / (n + 1));  // eigenvalue of the chain of n nodes
         const SymmetricSparse H = laplacian(n, 1, 1, -4.0 - smallest + 1e-9);
         SupernodalFactor<float> single;
         broken += factorize(analyse_pattern(H), H, single) ? 0 : 1;
@@ -141,4 +147,4 @@ TEST(FastCholesky, SamePatternWithOtherPlacesOfTheEntriesIsNotMistaken) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::solver

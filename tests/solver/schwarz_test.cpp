@@ -7,12 +7,13 @@
 #include "support/figures.hpp"
 #include "support/matrices.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 using Eigen::MatrixXd;
 
-/// Three unknowns per node of a box that do not know of each other: the vector Laplacian. Its smooth motions are the constants.
+/// Three unknowns per node of a box that do not know of each other: the vector Laplacian. Its smooth motions are the
+/// constants.
 SymmetricSparse vector_laplacian(int nx, int ny, int nz, double shift) {
     const SymmetricSparse scalar = test::laplacian(nx, ny, nz, shift);
     std::vector<Eigen::Triplet<double>> entries;
@@ -20,8 +21,10 @@ SymmetricSparse vector_laplacian(int nx, int ny, int nz, double shift) {
         for (SymmetricSparse::InnerIterator entry(scalar, j); entry; ++entry)
             for (int r = 0; r < 3; ++r)
                 for (int s = 0; s < 3; ++s)
-                    if (r == s || entry.row() != j || r > s)   // a node's block is dense below its diagonal, as a body's is
-                        entries.emplace_back(3 * static_cast<int>(entry.row()) + r, 3 * j + s, r == s ? entry.value() : 0.0);
+                    if (r == s || entry.row() != j ||
+                        r > s)  // a node's block is dense below its diagonal, as a body's is
+                        entries.emplace_back(3 * static_cast<int>(entry.row()) + r, 3 * j + s,
+                                             r == s ? entry.value() : 0.0);
     SymmetricSparse lower(3 * scalar.rows(), 3 * scalar.rows());
     lower.setFromTriplets(entries.begin(), entries.end());
     return lower;
@@ -34,13 +37,14 @@ MatrixXd constants(Eigen::Index unknowns) {
 }
 
 ConjugateGradientReport solve_with(const SymmetricSparse& A, const SchwarzPreconditioner& parts, const MatrixXd& B) {
-    return conjugate_gradient([&](const MatrixXd& V) { return symmetric_product(A, V); }, [&](const MatrixXd& V) { return parts.solve(V); }, B, 1e-8, 400);
+    return conjugate_gradient([&](const MatrixXd& V) { return symmetric_product(A, V); },
+                              [&](const MatrixXd& V) { return parts.solve(V); }, B, 1e-8, 400);
 }
 
 /// The coarse problem keeps the count of iterations from growing with the number of parts.
 TEST(SchwarzPreconditioner, IterationsDoNotGrowWithTheBody) {
     std::vector<double> iterations;
-    for (const int length : {40, 120}) {   // 3 and 8 parts
+    for (const int length : {40, 120}) {  // 3 and 8 parts
         const SymmetricSparse A = vector_laplacian(length, 17, 17, 1e-6);
         SchwarzPreconditioner parts;
         ASSERT_TRUE(parts.factorize(A, constants(A.rows())));
@@ -83,4 +87,4 @@ TEST(SchwarzPreconditioner, TellsIndefiniteMatrices) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::solver

@@ -6,7 +6,7 @@
 #include "solver/sparse_cholesky.hpp"
 #include "support/matrices.hpp"
 
-namespace myo {
+namespace myo::solver {
 namespace {
 
 using Eigen::MatrixXd;
@@ -25,7 +25,8 @@ TEST(SparseCholesky, SolvesAsEigenDoesForSeveralRightHandSides) {
         const Eigen::SimplicialLLT<SymmetricSparse, Eigen::Lower> other(H);
         const MatrixXd X = mine.solve(B), Y = other.solve(B);
         EXPECT_LT((X - Y).norm(), 1e-10 * Y.norm());
-        EXPECT_LT((H.selfadjointView<Eigen::Lower>() * X - B).norm(), 1e-12 * static_cast<double>(n) * B.norm() + 1e-13);
+        EXPECT_LT((H.selfadjointView<Eigen::Lower>() * X - B).norm(),
+                  1e-12 * static_cast<double>(n) * B.norm() + 1e-13);
         EXPECT_LT((mine.solve(B.col(2)) - X.col(2)).norm(), 1e-12 * X.col(2).norm());
         EXPECT_TRUE((MatrixXd(H).array() == MatrixXd(before).array()).all());
     }
@@ -45,4 +46,4 @@ TEST(SparseCholesky, IndefiniteMatricesAreToldAndTheFactorRecovers) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::solver

@@ -4,29 +4,29 @@ namespace myo::test {
 
 Box beam_box(const BeamSpec& spec) { return {Eigen::Vector3d::Zero(), spec.size}; }
 
-Model make_beam(const BeamSpec& spec) {
-    const VolumeMesh mesh = box_mesh(spec.kind, beam_box(spec), spec.cells);
+model::Model make_beam(const BeamSpec& spec) {
+    const mesh::VolumeMesh mesh = box_mesh(spec.kind, beam_box(spec), spec.cells);
     const double margin = 1e-6 * spec.size(0);
     const Eigen::Vector3d outside = Eigen::Vector3d::Constant(margin);
     const Box clamp{-outside, Eigen::Vector3d(0.0, spec.size(1), spec.size(2)) + outside};
-    Model model;
-    model.body = make_body(mesh, spec.kind, spec.clamped ? nodes_in_box(mesh, clamp) : std::vector<int>{});
-    model.material = find_material(spec.material);
-    model.moduli = uniform_moduli(model.body->cell_count(), spec.youngs_modulus_Pa, spec.poissons_ratio);
+    model::Model model;
+    model.body = model::make_body(mesh, spec.kind, spec.clamped ? mesh::nodes_in_box(mesh, clamp) : std::vector<int>{});
+    model.material = material::find_material(spec.material);
+    model.moduli = model::uniform_moduli(model.body->cell_count(), spec.youngs_modulus_Pa, spec.poissons_ratio);
     model.density_kg_m3 = spec.density_kg_m3;
     model.damping_s = spec.damping_s;
     model.gravity_m_s2 = Eigen::Vector3d(0.0, 0.0, -spec.gravity_m_s2);
     return model;
 }
 
-Eigen::VectorXd tip_share(const Model& model, const BeamSpec& spec) {
+Eigen::VectorXd tip_share(const model::Model& model, const BeamSpec& spec) {
     const Eigen::Vector3d outside = Eigen::Vector3d::Constant(1e-6 * spec.size(0));
-    const Box tip{Eigen::Vector3d(spec.size(0), 0.0, 0.0), spec.size + outside};   // a face in a side of the box counts
-    const SurfaceIntegral integral = surface_weights(model.body->mesh, model.body->boundary, tip);
+    const Box tip{Eigen::Vector3d(spec.size(0), 0.0, 0.0), spec.size + outside};  // a face in a side of the box counts
+    const mesh::SurfaceIntegral integral = mesh::surface_weights(model.body->mesh, model.body->boundary, tip);
     return integral.weight / integral.weight.sum();
 }
 
-Eigen::Vector3d tip_displacement(const Model& model, const BeamSpec& spec, const Eigen::Matrix3Xd& x) {
+Eigen::Vector3d tip_displacement(const model::Model& model, const BeamSpec& spec, const Eigen::Matrix3Xd& x) {
     return (x - model.body->mesh.nodes) * tip_share(model, spec);
 }
 
@@ -34,8 +34,8 @@ double second_moment(const BeamSpec& spec) { return spec.size(1) * std::pow(spec
 
 double section_area(const BeamSpec& spec) { return spec.size(1) * spec.size(2); }
 
-void push_tip(Model& model, const BeamSpec& spec, const Eigen::Vector3d& force_N) {
-    DeadForce load;
+void push_tip(model::Model& model, const BeamSpec& spec, const Eigen::Vector3d& force_N) {
+    model::DeadForce load;
     load.share = tip_share(model, spec);
     load.force_N = force_N;
     model.forces.push_back(load);

@@ -4,7 +4,9 @@ namespace myo::test {
 
 Eigen::Matrix3d random_rotation(std::mt19937& random) {
     std::normal_distribution<double> normal;
-    return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized().toRotationMatrix();
+    return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+        .normalized()
+        .toRotationMatrix();
 }
 
 Eigen::Matrix3d random_deformation(std::mt19937& random, double lowest, double highest) {

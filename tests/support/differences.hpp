@@ -26,10 +26,12 @@ Eigen::MatrixXd central_differences(const Function& f, const Eigen::VectorXd& x,
 }
 
 /// Equal to central differences and not zero. On its own for functions whose differences are exact, as linear ones.
-void expect_equal_to_differences(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& differences, double tolerance, const std::string& what);
+void expect_equal_to_differences(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& differences, double tolerance,
+                                 const std::string& what);
 
 /// A derivative three ways: equal to central differences, not zero, and not itself made by differences.
-void expect_derivative(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& differences, double tolerance, const std::string& what);
+void expect_derivative(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& differences, double tolerance,
+                       const std::string& what);
 
 /// Orders of convergence between neighbouring entries: log(e_i / e_i+1) / log(h_i / h_i+1).
 std::vector<double> observed_orders(const std::vector<double>& h, const std::vector<double>& error);

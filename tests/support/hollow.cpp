@@ -2,8 +2,8 @@
 
 namespace myo::test {
 
-VolumeMesh without(const VolumeMesh& mesh, const Box& box) {
-    VolumeMesh result;
+mesh::VolumeMesh without(const mesh::VolumeMesh& mesh, const Box& box) {
+    mesh::VolumeMesh result;
     result.type = mesh.type;
     std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1), kept, cells;
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
@@ -24,25 +24,27 @@ VolumeMesh without(const VolumeMesh& mesh, const Box& box) {
     return result;
 }
 
-Model hollow_block(ElementKind kind) {
-    const VolumeMesh mesh = without(box_mesh(kind, {{0.0, 0.0, 0.0}, {0.06, 0.03, 0.03}}, {6, 3, 3}), {{0.02, 0.01, 0.01}, {0.05, 0.02, 0.02}});
-    Model model;
-    model.body = make_body(mesh, kind, nodes_in_box(mesh, {{-1e-6, -1.0, -1.0}, {1e-6, 1.0, 1.0}}));
-    model.material = find_material("neo_hookean");
-    model.moduli = uniform_moduli(model.body->cell_count(), 2.6e5, 0.45);
+model::Model hollow_block(fem::ElementKind kind) {
+    const mesh::VolumeMesh mesh = without(box_mesh(kind, {{0.0, 0.0, 0.0}, {0.06, 0.03, 0.03}}, {6, 3, 3}),
+                                          {{0.02, 0.01, 0.01}, {0.05, 0.02, 0.02}});
+    model::Model model;
+    model.body = model::make_body(mesh, kind, mesh::nodes_in_box(mesh, {{-1e-6, -1.0, -1.0}, {1e-6, 1.0, 1.0}}));
+    model.material = material::find_material("neo_hookean");
+    model.moduli = model::uniform_moduli(model.body->cell_count(), 2.6e5, 0.45);
     model.density_kg_m3 = 1070.0;
     return model;
 }
 
-Model hollow_sphere(double a, double b, int cells) {
-    VolumeMesh mesh = without(box_hex_mesh({{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, {cells, cells, cells}), {Eigen::Vector3d::Constant(-1.0 / 3.0), Eigen::Vector3d::Constant(1.0 / 3.0)});
+model::Model hollow_sphere(double a, double b, int cells) {
+    mesh::VolumeMesh mesh = without(mesh::box_hex_mesh({{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, {cells, cells, cells}),
+                                    {Eigen::Vector3d::Constant(-1.0 / 3.0), Eigen::Vector3d::Constant(1.0 / 3.0)});
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
         const double shell = mesh.nodes.col(i).cwiseAbs().maxCoeff();
         mesh.nodes.col(i) *= (a + (b - a) * (shell - 1.0 / 3.0) * 1.5) / mesh.nodes.col(i).norm();
     }
-    Model model;
-    model.body = make_body(mesh, ElementKind::hex8, {});
-    model.material = find_material("neo_hookean");
+    model::Model model;
+    model.body = model::make_body(mesh, fem::ElementKind::hex8, {});
+    model.material = material::find_material("neo_hookean");
     model.density_kg_m3 = 1070.0;
     return model;
 }

@@ -2,7 +2,7 @@
 
 namespace myo::test {
 
-SymmetricSparse random_matrix(int n, unsigned seed, double shift) {
+solver::SymmetricSparse random_matrix(int n, unsigned seed, double shift) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     std::uniform_int_distribution<int> row(0, n - 1);
@@ -13,12 +13,13 @@ SymmetricSparse random_matrix(int n, unsigned seed, double shift) {
     A.setFromTriplets(entries.begin(), entries.end());
     Eigen::SparseMatrix<double> identity(n, n);
     identity.setIdentity();
-    SymmetricSparse lower = Eigen::SparseMatrix<double>(A * A.transpose() + shift * identity).triangularView<Eigen::Lower>();
+    solver::SymmetricSparse lower = Eigen::SparseMatrix<double>(A * A.transpose() + shift * identity)
+                                        .triangularView<Eigen::Lower>();
     lower.makeCompressed();
     return lower;
 }
 
-SymmetricSparse laplacian(int nx, int ny, int nz, double shift) {
+solver::SymmetricSparse laplacian(int nx, int ny, int nz, double shift) {
     std::vector<Eigen::Triplet<double>> entries;
     const auto node = [&](int i, int j, int k) { return i + nx * (j + ny * k); };
     for (int k = 0; k < nz; ++k)
@@ -29,7 +30,7 @@ SymmetricSparse laplacian(int nx, int ny, int nz, double shift) {
                 if (j + 1 < ny) entries.emplace_back(node(i, j + 1, k), node(i, j, k), -1.0);
                 if (k + 1 < nz) entries.emplace_back(node(i, j, k + 1), node(i, j, k), -1.0);
             }
-    SymmetricSparse lower(nx * ny * nz, nx * ny * nz);
+    solver::SymmetricSparse lower(nx * ny * nz, nx * ny * nz);
     lower.setFromTriplets(entries.begin(), entries.end());
     return lower;
 }

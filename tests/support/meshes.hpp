@@ -10,17 +10,18 @@
 
 namespace myo::test {
 
-VolumeMesh box_mesh(ElementKind kind, const Box& box, const Eigen::Vector3i& cells);
+mesh::VolumeMesh box_mesh(fem::ElementKind kind, const Box& box, const Eigen::Vector3i& cells);
 
 Box unit_box();
 
 /// Cells of unit_box() with every node, those on the boundary too, moved by up to `strength` of a cell. Straight edges.
-VolumeMesh distorted_mesh(CellType type, const Eigen::Vector3i& cells, double strength, unsigned seed = 1);
+mesh::VolumeMesh distorted_mesh(mesh::CellType type, const Eigen::Vector3i& cells, double strength, unsigned seed = 1);
 
-ElementKind element(const std::string& id);
+fem::ElementKind element(const std::string& id);
 
 /// Positions A X + t of all nodes.
-Eigen::Matrix3Xd mapped(const VolumeMesh& mesh, const Eigen::Matrix3d& A, const Eigen::Vector3d& t = Eigen::Vector3d::Zero());
+Eigen::Matrix3Xd mapped(const mesh::VolumeMesh& mesh, const Eigen::Matrix3d& A,
+                        const Eigen::Vector3d& t = Eigen::Vector3d::Zero());
 
 /// A fixed, rough field over the nodes, entries in [-1, 1].
 Eigen::Matrix3Xd rough_field(Eigen::Index nodes, double phase);

@@ -7,14 +7,14 @@ std::array<std::complex<double>, 2> step_eigenvalues(const Eigen::Matrix2cd& A) 
     return {half + root, half - root};
 }
 
-NaturalMode first_mode(const Model& model) {
-    StageSolver solver(model);
-    const NaturalModes modes = natural_modes(solver, model.body->mesh.nodes, 1);
+dynamics::NaturalMode first_mode(const model::Model& model) {
+    dynamics::StageSolver solver(model);
+    const dynamics::NaturalModes modes = dynamics::natural_modes(solver, model.body->mesh.nodes, 1);
     EXPECT_TRUE(modes.ok());
     return modes.modes.at(0);
 }
 
-void hold_until_zero(Model& model, const BeamSpec& spec) {
+void hold_until_zero(model::Model& model, const BeamSpec& spec) {
     const double force = 0.03 * spec.youngs_modulus_Pa * second_moment(spec) / (spec.size(0) * spec.size(0));
     push_tip(model, spec, {0.0, 0.0, -force});
     model.forces.back().until_s = 0.0;
@@ -27,14 +27,15 @@ BeamSpec ringing_beam() {
     return spec;
 }
 
-Model held(const BeamSpec& spec) {
-    Model model = make_beam(spec);
+model::Model held(const BeamSpec& spec) {
+    model::Model model = make_beam(spec);
     hold_until_zero(model, spec);
     return model;
 }
 
-Eigen::VectorXd modal_coordinate(const Model& model, const NaturalMode& mode, const Trace& trace) {
-    const Eigen::Matrix3Xd weight = times_mass(mode.shape, mass_matrix(model));
+Eigen::VectorXd modal_coordinate(const model::Model& model, const dynamics::NaturalMode& mode,
+                                 const dynamics::Trace& trace) {
+    const Eigen::Matrix3Xd weight = model::times_mass(mode.shape, model::mass_matrix(model));
     Eigen::VectorXd q(static_cast<Eigen::Index>(trace.positions.size()));
     for (std::size_t k = 0; k < trace.positions.size(); ++k)
         q(static_cast<Eigen::Index>(k)) = weight.cwiseProduct(trace.positions[k] - model.body->mesh.nodes).sum();
@@ -51,14 +52,15 @@ Oscillation fit_oscillation(const Eigen::VectorXd& q, double h) {
     return {std::abs(s.imag()), -s.real() / std::abs(s)};
 }
 
-Eigen::VectorXd ring(const Model& model, const NaturalMode& mode, const TimeScheme& scheme, double h, int steps) {
-    SimulationOptions options;
-    options.start = StartKind::equilibrium;
+Eigen::VectorXd ring(const model::Model& model, const dynamics::NaturalMode& mode, const dynamics::TimeScheme& scheme,
+                     double h, int steps) {
+    dynamics::SimulationOptions options;
+    options.start = dynamics::StartKind::equilibrium;
     options.integrator = scheme;
     options.h_s = h;
     options.end_s = steps * h;
     options.solver.tolerance = 1e-8;
-    const Trace trace = simulate(model, options);
+    const dynamics::Trace trace = dynamics::simulate(model, options);
     return trace.complete() ? modal_coordinate(model, mode, trace) : Eigen::VectorXd();
 }
 

@@ -21,20 +21,21 @@ inline constexpr std::array paper_steps{0.0025, 0.005, 0.0075, 0.01, 0.0125, 0.0
 std::array<std::complex<double>, 2> step_eigenvalues(const Eigen::Matrix2cd& A);
 
 /// First mode about the rest shape.
-NaturalMode first_mode(const Model& model);
+dynamics::NaturalMode first_mode(const model::Model& model);
 
 /// Bends the beam along z by a hundredth of its length until t = 0.
-void hold_until_zero(Model& model, const BeamSpec& spec);
+void hold_until_zero(model::Model& model, const BeamSpec& spec);
 
 /// The soft beam of the experiments but for its width, which sets the mode along z apart; held, without gravity.
 BeamSpec ringing_beam();
-Model held(const BeamSpec& spec);
+model::Model held(const BeamSpec& spec);
 
 /// Modal coordinate shape' M u of every recorded state.
-Eigen::VectorXd modal_coordinate(const Model& model, const NaturalMode& mode, const Trace& trace);
+Eigen::VectorXd modal_coordinate(const model::Model& model, const dynamics::NaturalMode& mode,
+                                 const dynamics::Trace& trace);
 
 struct Oscillation {
-    double omega_damped = 0.0;   // [rad/s]
+    double omega_damped = 0.0;  // [rad/s]
     double damping_ratio = 0.0;
 };
 
@@ -42,6 +43,7 @@ struct Oscillation {
 Oscillation fit_oscillation(const Eigen::VectorXd& q, double h);
 
 /// Lets go of a beam held by its present forces, which must end at t = 0, and returns its first modal coordinate.
-Eigen::VectorXd ring(const Model& model, const NaturalMode& mode, const TimeScheme& scheme, double h, int steps);
+Eigen::VectorXd ring(const model::Model& model, const dynamics::NaturalMode& mode, const dynamics::TimeScheme& scheme,
+                     double h, int steps);
 
 }  // namespace myo::test

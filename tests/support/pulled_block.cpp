@@ -13,20 +13,20 @@ BeamSpec light_cube() {
     return spec;
 }
 
-Eigen::VectorXd root_share(const Model& model, const BeamSpec& spec) {
+Eigen::VectorXd root_share(const model::Model& model, const BeamSpec& spec) {
     const Eigen::Vector3d outside = Eigen::Vector3d::Constant(1e-6 * spec.size(0));
     const Box root{-outside, Eigen::Vector3d(0.0, spec.size(1), spec.size(2)) + outside};
-    const SurfaceIntegral integral = surface_weights(model.body->mesh, model.body->boundary, root);
+    const mesh::SurfaceIntegral integral = mesh::surface_weights(model.body->mesh, model.body->boundary, root);
     return integral.weight / integral.weight.sum();
 }
 
-void pull(Model& model, const BeamSpec& spec, double stress_Pa, double from_s, double until_s) {
+void pull(model::Model& model, const BeamSpec& spec, double stress_Pa, double from_s, double until_s) {
     const Eigen::Vector3d force(stress_Pa * section_area(spec), 0.0, 0.0);
     model.forces.push_back({tip_share(model, spec), force, from_s, until_s});
     model.forces.push_back({root_share(model, spec), -force, from_s, until_s});
 }
 
-double stretch_of(const Model& model, const BeamSpec& spec, const Eigen::Matrix3Xd& x) {
+double stretch_of(const model::Model& model, const BeamSpec& spec, const Eigen::Matrix3Xd& x) {
     return x.row(0).dot(tip_share(model, spec) - root_share(model, spec)) / spec.size(0) - 1.0;
 }
 

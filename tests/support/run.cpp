@@ -4,19 +4,19 @@
 
 namespace myo::test {
 
-Trace run(const Model& model, const TimeScheme& scheme, double h, double end) {
-    SimulationOptions options;
+dynamics::Trace run(const model::Model& model, const dynamics::TimeScheme& scheme, double h, double end) {
+    dynamics::SimulationOptions options;
     options.integrator = scheme;
     options.h_s = h;
     options.end_s = end;
     options.solver.tolerance = 1e-9;
-    Trace trace = simulate(model, options);
+    dynamics::Trace trace = dynamics::simulate(model, options);
     EXPECT_TRUE(trace.complete()) << to_string(scheme.integrator) << ": " << trace.message;
     return trace;
 }
 
-SimulationOptions short_steps(StartKind start, double h, double end) {
-    SimulationOptions options;
+dynamics::SimulationOptions short_steps(dynamics::StartKind start, double h, double end) {
+    dynamics::SimulationOptions options;
     options.start = start;
     options.h_s = h;
     options.end_s = end;
@@ -24,7 +24,7 @@ SimulationOptions short_steps(StartKind start, double h, double end) {
     return options;
 }
 
-double relative_difference(const Trace& a, const Trace& b) {
+double relative_difference(const dynamics::Trace& a, const dynamics::Trace& b) {
     double largest = 0.0, motion = 0.0;
     for (std::size_t k = 0; k < a.positions.size(); ++k) {
         largest = std::max(largest, (a.positions[k] - b.positions[k]).cwiseAbs().maxCoeff());
@@ -34,12 +34,12 @@ double relative_difference(const Trace& a, const Trace& b) {
 }
 
 std::vector<NamedScheme> all_schemes() {
-    return {{"tr_bdf2", Integrator::tr_bdf2},
-            {"implicit_euler", Integrator::implicit_euler},
-            {"bdf2", Integrator::bdf2},
-            {"trapezoidal", Integrator::trapezoidal},
-            {"generalized_alpha", Integrator::generalized_alpha},
-            {"generalized_alpha_09", {Integrator::generalized_alpha, 0.9}}};
+    return {{"tr_bdf2", dynamics::Integrator::tr_bdf2},
+            {"implicit_euler", dynamics::Integrator::implicit_euler},
+            {"bdf2", dynamics::Integrator::bdf2},
+            {"trapezoidal", dynamics::Integrator::trapezoidal},
+            {"generalized_alpha", dynamics::Integrator::generalized_alpha},
+            {"generalized_alpha_09", {dynamics::Integrator::generalized_alpha, 0.9}}};
 }
 
 }  // namespace myo::test

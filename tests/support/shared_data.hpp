@@ -8,11 +8,12 @@
 
 namespace myo::test {
 
-/// A file or folder of the measured data, which lie in MYOLOOP_DATA or beside the checkout; empty where it is not there.
+/// A file or folder of the measured data, which lie in MYOLOOP_DATA or beside the checkout; empty where it is not
+/// there.
 inline std::filesystem::path shared_data(const std::string& part) {
     const char* const named = std::getenv("MYOLOOP_DATA");
-    const std::filesystem::path folder =
-        named != nullptr ? std::filesystem::path(named) : std::filesystem::path(MYOLOOP_SOURCE_DIR) / ".." / "shared";
+    const std::filesystem::path folder = named != nullptr ? std::filesystem::path(named)
+                                                          : std::filesystem::path(MYOLOOP_SOURCE_DIR) / ".." / "shared";
     return std::filesystem::exists(folder / part) ? folder / part : std::filesystem::path();
 }
 
@@ -29,11 +30,14 @@ std::vector<std::filesystem::path> shared_entries(const std::string& part, const
 }
 
 inline std::vector<std::filesystem::path> shared_experiments() {
-    return shared_entries("experiments", [](const std::filesystem::path& path) { return std::filesystem::exists(path / "experiment.toml"); });
+    return shared_entries("experiments", [](const std::filesystem::path& path) {
+        return std::filesystem::exists(path / "experiment.toml");
+    });
 }
 
 inline std::vector<std::filesystem::path> shared_bodies() {
-    return shared_entries("data/geometry", [](const std::filesystem::path& path) { return path.extension() == ".stl"; });
+    return shared_entries("data/geometry",
+                          [](const std::filesystem::path& path) { return path.extension() == ".stl"; });
 }
 
 }  // namespace myo::test

@@ -6,10 +6,10 @@
 
 namespace myo::test {
 
-Eigen::Vector3d tip_at_equilibrium(const Model& model, const BeamSpec& spec) {
-    StageSolver solver(model);
+Eigen::Vector3d tip_at_equilibrium(const model::Model& model, const BeamSpec& spec) {
+    dynamics::StageSolver solver(model);
     Eigen::Matrix3Xd x = model.body->mesh.nodes;
-    const StageReport report = solve_equilibrium(solver, 0.0, x);
+    const dynamics::StageReport report = dynamics::solve_equilibrium(solver, 0.0, x);
     EXPECT_TRUE(report.ok()) << report.message;
     return tip_displacement(model, spec, x);
 }

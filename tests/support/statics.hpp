@@ -6,6 +6,6 @@
 namespace myo::test {
 
 /// Mean displacement of the end face where a beam rests under its loads [m]; fails the test where it finds no rest.
-Eigen::Vector3d tip_at_equilibrium(const Model& model, const BeamSpec& spec);
+Eigen::Vector3d tip_at_equilibrium(const model::Model& model, const BeamSpec& spec);
 
 }  // namespace myo::test

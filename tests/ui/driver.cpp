@@ -12,13 +12,15 @@ namespace myo::test {
 
 Driver::Driver(int width_, int height_) : Driver(nullptr, width_, height_) {}
 
-Driver::Driver(std::shared_ptr<Backend> other, int width_, int height_) : width(width_), height(height_) {
-    auto made = OffscreenContext::make(width, height);
+Driver::Driver(std::shared_ptr<ui::commands::Backend> other, int width_, int height_) : width(width_), height(height_) {
+    auto made = ui::platform::OffscreenContext::make(width, height);
     if (!made) throw std::runtime_error(made.error().text());
     context = std::move(*made);
-    if (other) workbench.emplace(std::move(other));
-    else workbench.emplace(backend);
-    auto opened = WorkbenchWindow::make(*workbench);
+    if (other)
+        workbench.emplace(std::move(other));
+    else
+        workbench.emplace(backend);
+    auto opened = ui::panels::WorkbenchWindow::make(*workbench);
     if (!opened) throw std::runtime_error(opened.error().text());
     window = std::move(*opened);
     settle();
@@ -48,65 +50,67 @@ bool Driver::wait_for_job(int seconds) {
     return false;
 }
 
-Rectangle Driver::item(const std::string& name) {
+ui::platform::Rectangle Driver::item(const std::string& name) {
     auto found = window->items().find(name);
     // As a person would, look through the steps.
-    for (std::size_t i = 0; i < all_steps.size() && !found && has(std::string("step/") + step_id(all_steps[i])); ++i) {
-        click(std::string("step/") + step_id(all_steps[i]));
+    for (std::size_t i = 0; i < ui::commands::all_steps.size() && !found &&
+                            has(std::string("step/") + ui::commands::step_id(ui::commands::all_steps[i]));
+         ++i) {
+        click(std::string("step/") + ui::commands::step_id(ui::commands::all_steps[i]));
         found = window->items().find(name);
     }
     EXPECT_TRUE(found) << "no item " << name << " is shown";
-    return found.value_or(Rectangle{});
+    return found.value_or(ui::platform::Rectangle{});
 }
 
 void Driver::click(const std::string& name, int button) { click_at(item(name).center(), button); }
 
 void Driver::click_at(const ImVec2& place, int button) {
-    window->input().push(MouseMoved{place.x, place.y});
-    window->input().push(MouseButton{button, true, {}});
-    window->input().push(MouseButton{button, false, {}});
+    window->input().push(ui::platform::MouseMoved{place.x, place.y});
+    window->input().push(ui::platform::MouseButton{button, true, {}});
+    window->input().push(ui::platform::MouseButton{button, false, {}});
     settle();
 }
 
 void Driver::double_click(const std::string& name) {
     const ImVec2 place = item(name).center();
-    window->input().push(MouseMoved{place.x, place.y});
-    for (const bool down : {true, false, true, false}) window->input().push(MouseButton{0, down, {}});
+    window->input().push(ui::platform::MouseMoved{place.x, place.y});
+    for (const bool down : {true, false, true, false}) window->input().push(ui::platform::MouseButton{0, down, {}});
     settle();
 }
 
-void Driver::drag(const ImVec2& from, const ImVec2& to, int button, Modifiers modifiers) {
-    window->input().push(MouseMoved{from.x, from.y});
-    window->input().push(MouseButton{button, true, modifiers});
+void Driver::drag(const ImVec2& from, const ImVec2& to, int button, ui::platform::Modifiers modifiers) {
+    window->input().push(ui::platform::MouseMoved{from.x, from.y});
+    window->input().push(ui::platform::MouseButton{button, true, modifiers});
     for (int i = 1; i <= 4; ++i) {
         const float s = static_cast<float>(i) / 4.0f;
-        window->input().push(MouseMoved{from.x + s * (to.x - from.x), from.y + s * (to.y - from.y)});
+        window->input().push(ui::platform::MouseMoved{from.x + s * (to.x - from.x), from.y + s * (to.y - from.y)});
         frame();
         frame();
     }
-    window->input().push(MouseButton{button, false, {}});
+    window->input().push(ui::platform::MouseButton{button, false, {}});
     settle();
 }
 
 void Driver::wheel(const ImVec2& place, float notches) {
-    window->input().push(MouseMoved{place.x, place.y});
+    window->input().push(ui::platform::MouseMoved{place.x, place.y});
     settle();
-    window->input().push(MouseWheel{0.0f, notches});
+    window->input().push(ui::platform::MouseWheel{0.0f, notches});
     settle();
 }
 
-void Driver::key(int key, Modifiers modifiers) {
-    window->input().push(KeyPressed{key, true, modifiers});
-    window->input().push(KeyPressed{key, false, {}});
+void Driver::key(int key, ui::platform::Modifiers modifiers) {
+    window->input().push(ui::platform::KeyPressed{key, true, modifiers});
+    window->input().push(ui::platform::KeyPressed{key, false, {}});
     settle();
 }
 
 void Driver::type(const std::string& text) {
-    for (const char c : text) window->input().push(TextTyped{static_cast<unsigned char>(c)});
+    for (const char c : text) window->input().push(ui::platform::TextTyped{static_cast<unsigned char>(c)});
     settle();
 }
 
-Image Driver::picture() { return read_frame(width, height); }
+ui::platform::Image Driver::picture() { return ui::platform::read_frame(width, height); }
 
 void Driver::open_beam() {
     window->open("/beam");
@@ -115,13 +119,14 @@ void Driver::open_beam() {
 }
 
 ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point) {
-    const ViewportState& view = driver.window->viewport();
-    const auto p = project(view.camera, view.size(), point);
+    const ui::viewport::ViewportState& view = driver.window->viewport();
+    const auto p = ui::viewport::project(view.camera, view.size(), point);
     EXPECT_TRUE(p);
     return {view.pixels.lowest.x + static_cast<float>(p->x()), view.pixels.lowest.y + static_cast<float>(p->y())};
 }
 
-double differing_share(const Image& a, const Image& b, const Rectangle& part) {
+double differing_share(const ui::platform::Image& a, const ui::platform::Image& b,
+                       const ui::platform::Rectangle& part) {
     double differ = 0.0, all = 0.0;
     for (int y = static_cast<int>(part.lowest.y); y < std::min(a.height, static_cast<int>(part.highest.y)); ++y)
         for (int x = static_cast<int>(part.lowest.x); x < std::min(a.width, static_cast<int>(part.highest.x)); ++x) {
@@ -132,9 +137,10 @@ double differing_share(const Image& a, const Image& b, const Rectangle& part) {
     return differ / std::max(1.0, all);
 }
 
-bool color_near(const Image& image, const ImVec2& place, const ImVec4& color, int radius) {
+bool color_near(const ui::platform::Image& image, const ImVec2& place, const ImVec4& color, int radius) {
     const auto distance = [&](const std::array<int, 3>& seen) {
-        return std::abs(seen[0] - static_cast<int>(255 * color.x)) + std::abs(seen[1] - static_cast<int>(255 * color.y)) +
+        return std::abs(seen[0] - static_cast<int>(255 * color.x)) +
+               std::abs(seen[1] - static_cast<int>(255 * color.y)) +
                std::abs(seen[2] - static_cast<int>(255 * color.z));
     };
     for (int dy = -radius; dy <= radius; ++dy) {

@@ -2,7 +2,7 @@
 
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
@@ -53,7 +53,7 @@ TEST(Drop, WithoutABodyItSaysWhatIsMissing) {
     driver.window->drop({"/takes/drop.c3d"});
     driver.settle();
     ASSERT_FALSE(driver.state().log.empty());
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::warning);
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::warning);
     EXPECT_FALSE(driver.state().busy());
 }
 
@@ -61,10 +61,10 @@ TEST(Drop, WhileAJobRunsARecordingIsTakenAndABodyIsNot) {
     Driver driver;
     driver.open_beam();
     driver.backend->step_delay_s = 0.005;
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     ASSERT_TRUE(driver.state().busy());
     driver.window->drop({"/body.stl"});
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::warning);
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::warning);
     EXPECT_NE(driver.state().log.back().text.find("still running"), std::string::npos);
     EXPECT_FALSE(driver.state().unit_question);
     driver.window->drop({"/takes/drop.c3d"});
@@ -75,4 +75,4 @@ TEST(Drop, WhileAJobRunsARecordingIsTakenAndABodyIsNot) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

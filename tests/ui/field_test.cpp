@@ -4,7 +4,7 @@
 #include "ui/driver.hpp"
 #include "viewport/color_map.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
@@ -14,7 +14,7 @@ void run_beam(Driver& driver) {
     driver.open_beam();
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
-    driver.workbench->execute(command::SetTime{0.4});
+    driver.workbench->execute(commands::SetTime{0.4});
     driver.settle();
 }
 
@@ -36,14 +36,15 @@ TEST(Fields, ColourTheBodyOverTheRangeOfTheTrial) {
     EXPECT_FALSE(driver.window->scene().field);
     choose(driver, "height");
     ASSERT_TRUE(driver.window->scene().field);
-    const DrawnField now = *driver.window->scene().field;
+    const viewport::DrawnField now = *driver.window->scene().field;
     EXPECT_EQ(now.unit, "mm");
-    const Eigen::VectorXd expected = 1e3 * (driver.window->scene().positions - driver.state().body->mesh.nodes).row(2).transpose();
+    const Eigen::VectorXd
+        expected = 1e3 * (driver.window->scene().positions - driver.state().body->mesh.nodes).row(2).transpose();
     EXPECT_NEAR((now.values - expected).cwiseAbs().maxCoeff(), 0.0, 1.0) << "of the nearest frame";
     EXPECT_DOUBLE_EQ(now.lowest, -now.highest) << "even to both sides of zero";
     EXPECT_GE(now.highest, now.values.cwiseAbs().maxCoeff() * 0.98);
     // In time the values change, the colours' meaning does not.
-    driver.workbench->execute(command::SetTime{1.3});
+    driver.workbench->execute(commands::SetTime{1.3});
     driver.settle();
     while (driver.window->waits_for_field()) driver.frame();
     driver.settle();
@@ -61,9 +62,9 @@ TEST(Fields, TheRangeCanBeFixedByHandAndIsKeptForEach) {
     open_options(driver);
     driver.click("view/field/fixed");
     EXPECT_NEAR(driver.state().view.field_ranges.at("height")[1], 1e-3 * reach, 1e-9) << "it begins as it is shown";
-    ViewOptions view = driver.state().view;
+    commands::ViewOptions view = driver.state().view;
     view.field_ranges["height"] = {-0.002, 0.004};
-    driver.workbench->execute(command::ChangeView{view});
+    driver.workbench->execute(commands::ChangeView{view});
     driver.settle();
     EXPECT_DOUBLE_EQ(driver.window->scene().field->lowest, -2.0);
     EXPECT_DOUBLE_EQ(driver.window->scene().field->highest, 4.0);
@@ -84,7 +85,7 @@ TEST(Fields, TheColoursOfValuesWithoutASignCanBeChosen) {
     open_options(driver);
     driver.click("view/color_map");
     driver.click("view/color_map/grey");
-    EXPECT_EQ(color_maps()[static_cast<std::size_t>(driver.window->scene().field->color_map)].id, "grey");
+    EXPECT_EQ(viewport::color_maps()[static_cast<std::size_t>(driver.window->scene().field->color_map)].id, "grey");
     choose(driver, "height");
     open_options(driver);
     EXPECT_FALSE(driver.has("view/color_map")) << "it has a sign";
@@ -95,14 +96,14 @@ TEST(Fields, TheResidualForceSaysWhatItNeeds) {
     ASSERT_NO_FATAL_FAILURE(run_beam(driver));
     choose(driver, "effect_force");
     EXPECT_TRUE(driver.state().view.field.empty()) << "it cannot be chosen after a run alone";
-    const std::vector<FieldKind> kinds = field_kinds(driver.workbench->backend());
-    EXPECT_NE(needed_for(kinds.back(), driver.state()).find("Diagnose"), std::string::npos);
-    EXPECT_EQ(needed_for(kinds.front(), driver.state()), "");
-    const Rectangle view = driver.item("view");
-    for (int i = 0; i < 2; ++i) driver.click_at({view.lowest.x + 4.0f, view.highest.y - 4.0f});   // closes the lists
-    driver.workbench->execute(command::Diagnose{});
+    const std::vector<commands::FieldKind> kinds = commands::field_kinds(driver.workbench->backend());
+    EXPECT_NE(commands::needed_for(kinds.back(), driver.state()).find("Diagnose"), std::string::npos);
+    EXPECT_EQ(commands::needed_for(kinds.front(), driver.state()), "");
+    const platform::Rectangle view = driver.item("view");
+    for (int i = 0; i < 2; ++i) driver.click_at({view.lowest.x + 4.0f, view.highest.y - 4.0f});  // closes the lists
+    driver.workbench->execute(commands::Diagnose{});
     ASSERT_TRUE(driver.wait_for_job());
-    EXPECT_EQ(needed_for(kinds.back(), driver.state()), "");
+    EXPECT_EQ(commands::needed_for(kinds.back(), driver.state()), "");
     choose(driver, "effect_force");
     EXPECT_EQ(driver.state().view.field, "effect_force");
     ASSERT_TRUE(driver.window->scene().field);
@@ -110,7 +111,7 @@ TEST(Fields, TheResidualForceSaysWhatItNeeds) {
 }
 
 TEST(ColorMap, EachSaysWhatItIsGoodFor) {
-    for (const ColorMap& map : color_maps()) EXPECT_FALSE(map.explanation.empty()) << map.id;
+    for (const viewport::ColorMap& map : viewport::color_maps()) EXPECT_FALSE(map.explanation.empty()) << map.id;
 }
 
 /// Values that take long come from beside the drawing: frames go on meanwhile, with what was known.
@@ -118,9 +119,9 @@ TEST(Fields, SlowValuesDoNotHoldTheWindowUp) {
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_beam(driver));
     driver.backend->field_delay_s = 0.2;
-    ViewOptions view = driver.state().view;
+    commands::ViewOptions view = driver.state().view;
     view.field = "height";
-    driver.workbench->execute(command::ChangeView{view});
+    driver.workbench->execute(commands::ChangeView{view});
     driver.frame();
     driver.frame();
     EXPECT_TRUE(driver.window->waits_for_field());
@@ -133,9 +134,11 @@ TEST(Fields, SlowValuesDoNotHoldTheWindowUp) {
 
 TEST(ColorMap, OfSignedValuesIsEquallyLightOnBothSides) {
     for (int i = 0; i <= 20; ++i) {
-        const Eigen::Vector3f low = diverging_color_map(0.5 - i / 40.0), high = diverging_color_map(0.5 + i / 40.0);
+        const Eigen::Vector3f low = viewport::diverging_color_map(0.5 - i / 40.0),
+                              high = viewport::diverging_color_map(0.5 + i / 40.0);
         const Eigen::Vector3f luma{0.2126f, 0.7152f, 0.0722f};
-        EXPECT_NEAR(std::sqrt(luma.dot(low.cwiseProduct(low))), std::sqrt(luma.dot(high.cwiseProduct(high))), 0.06) << i;
+        EXPECT_NEAR(std::sqrt(luma.dot(low.cwiseProduct(low))), std::sqrt(luma.dot(high.cwiseProduct(high))), 0.06)
+            << i;
         if (i > 5) {
             EXPECT_GT(low.z(), low.x()) << "blue below";
             EXPECT_GT(high.x(), high.z()) << "red above";
@@ -144,4 +147,4 @@ TEST(ColorMap, OfSignedValuesIsEquallyLightOnBothSides) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

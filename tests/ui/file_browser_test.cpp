@@ -5,7 +5,7 @@
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
@@ -26,12 +26,12 @@ void type_name(Driver& driver, const std::string& name) {
 }
 
 TEST(FileName, GetsTheEndingThatItLacks) {
-    EXPECT_EQ(with_ending("arm", {".myoloop"}), "arm.myoloop");
-    EXPECT_EQ(with_ending("arm.v2", {".myoloop"}), "arm.v2.myoloop");
-    EXPECT_EQ(with_ending("arm.myoloop", {".myoloop"}), "arm.myoloop");
-    EXPECT_EQ(with_ending("a.tsv", {".csv", ".tsv"}), "a.tsv");
-    EXPECT_EQ(with_ending("frames", {}), "frames");
-    EXPECT_EQ(with_ending("", {".png"}), "");
+    EXPECT_EQ(panels::with_ending("arm", {".myoloop"}), "arm.myoloop");
+    EXPECT_EQ(panels::with_ending("arm.v2", {".myoloop"}), "arm.v2.myoloop");
+    EXPECT_EQ(panels::with_ending("arm.myoloop", {".myoloop"}), "arm.myoloop");
+    EXPECT_EQ(panels::with_ending("a.tsv", {".csv", ".tsv"}), "a.tsv");
+    EXPECT_EQ(panels::with_ending("frames", {}), "frames");
+    EXPECT_EQ(panels::with_ending("", {".png"}), "");
 }
 
 TEST(FileBrowser, AsksBeforeAFileIsReplacedWhoseEndingWasNotTyped) {
@@ -39,7 +39,7 @@ TEST(FileBrowser, AsksBeforeAFileIsReplacedWhoseEndingWasNotTyped) {
     folder.write("arm.myoloop", "of somebody else");
     Driver driver;
     driver.open_beam();
-    driver.key(key_s, {.ctrl = true});
+    driver.key(ui::platform::key_s, {.ctrl = true});
     go_to(driver, folder.path());
     EXPECT_FALSE(driver.has("browser/is_there"));
     type_name(driver, "arm");
@@ -56,7 +56,7 @@ TEST(FileBrowser, EnterSavesUnderTheTypedName) {
     const Folder folder("enter");
     Driver driver;
     driver.open_beam();
-    driver.key(key_s, {.ctrl = true});
+    driver.key(ui::platform::key_s, {.ctrl = true});
     go_to(driver, folder.path());
     type_name(driver, "swing");
     driver.key(ImGuiKey_Enter);
@@ -66,7 +66,7 @@ TEST(FileBrowser, EnterSavesUnderTheTypedName) {
 TEST(FileBrowser, TheNameCanBeTypedAtOnce) {
     Driver driver;
     driver.open_beam();
-    driver.key(key_s, {.ctrl = true});
+    driver.key(ui::platform::key_s, {.ctrl = true});
     driver.type("/nowhere/typed");
     driver.key(ImGuiKey_Enter);
     EXPECT_EQ(driver.state().project, "/nowhere/typed.myoloop");
@@ -77,7 +77,7 @@ TEST(FileBrowser, MakesANewFolderToSaveIn) {
     folder.write("taken", "a file");
     Driver driver;
     driver.open_beam();
-    driver.key(key_s, {.ctrl = true});
+    driver.key(ui::platform::key_s, {.ctrl = true});
     go_to(driver, folder.path());
     driver.click("browser/new_folder");
     driver.type("taken");
@@ -96,7 +96,7 @@ TEST(FileBrowser, EnterOpensWhatIsSelected) {
     const Folder folder("enter_opens");
     folder.write("beam/experiment.toml", "");
     Driver driver;
-    driver.key(key_o, {.ctrl = true});
+    driver.key(ui::platform::key_o, {.ctrl = true});
     EXPECT_FALSE(driver.has("browser/new_folder"));
     go_to(driver, folder.path());
     driver.click("browser/entry/beam");
@@ -107,4 +107,4 @@ TEST(FileBrowser, EnterOpensWhatIsSelected) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

@@ -2,16 +2,16 @@
 
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
 
 /// A recording as it is chosen in the browser.
 void read(Driver& driver, const std::string& file) {
-    driver.workbench->execute(command::ReadRecording{file});
+    driver.workbench->execute(commands::ReadRecording{file});
     ASSERT_TRUE(driver.wait_for_job());
-    driver.window->show_step(Step::measure);
+    driver.window->show_step(commands::Step::measure);
     driver.settle();
 }
 
@@ -28,7 +28,7 @@ TEST(Import, ReadsProposesAndAddsATrialThatIsThenShown) {
     EXPECT_EQ(driver.state().import->choices.markers[2].name, "tip_top") << "proposed at once";
     EXPECT_DOUBLE_EQ(driver.state().import->choices.start_s, 0.3);
     // Time runs over the recording, whose start is t = 0.
-    EXPECT_EQ(time_span(driver.state())[0], -0.3);
+    EXPECT_EQ(commands::time_span(driver.state())[0], -0.3);
     driver.click("import/align");
     EXPECT_DOUBLE_EQ(driver.state().import->choices.start_s, 0.31);
     driver.click("import/first_motion");
@@ -66,7 +66,9 @@ TEST(Import, AClickOnADeclaredMarkerSaysThatTheLabelIsThisOne) {
     driver.open_beam();
     ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
     const auto name_of = [&](std::size_t label) { return driver.state().import->choices.markers[label].name; };
-    const auto place_of = [&](std::size_t marker) { return test::pixel_of(driver, driver.state().scene->markers[marker].rest_m); };
+    const auto place_of = [&](std::size_t marker) {
+        return test::pixel_of(driver, driver.state().scene->markers[marker].rest_m);
+    };
     driver.click("import/marker/label 1");
     driver.click("import/marker/label 1/none");
     driver.click("import/label/label 0");
@@ -95,7 +97,7 @@ TEST(Import, AClickOnADeclaredMarkerSaysThatTheLabelIsThisOne) {
 
 TEST(Import, AClickOnAPlainMeshPlacesANewMarker) {
     Driver driver;
-    driver.workbench->execute(command::Open{"/body.stl", 1e-3});
+    driver.workbench->execute(commands::Open{"/body.stl", 1e-3});
     ASSERT_TRUE(driver.wait_for_job());
     ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
     driver.click("import/place");
@@ -114,7 +116,7 @@ TEST(Import, TheStartIsDraggedInThePlotOverTheGapMap) {
     ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
     driver.window->show_panel("recording");
     driver.settle();
-    const Rectangle plot = driver.item("recording/x");
+    const platform::Rectangle plot = driver.item("recording/x");
     const double before = driver.state().import->choices.start_s;
     driver.click_at({plot.lowest.x + 0.8f * plot.width(), plot.center().y});
     driver.settle();
@@ -123,12 +125,14 @@ TEST(Import, TheStartIsDraggedInThePlotOverTheGapMap) {
     driver.click("recording/seen/label 2");
     EXPECT_EQ(driver.state().import->label, 2);
     // Where a marker was hidden its row shows it.
-    const Image picture = driver.picture();
-    const Rectangle seen = driver.item("recording/seen/label 0"), hidden = driver.item("recording/seen/label 1");
-    const ImVec4 orange = make_theme(ThemeName::dark, 1.0f).measured;
-    const auto orange_columns = [&](const Rectangle& row) {
+    const platform::Image picture = driver.picture();
+    const platform::Rectangle seen = driver.item("recording/seen/label 0"),
+                              hidden = driver.item("recording/seen/label 1");
+    const ImVec4 orange = platform::make_theme(platform::ThemeName::dark, 1.0f).measured;
+    const auto orange_columns = [&](const platform::Rectangle& row) {
         int count = 0;
-        for (float x = row.lowest.x; x < row.highest.x; x += 1.0f) count += test::color_near(picture, {x, row.center().y}, orange, 0) ? 1 : 0;
+        for (float x = row.lowest.x; x < row.highest.x; x += 1.0f)
+            count += test::color_near(picture, {x, row.center().y}, orange, 0) ? 1 : 0;
         return count;
     };
     EXPECT_NEAR(static_cast<double>(orange_columns(hidden)) / orange_columns(seen), 0.8, 0.05);
@@ -148,23 +152,23 @@ TEST(Import, AsksOnlyForWhatTheFileDoesNotSay) {
 TEST(Import, FailuresAreToldAndNothingIsLost) {
     Driver driver;
     driver.open_beam();
-    driver.workbench->execute(command::ReadRecording{"/takes/missing"});
+    driver.workbench->execute(commands::ReadRecording{"/takes/missing"});
     ASSERT_TRUE(driver.wait_for_job());
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::failure);
     EXPECT_FALSE(driver.state().import);
     ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/taken.c3d"));
     driver.click("import/add");
     ASSERT_TRUE(driver.wait_for_job());
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::failure);
     ASSERT_TRUE(driver.state().import) << "to choose another name";
 }
 
 TEST(Import, WhatWasSetOnTheBodyStays) {
     Driver driver;
     driver.open_beam();
-    Settings settings = driver.state().settings;
+    commands::Settings settings = driver.state().settings;
     settings.youngs_modulus_Pa = 3.3e5;
-    driver.workbench->execute(command::ChangeSettings{settings, "E", false});
+    driver.workbench->execute(commands::ChangeSettings{settings, "E", false});
     ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
     driver.click("import/add");
     ASSERT_TRUE(driver.wait_for_job());
@@ -173,4 +177,4 @@ TEST(Import, WhatWasSetOnTheBodyStays) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

@@ -9,15 +9,15 @@
 #include "panels/job_words.hpp"
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
 
 void set_modulus(Driver& driver, double E) {
-    Settings settings = driver.state().settings;
+    commands::Settings settings = driver.state().settings;
     settings.youngs_modulus_Pa = E;
-    driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+    driver.workbench->execute(commands::ChangeSettings{settings, "test", false});
 }
 
 void wait_for_evaluation(Driver& driver) {
@@ -32,9 +32,9 @@ TEST(Jobs, WaitTheirTurnAndRunWithTheSettingsOfTheirTime) {
     Driver driver;
     driver.open_beam();
     driver.backend->step_delay_s = 0.002;
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     set_modulus(driver, 3.0e5);
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     set_modulus(driver, 4.0e5);
     ASSERT_EQ(driver.state().queue.size(), 1u);
     EXPECT_EQ(driver.state().queue.front().name, "Simulate");
@@ -54,7 +54,7 @@ TEST(Jobs, PauseHoldsTheWorkAndItsClock) {
     ASSERT_TRUE(driver.state().busy());
     driver.click("run/pause");
     ASSERT_TRUE(driver.state().job->paused);
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));   // the step that was under way
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));  // the step that was under way
     driver.frame();
     const double done = driver.state().job->progress.done, elapsed = driver.state().job->elapsed_s;
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
@@ -76,7 +76,7 @@ TEST(Jobs, APausedJobCanBeCancelled) {
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_FALSE(driver.state().run);
     ASSERT_EQ(driver.state().history.size(), 1u);
-    EXPECT_EQ(driver.state().history[0].outcome, JobOutcome::stopped);
+    EXPECT_EQ(driver.state().history[0].outcome, commands::JobOutcome::stopped);
 }
 
 TEST(Jobs, EndedOnesAreComparedRestoredAndForgotten) {
@@ -89,7 +89,7 @@ TEST(Jobs, EndedOnesAreComparedRestoredAndForgotten) {
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     ASSERT_EQ(driver.state().history.size(), 2u);
-    const JobRecord record = driver.state().history[0];
+    const commands::JobRecord record = driver.state().history[0];
     driver.click("panel/jobs");
     driver.click("jobs/compare/" + std::to_string(record.id));
     EXPECT_TRUE(driver.state().history[0].compared);
@@ -116,21 +116,24 @@ TEST(Jobs, ComparedOnesHaveRingsInTheView) {
     set_modulus(driver, 5.0e5);
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
-    driver.workbench->execute(command::SetTime{0.06});
-    ViewOptions view = driver.state().view;
-    view.measured = false;   // orange spheres and red error lines are near the ring's colour
-    driver.workbench->execute(command::ChangeView{view});
+    driver.workbench->execute(commands::SetTime{0.06});
+    commands::ViewOptions view = driver.state().view;
+    view.measured = false;  // orange spheres and red error lines are near the ring's colour
+    driver.workbench->execute(commands::ChangeView{view});
     driver.settle();
-    const SceneTrial& trial = *driver.state().scene_trial();
+    const commands::SceneTrial& trial = *driver.state().scene_trial();
     Eigen::Index sample = 0;
     (trial.time_s.array() - 0.06).abs().minCoeff(&sample);
-    const ImVec4 color = make_theme(ThemeName::dark, 1.0f).muscle(0);
-    const auto ring_drawn = [&] { return test::color_near(driver.picture(), test::pixel_of(driver, soft->trials[0].markers[0].col(sample)), color, 14); };
+    const ImVec4 color = platform::make_theme(platform::ThemeName::dark, 1.0f).muscle(0);
+    const auto ring_drawn = [&] {
+        return test::color_near(driver.picture(), test::pixel_of(driver, soft->trials[0].markers[0].col(sample)), color,
+                                14);
+    };
     EXPECT_FALSE(ring_drawn());
-    driver.workbench->execute(command::CompareRecord{driver.state().history[0].id, true});
+    driver.workbench->execute(commands::CompareRecord{driver.state().history[0].id, true});
     driver.settle();
     EXPECT_TRUE(ring_drawn());
-    driver.workbench->execute(command::CompareRecord{driver.state().history[0].id, false});
+    driver.workbench->execute(commands::CompareRecord{driver.state().history[0].id, false});
     driver.settle();
     EXPECT_FALSE(ring_drawn());
 }
@@ -140,10 +143,10 @@ void run_and_refine(Driver& driver) {
     driver.open_beam();
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
-    Settings settings = driver.state().settings;
+    commands::Settings settings = driver.state().settings;
     settings.resolution_m *= 0.5;
-    driver.workbench->execute(command::ChangeSettings{settings, "resolution", false});
-    driver.workbench->execute(command::BuildMesh{});
+    driver.workbench->execute(commands::ChangeSettings{settings, "resolution", false});
+    driver.workbench->execute(commands::BuildMesh{});
     ASSERT_TRUE(driver.wait_for_job());
 }
 
@@ -152,14 +155,14 @@ TEST(Jobs, WhatARunBringsIsShownOnItsOwnBody) {
     ASSERT_NO_FATAL_FAILURE(run_and_refine(driver));
     const auto fine = driver.state().body;
     driver.backend->step_delay_s = 0.002;
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     driver.frame();
-    driver.workbench->execute(command::RestoreRecord{driver.state().history[0].id});
+    driver.workbench->execute(commands::RestoreRecord{driver.state().history[0].id});
     ASSERT_NE(driver.state().body, fine);
     driver.settle();
     EXPECT_TRUE(driver.state().run_is_current());
     ASSERT_TRUE(driver.wait_for_job());
-    driver.workbench->execute(command::SetTime{0.3});
+    driver.workbench->execute(commands::SetTime{0.3});
     driver.settle();
     EXPECT_EQ(driver.state().body, fine);
     ASSERT_TRUE(driver.state().simulated_trial());
@@ -176,7 +179,7 @@ TEST(Jobs, ASearchOnAnotherBodyIsNotShownOnTheRestoredOne) {
     driver.click("run/calibrate");
     ASSERT_NO_FATAL_FAILURE(wait_for_evaluation(driver));
     EXPECT_EQ(driver.state().shown_run(), driver.state().search->best);
-    driver.workbench->execute(command::RestoreRecord{driver.state().history[0].id});
+    driver.workbench->execute(commands::RestoreRecord{driver.state().history[0].id});
     driver.settle();
     EXPECT_EQ(driver.state().shown_run(), driver.state().history[0].run);
     EXPECT_EQ(driver.window->scene().positions.cols(), driver.state().body->mesh.node_count());
@@ -192,8 +195,9 @@ TEST(Jobs, ComparedOnesTellTheSettingsInWhichTheyDiffer) {
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     set_modulus(driver, 5.0e5);
-    const Settings soft = driver.state().history[0].settings, stiff = driver.state().settings;
-    const std::vector<SettingDifference> rows = settings_differences({&soft, &stiff}, driver.state().materials, driver.state().integrators);
+    const commands::Settings soft = driver.state().history[0].settings, stiff = driver.state().settings;
+    const std::vector<commands::SettingDifference> rows = commands::settings_differences(
+        {&soft, &stiff}, driver.state().materials, driver.state().integrators);
     ASSERT_EQ(rows.size(), 1u);
     EXPECT_EQ(rows[0].name, "Young's modulus E");
     EXPECT_EQ(rows[0].values, (std::vector<std::string>{"260 kPa", "500 kPa"}));
@@ -205,28 +209,28 @@ TEST(Jobs, ComparedOnesTellTheSettingsInWhichTheyDiffer) {
 }
 
 TEST(Jobs, SignalsThatDifferDoNotReadAlike) {
-    Settings a, b;
-    Muscle muscle;
+    commands::Settings a, b;
+    commands::Muscle muscle;
     muscle.name = "upper";
-    muscle.signal = Signal{{0.0, 1.0}, {1.0, 0.8}};
+    muscle.signal = fibre::Signal{{0.0, 1.0}, {1.0, 0.8}};
     a.muscles = {muscle};
-    muscle.signal = Signal{{0.0, 0.5}, {1.0, 0.8}};
+    muscle.signal = fibre::Signal{{0.0, 0.5}, {1.0, 0.8}};
     b.muscles = {muscle};
     b.effects = {{"quadratic_drag", {}, "Quadratic drag", "coefficient 903 kg/m\xc2\xb3"}};
-    const std::vector<SettingDifference> rows = settings_differences({&a, &b}, {}, {});
+    const std::vector<commands::SettingDifference> rows = commands::settings_differences({&a, &b}, {}, {});
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0].name, "Quadratic drag");
     EXPECT_EQ(rows[1].name, "upper, signal");
     EXPECT_NE(rows[1].values[0], rows[1].values[1]);
-    EXPECT_TRUE(settings_differences({&a, &a}, {}, {}).empty());
+    EXPECT_TRUE(commands::settings_differences({&a, &a}, {}, {}).empty());
 }
 
 TEST(Jobs, AreAskedForBeforeTheWindowCloses) {
     Driver driver;
     driver.open_beam();
     driver.backend->step_delay_s = 0.002;
-    driver.workbench->execute(command::Run{});
-    driver.workbench->execute(command::Quit{});
+    driver.workbench->execute(commands::Run{});
+    driver.workbench->execute(commands::Quit{});
     driver.settle();
     EXPECT_FALSE(driver.state().quit);
     driver.click("stop/keep");
@@ -234,7 +238,7 @@ TEST(Jobs, AreAskedForBeforeTheWindowCloses) {
     EXPECT_FALSE(driver.has("stop/keep"));
     EXPECT_TRUE(driver.state().busy());
     // One that ends by itself takes the question with it.
-    driver.workbench->execute(command::Quit{});
+    driver.workbench->execute(commands::Quit{});
     driver.settle();
     ASSERT_TRUE(driver.has("stop/quit"));
     ASSERT_TRUE(driver.wait_for_job());
@@ -243,31 +247,32 @@ TEST(Jobs, AreAskedForBeforeTheWindowCloses) {
     EXPECT_FALSE(driver.state().quit);
     driver.click("run/run");
     ASSERT_TRUE(driver.state().busy()) << "nothing is left that takes the clicks";
-    driver.workbench->execute(command::Quit{});
+    driver.workbench->execute(commands::Quit{});
     driver.settle();
     driver.click("stop/quit");
     EXPECT_TRUE(driver.state().quit);
 }
 
 TEST(Jobs, TellWhatTheyCountAndTheTimeLeft) {
-    JobView job;
+    commands::JobView job;
     job.progress = {"fit", 12.0, 40.0, "evaluations", ""};
     job.elapsed_s = 30.0;
     job.remaining_s = 70.0;
-    job.remaining_of = TimeLeft::at_most;
-    EXPECT_EQ(counted_words(job), "12 of 40 evaluations");
-    EXPECT_EQ(time_words(job), "at most 1 min 10 s left");
-    EXPECT_EQ(bar_words(job), "30 %");
-    job.remaining_of = TimeLeft::of_stage;
-    EXPECT_EQ(time_words(job), "1 min 10 s left of this stage");
+    job.remaining_of = commands::TimeLeft::at_most;
+    EXPECT_EQ(panels::counted_words(job), "12 of 40 evaluations");
+    EXPECT_EQ(panels::time_words(job), "at most 1 min 10 s left");
+    EXPECT_EQ(panels::bar_words(job), "30 %");
+    job.remaining_of = commands::TimeLeft::of_stage;
+    EXPECT_EQ(panels::time_words(job), "1 min 10 s left of this stage");
     // TetGen does not say how far it is, nor does a stage that is only named.
     job.remaining_s.reset();
-    for (const ProgressEvent& event : {ProgressEvent{"tetrahedral mesh", 6.0, 0.0, "s", ""}, {"significance", 1.0, 1.0, "stage", ""}}) {
+    for (const ProgressEvent& event :
+         {ProgressEvent{"tetrahedral mesh", 6.0, 0.0, "s", ""}, {"significance", 1.0, 1.0, "stage", ""}}) {
         job.progress = event;
-        EXPECT_EQ(counted_words(job), "");
-        EXPECT_EQ(bar_words(job), "working");
+        EXPECT_EQ(panels::counted_words(job), "");
+        EXPECT_EQ(panels::bar_words(job), "working");
         EXPECT_EQ(job.fraction(), 0.0);
-        EXPECT_EQ(time_words(job), "30 s so far");
+        EXPECT_EQ(panels::time_words(job), "30 s so far");
     }
 }
 
@@ -277,7 +282,7 @@ TEST(Jobs, ASearchTellsTheMostTimeThatIsLeft) {
     driver.backend->hold_search = true;
     driver.click("run/calibrate");
     ASSERT_NO_FATAL_FAILURE(wait_for_evaluation(driver));
-    EXPECT_EQ(driver.state().job->remaining_of, TimeLeft::at_most);
+    EXPECT_EQ(driver.state().job->remaining_of, commands::TimeLeft::at_most);
     driver.click("panel/jobs");
     EXPECT_TRUE(driver.has("jobs/progress"));
     driver.backend->hold_search = false;
@@ -286,7 +291,7 @@ TEST(Jobs, ASearchTellsTheMostTimeThatIsLeft) {
 
 TEST(Jobs, TimeLeftIsOfThePresentCount) {
     std::atomic<bool> goes_on = false;
-    const auto work = [&](const Progress& progress) -> Job::Completion {
+    const auto work = [&](const Progress& progress) -> commands::Job::Completion {
         progress.report({"mesh", 90.0, 100.0, "rows", {}});
         std::this_thread::sleep_for(std::chrono::milliseconds(700));
         progress.report({"simulate", 0.0, 2.0, "s", {}});
@@ -295,9 +300,9 @@ TEST(Jobs, TimeLeftIsOfThePresentCount) {
         while (!goes_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return [] {};
     };
-    Job job("job", work, [](const std::string&) { return [] {}; }, {});
+    commands::Job job("job", work, [](const std::string&) { return [] {}; }, {});
     while (job.view().progress.done != 1.0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const JobView view = job.view();
+    const commands::JobView view = job.view();
     ASSERT_TRUE(view.remaining_s);
     EXPECT_GT(view.elapsed_s, 1.25);
     EXPECT_LT(*view.remaining_s, view.elapsed_s - 0.5) << "the time of the mesh does not count";
@@ -322,7 +327,7 @@ TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_EQ(driver.state().settings.youngs_modulus_Pa, 4.4e5) << "an edit made meanwhile is not overwritten";
     ASSERT_TRUE(driver.state().found);
-    driver.workbench->execute(command::RestoreRecord{driver.state().history.back().id});
+    driver.workbench->execute(commands::RestoreRecord{driver.state().history.back().id});
     EXPECT_EQ(driver.state().settings.youngs_modulus_Pa, test::SwingingBeam::measured_modulus);
 }
 
@@ -345,10 +350,10 @@ TEST(Jobs, OptimisesTheSignalOfAMuscle) {
 
 TEST(Job, ExceptionsBecomeMessages) {
     std::string told;
-    Job job(
-        "work", [](const Progress&) -> Job::Completion { throw std::runtime_error("out of everything"); },
-        [&told](const std::string& what) -> Job::Completion { return [&told, what] { told = what; }; }, {});
-    std::optional<Job::Completion> completion;
+    commands::Job job(
+        "work", [](const Progress&) -> commands::Job::Completion { throw std::runtime_error("out of everything"); },
+        [&told](const std::string& what) -> commands::Job::Completion { return [&told, what] { told = what; }; }, {});
+    std::optional<commands::Job::Completion> completion;
     for (int i = 0; i < 500 && !completion; ++i) {
         completion = job.take_result();
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -360,10 +365,10 @@ TEST(Job, ExceptionsBecomeMessages) {
 }
 
 TEST(Job, TimeLeftIsToldOnceItMeansSomething) {
-    EXPECT_FALSE(remaining_time(0.0, 10.0));
-    EXPECT_FALSE(remaining_time(0.5, 0.1));
-    EXPECT_NEAR(remaining_time(0.25, 10.0).value(), 30.0, 1e-12);
+    EXPECT_FALSE(commands::remaining_time(0.0, 10.0));
+    EXPECT_FALSE(commands::remaining_time(0.5, 0.1));
+    EXPECT_NEAR(commands::remaining_time(0.25, 10.0).value(), 30.0, 1e-12);
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

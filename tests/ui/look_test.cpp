@@ -10,7 +10,7 @@
 
 // Looking into the body: the plane that cuts it, what a click tells, and distances.
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using Eigen::Vector3d;
@@ -23,44 +23,49 @@ void cut_beam(Driver& driver) {
     ASSERT_TRUE(driver.state().view.clip.on);
 }
 
-ReportLine line(const Driver& driver, const std::string& label) {
-    const auto lines = lines_about(*driver.window->inspect_tool().picked(), driver.state(), driver.window->scene(), nullptr);
-    const auto found = std::find_if(lines.begin(), lines.end(), [&](const ReportLine& each) { return each.label == label; });
+commands::ReportLine line(const Driver& driver, const std::string& label) {
+    const auto lines = commands::lines_about(*driver.window->inspect_tool().picked(), driver.state(),
+                                             driver.window->scene(), nullptr);
+    const auto found = std::find_if(lines.begin(), lines.end(),
+                                    [&](const commands::ReportLine& each) { return each.label == label; });
     EXPECT_NE(found, lines.end()) << label;
-    return found != lines.end() ? *found : ReportLine{};
+    return found != lines.end() ? *found : commands::ReportLine{};
 }
 
 TEST(FaceTable, BoundaryOfAPartIsThatOfAMeshOfItsCells) {
-    for (const CellType type : {CellType::tet4, CellType::tet10}) {
-        const VolumeMesh mesh = tet_box_mesh({Vector3d::Zero(), Vector3d(3.0, 2.0, 2.0)}, {3, 2, 2}, type);
+    for (const mesh::CellType type : {mesh::CellType::tet4, mesh::CellType::tet10}) {
+        const mesh::VolumeMesh mesh = mesh::tet_box_mesh({Vector3d::Zero(), Vector3d(3.0, 2.0, 2.0)}, {3, 2, 2}, type);
         std::vector<char> kept(static_cast<std::size_t>(mesh.cell_count()));
         std::vector<Eigen::Index> cells;
         for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
             if ((kept[static_cast<std::size_t>(c)] = c % 3 != 1)) cells.push_back(c);
-        const BoundaryFaces part = boundary_of_part(face_table(mesh), kept);
-        const BoundaryFaces alone = boundary_faces({type, mesh.nodes, mesh.cells(Eigen::all, cells)});
+        const mesh::BoundaryFaces part = mesh::boundary_of_part(mesh::face_table(mesh), kept);
+        const mesh::BoundaryFaces alone = mesh::boundary_faces({type, mesh.nodes, mesh.cells(Eigen::all, cells)});
         ASSERT_EQ(part.count(), alone.count());
         EXPECT_EQ(part.nodes, alone.nodes);
-        for (Eigen::Index f = 0; f < part.count(); ++f) EXPECT_EQ(part.cell(f), cells[static_cast<std::size_t>(alone.cell(f))]);
+        for (Eigen::Index f = 0; f < part.count(); ++f)
+            EXPECT_EQ(part.cell(f), cells[static_cast<std::size_t>(alone.cell(f))]);
     }
 }
 
 TEST(Cut, HidesElementsAndShowsTheFacesThatComeFree) {
     Driver driver;
     driver.open_beam();
-    const BoundaryFaces whole = driver.window->scene().body->faces;
+    const mesh::BoundaryFaces whole = driver.window->scene().body->faces;
     cut_beam(driver);
-    const DrawnScene& scene = driver.window->scene();
+    const viewport::DrawnScene& scene = driver.window->scene();
     ASSERT_TRUE(scene.body);
     EXPECT_LT(scene.body->faces.count(), whole.count());
-    EXPECT_EQ(scene.surface->triangle_count(), static_cast<std::size_t>(scene.body->faces.count() * scene.surface->triangles_per_face()));
+    EXPECT_EQ(scene.surface->triangle_count(),
+              static_cast<std::size_t>(scene.body->faces.count() * scene.surface->triangles_per_face()));
     const Eigen::Matrix3Xd& X = driver.state().body->mesh.nodes;
     const Eigen::Matrix3Xd& centres = driver.state().ground->places.centre_m;
     int inner = 0;
     for (Eigen::Index f = 0; f < scene.body->faces.count(); ++f) {
         EXPECT_LE(centres(0, scene.body->faces.cell(f)), 0.05 + 1e-12);
         const Vector3d middle = X(Eigen::all, scene.body->faces.nodes.col(f)).rowwise().mean();
-        const bool outside = middle.x() < 1e-9 || middle.y() < 1e-9 || middle.z() < 1e-9 || middle.y() > 0.03 - 1e-9 || middle.z() > 0.03 - 1e-9;
+        const bool outside = middle.x() < 1e-9 || middle.y() < 1e-9 || middle.z() < 1e-9 || middle.y() > 0.03 - 1e-9 ||
+                             middle.z() > 0.03 - 1e-9;
         inner += outside ? 0 : 1;
     }
     EXPECT_GT(inner, 0) << "the cut itself is closed by faces";
@@ -79,12 +84,14 @@ TEST(Cut, ThePlaneIsMovedAndTurned) {
     driver.click("view/clip_z");
     EXPECT_EQ(driver.state().view.clip.normal, Vector3d::UnitZ().eval());
     EXPECT_NEAR(driver.state().view.clip.position_m, 0.015, 1e-12);
-    const Rectangle slider = driver.item("view/clip_position");
+    const platform::Rectangle slider = driver.item("view/clip_position");
     driver.click_at({slider.lowest.x + 0.02f * slider.width(), slider.center().y});
     EXPECT_LT(driver.state().view.clip.position_m, 0.003);
-    EXPECT_EQ(driver.window->scene().surface->triangle_count(), 0u) << "nothing lies below: an empty picture is drawn, too";
+    EXPECT_EQ(driver.window->scene().surface->triangle_count(), 0u)
+        << "nothing lies below: an empty picture is drawn, too";
     driver.click("view/clip_view");
-    EXPECT_NEAR((driver.state().view.clip.normal - camera_axes(driver.window->viewport().camera).back).norm(), 0.0, 1e-12);
+    EXPECT_NEAR((driver.state().view.clip.normal - viewport::camera_axes(driver.window->viewport().camera).back).norm(),
+                0.0, 1e-12);
     // Another body is shown whole.
     driver.open_beam();
     EXPECT_FALSE(driver.state().view.clip.on);
@@ -92,27 +99,30 @@ TEST(Cut, ThePlaneIsMovedAndTurned) {
 
 TEST(Cut, TheOutlineIsWhereThePlaneMeetsTheBox) {
     const Box box{Vector3d::Zero(), Vector3d(2.0, 1.0, 1.0)};
-    const Eigen::Matrix3Xd square = outline_of({true, Vector3d::UnitX(), 0.5, false}, box);
+    const Eigen::Matrix3Xd square = commands::outline_of({true, Vector3d::UnitX(), 0.5, false}, box);
     ASSERT_EQ(square.cols(), 5);
     for (Eigen::Index i = 0; i < 4; ++i) EXPECT_NEAR((square.col(i + 1) - square.col(i)).norm(), 1.0, 1e-12);
-    EXPECT_EQ(outline_of({true, Vector3d::UnitX(), 3.0, false}, box).cols(), 0);
+    EXPECT_EQ(commands::outline_of({true, Vector3d::UnitX(), 3.0, false}, box).cols(), 0);
 }
 
 TEST(Inspect, AClickNamesTheNodeAndTheElement) {
     Driver driver;
     driver.open_beam();
-    const VolumeMesh& mesh = driver.state().body->mesh;
+    const mesh::VolumeMesh& mesh = driver.state().body->mesh;
     // A node of the side y = 0 that is seen, away from the markers.
     int node = -1;
     for (int n = 0; n < mesh.node_count(); ++n)
-        if (mesh.nodes(1, n) < 1e-9 && (node < 0 || (mesh.nodes.col(n) - Vector3d(0.03, 0.0, 0.015)).norm() < (mesh.nodes.col(node) - Vector3d(0.03, 0.0, 0.015)).norm())) node = n;
+        if (mesh.nodes(1, n) < 1e-9 && (node < 0 || (mesh.nodes.col(n) - Vector3d(0.03, 0.0, 0.015)).norm() <
+                                                        (mesh.nodes.col(node) - Vector3d(0.03, 0.0, 0.015)).norm()))
+            node = n;
     const Vector3d aim = mesh.nodes.col(node) + Vector3d(5e-4, 0.0, 5e-4);
     driver.click_at(test::pixel_of(driver, aim));
     const auto& picked = driver.window->inspect_tool().picked();
     ASSERT_TRUE(picked);
     EXPECT_EQ(picked->node, node);
     const Eigen::Matrix3Xd corners = mesh.nodes(Eigen::all, mesh.cells.col(picked->cell));
-    EXPECT_TRUE((corners.rowwise().minCoeff().array() <= aim.array() + 1e-4).all() && (corners.rowwise().maxCoeff().array() >= aim.array() - 1e-4).all());
+    EXPECT_TRUE((corners.rowwise().minCoeff().array() <= aim.array() + 1e-4).all() &&
+                (corners.rowwise().maxCoeff().array() >= aim.array() - 1e-4).all());
     EXPECT_TRUE(driver.has("view/inspector"));
     EXPECT_EQ(line(driver, "Node").value, std::to_string(node));
     EXPECT_EQ(line(driver, "Displacement").value, "0.000 mm");
@@ -130,9 +140,9 @@ TEST(Inspect, ThroughTheCutInnerElementsAreFound) {
     ASSERT_TRUE(driver.window->inspect_tool().picked());
     const int outer = driver.window->inspect_tool().picked()->cell;
     // Not by the list, which would lie over the place.
-    ViewOptions view = driver.state().view;
+    commands::ViewOptions view = driver.state().view;
     view.clip = {true, Vector3d::UnitY(), 0.015, true};
-    driver.workbench->execute(command::ChangeView{view});
+    driver.workbench->execute(commands::ChangeView{view});
     driver.settle();
     driver.click_at(place);
     ASSERT_TRUE(driver.window->inspect_tool().picked());
@@ -148,8 +158,9 @@ TEST(Inspect, AMarkerIsNamedAndChosenAndADragIsNoClick) {
     ASSERT_GE(markers.size(), 2u);
     const int last = static_cast<int>(markers.size()) - 1;
     ASSERT_NE(driver.state().marker, last);
-    const DrawnScene& scene = driver.window->scene();
-    const auto drawn = std::find_if(scene.markers.begin(), scene.markers.end(), [&](const DrawnMarker& m) { return m.number == last; });
+    const viewport::DrawnScene& scene = driver.window->scene();
+    const auto drawn = std::find_if(scene.markers.begin(), scene.markers.end(),
+                                    [&](const viewport::DrawnMarker& m) { return m.number == last; });
     ASSERT_NE(drawn, scene.markers.end());
     const ImVec2 place = test::pixel_of(driver, drawn->position);
     driver.click_at(place);
@@ -157,7 +168,7 @@ TEST(Inspect, AMarkerIsNamedAndChosenAndADragIsNoClick) {
     EXPECT_EQ(driver.window->inspect_tool().picked()->marker, last);
     EXPECT_EQ(driver.state().marker, last);
     EXPECT_EQ(line(driver, "Marker").value, markers.back().name);
-    const Rectangle view = driver.item("view");
+    const platform::Rectangle view = driver.item("view");
     driver.drag({view.lowest.x + 40.0f, view.highest.y - 150.0f}, {view.lowest.x + 90.0f, view.highest.y - 150.0f});
     EXPECT_TRUE(driver.window->inspect_tool().picked()) << "turning the view keeps it";
     driver.click_at({view.lowest.x + 40.0f, view.highest.y - 150.0f});
@@ -167,20 +178,21 @@ TEST(Inspect, AMarkerIsNamedAndChosenAndADragIsNoClick) {
 TEST(Distance, TwoClicksMeasureAndFollowTheMotion) {
     Driver driver;
     driver.open_beam();
-    driver.key(key_d);
+    driver.key(ui::platform::key_d);
     EXPECT_TRUE(driver.window->viewport().measuring);
     driver.click_at(test::pixel_of(driver, {0.031, 0.0, 0.012}));
     driver.click_at(test::pixel_of(driver, {0.071, 0.0, 0.012}));
     ASSERT_EQ(driver.window->distance_tool().distances().size(), 1u);
     EXPECT_FALSE(driver.window->inspect_tool().picked()) << "the clicks were for the distance";
-    const double pixel = metres_per_pixel(driver.window->viewport().camera, driver.window->viewport().size());
+    const double pixel = viewport::metres_per_pixel(driver.window->viewport().camera, driver.window->viewport().size());
     EXPECT_NEAR(driver.window->distance_tool().distances()[0].at_rest_m, 0.040, 3.0 * pixel);
-    EXPECT_NEAR(driver.window->distance_tool().distances()[0].now_m, driver.window->distance_tool().distances()[0].at_rest_m, 1e-9);
-    driver.workbench->execute(command::Run{});
+    EXPECT_NEAR(driver.window->distance_tool().distances()[0].now_m,
+                driver.window->distance_tool().distances()[0].at_rest_m, 1e-9);
+    driver.workbench->execute(commands::Run{});
     ASSERT_TRUE(driver.wait_for_job());
-    driver.workbench->execute(command::SetTime{0.1});
+    driver.workbench->execute(commands::SetTime{0.1});
     driver.settle();
-    const MeasuredDistance& moved = driver.window->distance_tool().distances().at(0);
+    const panels::MeasuredDistance& moved = driver.window->distance_tool().distances().at(0);
     EXPECT_GT(std::abs(moved.now_m - moved.at_rest_m), 1e-6);
     driver.key(ImGuiKey_Escape);
     EXPECT_FALSE(driver.window->viewport().measuring);
@@ -190,34 +202,37 @@ TEST(Distance, TwoClicksMeasureAndFollowTheMotion) {
 TEST(Translucent, WhatIsInsideTheBodyIsSeenAsFarAsTheBodyLetsThrough) {
     Driver driver;
     driver.open_beam();
-    auto renderer = SceneRenderer::make();
+    auto renderer = viewport::SceneRenderer::make();
     ASSERT_TRUE(renderer);
-    DrawnScene scene = driver.window->scene();
+    viewport::DrawnScene scene = driver.window->scene();
     scene.grid = scene.edges = false;
     scene.markers.clear();
-    DrawnLine arrow;
+    viewport::DrawnLine arrow;
     arrow.points.resize(3, 2);
-    arrow.points << 0.02, 0.08, 0.015, 0.015, 0.015, 0.015;   // along the beam's axis
-    arrow.color = Color(1.0f, 0.0f, 0.0f, 1.0f);
+    arrow.points << 0.02, 0.08, 0.015, 0.015, 0.015, 0.015;  // along the beam's axis
+    arrow.color = viewport::Color(1.0f, 0.0f, 0.0f, 1.0f);
     arrow.width = 6.0;
-    const ViewSize size{400, 300};
-    const Camera camera = fit(Camera{}, size, scene.extent);
-    const auto place = project(camera, size, {0.05, 0.015, 0.015});
+    const viewport::ViewSize size{400, 300};
+    const viewport::Camera camera = viewport::fit(viewport::Camera{}, size, scene.extent);
+    const auto place = viewport::project(camera, size, {0.05, 0.015, 0.015});
     ASSERT_TRUE(place);
     std::uint64_t revision = 0;
     const auto color = [&](double opacity, bool with) {
         scene.body_opacity = opacity;
         scene.lines.clear();
         if (with) scene.lines.push_back(arrow);
-        EXPECT_TRUE(renderer->update(scene, ++revision, view_colors(make_theme(ThemeName::dark, 1.0f)), camera, size, 4, 1.0));
+        EXPECT_TRUE(renderer->update(scene, ++revision,
+                                     viewport::view_colors(platform::make_theme(platform::ThemeName::dark, 1.0f)),
+                                     camera, size, 4, 1.0));
         const auto c = renderer->read().color(static_cast<int>(place->x()), static_cast<int>(place->y()));
         return c[0] - c[1];
     };
-    const int through_opaque = color(1.0, true) - color(1.0, false), through_glass = color(0.4, true) - color(0.4, false);
+    const int through_opaque = color(1.0, true) - color(1.0, false),
+              through_glass = color(0.4, true) - color(0.4, false);
     EXPECT_GT(through_opaque, 20) << "faintly";
     EXPECT_GT(through_glass, 2 * through_opaque);
     EXPECT_GT(through_glass, 110) << "of 255: the arrows of forces stand out";
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

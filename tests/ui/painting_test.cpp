@@ -5,7 +5,7 @@
 #include "ui/driver.hpp"
 #include "viewport/picking.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using Eigen::Vector3d;
@@ -18,30 +18,36 @@ void take_brush(Driver& driver) {
     driver.settle();
     driver.click("fibres/add");
     ASSERT_EQ(driver.state().settings.muscles.size(), 1u);
-    driver.key(key_b);
-    ASSERT_EQ(driver.state().brush.tool, BrushTool::add);
+    driver.key(ui::platform::key_b);
+    ASSERT_EQ(driver.state().brush.tool, commands::BrushTool::add);
 }
 
 /// Along the middle of the side y = 0.
-void stroke(Driver& driver, double from_x, double to_x) { driver.drag(test::pixel_of(driver, {from_x, 0.0, 0.015}), test::pixel_of(driver, {to_x, 0.0, 0.015})); }
+void stroke(Driver& driver, double from_x, double to_x) {
+    driver.drag(test::pixel_of(driver, {from_x, 0.0, 0.015}), test::pixel_of(driver, {to_x, 0.0, 0.015}));
+}
 
-const CellPaint& paint_of(const Driver& driver) { return *driver.state().chosen_paint(); }
+const fibre::CellPaint& paint_of(const Driver& driver) { return *driver.state().chosen_paint(); }
 
-double painted_volume(const Driver& driver) { return amount_of(paint_of(driver), driver.state().ground->volumes_m3).volume_m3; }
+double painted_volume(const Driver& driver) {
+    return fibre::amount_of(paint_of(driver), driver.state().ground->volumes_m3).volume_m3;
+}
 
 TEST(Painting, AStrokePaintsWhatItPassesAndFibresFollowIt) {
     Driver driver;
     take_brush(driver);
-    const BrushSettings brush = driver.state().brush;
+    const commands::BrushSettings brush = driver.state().brush;
     stroke(driver, 0.03, 0.07);
-    const CellPaint& paint = paint_of(driver);
-    const CellPlaces& places = driver.state().ground->places;
+    const fibre::CellPaint& paint = paint_of(driver);
+    const fibre::CellPlaces& places = driver.state().ground->places;
     int painted = 0;
     for (Eigen::Index c = 0; c < paint.count(); ++c) {
         const Vector3d x = places.centre_m.col(c);
         // Distance from the stroke's line in the plane of the side, and depth below it.
         const double beside = std::hypot(std::max({0.03 - x.x(), x.x() - 0.07, 0.0}), x.z() - 0.015);
-        const bool inside = beside < brush.radius_m - 1e-3 && x.y() < brush.depth_m - 1e-3, outside = beside > brush.radius_m + 1e-3 || x.y() > brush.depth_m + 1e-3;
+        const bool inside = beside < brush.radius_m - 1e-3 &&
+                                x.y()<brush.depth_m - 1e-3, outside = beside> brush.radius_m + 1e-3 ||
+                            x.y() > brush.depth_m + 1e-3;
         EXPECT_FALSE(inside && paint.weights(c) == 0.0) << x.transpose();
         EXPECT_FALSE(outside && paint.weights(c) > 0.0) << x.transpose();
         if (!(paint.weights(c) > 0.0)) continue;
@@ -58,7 +64,7 @@ TEST(Painting, TheFaceUnderTheStrokeTakesTheMusclesColour) {
     const ImVec2 place = test::pixel_of(driver, {0.052, 0.0, 0.012});
     const std::array<int, 3> before = driver.picture().color(static_cast<int>(place.x), static_cast<int>(place.y));
     stroke(driver, 0.03, 0.07);
-    driver.window->input().push(MouseMoved{5.0f, 5.0f});   // the ring out of the way
+    driver.window->input().push(platform::MouseMoved{5.0f, 5.0f});  // the ring out of the way
     driver.settle();
     const std::array<int, 3> after = driver.picture().color(static_cast<int>(place.x), static_cast<int>(place.y));
     // The first colour is a vermilion, the body a grey.
@@ -96,7 +102,7 @@ TEST(Painting, ErasesGrowsShrinksAndClears) {
     EXPECT_GT(grown, first);
     driver.click("fibres/shrink");
     EXPECT_LT(painted_volume(driver), grown);
-    driver.key(key_e);
+    driver.key(ui::platform::key_e);
     const double before = painted_volume(driver);
     stroke(driver, 0.045, 0.055);
     EXPECT_LT(painted_volume(driver), before);
@@ -107,12 +113,12 @@ TEST(Painting, ErasesGrowsShrinksAndClears) {
 TEST(Painting, ADragBesideTheBodyTurnsTheView) {
     Driver driver;
     take_brush(driver);
-    const Camera before = driver.window->viewport().camera;
-    const Rectangle view = driver.item("view");
+    const viewport::Camera before = driver.window->viewport().camera;
+    const platform::Rectangle view = driver.item("view");
     driver.drag({view.highest.x - 60.0f, view.highest.y - 60.0f}, {view.highest.x - 120.0f, view.highest.y - 90.0f});
     EXPECT_NE(driver.window->viewport().camera.yaw, before.yaw);
     EXPECT_EQ(painted_volume(driver), 0.0);
-    const Camera turned = driver.window->viewport().camera;
+    const viewport::Camera turned = driver.window->viewport().camera;
     stroke(driver, 0.04, 0.06);
     EXPECT_EQ(driver.window->viewport().camera, turned) << "a stroke does not";
     EXPECT_GT(painted_volume(driver), 0.0);
@@ -123,12 +129,12 @@ TEST(Painting, SurvivesAnotherMesh) {
     take_brush(driver);
     stroke(driver, 0.03, 0.07);
     const double before = painted_volume(driver);
-    for (const CellType element : {CellType::tet4, CellType::hex8}) {
-        Settings settings = driver.state().settings;
+    for (const mesh::CellType element : {mesh::CellType::tet4, mesh::CellType::hex8}) {
+        commands::Settings settings = driver.state().settings;
         settings.element = element;
         settings.resolution_m = 0.004;
-        driver.workbench->execute(command::ChangeSettings{settings, "mesh", false});
-        driver.workbench->execute(command::BuildMesh{});
+        driver.workbench->execute(commands::ChangeSettings{settings, "mesh", false});
+        driver.workbench->execute(commands::BuildMesh{});
         ASSERT_TRUE(driver.wait_for_job());
         EXPECT_NEAR(painted_volume(driver), before, 0.12 * before) << to_string(element);
     }
@@ -144,7 +150,7 @@ TEST(Painting, TheLastOfTwoAntagonistsKeepsItsOwnSignalWhenTheOtherGoes) {
     driver.click("fibres/follows");
     driver.click("fibres/follows/muscle 1");
     EXPECT_EQ(driver.state().settings.muscles[1].follows, "muscle 1");
-    driver.workbench->execute(command::ChooseMuscle{0});
+    driver.workbench->execute(commands::ChooseMuscle{0});
     driver.settle();
     driver.click("fibres/remove");
     ASSERT_EQ(driver.state().settings.muscles.size(), 1u);
@@ -154,20 +160,21 @@ TEST(Painting, TheLastOfTwoAntagonistsKeepsItsOwnSignalWhenTheOtherGoes) {
 
 TEST(Picking, ARayMeetsThePlaceThatFallsOnItsPixel) {
     const Box box{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}};
-    const SurfaceMesh surface = box_surface(box);
-    DrawnSurface drawn = drawn_surface(surface);
+    const mesh::SurfaceMesh surface = mesh::box_surface(box);
+    viewport::DrawnSurface drawn = viewport::drawn_surface(surface);
     drawn.closed = true;
-    const ViewSize size{800, 600};
-    const Camera camera = fit(Camera{}, size, box);
+    const viewport::ViewSize size{800, 600};
+    const viewport::Camera camera = viewport::fit(viewport::Camera{}, size, box);
     for (const Vector3d& place : {Vector3d(0.03, 0.0, 0.02), Vector3d(0.06, 0.013, 0.03), Vector3d(0.1, 0.02, 0.011)}) {
-        const auto pixel = project(camera, size, place);
+        const auto pixel = viewport::project(camera, size, place);
         ASSERT_TRUE(pixel);
-        const auto hit = pick_surface(drawn, surface.vertices, ray_through(camera, size, pixel->head<2>()));
+        const auto hit = viewport::pick_surface(drawn, surface.vertices,
+                                                viewport::ray_through(camera, size, pixel->head<2>()));
         ASSERT_TRUE(hit);
         EXPECT_LT((hit->place(drawn, surface.vertices) - place).norm(), 1e-9);
     }
-    EXPECT_FALSE(pick_surface(drawn, surface.vertices, ray_through(camera, size, {1.0, 1.0})));
+    EXPECT_FALSE(viewport::pick_surface(drawn, surface.vertices, viewport::ray_through(camera, size, {1.0, 1.0})));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

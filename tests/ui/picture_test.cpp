@@ -10,20 +10,21 @@
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 namespace fs = std::filesystem;
 using test::Driver;
 using test::Folder;
 
-Image read_png(const fs::path& path) {
-    Image image;
+platform::Image read_png(const fs::path& path) {
+    platform::Image image;
     int channels = 0;
     unsigned char* const pixels = stbi_load(path.c_str(), &image.width, &image.height, &channels, 4);
     EXPECT_TRUE(pixels) << path;
     if (!pixels) return image;
-    image.rgba.assign(pixels, pixels + 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    image.rgba.assign(pixels,
+                      pixels + 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
     stbi_image_free(pixels);
     return image;
 }
@@ -35,8 +36,8 @@ void run_a_beam(Driver& driver) {
 }
 
 /// What the dialogs hand to the window.
-PictureRequest motion(const fs::path& path, double rate_Hz) {
-    PictureRequest request;
+panels::PictureRequest motion(const fs::path& path, double rate_Hz) {
+    panels::PictureRequest request;
     request.path = path;
     request.width = 320;
     request.height = 200;
@@ -50,7 +51,7 @@ TEST(Picture, IsDrawnAnewInTheSizeThatIsAskedFor) {
     const Folder folder("picture");
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
-    driver.key(key_k, {.ctrl = true});
+    driver.key(ui::platform::key_k, {.ctrl = true});
     driver.type("save picture");
     driver.key(ImGuiKey_Enter);
     driver.settle();
@@ -61,12 +62,12 @@ TEST(Picture, IsDrawnAnewInTheSizeThatIsAskedFor) {
     driver.key(ImGuiKey_Escape);
     driver.settle();
     // Twice as large, it shows the same at corresponding places, and more of it.
-    const ViewSize view = driver.window->viewport().size();
+    const viewport::ViewSize view = driver.window->viewport().size();
     for (const int k : {1, 2}) {
         driver.window->draw_into({folder.path() / (std::to_string(k) + ".png"), k * view.width, k * view.height});
         driver.settle();
     }
-    const Image once = read_png(folder.path() / "1.png"), twice = read_png(folder.path() / "2.png");
+    const platform::Image once = read_png(folder.path() / "1.png"), twice = read_png(folder.path() / "2.png");
     ASSERT_EQ(once.width, view.width);
     ASSERT_EQ(twice.width, 2 * view.width);
     ASSERT_EQ(twice.height, 2 * view.height);
@@ -79,14 +80,14 @@ TEST(Picture, IsDrawnAnewInTheSizeThatIsAskedFor) {
             ++all;
             alike += std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) < 40 ? 1 : 0;
         }
-    EXPECT_GT(alike, 0.93 * all);   // all but edges
+    EXPECT_GT(alike, 0.93 * all);  // all but edges
     EXPECT_GT(colours.size(), 30u);
 }
 
 /// A picture of the view in twice its size.
-Image picture_of(Driver& driver, const fs::path& path, bool overlay = true) {
-    const ViewSize view = driver.window->viewport().size();
-    PictureRequest request{path, 2 * view.width, 2 * view.height};
+platform::Image picture_of(Driver& driver, const fs::path& path, bool overlay = true) {
+    const viewport::ViewSize view = driver.window->viewport().size();
+    panels::PictureRequest request{path, 2 * view.width, 2 * view.height};
     request.overlay = overlay;
     driver.window->draw_into(request);
     for (int i = 0; i < 100 && !fs::exists(path); ++i) driver.frame();
@@ -97,11 +98,11 @@ TEST(Picture, HasWhatLiesOverTheViewInItsOwnSize) {
     const Folder folder("overlay");
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
-    ViewOptions options = driver.state().view;
+    commands::ViewOptions options = driver.state().view;
     options.field = "height";
-    driver.workbench->execute(command::ChangeView{options});
-    driver.workbench->execute(command::SetTime{0.3});
-    driver.key(key_d);
+    driver.workbench->execute(commands::ChangeView{options});
+    driver.workbench->execute(commands::SetTime{0.3});
+    driver.key(ui::platform::key_d);
     driver.click_at(test::pixel_of(driver, {0.031, 0.0, 0.012}));
     driver.click_at(test::pixel_of(driver, {0.071, 0.0, 0.012}));
     driver.key(ImGuiKey_Escape);
@@ -109,9 +110,10 @@ TEST(Picture, HasWhatLiesOverTheViewInItsOwnSize) {
     ASSERT_EQ(driver.window->distance_tool().distances().size(), 1u);
     while (driver.window->waits_for_field()) driver.frame();
     driver.settle();
-    const Image window = driver.picture(), with = picture_of(driver, folder.path() / "with.png"), without = picture_of(driver, folder.path() / "without.png", false);
-    const Rectangle view = driver.window->viewport().pixels;
-    const auto as_in_window = [&](const Rectangle& part) {
+    const platform::Image window = driver.picture(), with = picture_of(driver, folder.path() / "with.png"),
+                          without = picture_of(driver, folder.path() / "without.png", false);
+    const platform::Rectangle view = driver.window->viewport().pixels;
+    const auto as_in_window = [&](const platform::Rectangle& part) {
         double alike = 0.0, all = 0.0;
         for (float y = part.lowest.y; y < part.highest.y; y += 1.0f)
             for (float x = part.lowest.x; x < part.highest.x; x += 1.0f) {
@@ -122,15 +124,22 @@ TEST(Picture, HasWhatLiesOverTheViewInItsOwnSize) {
             }
         return alike / all;
     };
-    const auto drawn = [&](const Rectangle& part) {
-        return test::differing_share(with, without, {{2.0f * part.lowest.x, 2.0f * part.lowest.y}, {2.0f * part.highest.x, 2.0f * part.highest.y}});
+    const auto drawn = [&](const platform::Rectangle& part) {
+        return test::differing_share(
+            with, without,
+            {{2.0f * part.lowest.x, 2.0f * part.lowest.y}, {2.0f * part.highest.x, 2.0f * part.highest.y}});
     };
     const float w = view.width(), h = view.height();
     const ImVec2 from = test::pixel_of(driver, {0.031, 0.0, 0.012});
     const ImVec2 start{from.x - view.lowest.x, from.y - view.lowest.y};
-    struct Part { const char* name; Rectangle place; };
-    for (const auto& [name, place] : {Part{"legend", {{w - 60.0f, 20.0f}, {w - 8.0f, 190.0f}}}, Part{"scale bar", {{w - 150.0f, h - 45.0f}, {w, h}}},
-                                      Part{"axes", {{8.0f, h - 90.0f}, {88.0f, h}}}, Part{"distance", {{start.x - 5.0f, start.y - 5.0f}, {start.x + 25.0f, start.y + 5.0f}}}}) {
+    struct Part {
+        const char* name;
+        platform::Rectangle place;
+    };
+    for (const auto& [name, place] :
+         {Part{"legend", {{w - 60.0f, 20.0f}, {w - 8.0f, 190.0f}}},
+          Part{"scale bar", {{w - 150.0f, h - 45.0f}, {w, h}}}, Part{"axes", {{8.0f, h - 90.0f}, {88.0f, h}}},
+          Part{"distance", {{start.x - 5.0f, start.y - 5.0f}, {start.x + 25.0f, start.y + 5.0f}}}}) {
         EXPECT_GT(drawn(place), 0.01) << name;
         EXPECT_GT(as_in_window(place), 0.75) << name;
     }
@@ -138,27 +147,30 @@ TEST(Picture, HasWhatLiesOverTheViewInItsOwnSize) {
 }
 
 TEST(Picture, LinesAndMarkersKeepTheirShareOfALargerOne) {
-    auto context = OffscreenContext::make(16, 16);
+    auto context = platform::OffscreenContext::make(16, 16);
     ASSERT_TRUE(context);
-    auto renderer = SceneRenderer::make();
+    auto renderer = viewport::SceneRenderer::make();
     ASSERT_TRUE(renderer);
-    DrawnScene scene;
+    viewport::DrawnScene scene;
     scene.grid = false;
-    scene.marker_radius = 1e-6;   // the least size counts
-    scene.markers.push_back({{0.1, 0.0, 0.1}, Color(1.0f, 0.0f, 0.0f, 1.0f), false, "", -1});
-    DrawnLine line;
+    scene.marker_radius = 1e-6;  // the least size counts
+    scene.markers.push_back({{0.1, 0.0, 0.1}, viewport::Color(1.0f, 0.0f, 0.0f, 1.0f), false, "", -1});
+    viewport::DrawnLine line;
     line.points.resize(3, 2);
     line.points << -0.1, 0.1, 0.0, 0.0, -0.1, -0.1;
-    line.color = Color(1.0f, 0.0f, 0.0f, 1.0f);
+    line.color = viewport::Color(1.0f, 0.0f, 0.0f, 1.0f);
     scene.lines.push_back(line);
-    Camera camera;
+    viewport::Camera camera;
     camera.yaw = -1.5707963;
     camera.pitch = 0.0;
     const auto red = [&](int side, double scale) {
-        EXPECT_TRUE(renderer->update(scene, static_cast<std::uint64_t>(side), view_colors(make_theme(ThemeName::dark, 1.0f)), camera, {side, side}, 4, scale));
-        const Image image = renderer->read();
+        EXPECT_TRUE(renderer->update(scene, static_cast<std::uint64_t>(side),
+                                     viewport::view_colors(platform::make_theme(platform::ThemeName::dark, 1.0f)),
+                                     camera, {side, side}, 4, scale));
+        const platform::Image image = renderer->read();
         double sum = 0.0;
-        for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += std::max(0, image.rgba[i] - image.rgba[i + 1]) / 255.0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+            sum += std::max(0, image.rgba[i] - image.rgba[i + 1]) / 255.0;
         return sum / side / side;
     };
     const double small = red(200, 1.0);
@@ -170,35 +182,35 @@ TEST(Picture, IsOfTheTimeThatWasShownWhenItWasAskedFor) {
     const Folder folder("asked");
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
-    driver.workbench->execute(command::SetTime{0.2});
-    driver.workbench->execute(command::Play{true});
+    driver.workbench->execute(commands::SetTime{0.2});
+    driver.workbench->execute(commands::Play{true});
     for (int i = 0; i < 5; ++i) driver.frame();
-    const Image playing = picture_of(driver, folder.path() / "playing.png");
+    const platform::Image playing = picture_of(driver, folder.path() / "playing.png");
     ASSERT_TRUE(driver.state().playing) << "it is written meanwhile";
     const double shown = driver.state().time_s;
-    driver.workbench->execute(command::Play{false});
-    driver.workbench->execute(command::SetTime{shown});
+    driver.workbench->execute(commands::Play{false});
+    driver.workbench->execute(commands::SetTime{shown});
     driver.settle();
     EXPECT_TRUE(playing.rgba == picture_of(driver, folder.path() / "paused.png").rgba);
     // By the dialog: what was shown when it was opened, not when the file was chosen.
-    driver.workbench->execute(command::SetTime{0.4});
+    driver.workbench->execute(commands::SetTime{0.4});
     driver.settle();
     const fs::path before = fs::current_path();
     fs::create_directory(folder.path() / "dialog");
-    fs::current_path(folder.path() / "dialog");   // where the browser begins
-    driver.key(key_k, {.ctrl = true});
+    fs::current_path(folder.path() / "dialog");  // where the browser begins
+    driver.key(ui::platform::key_k, {.ctrl = true});
     driver.type("save picture");
     driver.key(ImGuiKey_Enter);
     driver.settle();
-    driver.workbench->execute(command::SetTime{1.1});
+    driver.workbench->execute(commands::SetTime{1.1});
     driver.settle();
     driver.click("picture/where");
     driver.click("browser/open");
     fs::current_path(before);
     driver.settle();
     ASSERT_TRUE(fs::exists(folder.path() / "dialog" / "picture.png"));
-    const ViewSize view = driver.window->viewport().size();
-    driver.workbench->execute(command::SetTime{0.4});
+    const viewport::ViewSize view = driver.window->viewport().size();
+    driver.workbench->execute(commands::SetTime{0.4});
     driver.settle();
     driver.window->draw_into({folder.path() / "then.png", view.width, view.height});
     driver.settle();
@@ -210,15 +222,15 @@ TEST(Picture, FilmsDoNotDependOnTheTimeThatIsShown) {
     const Folder folder("film_alone");
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
-    ViewOptions options = driver.state().view;
+    commands::ViewOptions options = driver.state().view;
     options.field = "height";
-    driver.workbench->execute(command::ChangeView{options});
+    driver.workbench->execute(commands::ChangeView{options});
     driver.settle();
     const auto film = [&](const std::string& name, bool disturbed) {
         driver.window->draw_into(motion(folder.path() / name, 20.0));
         for (int i = 0; i < 200 && !fs::exists(folder.path() / name); ++i) {
-            if (disturbed) driver.workbench->execute(command::SetTime{0.7 + 0.01 * i});
-            if (disturbed && i == 2) driver.workbench->execute(command::Play{true});
+            if (disturbed) driver.workbench->execute(commands::SetTime{0.7 + 0.01 * i});
+            if (disturbed && i == 2) driver.workbench->execute(commands::Play{true});
             driver.frame();
         }
         return fs::exists(folder.path() / name);
@@ -227,30 +239,33 @@ TEST(Picture, FilmsDoNotDependOnTheTimeThatIsShown) {
     ASSERT_TRUE(film("disturbed", true));
     EXPECT_TRUE(driver.state().playing);
     for (const char* frame : {"frame_0001.png", "frame_0006.png", "frame_0011.png"})
-        EXPECT_TRUE(read_png(folder.path() / "alone" / frame).rgba == read_png(folder.path() / "disturbed" / frame).rgba) << frame;
+        EXPECT_TRUE(read_png(folder.path() / "alone" / frame).rgba ==
+                    read_png(folder.path() / "disturbed" / frame).rgba)
+            << frame;
 }
 
 TEST(Picture, NumberedOnesShowTheMotionOverItsTime) {
     const Folder folder("frames");
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
-    driver.workbench->execute(command::SetTime{0.123});
+    driver.workbench->execute(commands::SetTime{0.123});
     driver.settle();
     driver.window->draw_into(motion(folder.path() / "swing", 20.0));
     for (int i = 0; i < 40 && !fs::exists(folder.path() / "swing"); ++i) driver.frame();
     ASSERT_TRUE(fs::exists(folder.path() / "swing" / "frame_0011.png"));
     EXPECT_FALSE(fs::exists(folder.path() / "swing" / "frame_0012.png")) << "0 to 0.5 s, both included";
     std::set<std::string> different;
-    for (const auto& entry : fs::directory_iterator(folder.path() / "swing")) different.insert(*read_file(entry.path()));
+    for (const auto& entry : fs::directory_iterator(folder.path() / "swing"))
+        different.insert(*read_file(entry.path()));
     EXPECT_EQ(different.size(), 11u);
     EXPECT_EQ(read_png(folder.path() / "swing" / "frame_0001.png").width, 320);
     driver.settle();
     EXPECT_DOUBLE_EQ(driver.state().time_s, 0.123) << "as before";
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::done);
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::done);
     // A folder that is there is not touched.
     driver.window->draw_into(motion(folder.path() / "swing", 20.0));
     driver.settle();
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::failure);
 }
 
 TEST(Picture, GivenUpLeavesNothing) {
@@ -267,7 +282,7 @@ TEST(Picture, GivenUpLeavesNothing) {
 }
 
 TEST(Picture, AFilmIsWrittenWhereFfmpegIs) {
-    if (!can_write_films()) GTEST_SKIP() << "skipped: no ffmpeg";
+    if (!platform::can_write_films()) GTEST_SKIP() << "skipped: no ffmpeg";
     const Folder folder("film's");
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
@@ -284,21 +299,25 @@ TEST(Picture, PlotsAreSavedAsTheyAreSeen) {
     const Folder folder("plots");
     Driver driver;
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
-    const Image window = driver.picture();
-    const Rectangle first = driver.item("markers/plots");
+    const platform::Image window = driver.picture();
+    const platform::Rectangle first = driver.item("markers/plots");
     const fs::path before = fs::current_path();
-    fs::current_path(folder.path());   // where the browser begins
+    fs::current_path(folder.path());  // where the browser begins
     driver.click("markers/export");
     driver.click("markers/png");
     driver.click("browser/open");
     fs::current_path(before);
     for (int i = 0; i < 6; ++i) driver.frame();
     ASSERT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
-    const Image plots = read_png(fs::directory_iterator(folder.path())->path());
+    const platform::Image plots = read_png(fs::directory_iterator(folder.path())->path());
     ASSERT_GT(plots.width, 400);
     int alike = 0, all = 0;
     for (int y = 20; y < plots.height - 20; y += 5)
-        for (int x = 20; x < plots.width - 20; x += 5, ++all) alike += plots.color(x, y) == window.color(x + static_cast<int>(first.lowest.x), y + static_cast<int>(first.lowest.y)) ? 1 : 0;
+        for (int x = 20; x < plots.width - 20; x += 5, ++all)
+            alike += plots.color(x, y) ==
+                             window.color(x + static_cast<int>(first.lowest.x), y + static_cast<int>(first.lowest.y))
+                         ? 1
+                         : 0;
     EXPECT_GT(alike, 0.97 * all) << "no dialog in front";
 }
 
@@ -306,10 +325,10 @@ TEST(Picture, WithoutFfmpegAFilmIsRefused) {
     const char* const path = std::getenv("PATH");
     const std::string before = path ? path : "";
     setenv("PATH", "/nowhere", 1);
-    EXPECT_FALSE(can_write_films());
-    EXPECT_FALSE(FilmWriter::begin("x.mp4", 320, 200, 30.0));
+    EXPECT_FALSE(platform::can_write_films());
+    EXPECT_FALSE(platform::FilmWriter::begin("x.mp4", 320, 200, 30.0));
     setenv("PATH", before.c_str(), 1);
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

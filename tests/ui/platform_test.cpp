@@ -6,50 +6,52 @@
 #include "platform/offscreen_context.hpp"
 #include "platform/shader_sources.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 TEST(Shaders, EveryPairCompiles) {
-    auto context = OffscreenContext::make(16, 16);
+    auto context = platform::OffscreenContext::make(16, 16);
     ASSERT_TRUE(context) << context.error().text();
     for (const char* name : {"interface", "surface", "line", "marker", "backdrop"}) {
-        const auto program = gl::make_program(name);
+        const auto program = ui::platform::gl::make_program(name);
         EXPECT_TRUE(program) << (program ? "" : program.error().text());
     }
-    const auto missing = gl::make_program("no_such_shader");
+    const auto missing = ui::platform::gl::make_program("no_such_shader");
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().text().find("shaders/no_such_shader.vert"), std::string::npos);
 }
 
 TEST(OffscreenContext, RefusesImpossibleSizes) {
-    EXPECT_FALSE(OffscreenContext::make(0, 16));
-    EXPECT_FALSE(OffscreenContext::make(100000, 16));
+    EXPECT_FALSE(platform::OffscreenContext::make(0, 16));
+    EXPECT_FALSE(platform::OffscreenContext::make(100000, 16));
 }
 
 TEST(Image, ReadsTheFrameFromTheTop) {
-    auto context = OffscreenContext::make(8, 4);
+    auto context = platform::OffscreenContext::make(8, 4);
     ASSERT_TRUE(context);
-    gl::ClearColor(0.0f, 0.0f, 1.0f, 1.0f);
-    gl::Clear(GL_COLOR_BUFFER_BIT);
-    gl::Enable(GL_SCISSOR_TEST);
-    gl::Scissor(0, 3, 8, 1);  // OpenGL counts rows from below
-    gl::ClearColor(1.0f, 0.0f, 0.0f, 1.0f);
-    gl::Clear(GL_COLOR_BUFFER_BIT);
-    gl::Disable(GL_SCISSOR_TEST);
-    const Image image = read_frame(8, 4);
+    ui::platform::gl::ClearColor(0.0f, 0.0f, 1.0f, 1.0f);
+    ui::platform::gl::Clear(GL_COLOR_BUFFER_BIT);
+    ui::platform::gl::Enable(GL_SCISSOR_TEST);
+    ui::platform::gl::Scissor(0, 3, 8, 1);  // OpenGL counts rows from below
+    ui::platform::gl::ClearColor(1.0f, 0.0f, 0.0f, 1.0f);
+    ui::platform::gl::Clear(GL_COLOR_BUFFER_BIT);
+    ui::platform::gl::Disable(GL_SCISSOR_TEST);
+    const platform::Image image = platform::read_frame(8, 4);
     EXPECT_EQ(image.color(3, 0), (std::array<int, 3>{255, 0, 0}));
     EXPECT_EQ(image.color(3, 1), (std::array<int, 3>{0, 0, 255}));
 }
 
 TEST(Fonts, HoldTheLettersOfTheField) {
-    auto context = OffscreenContext::make(64, 64);
+    auto context = platform::OffscreenContext::make(64, 64);
     ASSERT_TRUE(context);
-    auto interface = Interface::make(ThemeName::dark, 1.0f);
+    auto interface = platform::Interface::make(platform::ThemeName::dark, 1.0f);
     ASSERT_TRUE(interface) << interface.error().text();
     interface->begin_frame(64, 64, 0.02f);
     interface->end_frame();
-    if (!interface->theme().regular->FindGlyphNoFallback(0x3bd)) GTEST_SKIP() << "skipped: neither Inter nor DejaVu is installed";
-    const ImWchar needed[] = {0x2264, 0xb2, 0xb3, 0xb7, 0xb1, 0xb0, 0x2212, 0x39b, 0x3bd, 0x3c1, 0x3b6, 0x394, 0x2080, 0x2032, 0x3b1, 0x221e, 0x2013, 0x221a, 0x2081, 0x1d40, 0x1d65};
+    if (!interface->theme().regular->FindGlyphNoFallback(0x3bd))
+        GTEST_SKIP() << "skipped: neither Inter nor DejaVu is installed";
+    const ImWchar needed[] = {0x2264, 0xb2,   0xb3,   0xb7,  0xb1,   0xb0,   0x2212, 0x39b,  0x3bd,  0x3c1, 0x3b6,
+                              0x394,  0x2080, 0x2032, 0x3b1, 0x221e, 0x2013, 0x221a, 0x2081, 0x1d40, 0x1d65};
     for (const ImWchar c : needed) {
         EXPECT_NE(interface->theme().regular->FindGlyphNoFallback(c), nullptr) << "U+" << std::hex << c;
         EXPECT_NE(interface->theme().strong->FindGlyphNoFallback(c), nullptr) << "U+" << std::hex << c;
@@ -64,14 +66,14 @@ protected:
         queue.apply_to_next_frame(ImGui::GetIO());
         return ImGui::GetIO();
     }
-    InputQueue queue;
+    platform::InputQueue queue;
 };
 
 TEST_F(InputRules, PressNeverComesInTheFrameOfAMove) {
-    queue.push(MouseMoved{5, 5});
-    queue.push(MouseMoved{10, 20});
-    queue.push(MouseButton{0, true, {}});
-    queue.push(MouseButton{0, false, {}});
+    queue.push(platform::MouseMoved{5, 5});
+    queue.push(platform::MouseMoved{10, 20});
+    queue.push(platform::MouseButton{0, true, {}});
+    queue.push(platform::MouseButton{0, false, {}});
     EXPECT_EQ(frame().MousePos.y, 20.0f);
     EXPECT_FALSE(ImGui::GetIO().MouseDown[0]);
     EXPECT_TRUE(frame().MouseDown[0]);
@@ -80,10 +82,10 @@ TEST_F(InputRules, PressNeverComesInTheFrameOfAMove) {
 }
 
 TEST_F(InputRules, MoveAfterAReleaseWaits) {
-    queue.push(MouseButton{0, true, {}});
-    queue.push(MouseMoved{50, 5});
-    queue.push(MouseButton{0, false, {}});
-    queue.push(MouseMoved{90, 5});
+    queue.push(platform::MouseButton{0, true, {}});
+    queue.push(platform::MouseMoved{50, 5});
+    queue.push(platform::MouseButton{0, false, {}});
+    queue.push(platform::MouseMoved{90, 5});
     frame();
     EXPECT_TRUE(frame().MouseDown[0]);
     EXPECT_EQ(ImGui::GetIO().MousePos.x, 50.0f);
@@ -93,9 +95,9 @@ TEST_F(InputRules, MoveAfterAReleaseWaits) {
 }
 
 TEST_F(InputRules, TextNeverComesInTheFrameOfAKey) {
-    queue.push(KeyPressed{ImGuiKey_A, true, {.ctrl = true}});
-    queue.push(TextTyped{'7'});
-    queue.push(TextTyped{'8'});
+    queue.push(platform::KeyPressed{ImGuiKey_A, true, {.ctrl = true}});
+    queue.push(platform::TextTyped{'7'});
+    queue.push(platform::TextTyped{'8'});
     EXPECT_TRUE(frame().KeysDown[ImGuiKey_A]);
     EXPECT_TRUE(ImGui::GetIO().KeyCtrl);
     EXPECT_EQ(ImGui::GetIO().InputQueueCharacters.Size, 0);
@@ -103,7 +105,7 @@ TEST_F(InputRules, TextNeverComesInTheFrameOfAKey) {
 }
 
 TEST(FramePacer, DrawsThreeFramesAfterAnEvent) {
-    FramePacer pacer;
+    platform::FramePacer pacer;
     for (int i = 0; i < 3; ++i) pacer.frame_drawn();
     EXPECT_FALSE(pacer.must_draw(false));
     EXPECT_TRUE(pacer.must_draw(true));
@@ -116,4 +118,4 @@ TEST(FramePacer, DrawsThreeFramesAfterAnEvent) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

@@ -6,7 +6,7 @@
 
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
@@ -16,11 +16,11 @@ protected:
     Driver driver;
 
     void SetUp() override { driver.open_beam(); }
-    const WorkbenchState& state() const { return driver.state(); }
+    const commands::WorkbenchState& state() const { return driver.state(); }
     void set_modulus(double E) {
-        Settings settings = state().settings;
+        commands::Settings settings = state().settings;
         settings.youngs_modulus_Pa = E;
-        driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+        driver.workbench->execute(commands::ChangeSettings{settings, "test", false});
     }
     void wait_for_preview() {
         for (int i = 0; i < 5000 && state().preview.working; ++i) {
@@ -35,22 +35,23 @@ protected:
         const Eigen::Matrix3Xd& rest = state().body->mesh.nodes;
         Eigen::Index tip = 0;
         rest.colwise().sum().maxCoeff(&tip);
-        return std::abs(driver.window->scene().positions(2, tip) - test::beam_point(rest.col(tip), E, state().time_s).z());
+        return std::abs(driver.window->scene().positions(2, tip) -
+                        test::beam_point(rest.col(tip), E, state().time_s).z());
     }
 };
 
 TEST_F(Preview, FollowsEveryEditAndLeavesTheResultsAlone) {
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     ASSERT_TRUE(driver.wait_for_job());
     const auto run = state().run;
     const std::size_t records = state().history.size();
-    driver.workbench->execute(command::SetTime{1.5});
+    driver.workbench->execute(commands::SetTime{1.5});
     driver.click("step/material");
     driver.click("preview/on");
     ASSERT_TRUE(state().preview.on);
     EXPECT_FALSE(state().previewing()) << "the run is of these settings, nothing is to be previewed";
 
-    const Rectangle field = driver.item("model/youngs_modulus");
+    const platform::Rectangle field = driver.item("model/youngs_modulus");
     driver.drag(field.center(), {field.center().x + 60.0f, field.center().y});
     const double E = state().settings.youngs_modulus_Pa;
     ASSERT_GT(E, 2.7e5);
@@ -59,9 +60,12 @@ TEST_F(Preview, FollowsEveryEditAndLeavesTheResultsAlone) {
     EXPECT_NEAR(state().time_s, 0.5, 1e-9) << "later nothing of it would be seen";
     EXPECT_LT(height_off(E), 1e-9);
     EXPECT_GT(height_off(2.6e5), 1e-4);
-    EXPECT_NE(preview_text(state()).find("Preview 0\xe2\x80\x93" "0.5 s, rms error "), std::string::npos) << preview_text(state());
+    EXPECT_NE(commands::preview_text(state()).find("Preview 0\xe2\x80\x93"
+                                                   "0.5 s, rms error "),
+              std::string::npos)
+        << commands::preview_text(state());
     // Markers are compared as far as it goes.
-    const SimulatedTrial& trial = *state().simulated_trial();
+    const commands::SimulatedTrial& trial = *state().simulated_trial();
     EXPECT_NEAR(trial.frame_time_s.tail(1)(0), 0.5, 1e-9);
     EXPECT_TRUE(trial.markers[0].col(70).allFinite());
     EXPECT_FALSE(trial.markers[0].col(71).allFinite());
@@ -69,38 +73,38 @@ TEST_F(Preview, FollowsEveryEditAndLeavesTheResultsAlone) {
     // No result of it: the whole run is what a report, the history and the steps know.
     EXPECT_EQ(state().run, run);
     EXPECT_EQ(state().history.size(), records);
-    EXPECT_EQ(step_status(state(), Step::run).state, StepState::stale);
+    EXPECT_EQ(commands::step_status(state(), commands::Step::run).state, commands::StepState::stale);
     EXPECT_TRUE(driver.has("timeline/preview"));
 
     driver.click("preview/on");
     EXPECT_EQ(state().shown_run(), run);
     EXPECT_FALSE(driver.has("timeline/preview"));
-    driver.workbench->execute(command::SetTime{0.3});
+    driver.workbench->execute(commands::SetTime{0.3});
     driver.settle();
     EXPECT_LT(height_off(2.6e5), 1e-6);
 }
 
 TEST_F(Preview, IsGivenUpForANewerEdit) {
-    driver.workbench->execute(command::ChangePreview{true, 2.0});
+    driver.workbench->execute(commands::ChangePreview{true, 2.0});
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
-    driver.backend->step_delay_s = 0.02;   // two seconds a preview
+    driver.backend->step_delay_s = 0.02;  // two seconds a preview
     set_modulus(3.0e5);
     driver.frame();
     ASSERT_TRUE(state().preview.working);
     driver.backend->step_delay_s = 0.0;
     set_modulus(4.0e5);
-    driver.workbench->execute(command::SetTime{0.1});
+    driver.workbench->execute(commands::SetTime{0.1});
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
     EXPECT_LT(height_off(4.0e5), 1e-6);
     EXPECT_TRUE(state().history.empty());
     // Back to settings whose whole run is known: that is shown.
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_FALSE(state().previewing()) << "a whole run has come";
     set_modulus(5.0e5);
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
     ASSERT_TRUE(state().previewing());
-    driver.workbench->execute(command::Undo{});
+    driver.workbench->execute(commands::Undo{});
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
     EXPECT_EQ(state().shown_run(), state().run);
 }
@@ -111,7 +115,7 @@ TEST_F(Preview, WaitsForJobsAndGoesWithTheTrial) {
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
     const auto first = state().preview.run;
     ASSERT_TRUE(first);
-    driver.workbench->execute(command::ChooseTrial{1});
+    driver.workbench->execute(commands::ChooseTrial{1});
     EXPECT_FALSE(state().previewing());
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
     ASSERT_TRUE(state().simulated_trial());
@@ -119,15 +123,15 @@ TEST_F(Preview, WaitsForJobsAndGoesWithTheTrial) {
     EXPECT_TRUE(first->trials[1].frames.empty());
 
     driver.backend->hold_diagnosis = true;
-    driver.workbench->execute(command::Diagnose{});
+    driver.workbench->execute(commands::Diagnose{});
     set_modulus(3.0e5);
     for (int i = 0; i < 20; ++i) driver.frame();
     EXPECT_TRUE(state().preview.working);
-    EXPECT_NE(preview_text(state()).find("running"), std::string::npos);
+    EXPECT_NE(commands::preview_text(state()).find("running"), std::string::npos);
     driver.backend->hold_diagnosis = false;
     ASSERT_TRUE(driver.wait_for_job());
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
-    driver.workbench->execute(command::SetTime{0.2});
+    driver.workbench->execute(commands::SetTime{0.2});
     driver.settle();
     EXPECT_LT(height_off(3.0e5), 1e-6);
 }
@@ -136,17 +140,17 @@ TEST_F(Preview, WaitsForJobsAndGoesWithTheTrial) {
 TEST_F(Preview, CountsAsWorkUntilItIsShown) {
     EXPECT_FALSE(state().works());
     driver.backend->step_delay_s = 0.001;
-    driver.workbench->execute(command::ChangePreview{true, 0.5});
+    driver.workbench->execute(commands::ChangePreview{true, 0.5});
     EXPECT_TRUE(state().works());
     while (state().works()) driver.frame();
     EXPECT_TRUE(state().previewing());
 }
 
 TEST_F(Preview, PlaysAgainAndAgainAsFarAsItGoes) {
-    driver.workbench->execute(command::ChangePreview{true, 0.4});
+    driver.workbench->execute(commands::ChangePreview{true, 0.4});
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
-    driver.workbench->execute(command::SetTime{0.0});
-    driver.workbench->execute(command::Play{});
+    driver.workbench->execute(commands::SetTime{0.0});
+    driver.workbench->execute(commands::Play{});
     for (int i = 0; i < 40; ++i) {
         driver.frame(0.05);
         EXPECT_LE(state().time_s, 0.4);
@@ -155,4 +159,4 @@ TEST_F(Preview, PlaysAgainAndAgainAsFarAsItGoes) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

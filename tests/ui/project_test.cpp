@@ -7,15 +7,15 @@
 #include "panels/start_page.hpp"
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
 
 void edit(Driver& driver) {
-    Settings settings = driver.state().settings;
+    commands::Settings settings = driver.state().settings;
     settings.density_kg_m3 += 30.0;
-    driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+    driver.workbench->execute(commands::ChangeSettings{settings, "test", false});
     driver.settle();
 }
 
@@ -24,18 +24,18 @@ TEST(Project, IsSavedUnderANameAndOpenedAgain) {
     driver.open_beam();
     EXPECT_FALSE(driver.state().unsaved());
     edit(driver);
-    driver.workbench->execute(command::ChooseTrial{1});
+    driver.workbench->execute(commands::ChooseTrial{1});
     EXPECT_TRUE(driver.state().unsaved());
-    driver.key(key_s, {.ctrl = true});
+    driver.key(ui::platform::key_s, {.ctrl = true});
     ASSERT_TRUE(driver.has("browser/name")) << "a project that has no file yet asks for one";
     driver.click("browser/open");
     ASSERT_EQ(driver.backend->projects.size(), 1u);
     const auto file = driver.state().project;
-    EXPECT_EQ(file.extension(), project_ending);
+    EXPECT_EQ(file.extension(), commands::project_ending);
     EXPECT_FALSE(driver.state().unsaved());
-    const Settings saved = driver.state().settings;
+    const commands::Settings saved = driver.state().settings;
     edit(driver);
-    driver.key(key_s, {.ctrl = true});
+    driver.key(ui::platform::key_s, {.ctrl = true});
     EXPECT_FALSE(driver.has("browser/name"));
     EXPECT_FALSE(driver.state().unsaved());
     EXPECT_EQ(driver.backend->projects.at(file).settings.density_kg_m3, saved.density_kg_m3 + 30.0);
@@ -56,7 +56,7 @@ TEST(Project, WarnsOfWhatIsMissingWhenItIsOpened) {
     Driver driver;
     driver.open_beam();
     edit(driver);
-    driver.workbench->execute(command::SaveAs{"/arm.myoloop"});
+    driver.workbench->execute(commands::SaveAs{"/arm.myoloop"});
     Driver again;
     again.backend->projects = driver.backend->projects;
     again.backend->projects.begin()->second.warnings = {"The paint of muscle \"upper\" is lost."};
@@ -64,7 +64,7 @@ TEST(Project, WarnsOfWhatIsMissingWhenItIsOpened) {
     ASSERT_TRUE(again.wait_for_job());
     const auto& log = again.state().log;
     EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const auto& entry) {
-        return entry.level == LogLevel::warning && entry.text == "The paint of muscle \"upper\" is lost.";
+        return entry.level == commands::LogLevel::warning && entry.text == "The paint of muscle \"upper\" is lost.";
     }));
     EXPECT_TRUE(again.state().scene);
 }
@@ -80,14 +80,14 @@ TEST(Project, AsksBeforeUnsavedChangesAreLost) {
     driver.click("unsaved/cancel");
     EXPECT_EQ(driver.state().scene, scene);
     EXPECT_TRUE(driver.state().unsaved());
-    driver.key(key_q, {.ctrl = true});
+    driver.key(ui::platform::key_q, {.ctrl = true});
     ASSERT_TRUE(driver.has("unsaved/save"));
     driver.click("unsaved/save");
     ASSERT_TRUE(driver.has("browser/open"));
     EXPECT_FALSE(driver.state().quit);
     driver.click("browser/cancel");
     EXPECT_FALSE(driver.state().quit) << "who gives up saving has not left";
-    driver.key(key_q, {.ctrl = true});
+    driver.key(ui::platform::key_q, {.ctrl = true});
     driver.click("unsaved/save");
     driver.click("browser/open");
     EXPECT_TRUE(driver.state().quit);
@@ -106,8 +106,8 @@ TEST(Project, SaysWhyItCannotBeSaved) {
     Driver driver;
     driver.open_beam();
     edit(driver);
-    driver.workbench->execute(command::SaveAs{"/forbidden/x.myoloop"});
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    driver.workbench->execute(commands::SaveAs{"/forbidden/x.myoloop"});
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::failure);
     EXPECT_TRUE(driver.state().unsaved());
 }
 
@@ -123,7 +123,7 @@ TEST(Project, UnsavedWorkIsKeptAndRecovered) {
 
     Driver next;
     next.backend->projects = driver.backend->projects;
-    next.workbench->execute(command::OfferRecovery{{"/recovery.myoloop"}});
+    next.workbench->execute(commands::OfferRecovery{{"/recovery.myoloop"}});
     next.settle();
     next.click("recovery/recover");
     ASSERT_TRUE(next.wait_for_job());
@@ -150,12 +150,14 @@ TEST(Project, AutosaveDoesNotStopTheDrawing) {
         driver.workbench->autosave("/forbidden/recovery.myoloop");
         driver.workbench->finish_autosave();
     }
-    EXPECT_EQ(std::count_if(driver.state().log.begin(), driver.state().log.end(), [](const LogLine& line) { return line.level == LogLevel::failure; }), 1);
+    EXPECT_EQ(std::count_if(driver.state().log.begin(), driver.state().log.end(),
+                            [](const commands::LogLine& line) { return line.level == commands::LogLevel::failure; }),
+              1);
 }
 
 TEST(Recovery, IsAskedForBeforeTheFileOfTheCommandLineIsOpened) {
     Driver driver;
-    driver.workbench->execute(command::OfferRecovery{{"/older.myoloop", "/newer.myoloop"}});
+    driver.workbench->execute(commands::OfferRecovery{{"/older.myoloop", "/newer.myoloop"}});
     driver.window->open("/beam");
     driver.settle();
     EXPECT_FALSE(driver.state().busy());
@@ -179,7 +181,7 @@ TEST(Recovery, TakesTheWorkUpInsteadOfTheFileOfTheCommandLine) {
 
     Driver driver;
     driver.backend->projects = before.backend->projects;
-    driver.workbench->execute(command::OfferRecovery{{"/recovery.myoloop"}});
+    driver.workbench->execute(commands::OfferRecovery{{"/recovery.myoloop"}});
     driver.window->open("/body.stl");
     driver.settle();
     EXPECT_FALSE(driver.state().unit_question);
@@ -194,13 +196,13 @@ TEST(Recovery, TakesTheWorkUpInsteadOfTheFileOfTheCommandLine) {
 TEST(Project, KeepsColoursRangesAndTheCut) {
     Driver driver;
     driver.open_beam();
-    ViewOptions view = driver.state().view;
+    commands::ViewOptions view = driver.state().view;
     view.color_map = "magma";
     view.field_ranges["height"] = {-0.01, 0.01};
     view.clip = {true, Eigen::Vector3d::UnitY(), 0.015, false};
-    driver.workbench->execute(command::ChangeView{view});
-    driver.workbench->execute(command::SaveAs{"/view.myoloop"});
-    driver.workbench->execute(command::ChangeView{ViewOptions{}});
+    driver.workbench->execute(commands::ChangeView{view});
+    driver.workbench->execute(commands::SaveAs{"/view.myoloop"});
+    driver.workbench->execute(commands::ChangeView{commands::ViewOptions{}});
     driver.window->open("/view.myoloop");
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_EQ(driver.state().view, view);
@@ -213,7 +215,7 @@ TEST(StartPage, OpensExamplesAndWhatWasOpenLately) {
     ASSERT_TRUE(driver.state().scene);
     ASSERT_EQ(driver.state().preferences.recent.size(), 1u);
     Driver next;
-    next.workbench->execute(command::UsePreferences{driver.state().preferences});
+    next.workbench->execute(commands::UsePreferences{driver.state().preferences});
     next.settle();
     next.click("start/recent/0");
     ASSERT_TRUE(next.wait_for_job());
@@ -240,34 +242,34 @@ TEST(Menu, PerformsWhatItsEntriesSayAndKeysDoTheSame) {
     EXPECT_TRUE(driver.state().run);
     driver.click("menu/view");
     driver.click("menu/view.theme");
-    EXPECT_EQ(driver.state().preferences.theme, ThemeName::light);
-    driver.key(key_plus, {.ctrl = true, .shift = true});
+    EXPECT_EQ(driver.state().preferences.theme, platform::ThemeName::light);
+    driver.key(ui::platform::key_plus, {.ctrl = true, .shift = true});
     EXPECT_FLOAT_EQ(driver.state().scale(), 1.25f);
-    driver.key(key_minus, {.ctrl = true});
+    driver.key(ui::platform::key_minus, {.ctrl = true});
     EXPECT_FLOAT_EQ(driver.state().scale(), 1.0f);
-    driver.key(key_4);
+    driver.key(ui::platform::key_4);
     EXPECT_TRUE(driver.window->viewport().camera.orthographic);
 }
 
 TEST(Palette, FindsACommandByWordsInAnyOrder) {
-    EXPECT_EQ(matching_actions("save PROJECT as", all_actions()).front()->id, "file.save_as");
-    EXPECT_EQ(matching_actions("run cal", all_actions()).front()->id, "run.calibrate");
-    EXPECT_TRUE(matching_actions("no such thing", all_actions()).empty());
-    EXPECT_EQ(matching_actions("", all_actions()).size(), all_actions().size());
+    EXPECT_EQ(panels::matching_actions("save PROJECT as", panels::all_actions()).front()->id, "file.save_as");
+    EXPECT_EQ(panels::matching_actions("run cal", panels::all_actions()).front()->id, "run.calibrate");
+    EXPECT_TRUE(panels::matching_actions("no such thing", panels::all_actions()).empty());
+    EXPECT_EQ(panels::matching_actions("", panels::all_actions()).size(), panels::all_actions().size());
     Driver driver;
     driver.open_beam();
-    driver.key(key_k, {.ctrl = true});
+    driver.key(ui::platform::key_k, {.ctrl = true});
     ASSERT_TRUE(driver.has("palette/text"));
     driver.type("step diagnose");
     driver.key(ImGuiKey_Enter);
-    EXPECT_EQ(driver.window->step(), Step::diagnose);
+    EXPECT_EQ(driver.window->step(), commands::Step::diagnose);
     EXPECT_FALSE(driver.has("palette/text"));
 }
 
 TEST(Palette, FindsExamplesTrialsPanelsQuantitiesAndLateFiles) {
     Driver driver;
     const auto ask = [&](const std::string& words) {
-        driver.key(key_k, {.ctrl = true});
+        driver.key(ui::platform::key_k, {.ctrl = true});
         driver.type(words);
         driver.key(ImGuiKey_Enter);
         driver.settle();
@@ -282,7 +284,7 @@ TEST(Palette, FindsExamplesTrialsPanelsQuantitiesAndLateFiles) {
     ask("colour height");
     EXPECT_TRUE(driver.state().view.field.empty()) << "without a run there is no height";
     driver.key(ImGuiKey_Escape);
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     ASSERT_TRUE(driver.wait_for_job());
     ask("colour height");
     EXPECT_EQ(driver.state().view.field, "height");
@@ -296,32 +298,33 @@ TEST(Palette, FindsExamplesTrialsPanelsQuantitiesAndLateFiles) {
 TEST(StartPage, NoRowHasACardAlone) {
     for (int cards = 1; cards <= 12; ++cards)
         for (int most = 1; most <= 4; ++most) {
-            const int columns = card_columns(cards, most);
+            const int columns = panels::card_columns(cards, most);
             EXPECT_GE(columns, 1);
             EXPECT_LE(columns, std::max(1, most));
             EXPECT_TRUE(columns == 1 || cards % columns != 1) << cards << " cards, at most " << most;
         }
-    EXPECT_EQ(card_columns(4, 3), 2);
-    EXPECT_EQ(card_columns(5, 4), 3);
+    EXPECT_EQ(panels::card_columns(4, 3), 2);
+    EXPECT_EQ(panels::card_columns(5, 4), 3);
     Driver driver;
-    const Rectangle example = driver.item("start/example/beam"), open = driver.item("start/open");
+    const platform::Rectangle example = driver.item("start/example/beam"), open = driver.item("start/open");
     EXPECT_GT(open.lowest.y, example.highest.y);
     EXPECT_FLOAT_EQ(open.width(), example.width()) << "both fill their row";
 }
 
 TEST(Palette, ActionsHaveNamesAndKeysOfTheirOwn) {
-    const auto& actions = all_actions();
+    const auto& actions = panels::all_actions();
     for (std::size_t i = 0; i < actions.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             EXPECT_NE(actions[i].id, actions[j].id);
-            const Shortcut &a = actions[i].shortcut, &b = actions[j].shortcut;
-            EXPECT_FALSE(a.key >= 0 && a.key == b.key && a.ctrl == b.ctrl && a.shift == b.shift) << actions[i].id << " and " << actions[j].id;
+            const panels::Shortcut &a = actions[i].shortcut, &b = actions[j].shortcut;
+            EXPECT_FALSE(a.key >= 0 && a.key == b.key && a.ctrl == b.ctrl && a.shift == b.shift)
+                << actions[i].id << " and " << actions[j].id;
         }
 }
 
 TEST(About, NamesTheLibrariesInAWindowThatFits) {
     Driver driver(1400, 900);
-    driver.workbench->execute(command::SetTheme{ThemeName::dark, 2.0f});
+    driver.workbench->execute(commands::SetTheme{platform::ThemeName::dark, 2.0f});
     driver.settle();
     driver.click("menu/help");
     driver.click("menu/help.about");
@@ -333,4 +336,4 @@ TEST(About, NamesTheLibrariesInAWindowThatFits) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

@@ -14,8 +14,9 @@ namespace {
 
 const Box body_box{{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}};
 
-SceneTrial measured_trial(const std::string& name, const std::string& role, const std::vector<SceneMarker>& markers, unsigned seed) {
-    SceneTrial trial{name, role, Eigen::VectorXd::LinSpaced(221, -0.2, 2.0), {}};
+ui::commands::SceneTrial measured_trial(const std::string& name, const std::string& role,
+                                        const std::vector<ui::commands::SceneMarker>& markers, unsigned seed) {
+    ui::commands::SceneTrial trial{name, role, Eigen::VectorXd::LinSpaced(221, -0.2, 2.0), {}};
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0.0, 1e-4);
     for (std::size_t m = 0; m < markers.size(); ++m) {
@@ -32,17 +33,42 @@ SceneTrial measured_trial(const std::string& name, const std::string& role, cons
 }
 
 /// Three checks, the worst first, of which the one of the start is in a stated state.
-CheckRows beam_checks(CheckState start) {
+ui::commands::CheckRows beam_checks(ui::commands::CheckState start) {
     const std::string trial = "gravity_release";
-    const CheckRow mesh{"mesh", "Is the mesh fine enough to bend and to twist?", CheckState::green,
-                        "", "4", "2", "bench locking", "4 cells across the beam", "", "mesh", false};
-    const CheckRow step{"step", "Is the time step short enough?", CheckState::green,
-                        trial, "0.02 %", "0.15 %", "twice the error of the frequency",
-                        "steps of 10 ms make the vibration of 7.75 Hz 0.02 % too slow", "", "run", false};
-    CheckRow begin{"start", "Does the model begin where the recording begins?", start,
-                   trial, "5.24 mm", "0.866 mm", "5 noise levels",
-                   "at the first sample the markers are 5.24 mm rms from where the model begins", "", "measure", false};
-    if (start == CheckState::green) return {mesh, step, begin};
+    const ui::commands::CheckRow mesh{"mesh",
+                                      "Is the mesh fine enough to bend and to twist?",
+                                      ui::commands::CheckState::green,
+                                      "",
+                                      "4",
+                                      "2",
+                                      "bench locking",
+                                      "4 cells across the beam",
+                                      "",
+                                      "mesh",
+                                      false};
+    const ui::commands::CheckRow step{"step",
+                                      "Is the time step short enough?",
+                                      ui::commands::CheckState::green,
+                                      trial,
+                                      "0.02 %",
+                                      "0.15 %",
+                                      "twice the error of the frequency",
+                                      "steps of 10 ms make the vibration of 7.75 Hz 0.02 % too slow",
+                                      "",
+                                      "run",
+                                      false};
+    ui::commands::CheckRow begin{"start",
+                                 "Does the model begin where the recording begins?",
+                                 start,
+                                 trial,
+                                 "5.24 mm",
+                                 "0.866 mm",
+                                 "5 noise levels",
+                                 "at the first sample the markers are 5.24 mm rms from where the model begins",
+                                 "",
+                                 "measure",
+                                 false};
+    if (start == ui::commands::CheckState::green) return {mesh, step, begin};
     begin.way_out = "state start = \"equilibrium\"";
     return {begin, mesh, step};
 }
@@ -71,41 +97,54 @@ Eigen::Vector3d beam_point(const Eigen::Vector3d& rest, double E, double t) {
     return rest + Eigen::Vector3d(-slope * (rest.z() - 0.015) - 0.3 * tip * tip * s / 0.1, 0.0, tip * shape);
 }
 
-std::vector<Choice> SwingingBeam::materials() const {
-    return {{"neo_hookean", "neo-Hookean", "Nearly incompressible: \xcf\x88 = \xce\xbc/2 (J^(\xe2\x88\x92" "2/3) tr F\xe1\xb5\x80" "F \xe2\x88\x92 3) + U(J)", {}},
-            {"corotational", "Corotational", "\xcf\x88 = \xce\xbc |F \xe2\x88\x92 R|\xc2\xb2 + \xce\xbb/2 tr(R\xe1\xb5\x80" "F \xe2\x88\x92 I)\xc2\xb2", {}}};
+std::vector<ui::commands::Choice> SwingingBeam::materials() const {
+    return {{"neo_hookean",
+             "neo-Hookean",
+             "Nearly incompressible: \xcf\x88 = \xce\xbc/2 (J^(\xe2\x88\x92"
+             "2/3) tr F\xe1\xb5\x80"
+             "F \xe2\x88\x92 3) + U(J)",
+             {}},
+            {"corotational",
+             "Corotational",
+             "\xcf\x88 = \xce\xbc |F \xe2\x88\x92 R|\xc2\xb2 + \xce\xbb/2 tr(R\xe1\xb5\x80"
+             "F \xe2\x88\x92 I)\xc2\xb2",
+             {}}};
 }
 
-std::vector<Choice> SwingingBeam::integrators() const {
+std::vector<ui::commands::Choice> SwingingBeam::integrators() const {
     // Of second order: (omega h)^2 / 24.
-    const auto quality = [](double omega, const Settings& s) {
+    const auto quality = [](double omega, const ui::commands::Settings& s) {
         const double error = std::pow(omega * s.time_step_s, 2) / 24.0;
-        if (error > 1e-2) return StepQuality{error, CheckState::red};
-        return StepQuality{error, error > 1.5e-3 ? CheckState::amber : CheckState::green};
+        if (error > 1e-2) return ui::commands::StepQuality{error, ui::commands::CheckState::red};
+        return ui::commands::StepQuality{
+            error, error > 1.5e-3 ? ui::commands::CheckState::amber : ui::commands::CheckState::green};
     };
-    return {{"tr_bdf2", "TR-BDF2", "Second order, hardly any numerical damping.", {}, {}, false, quality},
-            {"implicit_euler", "Implicit Euler", "First order; damps vibrations.",
-             [](double omega, const Settings& s) { return 0.5 * omega * s.time_step_s; },       // to first order
-             [](double omega, const Settings& s) { return omega * omega * s.time_step_s; }},
-            {"generalized_alpha", "Generalised-\xce\xb1", "Second order, damping by choice.", {}, {}, true}};
+    return {
+        {"tr_bdf2", "TR-BDF2", "Second order, hardly any numerical damping.", {}, {}, false, quality},
+        {"implicit_euler", "Implicit Euler", "First order; damps vibrations.",
+         [](double omega, const ui::commands::Settings& s) { return 0.5 * omega * s.time_step_s; },  // to first order
+         [](double omega, const ui::commands::Settings& s) { return omega * omega * s.time_step_s; }},
+        {"generalized_alpha", "Generalised-\xce\xb1", "Second order, damping by choice.", {}, {}, true}};
 }
 
-Result<Signal> SwingingBeam::read_signal(const std::filesystem::path& path, const std::string&) const {
+Result<fibre::Signal> SwingingBeam::read_signal(const std::filesystem::path& path, const std::string&) const {
     const auto known = signals.find(path);
     if (known == signals.end()) return Error{"no such file", path.string()};
     return known->second;
 }
 
-Result<void> SwingingBeam::write_signal(const std::filesystem::path& path, const std::string&, const Signal& signal) const {
+Result<void> SwingingBeam::write_signal(const std::filesystem::path& path, const std::string&,
+                                        const fibre::Signal& signal) const {
     signals[path] = signal;
     return {};
 }
 
-Result<Scene> SwingingBeam::open(const std::filesystem::path& path, std::optional<double> metres_per_unit, const Progress&) {
-    Scene scene;
+Result<ui::commands::Scene> SwingingBeam::open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
+                                               const Progress&) {
+    ui::commands::Scene scene;
     scene.path = path;
     scene.name = path.filename().string();
-    scene.surface = box_surface(body_box);
+    scene.surface = mesh::box_surface(body_box);
     scene.settings.material = "neo_hookean";
     scene.settings.integrator = "tr_bdf2";
     if (path.filename() == "missing") return Error{"no such folder", path.string()};
@@ -116,9 +155,14 @@ Result<Scene> SwingingBeam::open(const std::filesystem::path& path, std::optiona
     scene.name = "Swinging beam, batch 3";
     scene.description = "Silicone beam in the jaw, released from straight.";
     scene.clamp_m = Box{{-5e-4, -1e-3, -1e-3}, {5e-4, 0.031, 0.031}};
-    scene.markers = {{"tip_left", {0.1, 0.0, 0.024}}, {"tip_right", {0.1, 0.03, 0.006}}, {"tip_top", {0.1, 0.015, 0.03}}, {"middle", {0.05, 0.0, 0.015}}};
-    scene.trials = {measured_trial("gravity_release", "fit", scene.markers, 1), measured_trial("pull_release", "validate", scene.markers, 2)};
-    for (const ImportChoices& choices : added) scene.trials.push_back(measured_trial(choices.trial, choices.fit ? "fit" : "validate", scene.markers, 3));
+    scene.markers = {{"tip_left", {0.1, 0.0, 0.024}},
+                     {"tip_right", {0.1, 0.03, 0.006}},
+                     {"tip_top", {0.1, 0.015, 0.03}},
+                     {"middle", {0.05, 0.0, 0.015}}};
+    scene.trials = {measured_trial("gravity_release", "fit", scene.markers, 1),
+                    measured_trial("pull_release", "validate", scene.markers, 2)};
+    for (const ui::commands::ImportChoices& choices : added)
+        scene.trials.push_back(measured_trial(choices.trial, choices.fit ? "fit" : "validate", scene.markers, 3));
     scene.frequency_Hz = 7.75;
     scene.damping_ratio = 0.06;
     scene.calibrated = {"Young's modulus E", "Damping \xcf\x84"};
@@ -127,34 +171,47 @@ Result<Scene> SwingingBeam::open(const std::filesystem::path& path, std::optiona
     return scene;
 }
 
-Result<RecordingFile> SwingingBeam::read_recording(const std::filesystem::path& path, const ReadingOptions& options) const {
+Result<ui::commands::RecordingFile> SwingingBeam::read_recording(const std::filesystem::path& path,
+                                                                 const ui::commands::ReadingOptions& options) const {
     if (path.filename() == "missing") return Error{"no such file", path.string()};
-    const Result<Scene> scene = const_cast<SwingingBeam*>(this)->open("beam", std::nullopt, {});
-    auto recording = std::make_shared<Recording>();
+    const Result<ui::commands::Scene> scene = const_cast<SwingingBeam*>(this)->open("beam", std::nullopt, {});
+    auto recording = std::make_shared<measurement::Recording>();
     recording->time_s = Eigen::VectorXd::LinSpaced(151, 0.0, 1.5);
     recording->rate_Hz = 100.0;
     for (std::size_t m = 0; m < scene->markers.size(); ++m) {
         recording->labels.push_back("label " + std::to_string(m));
         Eigen::Matrix3Xd track(3, 151);
-        for (int i = 0; i < 151; ++i) track.col(i) = beam_point(scene->markers[m].rest_m, measured_modulus, recording->time_s[i] - 0.3) + Eigen::Vector3d(0.5, 0.0, 0.0);
+        for (int i = 0; i < 151; ++i)
+            track.col(i) = beam_point(scene->markers[m].rest_m, measured_modulus, recording->time_s[i] - 0.3) +
+                           Eigen::Vector3d(0.5, 0.0, 0.0);
         if (m == 1) track.middleCols(40, 30).setConstant(std::numeric_limits<double>::quiet_NaN());
         recording->tracks.push_back(track);
     }
-    RecordingFile file{path, "C3D", path.extension() == ".txt", path.extension() == ".txt", options, recording, {1.0, 0.8, 1.0, 1.0}, 0.3, "It moves from 0.3 s on."};
+    ui::commands::RecordingFile file{path,
+                                     "C3D",
+                                     path.extension() == ".txt",
+                                     path.extension() == ".txt",
+                                     options,
+                                     recording,
+                                     {1.0, 0.8, 1.0, 1.0},
+                                     0.3,
+                                     "It moves from 0.3 s on."};
     return file;
 }
 
-ImportView SwingingBeam::view_import(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) const {
+ui::commands::ImportView SwingingBeam::view_import(const ui::commands::Scene& scene,
+                                                   const ui::commands::RecordingFile& file,
+                                                   const ui::commands::ImportChoices& choices) const {
     const auto count = static_cast<Eigen::Index>(file.recording->labels.size());
-    ImportView view;
+    ui::commands::ImportView view;
     view.translation_m = Eigen::Vector3d(-0.5, 0.0, 0.0);
     view.before_m = view.target_m = Eigen::Matrix3Xd::Constant(3, count, std::numeric_limits<double>::quiet_NaN());
     int named = 0;
     for (Eigen::Index i = 0; i < count; ++i) {
-        const ImportedMarker& marker = choices.markers[static_cast<std::size_t>(i)];
+        const ui::commands::ImportedMarker& marker = choices.markers[static_cast<std::size_t>(i)];
         view.before_m.col(i) = file.recording->tracks[static_cast<std::size_t>(i)].col(0) + view.translation_m;
         if (marker.rest_m) view.target_m.col(i) = *marker.rest_m;
-        for (const SceneMarker& own : scene.markers)
+        for (const ui::commands::SceneMarker& own : scene.markers)
             if (!marker.rest_m && own.name == marker.name) view.target_m.col(i) = own.rest_m;
         named += marker.name.empty() ? 0 : 1;
     }
@@ -164,54 +221,69 @@ ImportView SwingingBeam::view_import(const Scene& scene, const RecordingFile& fi
     return view;
 }
 
-Result<ImportChoices> SwingingBeam::propose_markers(const Scene& scene, const MeshedBody&, const RecordingFile&, const ImportChoices& choices) const {
-    ImportChoices proposed = choices;
+Result<ui::commands::ImportChoices> SwingingBeam::propose_markers(const ui::commands::Scene& scene,
+                                                                  const ui::commands::MeshedBody&,
+                                                                  const ui::commands::RecordingFile&,
+                                                                  const ui::commands::ImportChoices& choices) const {
+    ui::commands::ImportChoices proposed = choices;
     for (std::size_t m = 0; m < scene.markers.size(); ++m) proposed.markers[m].name = scene.markers[m].name;
     return proposed;
 }
 
-Result<std::filesystem::path> SwingingBeam::add_recording(const Scene& scene, const Settings&, const RecordingFile&, const ImportChoices& choices) const {
+Result<std::filesystem::path> SwingingBeam::add_recording(const ui::commands::Scene& scene,
+                                                          const ui::commands::Settings&,
+                                                          const ui::commands::RecordingFile&,
+                                                          const ui::commands::ImportChoices& choices) const {
     if (choices.trial == "taken") return Error{"the experiment has a trial of this name already", "\"taken\""};
     added.push_back(choices);
     return scene.path;
 }
 
-MeshPrediction SwingingBeam::predict(const Scene&, const Settings& settings) const {
-    const Eigen::Vector3i n = box_cells(body_box, settings.resolution_m);
+ui::commands::MeshPrediction SwingingBeam::predict(const ui::commands::Scene&,
+                                                   const ui::commands::Settings& settings) const {
+    const Eigen::Vector3i n = mesh::box_cells(body_box, settings.resolution_m);
     const double cells = n.prod();
     const double nodes = (n.array() + 1).prod();
-    if (settings.element == CellType::hex8) return {cells, 3.0 * nodes, true};
+    if (settings.element == mesh::CellType::hex8) return {cells, 3.0 * nodes, true};
     const double part = fewer_foretold ? 0.5 : 1.0;
-    return {part * 6.0 * cells, part * 3.0 * (settings.element == CellType::tet4 ? nodes : 7.0 * nodes), false};
+    return {part * 6.0 * cells, part * 3.0 * (settings.element == mesh::CellType::tet4 ? nodes : 7.0 * nodes), false};
 }
 
-Result<MeshedBody> SwingingBeam::mesh(const Scene&, const Settings& settings, const Progress&) {
-    MeshedBody body;
-    const Eigen::Vector3i n = box_cells(body_box, settings.resolution_m);
-    body.mesh = settings.element == CellType::hex8 ? box_hex_mesh(body_box, n) : tet_box_mesh(body_box, n, settings.element);
-    body.boundary = boundary_faces(body.mesh);
+Result<ui::commands::MeshedBody> SwingingBeam::mesh(const ui::commands::Scene&, const ui::commands::Settings& settings,
+                                                    const Progress&) {
+    ui::commands::MeshedBody body;
+    const Eigen::Vector3i n = mesh::box_cells(body_box, settings.resolution_m);
+    body.mesh = settings.element == mesh::CellType::hex8 ? mesh::box_hex_mesh(body_box, n)
+                                                         : mesh::tet_box_mesh(body_box, n, settings.element);
+    body.boundary = mesh::boundary_faces(body.mesh);
     body.dofs = 3.0 * static_cast<double>(body.mesh.node_count());
     body.report = {{"Volume error", "0.00 %", false}, {"Worst shape", "0.98", false}};
     return body;
 }
 
-const std::vector<FieldKind>& SwingingBeam::fields() const {
-    static const std::vector<FieldKind> kinds{{"height", "Height", "mm", 1e-3, true, "Above the rest position."}, {"place", "Place", "m", 1.0, false, "x at rest."}};
+const std::vector<ui::commands::FieldKind>& SwingingBeam::fields() const {
+    static const std::vector<ui::commands::FieldKind> kinds{
+        {"height", "Height", "mm", 1e-3, true, "Above the rest position."},
+        {"place", "Place", "m", 1.0, false, "x at rest."}};
     return kinds;
 }
 
-Eigen::VectorXd SwingingBeam::field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const {
+Eigen::VectorXd SwingingBeam::field(const std::string& id, const ui::commands::MeshedBody& body,
+                                    const ui::commands::RunResult& run, std::size_t trial, std::size_t frame) const {
     std::this_thread::sleep_for(std::chrono::duration<double>(field_delay_s.load()));
     if (id == "place") return body.mesh.nodes.row(0).transpose();
     return (run.trials[trial].frames[frame] - body.mesh.nodes).row(2).transpose();
 }
 
-Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only,
-                                         const Progress& progress) {
-    RunResult result;
+Result<ui::commands::RunResult> SwingingBeam::simulate(const ui::commands::Scene& scene,
+                                                       const ui::commands::MeshedBody& body,
+                                                       const ui::commands::Settings& settings,
+                                                       const std::optional<ui::commands::RunExtent>& only,
+                                                       const Progress& progress) {
+    ui::commands::RunResult result;
     const auto& rest = body.mesh.nodes;
-    for (const SceneTrial& measured : scene.trials) {
-        SimulatedTrial trial;
+    for (const ui::commands::SceneTrial& measured : scene.trials) {
+        ui::commands::SimulatedTrial trial;
         trial.name = measured.name;
         if (only && &measured != &scene.trials[only->trial]) {
             trial.rms_m = std::numeric_limits<double>::quiet_NaN();
@@ -225,14 +297,16 @@ Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& b
             std::this_thread::sleep_for(std::chrono::duration<double>(step_delay_s.load()));
             progress.report({"simulate", static_cast<double>(f), 101.0, "steps", "Trial " + measured.name});
             Eigen::Matrix3Xd x(3, rest.cols());
-            for (Eigen::Index i = 0; i < rest.cols(); ++i) x.col(i) = beam_point(rest.col(i), settings.youngs_modulus_Pa, trial.frame_time_s[f]);
+            for (Eigen::Index i = 0; i < rest.cols(); ++i)
+                x.col(i) = beam_point(rest.col(i), settings.youngs_modulus_Pa, trial.frame_time_s[f]);
             trial.frames.push_back(x);
         }
         for (std::size_t m = 0; m < scene.markers.size(); ++m) {
             Eigen::Matrix3Xd track(3, measured.time_s.size());
             for (Eigen::Index i = 0; i < track.cols(); ++i) {
                 track.col(i) = beam_point(scene.markers[m].rest_m, settings.youngs_modulus_Pa, measured.time_s[i]);
-                if (only && measured.time_s[i] > only->end_s + 1e-9) track.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+                if (only && measured.time_s[i] > only->end_s + 1e-9)
+                    track.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
             }
             trial.marker_rms_m.push_back(rms(track, measured.measured[m]));
             trial.markers.push_back(track);
@@ -248,22 +322,26 @@ Result<RunResult> SwingingBeam::simulate(const Scene& scene, const MeshedBody& b
     return result;
 }
 
-Result<SearchResult> SwingingBeam::calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) {
+Result<ui::commands::SearchResult> SwingingBeam::calibrate(const ui::commands::Scene& scene,
+                                                           const ui::commands::MeshedBody& body,
+                                                           const ui::commands::Settings& settings,
+                                                           const Progress& progress, const LiveSearch& live) {
     const auto before = simulate(scene, body, settings, std::nullopt, progress);
     if (!before) return before.error();
     if (live) {
-        SearchView view;
+        ui::commands::SearchView view;
         view.log = {{4.0, before->rms_m, 2.0}};
-        view.parameters = {{"E", "kPa", settings.youngs_modulus_Pa / 1e3, settings.youngs_modulus_Pa / 1e3, std::numeric_limits<double>::quiet_NaN()}};
+        view.parameters = {{"E", "kPa", settings.youngs_modulus_Pa / 1e3, settings.youngs_modulus_Pa / 1e3,
+                            std::numeric_limits<double>::quiet_NaN()}};
         view.settings = settings;
-        view.best = std::make_shared<const RunResult>(*before);
-        live(std::make_shared<const SearchView>(view));
+        view.best = std::make_shared<const ui::commands::RunResult>(*before);
+        live(std::make_shared<const ui::commands::SearchView>(view));
     }
     while (hold_search && !progress.cancelled()) {
         progress.report({"calibrate", 1.0, 60.0, "evaluations", "held"});
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    SearchResult result;
+    ui::commands::SearchResult result;
     result.title = "Calibrated";
     result.settings = settings;
     result.settings.youngs_modulus_Pa = measured_modulus;
@@ -279,24 +357,29 @@ Result<SearchResult> SwingingBeam::calibrate(const Scene& scene, const MeshedBod
     return result;
 }
 
-Result<SearchResult> SwingingBeam::optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
-                                            const LiveSearch& live) {
-    SearchView view;
+Result<ui::commands::SearchResult> SwingingBeam::optimize(const ui::commands::Scene& scene,
+                                                          const ui::commands::MeshedBody& body,
+                                                          const ui::commands::Settings& settings,
+                                                          const ui::commands::OptimizeRequest& request,
+                                                          const Progress& progress, const LiveSearch& live) {
+    ui::commands::SearchView view;
     view.loss_unit = "mm\xc2\xb2";
-    SearchResult result;
+    ui::commands::SearchResult result;
     result.title = "Optimised";
     for (int k = 0; k < 5 && !progress.cancelled(); ++k) {
         auto run = simulate(scene, body, settings, std::nullopt, progress);
         if (!run) break;
         result.settings = settings;
-        result.settings.muscles.front().signal = Signal{{0.0, 1.0}, {1.0, 1.0 - 0.05 * k}};
+        result.settings.muscles.front().signal = fibre::Signal{{0.0, 1.0}, {1.0, 1.0 - 0.05 * k}};
         result.run = *run;
         view.log.push_back({10.0 / (k + 1), 1e-3 / (k + 1), 1.0 / (k + 1)});
-        view.parameters = {{settings.muscles.front().name + ", least a", "", 1.0, 1.0 - 0.05 * k, std::numeric_limits<double>::quiet_NaN()}};
+        view.parameters = {{settings.muscles.front().name + ", least a", "", 1.0, 1.0 - 0.05 * k,
+                            std::numeric_limits<double>::quiet_NaN()}};
         view.settings = result.settings;
-        view.best = std::make_shared<const RunResult>(*run);
-        if (live) live(std::make_shared<const SearchView>(view));
-        progress.report({"optimize", k + 1.0, static_cast<double>(request.max_evaluations), "evaluations", request.trial});
+        view.best = std::make_shared<const ui::commands::RunResult>(*run);
+        if (live) live(std::make_shared<const ui::commands::SearchView>(view));
+        progress.report(
+            {"optimize", k + 1.0, static_cast<double>(request.max_evaluations), "evaluations", request.trial});
     }
     if (view.log.empty()) return Error{"stopped before the first evaluation", ""};
     result.evaluations = static_cast<int>(view.log.size());
@@ -307,144 +390,26 @@ Result<SearchResult> SwingingBeam::optimize(const Scene& scene, const MeshedBody
     return result;
 }
 
-Result<Project> SwingingBeam::read_project(const std::filesystem::path& file) const {
+Result<ui::commands::Project> SwingingBeam::read_project(const std::filesystem::path& file) const {
     const auto found = projects.find(file);
     if (found == projects.end()) return Error{"file not found", file.string()};
     return found->second;
 }
 
-Result<void> SwingingBeam::write_project(const std::filesystem::path& file, const Project& project) const {
+Result<void> SwingingBeam::write_project(const std::filesystem::path& file,
+                                         const ui::commands::Project& project) const {
     std::this_thread::sleep_for(std::chrono::duration<double>(write_delay_s.load()));
     if (file.parent_path() == "/forbidden") return Error{"cannot be written", file.string()};
     projects[file] = project;
     return {};
 }
 
-Result<std::vector<std::string>> SwingingBeam::write_report(const std::filesystem::path& folder, const Scene&, const RunResult&, const SearchResult*, const DiagnosisView*) const {
+Result<std::vector<std::string>> SwingingBeam::write_report(const std::filesystem::path& folder,
+                                                            const ui::commands::Scene&, const ui::commands::RunResult&,
+                                                            const ui::commands::SearchResult*,
+                                                            const ui::commands::DiagnosisView*) const {
     reports.push_back(folder);
     return std::vector<std::string>{"trial.csv"};
-}
-
-namespace {
-
-using Tracks = std::vector<Eigen::Matrix3Xd>;
-
-/// Measured less what the beam of these settings does.
-Tracks residual(const Scene& scene, const SceneTrial& trial, double E) {
-    Tracks tracks;
-    for (std::size_t m = 0; m < scene.markers.size(); ++m) {
-        tracks.push_back(trial.measured[m]);
-        for (Eigen::Index i = 0; i < trial.time_s.size(); ++i) tracks.back().col(i) -= beam_point(scene.markers[m].rest_m, E, trial.time_s[i]);
-    }
-    return tracks;
-}
-
-DiagnosisRow candidate(const DiagnosisView& view, const Settings& settings, const std::string& key, const std::string& name, double part, double value) {
-    DiagnosisRow row;
-    row.key = key;
-    row.name = name;
-    row.explained = 1.0 - (1.0 - part) * (1.0 - part);
-    row.fitted = part > 0.3;
-    row.brief = row.fitted ? std::to_string(static_cast<int>(value)) + " \xc2\xb1 2 Pa s/m" : "";
-    row.one_number = row.fitted;
-    row.value = row.fitted ? "coefficient " + row.brief : "not fitted";
-    for (const DiagnosisTrial& trial : view.trials) {
-        row.predicted_m.emplace_back();
-        for (const Eigen::Matrix3Xd& track : trial.residual_m) row.predicted_m.back().push_back(part * track);
-        row.after_m.push_back((1.0 - part) * trial.before_m);
-    }
-    if (!row.fitted) return row;
-    row.held_out = 1.0 + 8.0 * (1.0 - part);
-    row.weight = 0.06;
-    row.settings = settings;
-    row.settings.youngs_modulus_Pa = 2.55e5;
-    row.settings.effects = {{key, {{"coefficient_Pa_s_m", value}}, name, "coefficient " + std::to_string(static_cast<int>(value)) + " Pa s/m"}};
-    return row;
-}
-
-/// Upwards, more of it further out, in five patches along the beam.
-std::shared_ptr<const PatchForces> upward_force() {
-    PatchForces forces;
-    forces.time_s = Eigen::VectorXd::LinSpaced(21, 0.0, 2.0);
-    for (const double t : forces.time_s) {
-        Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, 5);
-        for (int p = 0; p < 5; ++p) force(2, p) = 2e-3 * (p + 1) * std::exp(-t);
-        forces.force_N.push_back(force);
-    }
-    forces.largest_N = 1e-2;
-    return std::make_shared<const PatchForces>(forces);
-}
-
-}  // namespace
-
-Result<DiagnosisView> SwingingBeam::diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress,
-                                             const LiveDiagnosis& live) {
-    DiagnosisView view;
-    view.noise_m = 1e-4;
-    for (const SceneTrial& trial : scene.trials) {
-        DiagnosisTrial left{trial.name, trial.role == "fit", residual(scene, trial, settings.youngs_modulus_Pa), 1.2e-3};
-        view.trials.push_back(std::move(left));
-    }
-    view.worst_axis = 2;
-    const auto wait = [&](const std::string& stage, int steps) {
-        for (int k = 0; k <= steps && !progress.cancelled(); ++k) {
-            progress.report({stage, static_cast<double>(k), static_cast<double>(steps), "fits", "linear_drag"});
-            std::this_thread::sleep_for(std::chrono::duration<double>(step_delay_s.load()));
-        }
-    };
-    wait("declared fit", 1);
-    DiagnosisRow declared;
-    declared.kind = DiagnosisRow::Kind::declared;
-    declared.key = "declared";
-    declared.name = "Declared model";
-    declared.fitted = true;
-    declared.held_out = 12.1;
-    declared.weight = 0.01;
-    view.rows.push_back(declared);
-    if (live) live(std::make_shared<const DiagnosisView>(view));
-    wait("score", 10);
-    view.rows.push_back(candidate(view, settings, "quadratic_drag", "Quadratic drag", 0.7, 620));
-    view.rows.push_back(candidate(view, settings, "added_mass", "Added mass", 0.2, 0));
-    if (live) live(std::make_shared<const DiagnosisView>(view));
-    wait("refit", 20);
-    while (hold_diagnosis && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (progress.cancelled()) {
-        view.stopped = true;
-        return view;
-    }
-    view.complete = true;
-    view.seconds = 41.0;
-    view.patches = 5;
-    view.patch_of_node.resize(body.mesh.nodes.cols());
-    for (Eigen::Index i = 0; i < body.mesh.nodes.cols(); ++i) view.patch_of_node(i) = std::min(4, static_cast<int>(50.0 * body.mesh.nodes(0, i)));
-    view.because = "With linear drag the residual is 1.1 times the noise instead of 12.0; no test finds more than noise in it.";
-    view.confounded = {"Not to be told apart here: linear drag and extra damping (cosine 0.982); a release in another direction would separate them."};
-    if (unexplained) {
-        view.headline = "Something is missing that none of the known effects explains";
-        view.because = "The residual is significant, and no effect of the catalogue takes it away.";
-        view.confidence = 0.8;
-        DiagnosisRow force;
-        force.kind = DiagnosisRow::Kind::missing_force;
-        force.key = "missing force";
-        force.name = "Missing force";
-        force.value = "up to 10 mN at the free end, along +z";
-        force.chosen = force.fitted = true;
-        force.explained = 0.93;
-        force.force = {upward_force(), nullptr};
-        view.missing_force = {scene.trials.front().name, force.force[0]->time_s, {"1: at the free end, along +z"}, {0.01 * (-force.force[0]->time_s.array()).exp()}};
-        view.rows.insert(view.rows.begin() + 1, force);
-        return view;
-    }
-    view.verdict = DiagnosisVerdict::effects;
-    view.headline = "Linear drag is missing: coefficient 41 \xc2\xb1 2 Pa s/m";
-    view.confidence = 0.93;
-    DiagnosisRow found = candidate(view, settings, "linear_drag", "Linear drag", 0.95, 41);
-    found.chosen = true;
-    found.weight = 0.93;
-    found.like = "extra damping";
-    found.force = {upward_force(), upward_force()};
-    view.rows.insert(view.rows.begin() + 1, found);
-    return view;
 }
 
 }  // namespace myo::test

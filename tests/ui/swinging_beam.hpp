@@ -8,71 +8,105 @@
 
 namespace myo::test {
 
-/// A beam whose tip sinks and swings by a closed form: deflection ~ 1 / E, frequency ~ sqrt(E). Stands in for the core, so
-/// that the workbench can be driven in milliseconds.
-class SwingingBeam : public Backend {
+/// A beam whose tip sinks and swings by a closed form: deflection ~ 1 / E, frequency ~ sqrt(E). Stands in for the core,
+/// so that the workbench can be driven in milliseconds.
+class SwingingBeam : public ui::commands::Backend {
 public:
-    static constexpr double measured_modulus = 2.5e5;   // of the "measured" beam [Pa]
+    static constexpr double measured_modulus = 2.5e5;  // of the "measured" beam [Pa]
 
     /// Each step of a run waits this long [s].
     std::atomic<double> step_delay_s = 0.0;
 
-    std::vector<Choice> materials() const override;
+    std::vector<ui::commands::Choice> materials() const override;
     /// Height above the rest position, in mm and with a sign; and x, which never changes.
-    const std::vector<FieldKind>& fields() const override;
-    Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run, std::size_t trial, std::size_t frame) const override;
+    const std::vector<ui::commands::FieldKind>& fields() const override;
+    Eigen::VectorXd field(const std::string& id, const ui::commands::MeshedBody& body,
+                          const ui::commands::RunResult& run, std::size_t trial, std::size_t frame) const override;
     /// Each frame of a field waits this long [s].
     std::atomic<double> field_delay_s = 0.0;
-    std::vector<Choice> integrators() const override;
+    std::vector<ui::commands::Choice> integrators() const override;
     bool needs_unit(const std::filesystem::path& path) const override { return path.extension() == ".stl"; }
-    Result<Signal> read_signal(const std::filesystem::path& path, const std::string& muscle) const override;
-    Result<void> write_signal(const std::filesystem::path& path, const std::string& muscle, const Signal& signal) const override;
-    Result<Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit, const Progress& progress) override;
-    MeshPrediction predict(const Scene& scene, const Settings& settings) const override;
-    Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) override;
-    Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings, const std::optional<RunExtent>& only, const Progress& progress) override;
-    Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress, const LiveSearch& live) override;
+    Result<fibre::Signal> read_signal(const std::filesystem::path& path, const std::string& muscle) const override;
+    Result<void> write_signal(const std::filesystem::path& path, const std::string& muscle,
+                              const fibre::Signal& signal) const override;
+    Result<ui::commands::Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
+                                     const Progress& progress) override;
+    ui::commands::MeshPrediction predict(const ui::commands::Scene& scene,
+                                         const ui::commands::Settings& settings) const override;
+    Result<ui::commands::MeshedBody> mesh(const ui::commands::Scene& scene, const ui::commands::Settings& settings,
+                                          const Progress& progress) override;
+    Result<ui::commands::RunResult> simulate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                             const ui::commands::Settings& settings,
+                                             const std::optional<ui::commands::RunExtent>& only,
+                                             const Progress& progress) override;
+    Result<ui::commands::SearchResult> calibrate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                                 const ui::commands::Settings& settings, const Progress& progress,
+                                                 const LiveSearch& live) override;
     /// Goes through some levels of the first muscle; the last is the best.
-    Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings, const OptimizeRequest& request, const Progress& progress,
-                                  const LiveSearch& live) override;
-    std::vector<Example> examples() const override { return {{"/beam", "Swinging beam", "A beam that swings."}}; }
+    Result<ui::commands::SearchResult> optimize(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                                const ui::commands::Settings& settings,
+                                                const ui::commands::OptimizeRequest& request, const Progress& progress,
+                                                const LiveSearch& live) override;
+    std::vector<ui::commands::Example> examples() const override {
+        return {{"/beam", "Swinging beam", "A beam that swings."}};
+    }
     std::string version() const override { return "0"; }
-    std::vector<Library> libraries() const override { return {{"Eigen", "3.4", "MPL 2"}}; }
-    std::vector<ReportLine> preview(const std::filesystem::path& path) const override { return {{"Path", path.string()}}; }
+    std::vector<ui::commands::Library> libraries() const override { return {{"Eigen", "3.4", "MPL 2"}}; }
+    std::vector<ui::commands::ReportLine> preview(const std::filesystem::path& path) const override {
+        return {{"Path", path.string()}};
+    }
     /// Projects are kept in memory; the file itself holds nothing.
-    Result<Project> read_project(const std::filesystem::path& file) const override;
-    Result<void> write_project(const std::filesystem::path& file, const Project& project) const override;
-    Result<std::vector<std::string>> write_report(const std::filesystem::path& folder, const Scene& scene, const RunResult& run, const SearchResult* found,
-                                                  const DiagnosisView* diagnosis) const override;
-    /// A diagnosis as the core might make it of the beam, nothing in it computed: linear drag takes away most of the residual in z.
-    Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings, const Progress& progress,
-                                   const LiveDiagnosis& live) override;
+    Result<ui::commands::Project> read_project(const std::filesystem::path& file) const override;
+    Result<void> write_project(const std::filesystem::path& file, const ui::commands::Project& project) const override;
+    Result<std::vector<std::string>> write_report(const std::filesystem::path& folder, const ui::commands::Scene& scene,
+                                                  const ui::commands::RunResult& run,
+                                                  const ui::commands::SearchResult* found,
+                                                  const ui::commands::DiagnosisView* diagnosis) const override;
+    /// A diagnosis as the core might make it of the beam, nothing in it computed: linear drag takes away most of the
+    /// residual in z.
+    Result<ui::commands::DiagnosisView> diagnose(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                                 const ui::commands::Settings& settings, const Progress& progress,
+                                                 const LiveDiagnosis& live) override;
 
-    /// A recording of the beam's declared markers under other names, from 0.3 s before its release on, shifted by 0.5 m; what is added to an
-    /// experiment is kept.
-    Result<RecordingFile> read_recording(const std::filesystem::path& path, const ReadingOptions& options) const override;
-    std::vector<SceneMarker> declared_markers(const Scene& scene) const override { return scene.markers; }
-    ImportView view_import(const Scene& scene, const RecordingFile& file, const ImportChoices& choices) const override;
-    Result<ImportChoices> propose_markers(const Scene& scene, const MeshedBody& body, const RecordingFile& file, const ImportChoices& choices) const override;
-    Result<double> align_import(const Scene&, const SimulatedTrial&, const Eigen::VectorXd&, const RecordingFile&, const ImportChoices&) const override { return 0.31; }
-    Result<std::filesystem::path> add_recording(const Scene& scene, const Settings& settings, const RecordingFile& file, const ImportChoices& choices) const override;
-    mutable std::vector<ImportChoices> added;
+    /// A recording of the beam's declared markers under other names, from 0.3 s before its release on, shifted by 0.5
+    /// m; what is added to an experiment is kept.
+    Result<ui::commands::RecordingFile> read_recording(const std::filesystem::path& path,
+                                                       const ui::commands::ReadingOptions& options) const override;
+    std::vector<ui::commands::SceneMarker> declared_markers(const ui::commands::Scene& scene) const override {
+        return scene.markers;
+    }
+    ui::commands::ImportView view_import(const ui::commands::Scene& scene, const ui::commands::RecordingFile& file,
+                                         const ui::commands::ImportChoices& choices) const override;
+    Result<ui::commands::ImportChoices> propose_markers(const ui::commands::Scene& scene,
+                                                        const ui::commands::MeshedBody& body,
+                                                        const ui::commands::RecordingFile& file,
+                                                        const ui::commands::ImportChoices& choices) const override;
+    Result<double> align_import(const ui::commands::Scene&, const ui::commands::SimulatedTrial&, const Eigen::VectorXd&,
+                                const ui::commands::RecordingFile&, const ui::commands::ImportChoices&) const override {
+        return 0.31;
+    }
+    Result<std::filesystem::path> add_recording(const ui::commands::Scene& scene,
+                                                const ui::commands::Settings& settings,
+                                                const ui::commands::RecordingFile& file,
+                                                const ui::commands::ImportChoices& choices) const override;
+    mutable std::vector<ui::commands::ImportChoices> added;
 
     /// A calibration goes no further than its first evaluation while this holds, unless it is cancelled.
     std::atomic<bool> hold_search = false;
     /// The diagnosis goes no further than its first ranking while this holds, unless it is cancelled.
     std::atomic<bool> hold_diagnosis = false;
     /// Files of signals.
-    mutable std::map<std::filesystem::path, Signal> signals;
-    mutable std::map<std::filesystem::path, Project> projects;
+    mutable std::map<std::filesystem::path, fibre::Signal> signals;
+    mutable std::map<std::filesystem::path, ui::commands::Project> projects;
     /// Writing a project takes this long [s].
     std::atomic<double> write_delay_s = 0.0;
     mutable std::vector<std::filesystem::path> reports;
     /// It finds no effect that explains, and a force instead.
     std::atomic<bool> unexplained = false;
-    bool fewer_foretold = false;   // predictions tell of half the elements
+    bool fewer_foretold = false;  // predictions tell of half the elements
     /// What its checks say of the start: when it is opened, and after each job.
-    std::atomic<CheckState> start_opened = CheckState::green, start_after = CheckState::green;
+    std::atomic<ui::commands::CheckState> start_opened = ui::commands::CheckState::green,
+                                          start_after = ui::commands::CheckState::green;
     /// Runs choose this step where none was set [s]; 0: they do not.
     std::atomic<double> chosen_step_s = 0.0;
 };

@@ -11,7 +11,7 @@
 #include "panels/screenshot.hpp"
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
@@ -36,7 +36,7 @@ TEST(Workbench, SaysWhyAFileCannotBeOpened) {
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_FALSE(driver.state().scene);
     ASSERT_FALSE(driver.state().log.empty());
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::failure);
+    EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::failure);
     EXPECT_NE(driver.state().log.back().text.find("/missing"), std::string::npos);
 }
 
@@ -48,7 +48,7 @@ TEST(Workbench, AsksForTheUnitOfAMesh) {
     driver.click("unit/mm");
     ASSERT_TRUE(driver.wait_for_job());
     ASSERT_TRUE(driver.state().scene);
-    EXPECT_NEAR(bounding_box(driver.state().scene->surface.vertices).size().x(), 0.1, 1e-12);
+    EXPECT_NEAR(mesh::bounding_box(driver.state().scene->surface.vertices).size().x(), 0.1, 1e-12);
 }
 
 TEST(Workbench, RunsScrubsAndDrawsMarkersWhereTheyProject) {
@@ -60,27 +60,29 @@ TEST(Workbench, RunsScrubsAndDrawsMarkersWhereTheyProject) {
     EXPECT_EQ(driver.state().run->trials.size(), 2u);
     EXPECT_TRUE(driver.state().run_is_current());
 
-    const Rectangle track = driver.item("timeline/track");
+    const platform::Rectangle track = driver.item("timeline/track");
     driver.click_at({track.lowest.x + 0.4f * track.width(), track.center().y});
     EXPECT_NEAR(driver.state().time_s, -0.2 + 0.4 * 2.2, 0.05);
 
-    const Theme theme = make_theme(ThemeName::dark, 1.0f);
-    const Image image = driver.picture();
+    const platform::Theme theme = platform::make_theme(platform::ThemeName::dark, 1.0f);
+    const platform::Image image = driver.picture();
     const auto& scene = driver.window->scene();
     int spheres = 0;
     int rings = 0;
-    for (const DrawnMarker& marker : scene.markers) {
+    for (const viewport::DrawnMarker& marker : scene.markers) {
         const bool hidden = marker.position.y() > 0.029;  // on the far side
         if (hidden || !marker.position.allFinite()) continue;
         (marker.ring ? rings : spheres) += 1;
-        EXPECT_TRUE(test::color_near(image, test::pixel_of(driver, marker.position), marker.ring ? theme.simulated : theme.measured, 12))
+        EXPECT_TRUE(test::color_near(image, test::pixel_of(driver, marker.position),
+                                     marker.ring ? theme.simulated : theme.measured, 12))
             << marker.label << (marker.ring ? " simulated" : " measured");
     }
     EXPECT_EQ(spheres, 3);
     EXPECT_EQ(rings, 3);
     // The simulated tip is where the closed form says.
-    const TimePlace place = place_in_time(driver.state().scene_trial()->time_s, driver.state().time_s);
-    const Eigen::Vector3d tip = at_time(driver.state().simulated_trial()->markers[0], place);
+    const commands::TimePlace place = commands::place_in_time(driver.state().scene_trial()->time_s,
+                                                              driver.state().time_s);
+    const Eigen::Vector3d tip = commands::at_time(driver.state().simulated_trial()->markers[0], place);
     EXPECT_LT((tip - test::beam_point({0.1, 0.0, 0.024}, 2.6e5, driver.state().time_s)).norm(), 2e-4);
 }
 
@@ -89,11 +91,11 @@ TEST(Workbench, BodyFollowsTheTime) {
     driver.open_beam();
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
-    driver.workbench->execute(command::SetTime{-0.1});
+    driver.workbench->execute(commands::SetTime{-0.1});
     driver.settle();
     const Eigen::Matrix3Xd at_rest = driver.window->scene().positions;
     EXPECT_LT((at_rest - driver.state().body->mesh.nodes).norm(), 1e-12);
-    driver.workbench->execute(command::SetTime{0.17});
+    driver.workbench->execute(commands::SetTime{0.17});
     driver.settle();
     EXPECT_GT((driver.window->scene().positions - at_rest).colwise().norm().maxCoeff(), 0.01);
 }
@@ -125,11 +127,11 @@ TEST(Workbench, StaysLiveWhileAJobRunsAndCancelsIt) {
         driver.frame();
     }
     EXPECT_GT(driver.state().job->fraction(), 0.0);
-    driver.workbench->execute(command::SetTime{1.0});
+    driver.workbench->execute(commands::SetTime{1.0});
     EXPECT_EQ(driver.state().time_s, 1.0);
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(commands::Run{});
     ASSERT_EQ(driver.state().queue.size(), 1u) << "a second job waits";
-    driver.workbench->execute(command::Unqueue{driver.state().queue.front().id});
+    driver.workbench->execute(commands::Unqueue{driver.state().queue.front().id});
     driver.click("run/cancel");
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_FALSE(driver.state().run);
@@ -149,7 +151,7 @@ TEST(Workbench, TypesANumberIntoAField) {
     driver.key(ImGuiKey_A, {.ctrl = true});
     driver.type("7");
     driver.key(ImGuiKey_Enter);
-    EXPECT_EQ(driver.state().settings.poissons_ratio, poissons_ratio_limits.highest);
+    EXPECT_EQ(driver.state().settings.poissons_ratio, commands::poissons_ratio_limits.highest);
 }
 
 TEST(Workbench, OneDragOfAFieldIsOneUndo) {
@@ -169,15 +171,15 @@ TEST(Workbench, ElementAndResolutionChangeThePredictionAndTheMesh) {
     driver.open_beam();
     driver.click("body/element");
     driver.click("body/element/tet10");
-    EXPECT_EQ(driver.state().settings.element, CellType::tet10);
+    EXPECT_EQ(driver.state().settings.element, mesh::CellType::tet10);
     EXPECT_FALSE(driver.state().mesh_is_current());
     const double before = driver.state().prediction.elements;
-    const Rectangle slider = driver.item("body/resolution");
+    const platform::Rectangle slider = driver.item("body/resolution");
     driver.click_at({slider.lowest.x + 0.9f * slider.width(), slider.center().y});
     EXPECT_LT(driver.state().prediction.elements, before);
     driver.click("body/build");
     ASSERT_TRUE(driver.wait_for_job());
-    EXPECT_EQ(driver.state().body->mesh.type, CellType::tet10);
+    EXPECT_EQ(driver.state().body->mesh.type, mesh::CellType::tet10);
     EXPECT_EQ(static_cast<double>(driver.state().body->mesh.cell_count()), driver.state().prediction.elements);
 }
 
@@ -189,9 +191,9 @@ TEST(Workbench, AFinerMeshIsNotForetoldFewerElementsThanThereAre) {
     driver.click("body/build");
     ASSERT_TRUE(driver.wait_for_job());
     driver.backend->fewer_foretold = true;
-    Settings finer = driver.state().settings;
+    commands::Settings finer = driver.state().settings;
     finer.resolution_m *= 0.9;
-    driver.workbench->execute(command::ChangeSettings{finer, "resolution"});
+    driver.workbench->execute(commands::ChangeSettings{finer, "resolution"});
     EXPECT_GE(driver.state().prediction.elements, static_cast<double>(driver.state().body->mesh.cell_count()));
     EXPECT_GE(driver.state().prediction.dofs, driver.state().body->dofs);
 }
@@ -226,7 +228,7 @@ TEST(Workbench, SetsTheStepByItsSliderAndShowsTheMeasuredDampingOverIt) {
     driver.click("model/integrator");
     driver.click("model/integrator/implicit_euler");
     EXPECT_TRUE(driver.has("model/measured_damping"));
-    const Rectangle slider = driver.item("model/time_step/slider");
+    const platform::Rectangle slider = driver.item("model/time_step/slider");
     driver.click_at({slider.lowest.x + 0.75f * slider.width(), slider.center().y});
     // Logarithmic from 0.01 to 100 ms.
     EXPECT_NEAR(std::log10(driver.state().settings.time_step_s), -2.0, 0.15);
@@ -243,9 +245,9 @@ TEST(Workbench, ShowsHowMuchVelocityForceTheStepBears) {
     const auto critical = [&] { return driver.state().critical_velocity_force_1_s.value_or(0.0); };
     const double before = critical(), h = driver.state().settings.time_step_s;
     EXPECT_GT(before, 0.0);
-    Settings settings = driver.state().settings;
+    commands::Settings settings = driver.state().settings;
     settings.time_step_s = 0.5 * h;
-    driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+    driver.workbench->execute(commands::ChangeSettings{settings, "test", false});
     driver.settle();
     EXPECT_NEAR(critical(), 0.5 * before, 1e-9);
     EXPECT_FALSE(driver.state().is_unstable());
@@ -263,9 +265,9 @@ TEST(Workbench, WarnsOfAVelocityForceThatMakesTheMotionGrow) {
     driver.click("model/integrator");
     driver.click("model/integrator/implicit_euler");
     const auto push = [&](double velocity_force_1_s) {
-        Settings settings = driver.state().settings;
+        commands::Settings settings = driver.state().settings;
         settings.velocity_force_1_s = velocity_force_1_s;
-        driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+        driver.workbench->execute(commands::ChangeSettings{settings, "test", false});
         driver.frame();
         driver.frame();
     };
@@ -317,10 +319,10 @@ TEST(Workbench, IdleFramesDrawNothingAnew) {
 TEST(Viewport, DragTurnsWheelZoomsButtonsLookAlongAxes) {
     Driver driver;
     driver.open_beam();
-    const Camera start = driver.window->viewport().camera;
+    const viewport::Camera start = driver.window->viewport().camera;
     const ImVec2 middle = driver.item("view").center();
     driver.drag(middle, {middle.x + 80.0f, middle.y});
-    const Camera turned = driver.window->viewport().camera;
+    const viewport::Camera turned = driver.window->viewport().camera;
     EXPECT_NEAR(turned.yaw, start.yaw - 0.64, 1e-6);
     EXPECT_EQ(turned.distance, start.distance);
     driver.wheel(middle, 2.0f);
@@ -338,11 +340,11 @@ TEST(Viewport, DragTurnsWheelZoomsButtonsLookAlongAxes) {
 TEST(MarkerPlot, CursorFollowsAClickAndTheTimeFollowsTheCursor) {
     Driver driver;
     driver.open_beam();
-    const Rectangle plot = driver.item("plot/x");
+    const platform::Rectangle plot = driver.item("plot/x");
     driver.click_at({plot.lowest.x + 0.75f * plot.width(), plot.center().y});
     EXPECT_NEAR(driver.state().time_s, -0.2 + 0.75 * 2.2, 0.02);
     const ImVec2 cursor = driver.item("plot/z/cursor").center();
-    const Rectangle z = driver.item("plot/z");
+    const platform::Rectangle z = driver.item("plot/z");
     driver.drag(cursor, {z.lowest.x + 0.25f * z.width(), cursor.y});
     EXPECT_NEAR(driver.state().time_s, -0.2 + 0.25 * 2.2, 0.02);
 }
@@ -353,7 +355,7 @@ TEST(MarkerPlot, ZoomIsSharedAndEndsByDoubleClick) {
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     const float before = driver.item("plot/z/cursor").center().x;
-    const Rectangle plot = driver.item("plot/x");
+    const platform::Rectangle plot = driver.item("plot/x");
     driver.wheel({plot.highest.x - 2.0f, plot.center().y}, 3.0f);
     // The cursor at t = 0 leaves to the left in the other plots as well.
     EXPECT_LT(driver.item("plot/z/cursor").center().x, before - 20.0f);
@@ -381,11 +383,12 @@ TEST(Layout, NothingIsCutOffAtUsualSizes) {
         driver.click("run/run");
         ASSERT_TRUE(driver.wait_for_job());
         for (const float scale : {1.0f, 1.25f, 1.5f}) {
-            driver.workbench->execute(command::SetTheme{ThemeName::light, scale});
+            driver.workbench->execute(commands::SetTheme{platform::ThemeName::light, scale});
             driver.settle();
-            for (const char* name : {"run/run", "run/calibrate", "bar/theme", "bar/scale", "timeline/speed", "timeline/trial", "timeline/track",
-                                     "plot/x", "plot/z", "residual/z", "markers/fit", "view/options", "panel/messages"}) {
-                const Rectangle r = driver.item(name);
+            for (const char* name : {"run/run", "run/calibrate", "bar/theme", "bar/scale", "timeline/speed",
+                                     "timeline/trial", "timeline/track", "plot/x", "plot/z", "residual/z",
+                                     "markers/fit", "view/options", "panel/messages"}) {
+                const platform::Rectangle r = driver.item(name);
                 EXPECT_GE(r.lowest.x, 0.0f) << name;
                 EXPECT_LE(r.highest.x, static_cast<float>(width)) << name << " at " << scale;
                 EXPECT_LE(r.highest.y, static_cast<float>(height)) << name << " at " << scale;
@@ -413,11 +416,11 @@ TEST(FileBrowser, ListsWhatCanBeOpenedAndOpensIt) {
     ASSERT_TRUE(write_file(folder / "beam" / "experiment.toml", "schema = \"experiment/1\"\n"));
     ASSERT_TRUE(write_file(folder / "body.STL", "solid"));
     ASSERT_TRUE(write_file(folder / "notes.txt", ""));
-    const auto entries = list_folder(folder, {".stl", ".toml"});
+    const auto entries = panels::list_folder(folder, {".stl", ".toml"});
     ASSERT_EQ(entries.size(), 2u);
     EXPECT_TRUE(entries[0].experiment);
     EXPECT_EQ(entries[1].name, "body.STL");
-    EXPECT_TRUE(list_folder(folder / "nowhere", {}).empty());
+    EXPECT_TRUE(panels::list_folder(folder / "nowhere", {}).empty());
 
     Driver driver;
     driver.click("body/path");
@@ -432,50 +435,53 @@ TEST(FileBrowser, ListsWhatCanBeOpenedAndOpensIt) {
 }
 
 TEST(Screenshot, IsDrawnWithoutADisplay) {
-    ScreenshotOptions options;
+    panels::ScreenshotOptions options;
     options.open = "/beam";
     options.width = 900;
     options.height = 600;
     options.time_s = 0.2;
-    const auto image = draw_screenshot(std::make_shared<test::SwingingBeam>(), options);
+    const auto image = panels::draw_screenshot(std::make_shared<test::SwingingBeam>(), options);
     ASSERT_TRUE(image) << image.error().text();
     EXPECT_EQ(image->width, 900);
     const auto file = std::filesystem::temp_directory_path() / "myoloop_screenshot_test.png";
-    ASSERT_TRUE(write_png(*image, file));
+    ASSERT_TRUE(platform::write_png(*image, file));
     EXPECT_EQ(read_file(file)->substr(1, 3), "PNG");
     std::filesystem::remove(file);
     // The same picture again, bit for bit.
-    const auto again = draw_screenshot(std::make_shared<test::SwingingBeam>(), options);
+    const auto again = panels::draw_screenshot(std::make_shared<test::SwingingBeam>(), options);
     EXPECT_EQ(image->rgba, again->rgba);
 }
 
 TEST(Screenshot, SaysWhatIsWrong) {
-    ScreenshotOptions options;
+    panels::ScreenshotOptions options;
     options.open = "/missing";
-    const auto missing = draw_screenshot(std::make_shared<test::SwingingBeam>(), options);
+    const auto missing = panels::draw_screenshot(std::make_shared<test::SwingingBeam>(), options);
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().text().find("/missing"), std::string::npos);
     options.open = "/body.stl";
-    EXPECT_FALSE(draw_screenshot(std::make_shared<test::SwingingBeam>(), options));
+    EXPECT_FALSE(panels::draw_screenshot(std::make_shared<test::SwingingBeam>(), options));
     options.open = "/beam";
     options.panels = {"nonsense"};
-    EXPECT_NE(draw_screenshot(std::make_shared<test::SwingingBeam>(), options).error().text().find("markers"), std::string::npos);
+    EXPECT_NE(panels::draw_screenshot(std::make_shared<test::SwingingBeam>(), options).error().text().find("markers"),
+              std::string::npos);
     options.panels.clear();
     options.trial = "nonsense";
-    EXPECT_NE(draw_screenshot(std::make_shared<test::SwingingBeam>(), options).error().text().find("gravity_release"), std::string::npos);
+    EXPECT_NE(
+        panels::draw_screenshot(std::make_shared<test::SwingingBeam>(), options).error().text().find("gravity_release"),
+        std::string::npos);
 }
 
 TEST(TimePlace, HoldsTheEndsAndLeavesGapsOpen) {
     const Eigen::VectorXd time = Eigen::VectorXd::LinSpaced(5, 0.0, 4.0);
     Eigen::Matrix3Xd track = Eigen::Matrix3Xd::Zero(3, 5);
     track.row(0) << 0, 1, NAN, 3, 4;
-    EXPECT_EQ(at_time(track, place_in_time(time, -7.0)).x(), 0.0);
-    EXPECT_EQ(at_time(track, place_in_time(time, 9.0)).x(), 4.0);
-    EXPECT_EQ(at_time(track, place_in_time(time, 1.0)).x(), 1.0);
-    EXPECT_EQ(at_time(track, place_in_time(time, 3.5)).x(), 3.5);
-    EXPECT_TRUE(std::isnan(at_time(track, place_in_time(time, 1.5)).x()));
-    EXPECT_EQ(place_in_time(Eigen::VectorXd(), 0.0).index, -1);
+    EXPECT_EQ(commands::at_time(track, commands::place_in_time(time, -7.0)).x(), 0.0);
+    EXPECT_EQ(commands::at_time(track, commands::place_in_time(time, 9.0)).x(), 4.0);
+    EXPECT_EQ(commands::at_time(track, commands::place_in_time(time, 1.0)).x(), 1.0);
+    EXPECT_EQ(commands::at_time(track, commands::place_in_time(time, 3.5)).x(), 3.5);
+    EXPECT_TRUE(std::isnan(commands::at_time(track, commands::place_in_time(time, 1.5)).x()));
+    EXPECT_EQ(commands::place_in_time(Eigen::VectorXd(), 0.0).index, -1);
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

@@ -3,45 +3,56 @@
 #include "commands/marker_errors.hpp"
 #include "ui/driver.hpp"
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 using test::Driver;
 
-StepState state_of(const Driver& driver, Step step) { return step_status(driver.state(), step).state; }
+commands::StepState state_of(const Driver& driver, commands::Step step) {
+    return commands::step_status(driver.state(), step).state;
+}
 
 TEST(Workflow, StepsSayWhatIsMissingStaleAndDone) {
     Driver driver;
-    EXPECT_EQ(state_of(driver, Step::body), StepState::missing);
-    EXPECT_EQ(state_of(driver, Step::run), StepState::missing);
-    EXPECT_EQ(next_step(driver.state()), Step::body);
+    EXPECT_EQ(state_of(driver, commands::Step::body), commands::StepState::missing);
+    EXPECT_EQ(state_of(driver, commands::Step::run), commands::StepState::missing);
+    EXPECT_EQ(commands::next_step(driver.state()), commands::Step::body);
     driver.open_beam();
-    EXPECT_EQ(state_of(driver, Step::body), StepState::done);
-    EXPECT_EQ(state_of(driver, Step::mesh), StepState::done);
-    EXPECT_EQ(state_of(driver, Step::fibres), StepState::ready);
-    EXPECT_EQ(state_of(driver, Step::run), StepState::ready);
-    EXPECT_EQ(state_of(driver, Step::report), StepState::missing);
+    EXPECT_EQ(state_of(driver, commands::Step::body), commands::StepState::done);
+    EXPECT_EQ(state_of(driver, commands::Step::mesh), commands::StepState::done);
+    EXPECT_EQ(state_of(driver, commands::Step::fibres), commands::StepState::ready);
+    EXPECT_EQ(state_of(driver, commands::Step::run), commands::StepState::ready);
+    EXPECT_EQ(state_of(driver, commands::Step::report), commands::StepState::missing);
     driver.click("run/calibrate");
     ASSERT_TRUE(driver.wait_for_job());
-    for (const Step step : {Step::run, Step::measure, Step::fit}) EXPECT_EQ(state_of(driver, step), StepState::done) << step_id(step);
-    driver.workbench->execute(command::Diagnose{});
+    for (const commands::Step step : {commands::Step::run, commands::Step::measure, commands::Step::fit})
+        EXPECT_EQ(state_of(driver, step), commands::StepState::done) << commands::step_id(step);
+    driver.workbench->execute(commands::Diagnose{});
     ASSERT_TRUE(driver.wait_for_job());
-    EXPECT_EQ(state_of(driver, Step::diagnose), StepState::done);
+    EXPECT_EQ(state_of(driver, commands::Step::diagnose), commands::StepState::done);
     driver.click("diagnose/add");
-    EXPECT_EQ(state_of(driver, Step::diagnose), StepState::done) << "an effect it found is no reason to ask again";
-    EXPECT_EQ(state_of(driver, Step::run), StepState::stale);
-    Settings finer = driver.state().settings;
+    EXPECT_EQ(state_of(driver, commands::Step::diagnose), commands::StepState::done)
+        << "an effect it found is no reason to ask again";
+    EXPECT_EQ(state_of(driver, commands::Step::run), commands::StepState::stale);
+    commands::Settings finer = driver.state().settings;
     finer.resolution_m *= 0.5;
-    driver.workbench->execute(command::ChangeSettings{finer, "test", false});
-    for (const Step step : {Step::mesh, Step::run, Step::measure, Step::fit, Step::diagnose, Step::report}) EXPECT_EQ(state_of(driver, step), StepState::stale) << step_id(step);
-    EXPECT_EQ(next_step(driver.state()), Step::mesh);
+    driver.workbench->execute(commands::ChangeSettings{finer, "test", false});
+    for (const commands::Step step : {commands::Step::mesh, commands::Step::run, commands::Step::measure,
+                                      commands::Step::fit, commands::Step::diagnose, commands::Step::report})
+        EXPECT_EQ(state_of(driver, step), commands::StepState::stale) << commands::step_id(step);
+    EXPECT_EQ(commands::next_step(driver.state()), commands::Step::mesh);
 }
 
 TEST(Workflow, EachStepShowsItsPanelsAndWhatBelongsToItBelow) {
     Driver driver;
     driver.open_beam();
-    for (const auto& [step, panel, below] : {std::tuple{"mesh", "body/element", ""}, {"material", "model/density", ""}, {"fibres", "fibres/add", "signals"}, {"run", "model/time_step", ""},
-                                             {"measure", "measure/marker/middle", "markers"}, {"fit", "fit/calibrate", "search"}, {"diagnose", "panel/verdict", "diagnose"}}) {
+    for (const auto& [step, panel, below] : {std::tuple{"mesh", "body/element", ""},
+                                             {"material", "model/density", ""},
+                                             {"fibres", "fibres/add", "signals"},
+                                             {"run", "model/time_step", ""},
+                                             {"measure", "measure/marker/middle", "markers"},
+                                             {"fit", "fit/calibrate", "search"},
+                                             {"diagnose", "panel/verdict", "diagnose"}}) {
         driver.click(std::string("step/") + step);
         EXPECT_TRUE(driver.has(panel)) << step;
         EXPECT_TRUE(driver.has("step/next")) << step;
@@ -74,15 +85,16 @@ TEST(Workflow, WritesAReport) {
 }
 
 TEST(MarkerErrors, AreThoseOfTheDefinition) {
-    Scene scene;
+    commands::Scene scene;
     scene.markers = {{"a", {}}, {"b", {}}};
-    SceneTrial trial{"t", "fit", Eigen::Vector4d(-1.0, 0.0, 1.0, 2.0), {Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xd::Zero(3, 4)}};
+    commands::SceneTrial trial{
+        "t", "fit", Eigen::Vector4d(-1.0, 0.0, 1.0, 2.0), {Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xd::Zero(3, 4)}};
     trial.measured[1].col(2).setConstant(std::numeric_limits<double>::quiet_NaN());
-    SimulatedTrial simulated;
+    commands::SimulatedTrial simulated;
     simulated.markers = {Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xd::Zero(3, 4)};
-    simulated.markers[0].row(0) << 9.0, 1e-3, 2e-3, 3e-3;   // before the start it does not count
+    simulated.markers[0].row(0) << 9.0, 1e-3, 2e-3, 3e-3;  // before the start it does not count
     simulated.markers[0].row(2) << 9.0, 0.0, -4e-3, 0.0;
-    const std::vector<MarkerError> errors = marker_errors(scene, trial, &simulated);
+    const std::vector<commands::MarkerError> errors = commands::marker_errors(scene, trial, &simulated);
     ASSERT_EQ(errors.size(), 2u);
     EXPECT_NEAR(errors[0].rms_m, std::sqrt((1.0 + 4.0 + 9.0 + 16.0) / 9.0) * 1e-3, 1e-12);
     EXPECT_NEAR(errors[0].largest_m, std::sqrt(20.0) * 1e-3, 1e-12);
@@ -90,8 +102,8 @@ TEST(MarkerErrors, AreThoseOfTheDefinition) {
     EXPECT_NEAR(errors[0].rms_axis_m.z(), 4e-3 / std::sqrt(3.0), 1e-12);
     EXPECT_NEAR(errors[1].seen, 2.0 / 3.0, 1e-12);
     EXPECT_EQ(errors[1].rms_m, 0.0);
-    EXPECT_TRUE(std::isnan(marker_errors(scene, trial, nullptr)[0].rms_m));
+    EXPECT_TRUE(std::isnan(commands::marker_errors(scene, trial, nullptr)[0].rms_m));
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-namespace myo {
+namespace myo::ui {
 namespace {
 
 std::string broken(const std::string& text, float width) {
-    return broken_at_spaces(text, width, [](const std::string& line) { return static_cast<float>(line.size()); });
+    return panels::broken_at_spaces(text, width,
+                                    [](const std::string& line) { return static_cast<float>(line.size()); });
 }
 
 TEST(WrappedText, BreaksAtSpacesAndKeepsNumbersWhole) {
@@ -21,4 +22,4 @@ TEST(WrappedText, KeepsItsLinesAndWordsThatAreTooWide) {
 }
 
 }  // namespace
-}  // namespace myo
+}  // namespace myo::ui

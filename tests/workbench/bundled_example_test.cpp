@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "backend/workbench_backend.hpp"
 #include "commands/scene_at_time.hpp"
 #include "ui/driver.hpp"
-#include "backend/workbench_backend.hpp"
 
 namespace myo {
 namespace {
@@ -12,32 +12,35 @@ namespace {
 using test::Driver;
 
 void scrub_to(Driver& driver, float fraction) {
-    const Rectangle track = driver.item("timeline/track");
+    const ui::platform::Rectangle track = driver.item("timeline/track");
     driver.click_at({track.lowest.x + fraction * track.width(), track.center().y});
 }
 
-/// Asserts that each marker of a kind that is neither occluded nor on the far side is drawn where it projects; their number.
+/// Asserts that each marker of a kind that is neither occluded nor on the far side is drawn where it projects; their
+/// number.
 int seen_markers(Driver& driver, bool simulated) {
-    const Theme theme = make_theme(ThemeName::dark, 1.0f);
-    const Image image = driver.picture();
+    const ui::platform::Theme theme = ui::platform::make_theme(ui::platform::ThemeName::dark, 1.0f);
+    const ui::platform::Image image = driver.picture();
     int count = 0;
-    for (const DrawnMarker& marker : driver.window->scene().markers) {
+    for (const ui::viewport::DrawnMarker& marker : driver.window->scene().markers) {
         if (marker.ring != simulated || !marker.position.allFinite() || marker.position.y() > 0.029) continue;
         ++count;
-        EXPECT_TRUE(test::color_near(image, test::pixel_of(driver, marker.position), simulated ? theme.simulated : theme.measured, 12)) << marker.label;
+        EXPECT_TRUE(test::color_near(image, test::pixel_of(driver, marker.position),
+                                     simulated ? theme.simulated : theme.measured, 12))
+            << marker.label;
     }
     return count;
 }
 
 TEST(BundledExample, OpensRunsAndScrubs) {
-    Driver driver(make_core_backend(), 1280, 800);
+    Driver driver(backend::make_core_backend(), 1280, 800);
     driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
     ASSERT_TRUE(driver.wait_for_job(60));
     ASSERT_TRUE(driver.state().scene) << driver.state().log.back().text;
     EXPECT_EQ(driver.state().scene->trials.size(), 3u);
     EXPECT_EQ(driver.state().scene->markers.size(), 5u);
     ASSERT_TRUE(driver.state().body);
-    EXPECT_NEAR(cell_volumes(driver.state().body->mesh).sum(), 0.12 * 0.03 * 0.02, 1e-12);
+    EXPECT_NEAR(mesh::cell_volumes(driver.state().body->mesh).sum(), 0.12 * 0.03 * 0.02, 1e-12);
 
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job(300));
@@ -53,16 +56,16 @@ TEST(BundledExample, OpensRunsAndScrubs) {
     EXPECT_GE(seen_markers(driver, false), 3);
     scrub_to(driver, 0.2f);
     const double early = driver.state().time_s;
-    EXPECT_NEAR(early, 0.2 * time_span(driver.state())[1], 0.02);
+    EXPECT_NEAR(early, 0.2 * ui::commands::time_span(driver.state())[1], 0.02);
     const Eigen::Matrix3Xd body = driver.window->scene().positions;
     EXPECT_EQ(seen_markers(driver, true), 4);
     // The simulated tip hangs where the simulated body's tip is.
-    const TimePlace place = place_in_time(driver.state().scene_trial()->time_s, early);
-    const Eigen::Vector3d tip = at_time(driver.state().simulated_trial()->markers[0], place);
+    const ui::commands::TimePlace place = ui::commands::place_in_time(driver.state().scene_trial()->time_s, early);
+    const Eigen::Vector3d tip = ui::commands::at_time(driver.state().simulated_trial()->markers[0], place);
     double nearest = 1.0;
     for (Eigen::Index i = 0; i < body.cols(); ++i) nearest = std::min(nearest, (body.col(i) - tip).norm());
     EXPECT_LT(nearest, 0.01);
-    EXPECT_LT(tip.z(), 0.0);   // it started at 14 mm and has fallen
+    EXPECT_LT(tip.z(), 0.0);  // it started at 14 mm and has fallen
 
     scrub_to(driver, 0.9f);
     EXPECT_GT(driver.state().time_s, early);
@@ -71,26 +74,29 @@ TEST(BundledExample, OpensRunsAndScrubs) {
 
 /// Its data come from another mesh of other cells, and from no other physics.
 TEST(BundledExample, LacksNothing) {
-    Driver driver(make_core_backend(), 1280, 800);
+    Driver driver(backend::make_core_backend(), 1280, 800);
     driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
     ASSERT_TRUE(driver.wait_for_job(60));
     driver.click("step/diagnose");
     driver.click("diagnose/diagnose");
     ASSERT_TRUE(driver.wait_for_job(300));
     ASSERT_TRUE(driver.state().diagnosis && driver.state().diagnosis->complete) << driver.state().log.back().text;
-    EXPECT_EQ(driver.state().diagnosis->verdict, DiagnosisVerdict::none) << driver.state().diagnosis->headline;
-    for (const DiagnosisTrial& trial : driver.state().diagnosis->trials) EXPECT_LT(trial.before_m, 1.3 * driver.state().diagnosis->noise_m) << trial.name;
-    EXPECT_EQ(step_status(driver.state(), Step::diagnose).state, StepState::done);
+    EXPECT_EQ(driver.state().diagnosis->verdict, ui::commands::DiagnosisVerdict::none)
+        << driver.state().diagnosis->headline;
+    for (const ui::commands::DiagnosisTrial& trial : driver.state().diagnosis->trials)
+        EXPECT_LT(trial.before_m, 1.3 * driver.state().diagnosis->noise_m) << trial.name;
+    EXPECT_EQ(ui::commands::step_status(driver.state(), ui::commands::Step::diagnose).state,
+              ui::commands::StepState::done);
 }
 
 /// Cancels a calibration of the bundled example on a coarse mesh once it has done this many evaluations.
 void cancel_calibration_at(Driver& driver, double evaluations) {
     driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
     ASSERT_TRUE(driver.wait_for_job(60));
-    Settings coarse = driver.state().settings;
+    ui::commands::Settings coarse = driver.state().settings;
     coarse.resolution_m = 0.01;
-    driver.workbench->execute(command::ChangeSettings{coarse, "resolution"});
-    driver.workbench->execute(command::BuildMesh{});
+    driver.workbench->execute(ui::commands::ChangeSettings{coarse, "resolution"});
+    driver.workbench->execute(ui::commands::BuildMesh{});
     ASSERT_TRUE(driver.wait_for_job(60));
     driver.click("run/calibrate");
     ASSERT_TRUE(driver.state().busy());
@@ -106,18 +112,18 @@ void cancel_calibration_at(Driver& driver, double evaluations) {
 }
 
 TEST(BundledExample, CancelsACalibrationThatHasNoValuesYet) {
-    Driver driver(make_core_backend(), 1280, 800);
+    Driver driver(backend::make_core_backend(), 1280, 800);
     ASSERT_NO_FATAL_FAILURE(cancel_calibration_at(driver, 0.0));
     EXPECT_FALSE(driver.state().run);
     EXPECT_FALSE(driver.state().found);
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::information);
+    EXPECT_EQ(driver.state().log.back().level, ui::commands::LogLevel::information);
 }
 
 TEST(BundledExample, KeepsTheBestValuesOfACancelledCalibration) {
-    Driver driver(make_core_backend(), 1280, 800);
+    Driver driver(backend::make_core_backend(), 1280, 800);
     ASSERT_NO_FATAL_FAILURE(cancel_calibration_at(driver, 2.5));
     ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;
-    const SearchResult& kept = *driver.state().found;
+    const ui::commands::SearchResult& kept = *driver.state().found;
     EXPECT_TRUE(kept.stopped);
     EXPECT_GE(kept.evaluations, 2);
     EXPECT_LE(kept.rms_after_m, kept.rms_before_m);
@@ -126,7 +132,7 @@ TEST(BundledExample, KeepsTheBestValuesOfACancelledCalibration) {
     // The validation trial was not run: it shows the body at rest and its measured markers only.
     ASSERT_TRUE(driver.state().run_is_current());
     for (int trial = 0; trial < 3; ++trial) {
-        driver.workbench->execute(command::ChooseTrial{trial});
+        driver.workbench->execute(ui::commands::ChooseTrial{trial});
         driver.settle();
         const bool fitted = driver.state().scene_trial()->role == "fit";
         EXPECT_EQ(driver.state().simulated_trial()->frames.empty(), !fitted);

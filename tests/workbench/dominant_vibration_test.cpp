@@ -18,7 +18,7 @@ Eigen::VectorXd release(const Eigen::VectorXd& t, double ratio) {
 TEST(DominantVibration, FindsFrequencyAndDampingOfADecayingSine) {
     const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
     for (const double ratio : {0.02, 0.06, 0.12}) {
-        const MeasuredVibration found = vibration_of(t, release(t, ratio));
+        const backend::MeasuredVibration found = backend::vibration_of(t, release(t, ratio));
         EXPECT_NEAR(found.frequency_Hz, 3.0, 0.05) << ratio;
         EXPECT_NEAR(found.damping_ratio, ratio, 1e-3) << ratio;
     }
@@ -26,7 +26,7 @@ TEST(DominantVibration, FindsFrequencyAndDampingOfADecayingSine) {
 
 TEST(DominantVibration, IsNotMisledByARecordThatEndsBeforeTheRest) {
     const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(91, 0.0, 0.9);
-    const MeasuredVibration found = vibration_of(t, release(t, 0.02));
+    const backend::MeasuredVibration found = backend::vibration_of(t, release(t, 0.02));
     EXPECT_NEAR(found.frequency_Hz, 3.0, 0.01);
     EXPECT_NEAR(found.damping_ratio, 0.02, 1e-3);
 }
@@ -35,15 +35,16 @@ TEST(DominantVibration, LooksBetweenGaps) {
     const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
     Eigen::VectorXd y = release(t, 0.06);
     y.segment(20, 10).setConstant(std::numeric_limits<double>::quiet_NaN());
-    EXPECT_NEAR(vibration_of(t, y).damping_ratio, 0.06, 1e-3);
+    EXPECT_NEAR(backend::vibration_of(t, y).damping_ratio, 0.06, 1e-3);
 }
 
 TEST(DominantVibration, HasNoDampingWhereNothingDecays) {
     const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
     // Driven: the swing grows.
-    EXPECT_TRUE(std::isnan(vibration_of(t, (0.01 * (0.3 * t.array()).exp() * (19.0 * t.array()).sin()).matrix()).damping_ratio));
-    EXPECT_EQ(vibration_of(t, (-2.0 * t.array()).exp().matrix()).frequency_Hz, 0.0);
-    EXPECT_TRUE(std::isnan(vibration_of(t, (-2.0 * t.array()).exp().matrix()).damping_ratio));
+    EXPECT_TRUE(std::isnan(
+        backend::vibration_of(t, (0.01 * (0.3 * t.array()).exp() * (19.0 * t.array()).sin()).matrix()).damping_ratio));
+    EXPECT_EQ(backend::vibration_of(t, (-2.0 * t.array()).exp().matrix()).frequency_Hz, 0.0);
+    EXPECT_TRUE(std::isnan(backend::vibration_of(t, (-2.0 * t.array()).exp().matrix()).damping_ratio));
 }
 
 }  // namespace

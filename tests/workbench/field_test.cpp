@@ -10,15 +10,18 @@ using test::Driver;
 
 /// The bundled beam, let go under gravity, at the lowest point of its first swing.
 TEST(CoreFields, ABeamThatHangsIsPulledAboveAndPressedBelow) {
-    Driver driver(make_core_backend(), 1200, 800);
-    driver.workbench->execute(command::Open{std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam", std::nullopt});
+    Driver driver(backend::make_core_backend(), 1200, 800);
+    driver.workbench->execute(
+        ui::commands::Open{std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam", std::nullopt});
     ASSERT_TRUE(driver.wait_for_job(60));
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(ui::commands::Run{});
     ASSERT_TRUE(driver.wait_for_job(120));
-    const WorkbenchState& state = driver.state();
-    const Backend& backend = driver.workbench->backend();
-    const auto values = [&](const std::string& id, std::size_t frame) { return backend.field(id, *state.body, *state.run, 0, frame); };
-    const SimulatedTrial& trial = state.run->trials[0];
+    const ui::commands::WorkbenchState& state = driver.state();
+    const ui::commands::Backend& backend = driver.workbench->backend();
+    const auto values = [&](const std::string& id, std::size_t frame) {
+        return backend.field(id, *state.body, *state.run, 0, frame);
+    };
+    const ui::commands::SimulatedTrial& trial = state.run->trials[0];
     std::size_t lowest = 0;
     for (std::size_t f = 0; f < trial.frames.size(); ++f)
         if (trial.frames[f].row(2).minCoeff() < trial.frames[lowest].row(2).minCoeff()) lowest = f;
@@ -44,7 +47,8 @@ TEST(CoreFields, ABeamThatHangsIsPulledAboveAndPressedBelow) {
     EXPECT_EQ(values("displacement", 0).maxCoeff(), 0.0);
     EXPECT_GT(values("velocity", lowest / 2).maxCoeff(), 0.05);
     EXPECT_EQ(values("activation", lowest).cwiseAbs().maxCoeff(), 0.0) << "it has no muscle";
-    for (const FieldKind& kind : backend.fields()) EXPECT_EQ(values(kind.id, lowest).size(), rest.cols()) << kind.id;
+    for (const ui::commands::FieldKind& kind : backend.fields())
+        EXPECT_EQ(values(kind.id, lowest).size(), rest.cols()) << kind.id;
 }
 
 }  // namespace

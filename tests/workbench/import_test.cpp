@@ -11,82 +11,85 @@ namespace myo {
 namespace {
 
 namespace fs = std::filesystem;
-using test::Driver;
-using test::Folder;
 using test::beam_in;
 using test::camera;
+using test::Driver;
+using test::Folder;
 using test::take_of;
 
 TEST(CoreImport, ARecordingByOtherCamerasBecomesTheTrialThatItWas) {
     Folder folder("import");
     const fs::path beam = beam_in(folder);
-    Driver driver(make_core_backend(), 1400, 900);
-    driver.workbench->execute(command::Open{beam, std::nullopt});
+    Driver driver(backend::make_core_backend(), 1400, 900);
+    driver.workbench->execute(ui::commands::Open{beam, std::nullopt});
     ASSERT_TRUE(driver.wait_for_job(60));
-    const SceneTrial known = driver.state().scene->trials[0];
+    const ui::commands::SceneTrial known = driver.state().scene->trials[0];
     ASSERT_EQ(known.name, "gravity_release");
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(ui::commands::Run{});
     ASSERT_TRUE(driver.wait_for_job(120));
     const double rms = driver.state().run->trials[0].rms_m;
-    driver.workbench->execute(command::ReadRecording{take_of(folder, beam / "gravity_release.csv")});
+    driver.workbench->execute(ui::commands::ReadRecording{take_of(folder, beam / "gravity_release.csv")});
     ASSERT_TRUE(driver.wait_for_job(30));
     ASSERT_TRUE(driver.state().import) << driver.state().log.back().text;
     // Markers and frame are told by their distances alone.
-    const RecordingImport& import = *driver.state().import;
+    const ui::commands::RecordingImport& import = *driver.state().import;
     EXPECT_EQ(import.view.problem, "");
     EXPECT_LT(import.view.rms_m, 5e-4);
-    EXPECT_LT(rotation_angle(import.view.rotation * camera.rotation), 0.02);
+    EXPECT_LT(measurement::rotation_angle(import.view.rotation * camera.rotation), 0.02);
     EXPECT_NEAR(import.choices.start_s, 0.6, 0.015);
     // By the run the start is found, too, although its modulus is not that of the beam.
-    driver.workbench->execute(command::AlignImport{});
+    driver.workbench->execute(ui::commands::AlignImport{});
     EXPECT_NEAR(driver.state().import->choices.start_s, 0.6, 0.03);
-    ImportChoices choices = driver.state().import->choices;
+    ui::commands::ImportChoices choices = driver.state().import->choices;
     // A name that the experiment does not declare would be dropped in silence.
-    ImportChoices foreign = choices;
+    ui::commands::ImportChoices foreign = choices;
     foreign.markers[0] = {"own_name", Eigen::Vector3d::Zero()};
-    driver.workbench->execute(command::ChangeImport{foreign});
+    driver.workbench->execute(ui::commands::ChangeImport{foreign});
     EXPECT_EQ(driver.state().import->view.problem, "The experiment has no marker own_name.");
     choices.trial = "gravity_release";
-    driver.workbench->execute(command::ChangeImport{choices});
-    EXPECT_EQ(driver.state().import->view.problem, "The experiment has a trial gravity_release already: choose another name.");
+    driver.workbench->execute(ui::commands::ChangeImport{choices});
+    EXPECT_EQ(driver.state().import->view.problem,
+              "The experiment has a trial gravity_release already: choose another name.");
     choices.start_s = 0.6;
     choices.fit = false;
     choices.trial = "again";
-    driver.workbench->execute(command::ChangeImport{choices});
-    driver.workbench->execute(command::AddRecording{});
+    driver.workbench->execute(ui::commands::ChangeImport{choices});
+    driver.workbench->execute(ui::commands::AddRecording{});
     ASSERT_TRUE(driver.wait_for_job(120));
     ASSERT_FALSE(driver.state().import) << driver.state().log.back().text;
-    const SceneTrial* const added = driver.state().scene_trial();
+    const ui::commands::SceneTrial* const added = driver.state().scene_trial();
     ASSERT_TRUE(added);
     EXPECT_EQ(added->name, "again");
     EXPECT_EQ(added->role, "validate");
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(ui::commands::Run{});
     ASSERT_TRUE(driver.wait_for_job(120));
-    EXPECT_NEAR(driver.state().run->trials.back().rms_m, rms, 0.05 * rms) << "the same motion, from another folder of files";
+    EXPECT_NEAR(driver.state().run->trials.back().rms_m, rms, 0.05 * rms)
+        << "the same motion, from another folder of files";
     // Steps are chosen anew: what they change is far below the error.
     EXPECT_NEAR(driver.state().run->trials.front().rms_m, rms, 0.005 * rms);
 }
 
 TEST(CoreImport, BundledExamplesStayAsTheyAre) {
     Folder folder("import_bundled");
-    Driver driver(make_core_backend(), 1400, 900);
+    Driver driver(backend::make_core_backend(), 1400, 900);
     const fs::path beam = fs::path(MYOLOOP_SOURCE_DIR) / "assets/examples/silicone_beam";
-    driver.workbench->execute(command::Open{beam, std::nullopt});
+    driver.workbench->execute(ui::commands::Open{beam, std::nullopt});
     ASSERT_TRUE(driver.wait_for_job(60));
-    driver.workbench->execute(command::ReadRecording{beam / "side_pluck.csv"});
+    driver.workbench->execute(ui::commands::ReadRecording{beam / "side_pluck.csv"});
     ASSERT_TRUE(driver.wait_for_job(30));
     ASSERT_TRUE(driver.state().import);
-    ImportChoices choices = driver.state().import->choices;
+    ui::commands::ImportChoices choices = driver.state().import->choices;
     choices.trial = "again";
-    driver.workbench->execute(command::ChangeImport{choices});
+    driver.workbench->execute(ui::commands::ChangeImport{choices});
     // Nothing is added unless this holds: the example belongs to the checkout.
-    ASSERT_EQ(driver.state().import->view.problem, "Bundled examples stay as they are: choose a folder for a copy of this one.");
-    driver.workbench->execute(command::AddRecording{});
+    ASSERT_EQ(driver.state().import->view.problem,
+              "Bundled examples stay as they are: choose a folder for a copy of this one.");
+    driver.workbench->execute(ui::commands::AddRecording{});
     EXPECT_FALSE(driver.state().busy());
     choices.folder = folder.path() / "copy";
-    driver.workbench->execute(command::ChangeImport{choices});
+    driver.workbench->execute(ui::commands::ChangeImport{choices});
     EXPECT_EQ(driver.state().import->view.problem, "");
-    driver.workbench->execute(command::AddRecording{});
+    driver.workbench->execute(ui::commands::AddRecording{});
     ASSERT_TRUE(driver.wait_for_job(60));
     EXPECT_TRUE(fs::exists(folder.path() / "copy/again.csv"));
     EXPECT_FALSE(fs::exists(beam / "again.csv"));
@@ -95,39 +98,40 @@ TEST(CoreImport, BundledExamplesStayAsTheyAre) {
 TEST(CoreImport, APlainMeshBecomesAnExperiment) {
     Folder folder("import_mesh");
     const fs::path beam = beam_in(folder);
-    Driver driver(make_core_backend(), 1400, 900);
-    driver.workbench->execute(command::Open{beam, std::nullopt});
+    Driver driver(backend::make_core_backend(), 1400, 900);
+    driver.workbench->execute(ui::commands::Open{beam, std::nullopt});
     ASSERT_TRUE(driver.wait_for_job(60));
-    const std::vector<SceneMarker> markers = driver.state().scene->markers;
+    const std::vector<ui::commands::SceneMarker> markers = driver.state().scene->markers;
     const fs::path mesh = folder.path() / "plain.stl";
-    ASSERT_TRUE(write_stl(mesh, driver.state().scene->surface, 1e-3));
+    ASSERT_TRUE(mesh::write_stl(mesh, driver.state().scene->surface, 1e-3));
     const fs::path take = take_of(folder, beam / "gravity_release.csv");
-    driver.workbench->execute(command::Open{mesh, 1e-3});
+    driver.workbench->execute(ui::commands::Open{mesh, 1e-3});
     ASSERT_TRUE(driver.wait_for_job(60));
-    driver.workbench->execute(command::ReadRecording{take});
+    driver.workbench->execute(ui::commands::ReadRecording{take});
     ASSERT_TRUE(driver.wait_for_job(30));
     ASSERT_TRUE(driver.state().import);
     EXPECT_FALSE(driver.state().import->view.problem.empty());
-    driver.workbench->execute(command::ProposeMarkers{});
-    EXPECT_EQ(driver.state().log.back().level, LogLevel::warning) << "nothing has been clicked";
+    driver.workbench->execute(ui::commands::ProposeMarkers{});
+    EXPECT_EQ(driver.state().log.back().level, ui::commands::LogLevel::warning) << "nothing has been clicked";
     // Three are clicked; take_of turned their order round.
-    ImportChoices choices = driver.state().import->choices;
-    for (const std::size_t i : {0u, 1u, 2u}) choices.markers[i] = {"m" + std::to_string(i), markers[markers.size() - 1 - i].rest_m};
+    ui::commands::ImportChoices choices = driver.state().import->choices;
+    for (const std::size_t i : {0u, 1u, 2u})
+        choices.markers[i] = {"m" + std::to_string(i), markers[markers.size() - 1 - i].rest_m};
     choices.folder = folder.path() / "made";
-    driver.workbench->execute(command::ChangeImport{choices});
-    driver.workbench->execute(command::ProposeMarkers{});
-    const RecordingImport& import = *driver.state().import;
+    driver.workbench->execute(ui::commands::ChangeImport{choices});
+    driver.workbench->execute(ui::commands::ProposeMarkers{});
+    const ui::commands::RecordingImport& import = *driver.state().import;
     ASSERT_EQ(import.view.problem, "");
     for (std::size_t i = 0; i < markers.size(); ++i) {
         ASSERT_TRUE(import.choices.markers[i].rest_m) << i;
         EXPECT_LT((*import.choices.markers[i].rest_m - markers[markers.size() - 1 - i].rest_m).norm(), 2e-3) << i;
     }
-    driver.workbench->execute(command::AddRecording{});
+    driver.workbench->execute(ui::commands::AddRecording{});
     ASSERT_TRUE(driver.wait_for_job(120));
     ASSERT_FALSE(driver.state().import) << driver.state().log.back().text;
     EXPECT_EQ(driver.state().scene->trials.size(), 1u);
     EXPECT_EQ(driver.state().scene->markers.size(), markers.size());
-    driver.workbench->execute(command::Run{});
+    driver.workbench->execute(ui::commands::Run{});
     ASSERT_TRUE(driver.wait_for_job(120));
     EXPECT_LT(driver.state().run->rms_m, 0.02);
 }

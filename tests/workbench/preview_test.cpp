@@ -15,19 +15,21 @@ using test::Driver;
 /// A preview moves as the whole run begins, effects and late starts included, and is compared alike as far as it goes.
 void expect_beginning(const std::string& example, std::size_t trial, double end_s) {
     SCOPED_TRACE(example);
-    const std::shared_ptr<Backend> backend = make_core_backend();
-    const Result<Scene> scene = backend->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/" + example, std::nullopt, {});
+    const std::shared_ptr<ui::commands::Backend> backend = backend::make_core_backend();
+    const Result<ui::commands::Scene> scene = backend->open(
+        std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/" + example, std::nullopt, {});
     ASSERT_TRUE(scene) << scene.error().text();
-    const Result<MeshedBody> body = backend->mesh(*scene, scene->settings, {});
+    const Result<ui::commands::MeshedBody> body = backend->mesh(*scene, scene->settings, {});
     ASSERT_TRUE(body) << body.error().text();
-    Settings settings = scene->settings;
-    settings.own_step = true;   // else the whole run may choose a shorter one
-    const Result<RunResult> whole = backend->simulate(*scene, *body, settings, std::nullopt, {});
-    const Result<RunResult> part = backend->simulate(*scene, *body, settings, RunExtent{trial, end_s}, {});
+    ui::commands::Settings settings = scene->settings;
+    settings.own_step = true;  // else the whole run may choose a shorter one
+    const Result<ui::commands::RunResult> whole = backend->simulate(*scene, *body, settings, std::nullopt, {});
+    const Result<ui::commands::RunResult> part = backend->simulate(*scene, *body, settings,
+                                                                   ui::commands::RunExtent{trial, end_s}, {});
     ASSERT_TRUE(whole && part);
     ASSERT_EQ(part->trials.size(), whole->trials.size());
-    const SimulatedTrial& full = whole->trials[trial];
-    const SimulatedTrial& first = part->trials[trial];
+    const ui::commands::SimulatedTrial& full = whole->trials[trial];
+    const ui::commands::SimulatedTrial& first = part->trials[trial];
     const std::size_t frames = first.frames.size();
     ASSERT_GT(frames, 3u);
     ASSERT_LT(frames, full.frames.size());
@@ -58,14 +60,15 @@ TEST(CorePreview, IsTheBeginningOfTheWholeRun) {
 }
 
 TEST(CorePreview, AStifferBeamIsSeenToHangLess) {
-    Driver driver(make_core_backend(), 1200, 800);
-    driver.workbench->execute(command::Open{std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam", std::nullopt});
+    Driver driver(backend::make_core_backend(), 1200, 800);
+    driver.workbench->execute(
+        ui::commands::Open{std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam", std::nullopt});
     ASSERT_TRUE(driver.wait_for_job(60));
-    driver.workbench->execute(command::SetTime{0.05});
+    driver.workbench->execute(ui::commands::SetTime{0.05});
     const auto lowest_at = [&](double E) {
-        Settings settings = driver.state().settings;
+        ui::commands::Settings settings = driver.state().settings;
         settings.youngs_modulus_Pa = E;
-        driver.workbench->execute(command::ChangeSettings{settings, "test", false});
+        driver.workbench->execute(ui::commands::ChangeSettings{settings, "test", false});
         for (int i = 0; i < 20000 && driver.state().preview.working; ++i) {
             driver.frame();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -74,7 +77,7 @@ TEST(CorePreview, AStifferBeamIsSeenToHangLess) {
         EXPECT_TRUE(driver.state().previewing());
         return driver.window->scene().positions.row(2).minCoeff();
     };
-    driver.workbench->execute(command::ChangePreview{true, 0.1});
+    driver.workbench->execute(ui::commands::ChangePreview{true, 0.1});
     const double soft = lowest_at(1.5e5), stiff = lowest_at(4e5);
     EXPECT_LT(soft, stiff - 1e-4);
     EXPECT_TRUE(driver.state().history.empty());

@@ -14,21 +14,24 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Numbers that take all their digits, names that need care.
-Project some_project(const fs::path& source) {
-    Project project;
+ui::commands::Project some_project(const fs::path& source) {
+    ui::commands::Project project;
     project.source = source;
     project.metres_per_unit = 1e-3;
     project.trial = "a \"quoted\" name";
-    for (bool ViewOptions::* const shown : {&ViewOptions::edges, &ViewOptions::grid, &ViewOptions::measured, &ViewOptions::simulated, &ViewOptions::trails, &ViewOptions::errors, &ViewOptions::labels,
-                                            &ViewOptions::clamp, &ViewOptions::fibres, &ViewOptions::effect_force})
+    for (bool ui::commands::ViewOptions::*const shown :
+         {&ui::commands::ViewOptions::edges, &ui::commands::ViewOptions::grid, &ui::commands::ViewOptions::measured,
+          &ui::commands::ViewOptions::simulated, &ui::commands::ViewOptions::trails, &ui::commands::ViewOptions::errors,
+          &ui::commands::ViewOptions::labels, &ui::commands::ViewOptions::clamp, &ui::commands::ViewOptions::fibres,
+          &ui::commands::ViewOptions::effect_force})
         project.view.*shown = false;
     project.view.opacity = 0.3;
     project.view.field = "von_mises";
     project.view.color_map = "magma";
     project.view.field_ranges = {{"von_mises", {0.0, 1e4 / 3.0}}, {"a field", {-0.25, 0.125}}};
     project.view.clip = {true, Eigen::Vector3d(0.6, 0.0, -0.8), -0.012, true};
-    Settings& s = project.settings;
-    s.element = CellType::tet10;
+    ui::commands::Settings& s = project.settings;
+    s.element = mesh::CellType::tet10;
     s.resolution_m = 0.1 / 3.0;
     s.material = "corotational";
     s.integrator = "generalized_alpha";
@@ -39,16 +42,30 @@ Project some_project(const fs::path& source) {
     s.spectral_radius = 0.8;
     s.time_step_s = 0.004 / 3.0;
     s.velocity_force_1_s = -0.125;
-    s.effects = {{"wild_effect", {{"coefficient", 1.0 / 3.0}, {"direction", std::vector<double>{0.0, 1e-17, 1.0}}, {"marker", std::string("tip")}, {"list", std::vector<std::string>{"a", "b"}}}, "Wild effect", "1 ± 2"}};
-    PaintedMask mask;
+    s.effects = {{"wild_effect",
+                  {{"coefficient", 1.0 / 3.0},
+                   {"direction", std::vector<double>{0.0, 1e-17, 1.0}},
+                   {"marker", std::string("tip")},
+                   {"list", std::vector<std::string>{"a", "b"}}},
+                  "Wild effect",
+                  "1 ± 2"}};
+    fibre::PaintedMask mask;
     mask.cell_size_m = 0.004;
     mask.centroids_m.resize(3, 2);
     mask.centroids_m << 0.001, 0.005, 0.0, 0.0, 0.002, 0.002;
     mask.weights = Eigen::Vector2d(1.0, 0.0);
     mask.directions = Eigen::Matrix3Xd::Zero(3, 2);
     mask.directions.row(0).setOnes();
-    Muscle upper{"upper / left", "", 3, 1.25e5, true, "", -1.0, std::make_shared<const PaintedMask>(mask), Signal{{0.0, 0.5, 0.5}, {1.0, 0.8, 1.0}}};
-    Muscle lower{"lower", "", 1, 8e4, false, "upper / left", -0.5, nullptr, std::nullopt};
+    ui::commands::Muscle upper{"upper / left",
+                               "",
+                               3,
+                               1.25e5,
+                               true,
+                               "",
+                               -1.0,
+                               std::make_shared<const fibre::PaintedMask>(mask),
+                               fibre::Signal{{0.0, 0.5, 0.5}, {1.0, 0.8, 1.0}}};
+    ui::commands::Muscle lower{"lower", "", 1, 8e4, false, "upper / left", -0.5, nullptr, std::nullopt};
     s.muscles = {upper, lower};
     return project;
 }
@@ -56,16 +73,16 @@ Project some_project(const fs::path& source) {
 TEST(ProjectFile, BringsBackAllThatWasWritten) {
     const test::Folder folder("project_file");
     folder.write("body.stl", "solid");
-    const Project written = some_project(folder.path() / "body.stl");
+    const ui::commands::Project written = some_project(folder.path() / "body.stl");
     const fs::path file = folder.path() / "deep" / "arm.myoloop";
-    ASSERT_TRUE(write_project_file(file, written));
-    const Result<Project> read = read_project_file(file);
+    ASSERT_TRUE(backend::write_project_file(file, written));
+    const Result<ui::commands::Project> read = backend::read_project_file(file);
     ASSERT_TRUE(read) << read.error().text();
     ASSERT_EQ(read->settings.muscles.size(), 2u);
-    const PaintedMask &mask = *written.settings.muscles[0].paint, &again = *read->settings.muscles[0].paint;
+    const fibre::PaintedMask &mask = *written.settings.muscles[0].paint, &again = *read->settings.muscles[0].paint;
     EXPECT_EQ(again.count(), 2);
     EXPECT_NEAR((again.centroids_m - mask.centroids_m).norm(), 0.0, 1e-9);
-    Project same = *read;
+    ui::commands::Project same = *read;
     same.settings.muscles[0].paint = written.settings.muscles[0].paint;
     EXPECT_EQ(same, written);
     EXPECT_FALSE(fs::exists(file.string() + ".tmp"));
@@ -74,17 +91,19 @@ TEST(ProjectFile, BringsBackAllThatWasWritten) {
 TEST(ProjectFile, KeepsNoMaskThatNothingNames) {
     const test::Folder folder("project_masks");
     folder.write("body.stl", "solid");
-    Project project = some_project(folder.path() / "body.stl");
+    ui::commands::Project project = some_project(folder.path() / "body.stl");
     const fs::path file = folder.path() / "arm.myoloop";
-    const auto masks = [&] { return std::distance(fs::directory_iterator(folder.path() / "arm.files"), fs::directory_iterator()); };
-    ASSERT_TRUE(write_project_file(file, project));
+    const auto masks = [&] {
+        return std::distance(fs::directory_iterator(folder.path() / "arm.files"), fs::directory_iterator());
+    };
+    ASSERT_TRUE(backend::write_project_file(file, project));
     EXPECT_EQ(masks(), 1);
-    PaintedMask other = *project.settings.muscles[0].paint;
+    fibre::PaintedMask other = *project.settings.muscles[0].paint;
     other.weights(0) = 0.5;
-    project.settings.muscles[0].paint = std::make_shared<const PaintedMask>(other);
-    ASSERT_TRUE(write_project_file(file, project));
+    project.settings.muscles[0].paint = std::make_shared<const fibre::PaintedMask>(other);
+    ASSERT_TRUE(backend::write_project_file(file, project));
     EXPECT_EQ(masks(), 1);
-    EXPECT_DOUBLE_EQ(read_project_file(file)->settings.muscles[0].paint->weights(0), 0.5);
+    EXPECT_DOUBLE_EQ(backend::read_project_file(file)->settings.muscles[0].paint->weights(0), 0.5);
 }
 
 /// A project in which the painted muscle was painted on, and which was copied before.
@@ -93,13 +112,13 @@ protected:
     CopiedProject() {
         folder.write("body.stl", "solid");
         const fs::path file = folder.path() / "arm.myoloop";
-        Project project = some_project(folder.path() / "body.stl");
-        EXPECT_TRUE(write_project_file(file, project));
+        ui::commands::Project project = some_project(folder.path() / "body.stl");
+        EXPECT_TRUE(backend::write_project_file(file, project));
         fs::copy_file(file, folder.path() / GetParam());
-        PaintedMask other = *project.settings.muscles[0].paint;
+        fibre::PaintedMask other = *project.settings.muscles[0].paint;
         other.weights(0) = 0.5;
-        project.settings.muscles[0].paint = std::make_shared<const PaintedMask>(other);
-        EXPECT_TRUE(write_project_file(file, project));
+        project.settings.muscles[0].paint = std::make_shared<const fibre::PaintedMask>(other);
+        EXPECT_TRUE(backend::write_project_file(file, project));
     }
     test::Folder folder{"project_copy"};
 };
@@ -107,11 +126,12 @@ protected:
 TEST_P(CopiedProject, KeepsItsPaint) {
     const fs::path again = folder.path() / "again.myoloop";
     fs::rename(folder.path() / GetParam(), again);
-    const Result<Project> copy = read_project_file(again);
+    const Result<ui::commands::Project> copy = backend::read_project_file(again);
     ASSERT_TRUE(copy) << copy.error().text();
     EXPECT_TRUE(copy->warnings.empty());
     EXPECT_DOUBLE_EQ(copy->settings.muscles[0].paint->weights(0), 1.0);
-    EXPECT_DOUBLE_EQ(read_project_file(folder.path() / "arm.myoloop")->settings.muscles[0].paint->weights(0), 0.5);
+    EXPECT_DOUBLE_EQ(backend::read_project_file(folder.path() / "arm.myoloop")->settings.muscles[0].paint->weights(0),
+                     0.5);
 }
 INSTANTIATE_TEST_SUITE_P(Names, CopiedProject,
                          ::testing::Values("arm_backup.myoloop", "arm.myoloop~", "arm.myoloop.2026-01-01"));
@@ -120,11 +140,11 @@ TEST(ProjectFile, OpensWithoutAMaskThatIsMissing) {
     const test::Folder folder("project_mask_missing");
     folder.write("body.stl", "solid");
     const fs::path file = folder.path() / "arm.myoloop";
-    const Project project = some_project(folder.path() / "body.stl");
-    ASSERT_TRUE(write_project_file(file, project));
+    const ui::commands::Project project = some_project(folder.path() / "body.stl");
+    ASSERT_TRUE(backend::write_project_file(file, project));
     const std::string mask = fs::directory_iterator(folder.path() / "arm.files")->path().filename().string();
     fs::remove_all(folder.path() / "arm.files");
-    const Result<Project> read = read_project_file(file);
+    const Result<ui::commands::Project> read = backend::read_project_file(file);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->warnings,
               std::vector<std::string>{"The paint of muscle \"upper / left\" is lost: its mask arm.files/" + mask +
@@ -133,7 +153,7 @@ TEST(ProjectFile, OpensWithoutAMaskThatIsMissing) {
     EXPECT_EQ(read->settings.muscles[0].signal, project.settings.muscles[0].signal);
     fs::create_directories(folder.path() / "arm.files");
     folder.write("arm.files/" + mask, "x,y\n");
-    EXPECT_FALSE(read_project_file(file));   // one that is there and broken
+    EXPECT_FALSE(backend::read_project_file(file));  // one that is there and broken
 }
 
 TEST(ProjectFile, LeavesTablesAloneThatItDidNotWrite) {
@@ -142,9 +162,9 @@ TEST(ProjectFile, LeavesTablesAloneThatItDidNotWrite) {
     fs::create_directories(folder.path() / "arm.files");
     folder.write("arm.files/take.csv", "time_s\n");
     folder.write("arm.files/other-0123456789abcdef.csv", "of another project");
-    Project project = some_project(folder.path() / "body.stl");
+    ui::commands::Project project = some_project(folder.path() / "body.stl");
     const fs::path file = folder.path() / "arm.myoloop";
-    ASSERT_TRUE(write_project_file(file, project));
+    ASSERT_TRUE(backend::write_project_file(file, project));
     // Not even one that a person has named in the project by hand.
     Result<std::string> text = read_file(file);
     ASSERT_TRUE(text);
@@ -153,8 +173,9 @@ TEST(ProjectFile, LeavesTablesAloneThatItDidNotWrite) {
     fs::copy_file(folder.path() / "arm.files" / mask, folder.path() / "arm.files" / "drawn.csv");
     folder.write("arm.myoloop", text->replace(at, end - at, "drawn.csv"));
     project.settings.muscles[0].paint.reset();
-    ASSERT_TRUE(write_project_file(file, project));
-    for (const char* const kept : {"take.csv", "other-0123456789abcdef.csv", "drawn.csv"}) EXPECT_TRUE(fs::exists(folder.path() / "arm.files" / kept)) << kept;
+    ASSERT_TRUE(backend::write_project_file(file, project));
+    for (const char* const kept : {"take.csv", "other-0123456789abcdef.csv", "drawn.csv"})
+        EXPECT_TRUE(fs::exists(folder.path() / "arm.files" / kept)) << kept;
 }
 
 TEST(ProjectFile, MayMoveWithItsExperiment) {
@@ -162,9 +183,10 @@ TEST(ProjectFile, MayMoveWithItsExperiment) {
     folder.write("body.stl", "solid");
     fs::create_directories(folder.path() / "a" / "data");
     fs::copy_file(folder.path() / "body.stl", folder.path() / "a" / "data" / "body.stl");
-    ASSERT_TRUE(write_project_file(folder.path() / "a" / "p.myoloop", some_project(folder.path() / "a" / "data" / "body.stl")));
+    ASSERT_TRUE(backend::write_project_file(folder.path() / "a" / "p.myoloop",
+                                            some_project(folder.path() / "a" / "data" / "body.stl")));
     fs::rename(folder.path() / "a", folder.path() / "b");
-    const Result<Project> read = read_project_file(folder.path() / "b" / "p.myoloop");
+    const Result<ui::commands::Project> read = backend::read_project_file(folder.path() / "b" / "p.myoloop");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->source, fs::weakly_canonical(folder.path() / "b" / "data" / "body.stl"));
 }
@@ -173,20 +195,28 @@ TEST(ProjectFile, SaysWhereItIsBroken) {
     const test::Folder folder("project_broken");
     folder.write("body.stl", "solid");
     const fs::path file = folder.path() / "arm.myoloop";
-    ASSERT_TRUE(write_project_file(file, some_project(folder.path() / "body.stl")));
+    ASSERT_TRUE(backend::write_project_file(file, some_project(folder.path() / "body.stl")));
     const std::string good = *read_file(file);
     struct Fault {
         std::string part, instead, told;
     };
-    for (const Fault& fault : {Fault{"step_s", "stepp_s", "stepp_s"}, {"myoloop-project/1", "experiment/1", "schema"}, {"\"tet10\"", "\"hex20\"", "element"}, {"body.stl", "gone.stl", "source"},
-                               {"lower", "upper / left", "name"}, {"poissons_ratio = 0.43", "poissons_ratio = 0.7", "poissons_ratio"}, {"time_s = [0.0, 0.5, 0.5]", "time_s = [0.5, 0.0, 0.5]", "ascend"},
+    for (const Fault& fault : {Fault{"step_s", "stepp_s", "stepp_s"},
+                               {"myoloop-project/1", "experiment/1", "schema"},
+                               {"\"tet10\"", "\"hex20\"", "element"},
+                               {"body.stl", "gone.stl", "source"},
+                               {"lower", "upper / left", "name"},
+                               {"poissons_ratio = 0.43", "poissons_ratio = 0.7", "poissons_ratio"},
+                               {"time_s = [0.0, 0.5, 0.5]", "time_s = [0.5, 0.0, 0.5]", "ascend"},
                                {"follows = { muscle = \"upper / left\"", "follows = { muscle = \"nobody\"", "nobody"},
-                               {"[0.6, 0.0, -0.8]", "[0.6, 0.1, -0.8]", "normal"}, {"[-0.25, 0.125]", "[0.25, 0.125]", "a field"}, {"color_map", "colour_map", "colour_map"}, {"[material]", "[material", "arm.myoloop"}}) {
+                               {"[0.6, 0.0, -0.8]", "[0.6, 0.1, -0.8]", "normal"},
+                               {"[-0.25, 0.125]", "[0.25, 0.125]", "a field"},
+                               {"color_map", "colour_map", "colour_map"},
+                               {"[material]", "[material", "arm.myoloop"}}) {
         std::string text = good;
         const std::size_t at = text.find(fault.part);
         ASSERT_NE(at, std::string::npos) << fault.part;
         folder.write("arm.myoloop", text.replace(at, fault.part.size(), fault.instead));
-        const Result<Project> read = read_project_file(file);
+        const Result<ui::commands::Project> read = backend::read_project_file(file);
         ASSERT_FALSE(read) << fault.instead;
         EXPECT_NE(read.error().text().find(fault.told), std::string::npos) << read.error().text();
     }
@@ -195,32 +225,32 @@ TEST(ProjectFile, SaysWhereItIsBroken) {
 TEST(UserFiles, PreferencesComeBackAndBrokenOnesAreTold) {
     const test::Folder folder("preferences");
     const fs::path file = folder.path() / "preferences.toml";
-    EXPECT_EQ(*read_preferences(file), Preferences{});
-    Preferences p;
-    p.theme = ThemeName::light;
+    EXPECT_EQ(*backend::read_preferences(file), ui::commands::Preferences{});
+    ui::commands::Preferences p;
+    p.theme = ui::platform::ThemeName::light;
     p.scale = 1.5f;
     p.layout = {400.0f, 200.0f};
     p.recent = {folder.path()};
     p.bookmarks = {folder.path(), "/elsewhere"};
-    p.step_costs = {{CellType::hex8, 4608.0, 0.0068}, {CellType::tet10, 31725.0, 0.125}};
-    ASSERT_TRUE(write_preferences(file, p));
-    EXPECT_EQ(*read_preferences(file), p);
+    p.step_costs = {{mesh::CellType::hex8, 4608.0, 0.0068}, {mesh::CellType::tet10, 31725.0, 0.125}};
+    ASSERT_TRUE(backend::write_preferences(file, p));
+    EXPECT_EQ(*backend::read_preferences(file), p);
     p.recent.emplace_back(folder.path() / "gone");
-    ASSERT_TRUE(write_preferences(file, p));
-    EXPECT_EQ(read_preferences(file)->recent.size(), 1u) << "what is no longer there is not offered";
+    ASSERT_TRUE(backend::write_preferences(file, p));
+    EXPECT_EQ(backend::read_preferences(file)->recent.size(), 1u) << "what is no longer there is not offered";
     folder.write("preferences.toml", "theme = 'pink'\n");
-    EXPECT_FALSE(read_preferences(file));
+    EXPECT_FALSE(backend::read_preferences(file));
 }
 
 TEST(UserFiles, FindsUnsavedWorkOfProcessesThatAreGone) {
     const test::Folder folder("recoveries");
     folder.write("unsaved-999999999.myoloop", "");
-    folder.write("unsaved-1.myoloop", "");   // of a process that lives
+    folder.write("unsaved-1.myoloop", "");  // of a process that lives
     folder.write("other.myoloop", "");
-    const std::vector<fs::path> found = found_recoveries(folder.path());
+    const std::vector<fs::path> found = backend::found_recoveries(folder.path());
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].stem(), "unsaved-999999999");
-    EXPECT_TRUE(found_recoveries(folder.path() / "nowhere").empty());
+    EXPECT_TRUE(backend::found_recoveries(folder.path() / "nowhere").empty());
 }
 
 }  // namespace

@@ -17,15 +17,17 @@ using test::Driver;
 
 class Person : public ::testing::Test {
 protected:
-    Driver driver{make_core_backend(), 1400, 900};
+    Driver driver{backend::make_core_backend(), 1400, 900};
 
-    const WorkbenchState& state() const { return driver.state(); }
-    StepState step(Step which) const { return step_status(state(), which).state; }
+    const ui::commands::WorkbenchState& state() const { return driver.state(); }
+    ui::commands::StepState step(ui::commands::Step which) const {
+        return ui::commands::step_status(state(), which).state;
+    }
 
     void wait(int seconds) {
         ASSERT_TRUE(driver.wait_for_job(seconds));
         ASSERT_FALSE(state().log.empty()) << "nothing was opened";
-        ASSERT_NE(state().log.back().level, LogLevel::failure) << state().log.back().text;
+        ASSERT_NE(state().log.back().level, ui::commands::LogLevel::failure) << state().log.back().text;
     }
     void type_into(const std::string& item, const std::string& text, bool enter = true) {
         driver.double_click(item);
@@ -34,9 +36,7 @@ protected:
         if (enter) driver.key(ImGuiKey_Enter);
     }
     /// In the dialog that is open: goes to a folder by typing where it is.
-    void browse_to(const std::filesystem::path& folder) {
-        type_into("browser/path", folder.string());
-    }
+    void browse_to(const std::filesystem::path& folder) { type_into("browser/path", folder.string()); }
     void choose(const std::filesystem::path& path) {
         browse_to(path.parent_path());
         driver.click("browser/entry/" + path.filename().string());
@@ -50,14 +50,18 @@ protected:
         driver.drag(test::pixel_of(driver, {0.03, y, 0.02}), test::pixel_of(driver, {0.095, y, 0.02}));
     }
     /// Of the 3D view with the mouse elsewhere.
-    Image view() {
+    ui::platform::Image view() {
         driver.click_at({driver.item("panel/markers").center()});
         for (int i = 0; i < 3; ++i) driver.frame();
         return driver.picture();
     }
     /// Share of the view's pixels in which two pictures differ.
-    double differing(const Image& a, const Image& b) { return test::differing_share(a, b, driver.window->viewport().pixels); }
-    double painted_cm3() const { return 1e6 * amount_of(*state().chosen_paint(), state().ground->volumes_m3).volume_m3; }
+    double differing(const ui::platform::Image& a, const ui::platform::Image& b) {
+        return test::differing_share(a, b, driver.window->viewport().pixels);
+    }
+    double painted_cm3() const {
+        return 1e6 * fibre::amount_of(*state().chosen_paint(), state().ground->volumes_m3).volume_m3;
+    }
 };
 
 /// The bundled beam, whose file says that gravity pulls 3 degrees sideways: as one has it whose mount was not level.
@@ -73,32 +77,32 @@ std::filesystem::path tilted_beam_in(const test::Folder& folder) {
 TEST_F(Person, GoesTheWholeWay) {
     const test::Folder folder("whole_workflow");
     // Open an example.
-    ASSERT_EQ(step(Step::mesh), StepState::missing);
+    ASSERT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::missing);
     const std::filesystem::path beam = tilted_beam_in(folder);
     driver.click("start/open");
     choose(beam);
     ASSERT_NO_FATAL_FAILURE(wait(60));
     ASSERT_TRUE(state().body);
-    EXPECT_EQ(step(Step::mesh), StepState::done);
+    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::done);
     const Eigen::Index cells = state().body->mesh.cell_count();
 
     // Remesh, coarser.
     driver.click("step/mesh");
-    const Rectangle slider = driver.item("body/resolution");
+    const ui::platform::Rectangle slider = driver.item("body/resolution");
     driver.click_at({slider.lowest.x + 0.55f * slider.width(), slider.center().y});
-    EXPECT_EQ(step(Step::mesh), StepState::stale);
+    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::stale);
     driver.click("body/build");
     ASSERT_NO_FATAL_FAILURE(wait(60));
-    EXPECT_EQ(step(Step::mesh), StepState::done);
+    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::done);
     EXPECT_LT(state().body->mesh.cell_count(), cells);
 
     // Paint three strokes, take one back and do it again.
     driver.click("step/fibres");
     driver.click("fibres/add");
-    EXPECT_EQ(step(Step::fibres), StepState::ready);
+    EXPECT_EQ(step(ui::commands::Step::fibres), ui::commands::StepState::ready);
     driver.click("fibres/tool/paint");
     std::vector<double> volumes;
-    std::vector<Image> pictures{view()};
+    std::vector<ui::platform::Image> pictures{view()};
     for (const double y : {0.004, 0.015, 0.026}) {
         stroke(y);
         volumes.push_back(painted_cm3());
@@ -107,7 +111,7 @@ TEST_F(Person, GoesTheWholeWay) {
     }
     EXPECT_TRUE(std::is_sorted(volumes.begin(), volumes.end()));
     EXPECT_GT(volumes.back(), volumes.front());
-    EXPECT_EQ(step(Step::fibres), StepState::done);
+    EXPECT_EQ(step(ui::commands::Step::fibres), ui::commands::StepState::done);
     driver.key(ImGuiKey_Z, {.ctrl = true});
     EXPECT_NEAR(painted_cm3(), volumes[1], 1e-9);
     EXPECT_LT(differing(view(), pictures[2]), 2e-4);
@@ -117,11 +121,11 @@ TEST_F(Person, GoesTheWholeWay) {
     driver.click("fibres/tool/view");
 
     // Run and scrub: the body has left its rest shape, and the error is told.
-    driver.key(key_r, {.ctrl = true});
+    driver.key(ui::platform::key_r, {.ctrl = true});
     ASSERT_NO_FATAL_FAILURE(wait(120));
     ASSERT_TRUE(state().run_is_current());
-    EXPECT_EQ(step(Step::run), StepState::done);
-    const Rectangle track = driver.item("timeline/track");
+    EXPECT_EQ(step(ui::commands::Step::run), ui::commands::StepState::done);
+    const ui::platform::Rectangle track = driver.item("timeline/track");
     driver.click_at({track.lowest.x + 0.5f * track.width(), track.center().y});
     EXPECT_GT((driver.window->scene().positions - state().body->mesh.nodes).colwise().norm().maxCoeff(), 1e-3);
     driver.click("step/measure");
@@ -145,7 +149,7 @@ TEST_F(Person, GoesTheWholeWay) {
 
     // Calibrate and change one's mind.
     driver.click("step/fit");
-    const Settings before = state().settings;
+    const ui::commands::Settings before = state().settings;
     driver.click("fit/calibrate");
     ASSERT_TRUE(state().busy());
     driver.click("run/cancel");
@@ -161,7 +165,8 @@ TEST_F(Person, GoesTheWholeWay) {
     bool played = false;
     while (state().busy()) {
         driver.frame();
-        played = played || (state().searching() && state().search && state().search->best && !state().simulated_trial()->frames.empty());
+        played = played || (state().searching() && state().search && state().search->best &&
+                            !state().simulated_trial()->frames.empty());
     }
     driver.settle();
     ASSERT_TRUE(state().found) << state().log.back().text;
@@ -180,32 +185,33 @@ TEST_F(Person, GoesTheWholeWay) {
     ASSERT_TRUE(state().diagnosing());
     ASSERT_NO_FATAL_FAILURE(wait(300));
     ASSERT_TRUE(state().diagnosis && state().diagnosis->complete) << state().log.back().text;
-    EXPECT_EQ(state().diagnosis->verdict, DiagnosisVerdict::effects);
+    EXPECT_EQ(state().diagnosis->verdict, ui::commands::DiagnosisVerdict::effects);
     ASSERT_TRUE(state().diagnosis->row("gravity_tilt")) << state().diagnosis->headline;
     driver.click("diagnose/row/gravity_tilt");
     driver.click("diagnose/add");
     ASSERT_EQ(state().settings.effects.size(), 1u);
     const auto& parameters = state().settings.effects.front().parameters;
     // About the beam's own axis; about the others, half a degree more or less is not seen.
-    EXPECT_NEAR(std::get<double>(parameters.at("tilt_deg")) * std::get<std::vector<double>>(parameters.at("axis"))[0], -3.0, 0.5);
+    EXPECT_NEAR(std::get<double>(parameters.at("tilt_deg")) * std::get<std::vector<double>>(parameters.at("axis"))[0],
+                -3.0, 0.5);
     driver.click("step/material");
     EXPECT_TRUE(driver.has("model/effect/gravity_tilt"));
 
     // Save and open again, in another window.
-    driver.key(key_r, {.ctrl = true});
+    driver.key(ui::platform::key_r, {.ctrl = true});
     ASSERT_NO_FATAL_FAILURE(wait(120));
     driver.click("view/options");
-    driver.click("view/effect_force");   // of the diagnosis, which a project does not keep
+    driver.click("view/effect_force");  // of the diagnosis, which a project does not keep
     driver.key(ImGuiKey_Escape);
     EXPECT_FALSE(driver.has("view/effect_force"));
     const auto in_the_swing = [&] {
         driver.click("timeline/trial");
         driver.click("timeline/trial/" + state().scene->trials[0].name);
-        const Rectangle line = driver.item("timeline/track");
+        const ui::platform::Rectangle line = driver.item("timeline/track");
         driver.click_at({line.lowest.x + 0.3f * line.width(), line.center().y});
         return view();
     };
-    const Image before_saving = in_the_swing();
+    const ui::platform::Image before_saving = in_the_swing();
     from_menu("file", "file.save_as");
     browse_to(folder.path());
     type_into("browser/name", "model.myoloop", false);
@@ -213,21 +219,21 @@ TEST_F(Person, GoesTheWholeWay) {
     ASSERT_TRUE(std::filesystem::exists(folder.path() / "model.myoloop")) << state().log.back().text;
     EXPECT_FALSE(state().unsaved());
     EXPECT_GE(state().history.size(), 3u);
-    driver.key(key_o, {.ctrl = true});
+    driver.key(ui::platform::key_o, {.ctrl = true});
     choose(folder.path() / "model.myoloop");
     ASSERT_NO_FATAL_FAILURE(wait(60));
     EXPECT_EQ(state().project, folder.path() / "model.myoloop");
     ASSERT_EQ(state().settings.effects.size(), 1u);
     EXPECT_NEAR(state().settings.youngs_modulus_Pa, state().saved_settings.youngs_modulus_Pa, 0.0);
-    EXPECT_EQ(step(Step::mesh), StepState::done);
-    EXPECT_EQ(step(Step::run), StepState::ready);
-    driver.key(key_r, {.ctrl = true});
+    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::done);
+    EXPECT_EQ(step(ui::commands::Step::run), ui::commands::StepState::ready);
+    driver.key(ui::platform::key_r, {.ctrl = true});
     ASSERT_NO_FATAL_FAILURE(wait(120));
     EXPECT_LT(differing(in_the_swing(), before_saving), 1e-3) << "the same model moves in the same way";
 }
 
-/// The README's way from an example to a painted, optimised and compared muscle, click by click: the muscles of a filmed tail are not
-/// known; two are painted, and a signal is found with which the tail follows what was filmed.
+/// The README's way from an example to a painted, optimised and compared muscle, click by click: the muscles of a
+/// filmed tail are not known; two are painted, and a signal is found with which the tail follows what was filmed.
 TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     from_menu("file", "examples");
     driver.click("menu/example/fish_tail");
@@ -245,7 +251,10 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     driver.click("fibres/tool/paint");
     type_into("fibres/radius", "30");
     driver.click("view/y");
-    const auto paint_side = [&](double side) { driver.drag(test::pixel_of(driver, {0.02, side * 0.0077, 0.0}), test::pixel_of(driver, {0.066, side * 0.0049, 0.0})); };
+    const auto paint_side = [&](double side) {
+        driver.drag(test::pixel_of(driver, {0.02, side * 0.0077, 0.0}),
+                    test::pixel_of(driver, {0.066, side * 0.0049, 0.0}));
+    };
     paint_side(-1.0);
     EXPECT_GT(painted_cm3(), 3.0);
     driver.click("fibres/add");
@@ -265,7 +274,9 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     driver.click("fit/optimize");
     const auto start = std::chrono::steady_clock::now();
     ASSERT_NO_FATAL_FAILURE(wait(300));
-    RecordProperty("search_ms", static_cast<int>(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()));
+    RecordProperty(
+        "search_ms",
+        static_cast<int>(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()));
     ASSERT_TRUE(state().found) << state().log.back().text;
     RecordProperty("rms_before_um", static_cast<int>(1e6 * state().found->rms_before_m));
     RecordProperty("rms_after_um", static_cast<int>(1e6 * state().found->rms_after_m));

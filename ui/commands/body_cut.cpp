@@ -7,33 +7,36 @@
 
 #include "viewport/scene_lines.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
 void BodyCut::apply(const WorkbenchState& state, MotionSummary& motion) {
     if (!state.body || !state.ground || !motion.body) return;
     const ClipPlane& plane = state.view.clip;
     if (!plane.on) {
         if (motion.body->kept.empty()) return;
-        motion.body = std::make_shared<DrawnBody>(DrawnBody{state.body->boundary, {}});
+        motion.body = std::make_shared<viewport::DrawnBody>(viewport::DrawnBody{state.body->boundary, {}});
     } else {
         if (body_ == state.body && plane_ == plane && motion.body == cut_) return;
-        if (body_ != state.body) table_ = face_table(state.body->mesh);
+        if (body_ != state.body) table_ = mesh::face_table(state.body->mesh);
         body_ = state.body;
         plane_ = plane;
         const Eigen::Matrix3Xd& centres = state.ground->places.centre_m;
         std::vector<char> kept(static_cast<std::size_t>(centres.cols()));
-        for (Eigen::Index c = 0; c < centres.cols(); ++c) kept[static_cast<std::size_t>(c)] = plane.removes(centres.col(c)) ? 0 : 1;
-        BoundaryFaces faces = boundary_of_part(table_, kept);
-        cut_ = motion.body = std::make_shared<DrawnBody>(DrawnBody{std::move(faces), std::move(kept)});
+        for (Eigen::Index c = 0; c < centres.cols(); ++c)
+            kept[static_cast<std::size_t>(c)] = plane.removes(centres.col(c)) ? 0 : 1;
+        mesh::BoundaryFaces faces = mesh::boundary_of_part(table_, kept);
+        cut_ = motion.body = std::make_shared<viewport::DrawnBody>(
+            viewport::DrawnBody{std::move(faces), std::move(kept)});
     }
-    motion.surface = std::make_shared<DrawnSurface>(drawn_surface(motion.body->faces));
+    motion.surface = std::make_shared<viewport::DrawnSurface>(viewport::drawn_surface(motion.body->faces));
 }
 
 Eigen::Matrix3Xd outline_of(const ClipPlane& plane, const Box& box) {
     std::vector<Eigen::Vector3d> points;
-    for (const DrawnLine& edge : box_lines(box, Color::Ones(), 1.0)) {
+    for (const viewport::DrawnLine& edge : viewport::box_lines(box, viewport::Color::Ones(), 1.0)) {
         for (Eigen::Index i = 0; i + 1 < edge.points.cols(); ++i) {
-            const double a = plane.normal.dot(edge.points.col(i)) - plane.position_m, b = plane.normal.dot(edge.points.col(i + 1)) - plane.position_m;
+            const double a = plane.normal.dot(edge.points.col(i)) - plane.position_m,
+                         b = plane.normal.dot(edge.points.col(i + 1)) - plane.position_m;
             if ((a > 0.0) == (b > 0.0)) continue;
             points.push_back(edge.points.col(i) + a / (a - b) * (edge.points.col(i + 1) - edge.points.col(i)));
         }
@@ -48,4 +51,4 @@ Eigen::Matrix3Xd outline_of(const ClipPlane& plane, const Box& box) {
     return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, static_cast<Eigen::Index>(points.size()));
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

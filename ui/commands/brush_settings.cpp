@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace myo {
+namespace myo::ui::commands {
 
 BrushSettings brush_for(const Eigen::Vector3d& size_m) {
     BrushSettings brush;
@@ -26,8 +26,8 @@ Eigen::Vector3d fixed_axis(BrushDirection direction, const PaintGround& ground) 
     return ground.longest_axis;
 }
 
-Brush make_brush(const BrushSettings& settings, const PaintGround& ground, bool erase) {
-    Brush brush;
+fibre::Brush make_brush(const BrushSettings& settings, const PaintGround& ground, bool erase) {
+    fibre::Brush brush;
     // A cell is painted by its middle: of a coarse mesh, a small brush still reaches those it is held over.
     const double least_m = 0.6 * ground.places.edge_m;
     brush.radius_m = std::max(settings.radius_m, least_m);
@@ -38,9 +38,9 @@ Brush make_brush(const BrushSettings& settings, const PaintGround& ground, bool 
     if (settings.direction != BrushDirection::stroke) brush.axis = fixed_axis(settings.direction, ground);
     if (settings.mirror != BrushMirror::none) {
         const int axis = settings.mirror == BrushMirror::x ? 0 : settings.mirror == BrushMirror::y ? 1 : 2;
-        brush.mirror = MirrorPlane{ground.middle_m, Eigen::Vector3d::Unit(axis)};
+        brush.mirror = fibre::MirrorPlane{ground.middle_m, Eigen::Vector3d::Unit(axis)};
     }
     return brush;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 using Order = std::array<CheckState, 3>;
@@ -43,4 +43,4 @@ std::string doubt_words(const CheckRows& rows) {
     return counted(doubts, {CheckState::red, CheckState::amber, CheckState::green});
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -7,7 +7,7 @@
 #include "commands/force_arrows.hpp"
 #include "commands/scene_at_time.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 constexpr const char* force_field = "effect_force";
@@ -40,13 +40,15 @@ std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
 std::vector<FieldKind> field_kinds(const Backend& backend) {
     std::vector<FieldKind> kinds = backend.fields();
     kinds.push_back({force_field, "Residual force |f|", "mN", 1e-3, false,
-                     "Size of the force on each part of the body that the declared model lacks, by the chosen row of the diagnosis."});
+                     "Size of the force on each part of the body that the declared model lacks, by the chosen row of "
+                     "the diagnosis."});
     return kinds;
 }
 
 std::optional<FieldKind> shown_field(const WorkbenchState& state, const Backend& backend) {
     const std::vector<FieldKind> kinds = field_kinds(backend);
-    const auto shown = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.id == state.view.field; });
+    const auto shown = std::find_if(kinds.begin(), kinds.end(),
+                                    [&](const FieldKind& kind) { return kind.id == state.view.field; });
     return shown != kinds.end() ? std::optional(*shown) : std::nullopt;
 }
 
@@ -59,7 +61,7 @@ std::string needed_for(const FieldKind& kind, const WorkbenchState& state) {
 }
 
 void FieldStore::take(Answer answer) {
-    if (!(answer.source == source_)) return;   // the person has gone on
+    if (!(answer.source == source_)) return;  // the person has gone on
     if (answer.range) range_ = answer.range;
     if (answer.values.size() > 0) frame_ = answer.frame;
     auto frame = std::make_shared<FieldFrame>();
@@ -86,7 +88,8 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
         return nullptr;
     }
     if (!(wanted == source_)) {
-        // Of another field or body nothing can be shown; of another run of the same the last values will do until its own are there.
+        // Of another field or body nothing can be shown; of another run of the same the last values will do until its
+        // own are there.
         const bool keeps = source_.field == wanted.field && source_.body == wanted.body;
         if (!keeps) shown_.reset();
         source_ = wanted;
@@ -97,10 +100,14 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
     const auto nearest = static_cast<std::size_t>(place.weight < 0.5 ? place.index : place.next);
     if (job_.valid()) return shown_;
     if (frame_ != nearest) {
-        job_ = std::async(std::launch::async, [wanted, nearest, &backend] { return Answer{wanted, nearest, backend.field(wanted.field, *wanted.body, *wanted.run, wanted.trial, nearest), {}}; });
+        job_ = std::async(std::launch::async, [wanted, nearest, &backend] {
+            return Answer{
+                wanted, nearest, backend.field(wanted.field, *wanted.body, *wanted.run, wanted.trial, nearest), {}};
+        });
     } else if (!range_) {
         job_ = std::async(std::launch::async, [wanted, count = trial->frames.size(), &backend] {
-            std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+            std::array<double, 2> range{std::numeric_limits<double>::infinity(),
+                                        -std::numeric_limits<double>::infinity()};
             const std::size_t samples = std::min(count, range_frames);
             for (std::size_t k = 0; k < samples; ++k) {
                 const std::size_t frame = samples > 1 ? k * (count - 1) / (samples - 1) : 0;
@@ -115,4 +122,4 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
     return shown_;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -8,12 +8,12 @@
 #include "base/letter_case.hpp"
 #include "commands/scene_at_time.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
-constexpr double longest_part = 0.3;       // of the rest shape's diagonal, for the largest force
-constexpr double shortest_part = 0.02;     // of the longest arrow: shorter ones are dots
-constexpr double seen_part = 0.1;          // a time is one to look at where the longest arrow is at least so long
+constexpr double longest_part = 0.3;    // of the rest shape's diagonal, for the largest force
+constexpr double shortest_part = 0.02;  // of the longest arrow: shorter ones are dots
+constexpr double seen_part = 0.1;       // a time is one to look at where the longest arrow is at least so long
 constexpr double translucent = 0.4;
 
 /// Middles of the patches.
@@ -28,11 +28,14 @@ Eigen::Matrix3Xd middles(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& p
 }
 
 /// A shaft with four barbs, in one stroke; ends with a gap.
-void append_arrow(Eigen::Matrix3Xd& points, Eigen::Index& at, const Eigen::Vector3d& from, const Eigen::Vector3d& along) {
-    const Eigen::Vector3d tip = from + along, side = 0.09 * along.norm() * along.unitOrthogonal(), other = along.normalized().cross(side);
+void append_arrow(Eigen::Matrix3Xd& points, Eigen::Index& at, const Eigen::Vector3d& from,
+                  const Eigen::Vector3d& along) {
+    const Eigen::Vector3d tip = from + along, side = 0.09 * along.norm() * along.unitOrthogonal(),
+                          other = along.normalized().cross(side);
     const Eigen::Vector3d neck = tip - 0.25 * along;
     points.col(at++) = from;
-    for (const Eigen::Vector3d& barb : {Eigen::Vector3d(neck + side), Eigen::Vector3d(neck - side), Eigen::Vector3d(neck + other), Eigen::Vector3d(neck - other)}) {
+    for (const Eigen::Vector3d& barb : {Eigen::Vector3d(neck + side), Eigen::Vector3d(neck - side),
+                                        Eigen::Vector3d(neck + other), Eigen::Vector3d(neck - other)}) {
         points.col(at++) = tip;
         points.col(at++) = barb;
     }
@@ -45,7 +48,8 @@ const PatchForces* shown_forces(const WorkbenchState& state) {
     const DiagnosisRow* const row = state.diagnosis_row();
     const auto trial = static_cast<std::size_t>(state.trial);
     if (!row || !state.body || trial >= row->force.size() || !row->force[trial]) return nullptr;
-    const bool same_body = same_mesh(state.diagnosis_settings, state.body_settings) && state.diagnosis->patch_of_node.size() == state.body->mesh.nodes.cols();
+    const bool same_body = same_mesh(state.diagnosis_settings, state.body_settings) &&
+                           state.diagnosis->patch_of_node.size() == state.body->mesh.nodes.cols();
     const PatchForces& forces = *row->force[trial];
     return same_body && forces.largest_N > 0.0 ? &forces : nullptr;
 }
@@ -53,11 +57,14 @@ const PatchForces* shown_forces(const WorkbenchState& state) {
 Eigen::Matrix3Xd force_at_time(const PatchForces& forces, double time_s) {
     const TimePlace place = place_in_time(forces.time_s, time_s);
     if (place.index < 0) return Eigen::Matrix3Xd(3, 0);
-    return (1.0 - place.weight) * forces.force_N[static_cast<std::size_t>(place.index)] + place.weight * forces.force_N[static_cast<std::size_t>(place.next)];
+    return (1.0 - place.weight) * forces.force_N[static_cast<std::size_t>(place.index)] +
+           place.weight * forces.force_N[static_cast<std::size_t>(place.next)];
 }
 
 double time_with_forces(const PatchForces& forces, double time_s) {
-    const auto largest = [&](Eigen::Index k) { return forces.force_N[static_cast<std::size_t>(k)].colwise().norm().maxCoeff(); };
+    const auto largest = [&](Eigen::Index k) {
+        return forces.force_N[static_cast<std::size_t>(k)].colwise().norm().maxCoeff();
+    };
     const TimePlace place = place_in_time(forces.time_s, time_s);
     if (place.index >= 0 && largest(place.index) > seen_part * forces.largest_N) return time_s;
     Eigen::Index best = 0;
@@ -66,7 +73,7 @@ double time_with_forces(const PatchForces& forces, double time_s) {
     return forces.time_s(best);
 }
 
-void add_force_arrows(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
+void add_force_arrows(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const PatchForces* const forces = shown_forces(state);
     if (!state.view.effect_force || !forces || drawn.positions.cols() != state.diagnosis->patch_of_node.size()) return;
     const Eigen::Matrix3Xd now = force_at_time(*forces, state.time_s);
@@ -77,12 +84,15 @@ void add_force_arrows(DrawnScene& drawn, const WorkbenchState& state, const Them
     Eigen::Index used = 0;
     for (Eigen::Index p = 0; p < from.cols(); ++p) {
         const Eigen::Vector3d force = now.col(p);
-        if (force.norm() > shortest_part * forces->largest_N) append_arrow(points, used, from.col(p), metres_per_N * force);
+        if (force.norm() > shortest_part * forces->largest_N)
+            append_arrow(points, used, from.col(p), metres_per_N * force);
     }
-    drawn.lines.push_back({points.leftCols(used), color_of(theme.force), 2.5});
+    drawn.lines.push_back({points.leftCols(used), viewport::color_of(theme.force), 2.5});
     const DiagnosisRow& row = *state.diagnosis_row();
-    drawn.arrows = ArrowScale{row.kind == DiagnosisRow::Kind::missing_force ? row.name : "Force of " + lower_first(row.name), metres_per_N, drawn.lines.back().color};
+    drawn.arrows = viewport::ArrowScale{
+        row.kind == DiagnosisRow::Kind::missing_force ? row.name : "Force of " + lower_first(row.name), metres_per_N,
+        drawn.lines.back().color};
     drawn.body_opacity = std::min(drawn.body_opacity, translucent);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

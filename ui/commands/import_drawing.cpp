@@ -4,32 +4,39 @@
 
 #include "commands/scene_at_time.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
-void add_import(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
+void add_import(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const RecordingImport& import = *state.import;
-    const Recording& recording = *import.file.recording;
+    const measurement::Recording& recording = *import.file.recording;
     // Rings of those that no label is yet, with their names, to be clicked on.
     for (const SceneMarker& own : import.declared) {
         const auto is_own = [&](const ImportedMarker& m) { return m.name == own.name; };
-        if (std::none_of(import.choices.markers.begin(), import.choices.markers.end(), is_own)) drawn.markers.push_back({own.rest_m, color_of(theme.text), true, own.name, -1});
+        if (std::none_of(import.choices.markers.begin(), import.choices.markers.end(), is_own))
+            drawn.markers.push_back({own.rest_m, viewport::color_of(theme.text), true, own.name, -1});
     }
     const TimePlace place = place_in_time(recording.time_s, state.time_s + import.choices.start_s);
     for (std::size_t i = 0; i < recording.labels.size(); ++i) {
         const ImportedMarker& marker = import.choices.markers[i];
         const bool chosen = static_cast<int>(i) == import.label;
-        const Eigen::Vector3d now = import.view.rotation * at_time(recording.tracks[i], place) + import.view.translation_m;
+        const Eigen::Vector3d now = import.view.rotation * at_time(recording.tracks[i], place) +
+                                    import.view.translation_m;
         const std::string& label = marker.name.empty() ? recording.labels[i] : marker.name;
-        if (now.allFinite()) drawn.markers.push_back({now, color_of(chosen ? theme.accent : marker.name.empty() ? theme.muted : theme.measured), false, label, -1});
+        if (now.allFinite())
+            drawn.markers.push_back({now,
+                                     viewport::color_of(chosen                ? theme.accent
+                                                        : marker.name.empty() ? theme.muted
+                                                                              : theme.measured),
+                                     false, label, -1});
         const Eigen::Vector3d target = import.view.target_m.col(static_cast<Eigen::Index>(i));
         if (!target.allFinite()) continue;
-        drawn.markers.push_back({target, color_of(chosen ? theme.accent : theme.simulated), true, "", -1});
+        drawn.markers.push_back({target, viewport::color_of(chosen ? theme.accent : theme.simulated), true, "", -1});
         const Eigen::Vector3d before = import.view.before_m.col(static_cast<Eigen::Index>(i));
         if (!before.allFinite()) continue;
         Eigen::Matrix3Xd apart(3, 2);
         apart << before, target;
-        drawn.lines.push_back({apart, color_of(theme.failure), 2.0});
+        drawn.lines.push_back({apart, viewport::color_of(theme.failure), 2.0});
     }
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace myo {
+namespace myo::ui::commands {
 
 std::optional<double> remaining_time(double fraction, double elapsed_s) {
     if (!(fraction > 0.02) || elapsed_s < 0.5) return std::nullopt;
@@ -20,13 +20,13 @@ struct Job::Content {
     Clock::time_point start = Clock::now();
     JobKind kind;
     std::atomic<bool> cancel = false;
-    mutable std::mutex mutex;              // guards what follows
+    mutable std::mutex mutex;  // guards what follows
     std::condition_variable goes_on;
     bool paused = false;
     Clock::time_point paused_since;
     Clock::duration paused_for{0};
     ProgressEvent progress;
-    double stage_start_s = 0.0;            // working time at which the present count began
+    double stage_start_s = 0.0;  // working time at which the present count began
     std::optional<Completion> result;
     std::function<void()> wake;
     std::thread thread;
@@ -34,16 +34,20 @@ struct Job::Content {
     /// Since the start, without pauses. The mutex is held.
     double working_s() const {
         const Clock::time_point now = Clock::now();
-        return std::chrono::duration<double>(now - start - paused_for - (paused ? now - paused_since : Clock::duration{0})).count();
+        return std::chrono::duration<double>(now - start - paused_for -
+                                             (paused ? now - paused_since : Clock::duration{0}))
+            .count();
     }
 
     void take(const ProgressEvent& event) {
-        if (event.task != progress.task || event.unit != progress.unit || event.done < progress.done) stage_start_s = working_s();
+        if (event.task != progress.task || event.unit != progress.unit || event.done < progress.done)
+            stage_start_s = working_s();
         progress = event;
     }
 };
 
-Job::Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake, JobKind kind)
+Job::Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake,
+         JobKind kind)
     : content_(std::make_unique<Content>()) {
     Content* c = content_.get();
     c->name = std::move(name);
@@ -93,8 +97,10 @@ void Job::pause(bool paused) {
         const std::lock_guard lock(content_->mutex);
         if (paused == content_->paused) return;
         content_->paused = paused;
-        if (paused) content_->paused_since = Content::Clock::now();
-        else content_->paused_for += Content::Clock::now() - content_->paused_since;
+        if (paused)
+            content_->paused_since = Content::Clock::now();
+        else
+            content_->paused_for += Content::Clock::now() - content_->paused_since;
     }
     content_->goes_on.notify_all();
 }
@@ -112,8 +118,10 @@ JobView Job::view() const {
     view.name = content_->name;
     view.searches = content_->kind.searches;
     view.remaining_s = remaining_time(view.fraction(), stage_s);
-    if (content_->kind.staged) view.remaining_of = TimeLeft::of_stage;
-    else if (view.progress.unit == "evaluations") view.remaining_of = TimeLeft::at_most;
+    if (content_->kind.staged)
+        view.remaining_of = TimeLeft::of_stage;
+    else if (view.progress.unit == "evaluations")
+        view.remaining_of = TimeLeft::at_most;
     view.cancelling = content_->cancel;
     return view;
 }
@@ -123,4 +131,4 @@ std::optional<Job::Completion> Job::take_result() {
     return std::exchange(content_->result, std::nullopt);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

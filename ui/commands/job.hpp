@@ -8,13 +8,13 @@
 
 #include "base/progress.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
 /// What a job's time left is of.
 enum class TimeLeft {
-    exact,        // all of it, as far as it goes on evenly
-    at_most,      // it may end earlier: only the greatest number of its evaluations is known
-    of_stage,     // the present stage; others come after it
+    exact,     // all of it, as far as it goes on evenly
+    at_most,   // it may end earlier: only the greatest number of its evaluations is known
+    of_stage,  // the present stage; others come after it
 };
 
 /// What a person sees of a running job.
@@ -22,11 +22,11 @@ struct JobView {
     std::string name;
     ProgressEvent progress;
     double elapsed_s = 0.0;
-    std::optional<double> remaining_s;   // empty while it cannot be told
+    std::optional<double> remaining_s;  // empty while it cannot be told
     TimeLeft remaining_of = TimeLeft::exact;
     bool cancelling = false;
     bool paused = false;
-    bool searches = false;               // for values: what it knows so far is shown
+    bool searches = false;  // for values: what it knows so far is shown
 
     /// Whether it knows its end; a stage that is only named does not.
     bool counts() const { return progress.total > 0.0 && progress.unit != "stage"; }
@@ -39,21 +39,22 @@ std::optional<double> remaining_time(double fraction, double elapsed_s);
 
 /// How a job counts, and what it is.
 struct JobKind {
-    bool staged = false;     // its progress counts anew in every stage
+    bool staged = false;  // its progress counts anew in every stage
     bool searches = false;
 };
 
 /// Long work on its own thread, which hands its result over when asked at the start of a frame.
 ///
-/// The work gets a Progress whose cancel flag is the job's, and returns what shall be done with the result on the caller's
-/// thread. Exceptions of the work become a call of `failed`. The destructor cancels and waits.
+/// The work gets a Progress whose cancel flag is the job's, and returns what shall be done with the result on the
+/// caller's thread. Exceptions of the work become a call of `failed`. The destructor cancels and waits.
 class Job {
 public:
     using Completion = std::function<void()>;
     using Work = std::function<Completion(const Progress&)>;
 
     /// @param wake  called from the work's thread when there is something new to draw; may be empty
-    Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake, JobKind kind = {});
+    Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake,
+        JobKind kind = {});
     ~Job();
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
@@ -71,4 +72,4 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::commands

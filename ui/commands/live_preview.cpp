@@ -6,7 +6,7 @@
 #include "commands/workbench_state.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
 double preview_length_s(const WorkbenchState& state) {
     constexpr double usual_s = 0.5;
@@ -21,13 +21,18 @@ std::string preview_text(const WorkbenchState& state) {
     if (!preview.problem.empty()) return "Preview failed: " + preview.problem;
     const std::string from_0_to = "Preview 0\xe2\x80\x93";
     if (const SimulatedTrial* const trial = state.trial_of(preview.run.get())) {
-        const std::string error = std::isfinite(trial->rms_m) ? ", rms error " + value_label(1e3 * trial->rms_m, 3) + " mm" : "";
+        const std::string error = std::isfinite(trial->rms_m)
+                                      ? ", rms error " + plot::value_label(1e3 * trial->rms_m, 3) + " mm"
+                                      : "";
         const std::string problem = preview.run->problem.empty() ? "" : ": " + preview.run->problem;
-        return from_0_to + plain_label(preview.end_s, 3) + " s" + error + problem + (preview.working ? ", running\xe2\x80\xa6" : "");
+        return from_0_to + plot::plain_label(preview.end_s, 3) + " s" + error + problem +
+               (preview.working ? ", running\xe2\x80\xa6" : "");
     }
-    if (preview.working) return from_0_to + plain_label(preview_length_s(state), 3) + (state.busy() ? " s waits until " + state.job->name + " has ended" : " s, running\xe2\x80\xa6");
+    if (preview.working)
+        return from_0_to + plot::plain_label(preview_length_s(state), 3) +
+               (state.busy() ? " s waits until " + state.job->name + " has ended" : " s, running\xe2\x80\xa6");
     if (state.body && !state.mesh_is_current()) return "Build the mesh to preview";
     return "Change a value to preview it";
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

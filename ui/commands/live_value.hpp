@@ -3,7 +3,7 @@
 #include <memory>
 #include <mutex>
 
-namespace myo {
+namespace myo::ui::commands {
 
 /// What a running job knows so far, on its way from its thread to the frame: the latest only.
 template <class Value>
@@ -24,4 +24,4 @@ private:
     std::shared_ptr<const Value> latest_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -5,10 +5,10 @@
 
 #include "base/text.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
-constexpr int digits = 9;   // a nanometre in a metre, far below any camera's noise
+constexpr int digits = 9;  // a nanometre in a metre, far below any camera's noise
 
 /// In quotes when it holds what would end the field, quotes doubled.
 /// Source: RFC 4180, section 2.
@@ -21,11 +21,12 @@ std::string quoted(const std::string& name) {
 
 struct Curve {
     std::string name;
-    const Eigen::VectorXd* time_s = nullptr;   // T
-    Eigen::Matrix3Xd position_m;               // 3 x T
+    const Eigen::VectorXd* time_s = nullptr;  // T
+    Eigen::Matrix3Xd position_m;              // 3 x T
 };
 
-void add_trial(std::vector<Curve>& curves, const std::string& before, const SceneTrial& trial, std::size_t marker, const Eigen::Matrix3Xd* simulated_m) {
+void add_trial(std::vector<Curve>& curves, const std::string& before, const SceneTrial& trial, std::size_t marker,
+               const Eigen::Matrix3Xd* simulated_m) {
     const Eigen::Matrix3Xd& measured_m = trial.measured[marker];
     curves.push_back({before + "measured", &trial.time_s, measured_m});
     if (!simulated_m) return;
@@ -34,7 +35,8 @@ void add_trial(std::vector<Curve>& curves, const std::string& before, const Scen
 }
 
 /// Way of a marker in a run at the times of its trial, or null.
-const Eigen::Matrix3Xd* simulated_way(const SceneTrial& trial, const RunResult* run, std::size_t t, std::size_t marker) {
+const Eigen::Matrix3Xd* simulated_way(const SceneTrial& trial, const RunResult* run, std::size_t t,
+                                      std::size_t marker) {
     if (!run || t >= run->trials.size() || marker >= run->trials[t].markers.size()) return nullptr;
     const Eigen::Matrix3Xd& way = run->trials[t].markers[marker];
     return way.cols() == trial.time_s.size() ? &way : nullptr;
@@ -48,7 +50,9 @@ std::vector<ComparedMarker> compared_markers(const WorkbenchState& state) {
     const auto m = static_cast<std::size_t>(state.marker);
     for (std::size_t k = 0; trial && k < state.history.size(); ++k) {
         const JobRecord& record = state.history[k];
-        const SimulatedTrial* const other = record.compared && record.run != state.run ? state.trial_of(record.run.get()) : nullptr;
+        const SimulatedTrial* const other = record.compared && record.run != state.run
+                                                ? state.trial_of(record.run.get())
+                                                : nullptr;
         if (!other || m >= other->markers.size() || other->markers[m].cols() != trial->time_s.size()) continue;
         compared.push_back({k, record.name + " " + record.clock, &other->markers[m]});
     }
@@ -61,21 +65,25 @@ std::vector<OverlaidMarker> overlaid_markers(const WorkbenchState& state, const 
     const std::shared_ptr<const RunResult> run = state.shown_run();
     for (std::size_t t = 0; state.scene && t < state.scene->trials.size(); ++t) {
         const SceneTrial& trial = state.scene->trials[t];
-        if (static_cast<int>(t) == state.trial || trials.count(static_cast<int>(t)) == 0 || m >= trial.measured.size()) continue;
+        if (static_cast<int>(t) == state.trial || trials.count(static_cast<int>(t)) == 0 || m >= trial.measured.size())
+            continue;
         overlaid.push_back({t, &trial, simulated_way(trial, run.get(), t, m)});
     }
     return overlaid;
 }
 
-std::string marker_curves_csv(const WorkbenchState& state, double first_s, double last_s, const std::set<int>& overlaid) {
+std::string marker_curves_csv(const WorkbenchState& state, double first_s, double last_s,
+                              const std::set<int>& overlaid) {
     const SceneTrial* const trial = state.scene_trial();
     const auto m = static_cast<std::size_t>(state.marker);
     assert(trial && m < trial->measured.size());
     const std::shared_ptr<const RunResult> run = state.shown_run();
     std::vector<Curve> curves;
     add_trial(curves, "", *trial, m, simulated_way(*trial, run.get(), static_cast<std::size_t>(state.trial), m));
-    for (const ComparedMarker& other : compared_markers(state)) curves.push_back({other.name, &trial->time_s, *other.position_m});
-    for (const OverlaidMarker& other : overlaid_markers(state, overlaid)) add_trial(curves, other.measured->name + "_", *other.measured, m, other.simulated_m);
+    for (const ComparedMarker& other : compared_markers(state))
+        curves.push_back({other.name, &trial->time_s, *other.position_m});
+    for (const OverlaidMarker& other : overlaid_markers(state, overlaid))
+        add_trial(curves, other.measured->name + "_", *other.measured, m, other.simulated_m);
     std::set<double> times;
     for (const Curve& curve : curves) times.insert(curve.time_s->begin(), curve.time_s->end());
     std::string text = "time_s";
@@ -90,7 +98,10 @@ std::string marker_curves_csv(const WorkbenchState& state, double first_s, doubl
             const Eigen::VectorXd& at = *curves[c].time_s;
             while (next[c] < at.size() && at(next[c]) < time) ++next[c];
             const bool sampled = next[c] < at.size() && at(next[c]) == time;
-            for (int axis = 0; axis < 3; ++axis) line += "," + format_number(sampled ? curves[c].position_m(axis, next[c]) : std::numeric_limits<double>::quiet_NaN(), digits);
+            for (int axis = 0; axis < 3; ++axis)
+                line += "," + format_number(sampled ? curves[c].position_m(axis, next[c])
+                                                    : std::numeric_limits<double>::quiet_NaN(),
+                                            digits);
         }
         if (time >= first_s && time <= last_s) text += line + "\n";
     }
@@ -98,7 +109,9 @@ std::string marker_curves_csv(const WorkbenchState& state, double first_s, doubl
 }
 
 std::string marker_errors_csv(const std::vector<MarkerError>& errors) {
-    std::string text = "marker,rms_m,largest_m,rms_x_m,rms_y_m,rms_z_m,largest_x_m,largest_y_m,largest_z_m,bias_x_m,bias_y_m,bias_z_m,seen\n";
+    std::string text =
+        "marker,rms_m,largest_m,rms_x_m,rms_y_m,rms_z_m,largest_x_m,largest_y_m,largest_z_m,bias_x_m,bias_y_m,bias_z_m,"
+        "seen\n";
     for (const MarkerError& error : errors) {
         text += quoted(error.name);
         for (const double value : {error.rms_m, error.largest_m}) text += "," + format_number(value, digits);
@@ -110,4 +123,4 @@ std::string marker_errors_csv(const std::vector<MarkerError>& errors) {
     return text;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

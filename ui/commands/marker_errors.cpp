@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace myo {
+namespace myo::ui::commands {
 
 std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& trial, const SimulatedTrial* simulated) {
     std::vector<MarkerError> errors;
@@ -11,7 +11,8 @@ std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& tri
         MarkerError error;
         error.name = scene.markers[m].name;
         const Eigen::Matrix3Xd& measured = trial.measured[m];
-        const bool predicted = simulated && m < simulated->markers.size() && simulated->markers[m].cols() == measured.cols();
+        const bool predicted = simulated && m < simulated->markers.size() &&
+                               simulated->markers[m].cols() == measured.cols();
         Eigen::Vector3d sum = Eigen::Vector3d::Zero(), squares = Eigen::Vector3d::Zero();
         Eigen::Vector3d largest_axis = Eigen::Vector3d::Zero();
         double largest = 0.0;
@@ -42,10 +43,12 @@ std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& tri
     return errors;
 }
 
-double marker_rms_m(const SceneTrial& trial, const SimulatedTrial* simulated, std::size_t marker, double first_s, double last_s) {
+double marker_rms_m(const SceneTrial& trial, const SimulatedTrial* simulated, std::size_t marker, double first_s,
+                    double last_s) {
     double squares = 0.0;
     int count = 0;
-    const bool known = simulated && marker < trial.measured.size() && marker < simulated->markers.size() && simulated->markers[marker].cols() == trial.time_s.size();
+    const bool known = simulated && marker < trial.measured.size() && marker < simulated->markers.size() &&
+                       simulated->markers[marker].cols() == trial.time_s.size();
     for (Eigen::Index t = 0; known && t < trial.time_s.size(); ++t) {
         if (trial.time_s(t) < first_s || trial.time_s(t) > last_s) continue;
         const Eigen::Vector3d difference = simulated->markers[marker].col(t) - trial.measured[marker].col(t);
@@ -56,4 +59,4 @@ double marker_rms_m(const SceneTrial& trial, const SimulatedTrial* simulated, st
     return count > 0 ? std::sqrt(squares / (3.0 * count)) : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

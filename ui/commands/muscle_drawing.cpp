@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 using Eigen::Index;
@@ -17,13 +17,15 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 constexpr float strongest_tint = 0.8f;
-constexpr double fibre_length = 0.7;        // of the distance between cells
-constexpr double lift = 0.04;               // of it, above the face
-constexpr std::size_t most_fibres = 4000;   // of a muscle: more are drawn one in so many
-constexpr float dark_fibre = 0.35f;         // on its own colour
+constexpr double fibre_length = 0.7;       // of the distance between cells
+constexpr double lift = 0.04;              // of it, above the face
+constexpr std::size_t most_fibres = 4000;  // of a muscle: more are drawn one in so many
+constexpr float dark_fibre = 0.35f;        // on its own colour
 
 /// Columns of a matrix that belong to a cell or a face.
-Matrix3Xd nodes_of(const Matrix3Xd& positions, const Eigen::MatrixXi& nodes, Index column) { return positions(Eigen::all, nodes.col(column)); }
+Matrix3Xd nodes_of(const Matrix3Xd& positions, const Eigen::MatrixXi& nodes, Index column) {
+    return positions(Eigen::all, nodes.col(column));
+}
 
 /// Deformation gradient that fits a cell's nodes best.
 Matrix3d deformation(const Matrix3Xd& rest, const Matrix3Xd& now) {
@@ -38,18 +40,20 @@ void append(std::vector<Vector3d>& points, const Vector3d& middle, const Vector3
     points.push_back(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
-DrawnLine lines_of(const std::vector<Vector3d>& points, const Eigen::Vector3f& color, double width) {
-    DrawnLine line;
-    line.points = Eigen::Map<const Matrix3Xd>(points.empty() ? nullptr : points.front().data(), 3, static_cast<Index>(points.size()));
+viewport::DrawnLine lines_of(const std::vector<Vector3d>& points, const Eigen::Vector3f& color, double width) {
+    viewport::DrawnLine line;
+    line.points = Eigen::Map<const Matrix3Xd>(points.empty() ? nullptr : points.front().data(), 3,
+                                              static_cast<Index>(points.size()));
     line.color << color, 1.0f;
     line.width = width;
     return line;
 }
 
 /// Fibres of one muscle: those on the surface, and those inside.
-void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& paint, double spacing_m, const Eigen::Vector3f& color, double width) {
-    const BoundaryFaces& boundary = drawn.body->faces;
-    const VolumeMesh& mesh = body.mesh;
+void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre::CellPaint& paint, double spacing_m,
+                const Eigen::Vector3f& color, double width) {
+    const mesh::BoundaryFaces& boundary = drawn.body->faces;
+    const mesh::VolumeMesh& mesh = body.mesh;
     std::vector<bool> at_surface(static_cast<std::size_t>(mesh.cell_count()), false);
     std::vector<Index> faces, inside;
     for (Index f = 0; f < boundary.count(); ++f) {
@@ -58,7 +62,8 @@ void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& pain
         faces.push_back(f);
     }
     for (Index c = 0; c < mesh.cell_count(); ++c)
-        if (paint.weights(c) > 0.0 && drawn.body->has(c) && !at_surface[static_cast<std::size_t>(c)]) inside.push_back(c);
+        if (paint.weights(c) > 0.0 && drawn.body->has(c) && !at_surface[static_cast<std::size_t>(c)])
+            inside.push_back(c);
     const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size() + most_fibres - 1) / most_fibres);
     const double half = 0.5 * fibre_length * spacing_m;
     std::vector<Vector3d> on_surface, within;
@@ -66,13 +71,16 @@ void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& pain
         const Index cell = boundary.cell(faces[i]);
         const Matrix3Xd corners = nodes_of(drawn.positions, boundary.nodes, faces[i]);
         const Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
-        Vector3d along = deformation(nodes_of(mesh.nodes, mesh.cells, cell), nodes_of(drawn.positions, mesh.cells, cell)) * paint.directions.col(cell);
+        Vector3d along = deformation(nodes_of(mesh.nodes, mesh.cells, cell),
+                                     nodes_of(drawn.positions, mesh.cells, cell)) *
+                         paint.directions.col(cell);
         along -= along.dot(normal) * normal;
         append(on_surface, corners.rowwise().mean() + lift * spacing_m * normal, half * along);
     }
     for (std::size_t i = 0; i < inside.size(); i += stride) {
         const Matrix3Xd now = nodes_of(drawn.positions, mesh.cells, inside[i]);
-        append(within, now.rowwise().mean(), half * deformation(nodes_of(mesh.nodes, mesh.cells, inside[i]), now) * paint.directions.col(inside[i]));
+        append(within, now.rowwise().mean(),
+               half * deformation(nodes_of(mesh.nodes, mesh.cells, inside[i]), now) * paint.directions.col(inside[i]));
     }
     if (!within.empty()) drawn.lines.push_back(lines_of(within, color, width));
     if (!on_surface.empty()) drawn.lines.push_back(lines_of(on_surface, dark_fibre * color, width));
@@ -80,15 +88,18 @@ void add_fibres(DrawnScene& drawn, const MeshedBody& body, const CellPaint& pain
 
 }  // namespace
 
-void add_muscles(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme, const CellPaint* live) {
-    if (!state.view.fibres || !state.body || !drawn.body || drawn.body->faces.count() == 0 || !state.ground || state.paint.size() != state.settings.muscles.size()) return;
-    const BoundaryFaces& boundary = drawn.body->faces;
+void add_muscles(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
+                 const fibre::CellPaint* live) {
+    if (!state.view.fibres || !state.body || !drawn.body || drawn.body->faces.count() == 0 || !state.ground ||
+        state.paint.size() != state.settings.muscles.size())
+        return;
+    const mesh::BoundaryFaces& boundary = drawn.body->faces;
     Eigen::Matrix4Xf sums = Eigen::Matrix4Xf::Zero(4, boundary.count());
     for (std::size_t m = 0; m < state.paint.size(); ++m) {
         const bool chosen = static_cast<int>(m) == state.muscle;
-        const CellPaint& paint = chosen && live ? *live : *state.paint[m];
+        const fibre::CellPaint& paint = chosen && live ? *live : *state.paint[m];
         if (paint.count() != state.body->mesh.cell_count() || !(paint.weights.maxCoeff() > 0.0)) continue;
-        const Eigen::Vector3f color = color_of(theme.muscle(state.settings.muscles[m].color)).head<3>();
+        const Eigen::Vector3f color = viewport::color_of(theme.muscle(state.settings.muscles[m].color)).head<3>();
         for (Index f = 0; f < boundary.count(); ++f) {
             const auto weight = static_cast<float>(paint.weights(boundary.cell(f)));
             sums.col(f) += weight * color.homogeneous();
@@ -103,4 +114,4 @@ void add_muscles(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
     drawn.tints = std::move(sums);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -1,21 +1,21 @@
 #include "commands/muscle_signal.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
-Signal signal_of(const WorkbenchState& state, const Muscle& muscle) {
+fibre::Signal signal_of(const WorkbenchState& state, const Muscle& muscle) {
     if (!muscle.follows.empty()) {
         for (const Muscle& other : state.settings.muscles) {
             if (other.name != muscle.follows || !other.follows.empty()) continue;
-            Signal signal = signal_of(state, other);
+            fibre::Signal signal = signal_of(state, other);
             for (double& a : signal.values) a = 1.0 + muscle.ratio * (a - 1.0);
             return signal;
         }
-        return Signal::constant(1.0);
+        return fibre::Signal::constant(1.0);
     }
     if (muscle.signal) return *muscle.signal;
     const SceneTrial* const trial = state.scene_trial();
     const auto recorded = trial ? trial->activation.find(muscle.declared) : decltype(trial->activation.end()){};
-    return trial && recorded != trial->activation.end() ? recorded->second : Signal::constant(1.0);
+    return trial && recorded != trial->activation.end() ? recorded->second : fibre::Signal::constant(1.0);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -8,33 +8,38 @@
 #include "fibre/direction_field.hpp"
 #include "mesh/face_shape.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
-Eigen::Matrix3d corners(const SurfaceMesh& surface, int triangle) { return surface.vertices(Eigen::all, surface.triangles.col(triangle)); }
+Eigen::Matrix3d corners(const mesh::SurfaceMesh& surface, int triangle) {
+    return surface.vertices(Eigen::all, surface.triangles.col(triangle));
+}
 
-std::vector<Box> boxes_of(const SurfaceMesh& surface) {
+std::vector<Box> boxes_of(const mesh::SurfaceMesh& surface) {
     std::vector<Box> boxes;
-    for (int t = 0; t < static_cast<int>(surface.triangles.cols()); ++t) boxes.push_back(bounding_box(corners(surface, t)));
+    for (int t = 0; t < static_cast<int>(surface.triangles.cols()); ++t)
+        boxes.push_back(mesh::bounding_box(corners(surface, t)));
     return boxes;
 }
 
 }  // namespace
 
-std::shared_ptr<const PaintGround> paint_ground(const SurfaceMesh& body_surface, const VolumeMesh& mesh, const Progress& progress) {
+std::shared_ptr<const PaintGround> paint_ground(const mesh::SurfaceMesh& body_surface, const mesh::VolumeMesh& mesh,
+                                                const Progress& progress) {
     auto ground = std::make_shared<PaintGround>();
     // Each part takes a good part of a second on a million cells.
-    const std::function<void()> parts[] = {[&] { ground->neighbours = neighbouring_cells(mesh); },
-                                           [&] { ground->places = cell_places(mesh, ground->neighbours); },
-                                           [&] { ground->volumes_m3 = cell_volumes(mesh); },
-                                           [&] { ground->longest_axis = directions_along_longest_axis(mesh).col(0); },
-                                           [&] { ground->surface = body_surface; },
-                                           [&] { ground->triangles = BoxTree(boxes_of(body_surface)); }};
+    const std::function<void()> parts[] = {
+        [&] { ground->neighbours = mesh::neighbouring_cells(mesh); },
+        [&] { ground->places = fibre::cell_places(mesh, ground->neighbours); },
+        [&] { ground->volumes_m3 = mesh::cell_volumes(mesh); },
+        [&] { ground->longest_axis = fibre::directions_along_longest_axis(mesh).col(0); },
+        [&] { ground->surface = body_surface; },
+        [&] { ground->triangles = mesh::BoxTree(boxes_of(body_surface)); }};
     for (const std::function<void()>& part : parts) {
         if (progress.cancelled()) return nullptr;
         part();
     }
-    const Box bounds = bounding_box(mesh.nodes);
+    const Box bounds = mesh::bounding_box(mesh.nodes);
     ground->middle_m = 0.5 * (bounds.lowest + bounds.highest);
     return ground;
 }
@@ -42,7 +47,7 @@ std::shared_ptr<const PaintGround> paint_ground(const SurfaceMesh& body_surface,
 Eigen::Vector3d outward_at(const PaintGround& ground, const Eigen::Vector3d& position_m) {
     const auto squared_distance = [&](int t) {
         const Eigen::Matrix3Xd X = corners(ground.surface, t);
-        return (X * face_shape(3, closest_face_parameters(X, position_m)) - position_m).squaredNorm();
+        return (X * mesh::face_shape(3, mesh::closest_face_parameters(X, position_m)) - position_m).squaredNorm();
     };
     const int nearest = ground.triangles.nearest(position_m, squared_distance);
     if (nearest < 0) return Eigen::Vector3d::UnitZ();
@@ -50,4 +55,4 @@ Eigen::Vector3d outward_at(const PaintGround& ground, const Eigen::Vector3d& pos
     return (X.col(1) - X.col(0)).cross(X.col(2) - X.col(0)).normalized();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -8,7 +8,7 @@
 #include "commands/scene_at_time.hpp"
 #include "viewport/picking.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 using Eigen::Vector3d;
@@ -19,9 +19,13 @@ std::string number(const char* format, double value) {
     return text;
 }
 
-std::string triple(const char* format, const Vector3d& v) { return number(format, v.x()) + ", " + number(format, v.y()) + ", " + number(format, v.z()); }
+std::string triple(const char* format, const Vector3d& v) {
+    return number(format, v.x()) + ", " + number(format, v.y()) + ", " + number(format, v.z());
+}
 
-std::string in_mm(const Vector3d& place_m) { return place_m.allFinite() ? triple("%.2f", 1e3 * place_m) + " mm" : "not seen"; }
+std::string in_mm(const Vector3d& place_m) {
+    return place_m.allFinite() ? triple("%.2f", 1e3 * place_m) + " mm" : "not seen";
+}
 
 void add_muscles_of_cell(std::vector<ReportLine>& lines, int cell, const WorkbenchState& state) {
     for (std::size_t m = 0; m < state.paint.size() && m < state.settings.muscles.size(); ++m) {
@@ -33,7 +37,8 @@ void add_muscles_of_cell(std::vector<ReportLine>& lines, int cell, const Workben
     }
 }
 
-std::vector<ReportLine> lines_about_body(const PickedPlace& place, const WorkbenchState& state, const DrawnScene& scene) {
+std::vector<ReportLine> lines_about_body(const PickedPlace& place, const WorkbenchState& state,
+                                         const viewport::DrawnScene& scene) {
     const Vector3d rest = state.body->mesh.nodes.col(place.node), now = scene.positions.col(place.node);
     std::vector<ReportLine> lines{{"Node", std::to_string(place.node)},
                                   {"At rest", in_mm(rest)},
@@ -42,21 +47,24 @@ std::vector<ReportLine> lines_about_body(const PickedPlace& place, const Workben
     if (scene.field && place.node < scene.field->values.size())
         lines.push_back({scene.field->name, number("%.4g ", scene.field->values[place.node]) + scene.field->unit});
     lines.push_back({"Element", std::to_string(place.cell) + ", " + to_string(state.body->mesh.type)});
-    if (state.ground) lines.push_back({"Volume", number("%.3g mm\xc2\xb3", 1e9 * state.ground->volumes_m3(place.cell))});
+    if (state.ground)
+        lines.push_back({"Volume", number("%.3g mm\xc2\xb3", 1e9 * state.ground->volumes_m3(place.cell))});
     add_muscles_of_cell(lines, place.cell, state);
     return lines;
 }
 
 std::vector<ReportLine> lines_about_marker(int marker, const WorkbenchState& state, const MarkerError* error) {
     const auto m = static_cast<std::size_t>(marker);
-    std::vector<ReportLine> lines{{"Marker", state.scene->markers[m].name}, {"At rest", in_mm(state.scene->markers[m].rest_m)}};
+    std::vector<ReportLine> lines{{"Marker", state.scene->markers[m].name},
+                                  {"At rest", in_mm(state.scene->markers[m].rest_m)}};
     const SceneTrial* const trial = state.scene_trial();
     if (!trial || trial->time_s.size() == 0) return lines;
     const TimePlace when = place_in_time(trial->time_s, state.time_s);
     const Vector3d measured = at_time(trial->measured[m], when);
     lines.push_back({"Measured", in_mm(measured)});
     const SimulatedTrial* const simulated = state.simulated_trial();
-    if (!simulated || m >= simulated->markers.size() || simulated->markers[m].cols() != trial->time_s.size()) return lines;
+    if (!simulated || m >= simulated->markers.size() || simulated->markers[m].cols() != trial->time_s.size())
+        return lines;
     const Vector3d predicted = at_time(simulated->markers[m], when);
     lines.push_back({"Simulated", in_mm(predicted)});
     if (measured.allFinite()) lines.push_back({"Error now", number("%.3f mm", 1e3 * (predicted - measured).norm())});
@@ -66,16 +74,19 @@ std::vector<ReportLine> lines_about_marker(int marker, const WorkbenchState& sta
 
 }  // namespace
 
-std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const DrawnScene& scene, const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel, double reach) {
-    const Ray ray = ray_through(camera, size, pixel);
-    const auto hit = scene.surface ? pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
+std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const viewport::DrawnScene& scene,
+                                    const viewport::Camera& camera, const viewport::ViewSize& size,
+                                    const Eigen::Vector2d& pixel, double reach) {
+    const viewport::Ray ray = viewport::ray_through(camera, size, pixel);
+    const auto hit = scene.surface ? viewport::pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
     std::optional<std::size_t> seen, hidden;
     double nearest_seen = reach, nearest_hidden = reach;
     for (std::size_t i = 0; i < places_m.size(); ++i) {
-        const auto at = project(camera, size, places_m[i]);
+        const auto at = viewport::project(camera, size, places_m[i]);
         if (!at) continue;
         const double distance = (at->head<2>() - pixel).norm();
-        const bool behind = hit && ray.direction.dot(places_m[i] - ray.origin_m) > hit->distance_m + 2.0 * scene.marker_radius;
+        const bool behind = hit &&
+                            ray.direction.dot(places_m[i] - ray.origin_m) > hit->distance_m + 2.0 * scene.marker_radius;
         double& nearest = behind ? nearest_hidden : nearest_seen;
         if (distance > nearest) continue;
         nearest = distance;
@@ -84,15 +95,18 @@ std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const
     return seen ? seen : hidden;
 }
 
-std::optional<PickedPlace> pick_place(const WorkbenchState& state, const DrawnScene& scene, const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel, double reach) {
-    const bool body = state.body && scene.body && scene.surface && scene.positions.cols() == state.body->mesh.node_count();
-    const Ray ray = ray_through(camera, size, pixel);
-    const auto hit = body ? pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
+std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewport::DrawnScene& scene,
+                                      const viewport::Camera& camera, const viewport::ViewSize& size,
+                                      const Eigen::Vector2d& pixel, double reach) {
+    const bool body = state.body && scene.body && scene.surface &&
+                      scene.positions.cols() == state.body->mesh.node_count();
+    const viewport::Ray ray = viewport::ray_through(camera, size, pixel);
+    const auto hit = body ? viewport::pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
     std::optional<PickedPlace> picked;
     double nearest = reach;
-    for (const DrawnMarker& marker : scene.markers) {
+    for (const viewport::DrawnMarker& marker : scene.markers) {
         if (marker.number < 0 || !marker.position.allFinite()) continue;
-        const auto seen = project(camera, size, marker.position);
+        const auto seen = viewport::project(camera, size, marker.position);
         if (!seen || (seen->head<2>() - pixel).norm() > nearest) continue;
         const double depth = ray.direction.dot(marker.position - ray.origin_m);
         if (hit && depth > hit->distance_m + 2.0 * scene.marker_radius) continue;
@@ -101,7 +115,8 @@ std::optional<PickedPlace> pick_place(const WorkbenchState& state, const DrawnSc
     }
     if (picked || !hit) return picked;
     PickedPlace place;
-    for (std::size_t k = 0; k < 3; ++k) place.corners[k] = scene.surface->corners[3 * static_cast<std::size_t>(hit->triangle) + k];
+    for (std::size_t k = 0; k < 3; ++k)
+        place.corners[k] = scene.surface->corners[3 * static_cast<std::size_t>(hit->triangle) + k];
     place.weights = hit->weights;
     const int face = hit->triangle / scene.surface->triangles_per_face();
     place.cell = scene.body->faces.cell(face);
@@ -114,13 +129,14 @@ std::optional<PickedPlace> pick_place(const WorkbenchState& state, const DrawnSc
     return place;
 }
 
-Vector3d place_now(const PickedPlace& place, const DrawnScene& scene) {
+Vector3d place_now(const PickedPlace& place, const viewport::DrawnScene& scene) {
     if (place.marker < 0) {
         Vector3d sum = Vector3d::Zero();
-        for (int k = 0; k < 3; ++k) sum += place.weights[k] * scene.positions.col(place.corners[static_cast<std::size_t>(k)]);
+        for (int k = 0; k < 3; ++k)
+            sum += place.weights[k] * scene.positions.col(place.corners[static_cast<std::size_t>(k)]);
         return sum;
     }
-    for (const DrawnMarker& marker : scene.markers)
+    for (const viewport::DrawnMarker& marker : scene.markers)
         if (marker.number == place.marker && marker.ring == place.simulated) return marker.position;
     return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
@@ -128,12 +144,14 @@ Vector3d place_now(const PickedPlace& place, const DrawnScene& scene) {
 Vector3d place_at_rest(const PickedPlace& place, const WorkbenchState& state) {
     if (place.marker >= 0) return state.scene->markers[static_cast<std::size_t>(place.marker)].rest_m;
     Vector3d sum = Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) sum += place.weights[k] * state.body->mesh.nodes.col(place.corners[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < 3; ++k)
+        sum += place.weights[k] * state.body->mesh.nodes.col(place.corners[static_cast<std::size_t>(k)]);
     return sum;
 }
 
-std::vector<ReportLine> lines_about(const PickedPlace& place, const WorkbenchState& state, const DrawnScene& scene, const MarkerError* error) {
+std::vector<ReportLine> lines_about(const PickedPlace& place, const WorkbenchState& state,
+                                    const viewport::DrawnScene& scene, const MarkerError* error) {
     return place.marker >= 0 ? lines_about_marker(place.marker, state, error) : lines_about_body(place, state, scene);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

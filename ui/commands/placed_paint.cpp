@@ -2,28 +2,34 @@
 
 #include <algorithm>
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 constexpr std::size_t most_kept = 32;
 
 }  // namespace
 
-std::shared_ptr<const CellPaint> PlacedPaint::of(const Muscle& muscle, const std::shared_ptr<const MeshedBody>& body) {
+std::shared_ptr<const fibre::CellPaint> PlacedPaint::of(const Muscle& muscle,
+                                                        const std::shared_ptr<const MeshedBody>& body) {
     if (!muscle.paint) {
         const auto declared = body->muscles.find(muscle.declared);
         if (declared != body->muscles.end()) return {body, &declared->second};
     }
-    const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.body == body && entry.mask == muscle.paint; });
+    const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+        return entry.body == body && entry.mask == muscle.paint;
+    });
     if (known != entries_.end()) return known->paint;
-    const auto placed = std::make_shared<const CellPaint>(muscle.paint ? paint_of_mask(body->mesh, *muscle.paint) : blank_paint(body->mesh));
+    const auto placed = std::make_shared<const fibre::CellPaint>(
+        muscle.paint ? fibre::paint_of_mask(body->mesh, *muscle.paint) : fibre::blank_paint(body->mesh));
     remember(body, muscle.paint, placed);
     return placed;
 }
 
-void PlacedPaint::remember(const std::shared_ptr<const MeshedBody>& body, const std::shared_ptr<const PaintedMask>& mask, const std::shared_ptr<const CellPaint>& paint) {
+void PlacedPaint::remember(const std::shared_ptr<const MeshedBody>& body,
+                           const std::shared_ptr<const fibre::PaintedMask>& mask,
+                           const std::shared_ptr<const fibre::CellPaint>& paint) {
     entries_.push_back({body, mask, paint});
     if (entries_.size() > most_kept) entries_.pop_front();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cctype>
 
-namespace myo {
+namespace myo::ui::commands {
 
 std::string marker_name(const std::string& label) {
     std::string name = label;
-    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_'; }, '_');
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_'; }, '_');
     return name;
 }
 
@@ -17,4 +19,4 @@ void assign_marker(ImportChoices& choices, std::size_t label, const std::string&
     choices.markers[label] = {declared, std::nullopt};
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

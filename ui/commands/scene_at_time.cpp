@@ -11,10 +11,10 @@
 #include "viewport/color_map.hpp"
 #include "viewport/scene_lines.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
-constexpr double trail_s = 0.5;   // how far back trails reach
+constexpr double trail_s = 0.5;  // how far back trails reach
 
 // Grows a box, which starts empty, by points.
 struct Bounds {
@@ -49,11 +49,11 @@ Eigen::Matrix3Xd trail(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& tim
     return track.middleCols(first, std::max<std::ptrdiff_t>(0, last - first));
 }
 
-void add_line(DrawnScene& scene, Eigen::Matrix3Xd points, const Color& color, double width) {
+void add_line(viewport::DrawnScene& scene, Eigen::Matrix3Xd points, const viewport::Color& color, double width) {
     if (points.cols() > 1) scene.lines.push_back({std::move(points), color, width});
 }
 
-void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
+void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const SceneTrial* trial = state.scene_trial();
     const SimulatedTrial* simulated = state.simulated_trial();
     const ViewOptions& view = state.view;
@@ -62,32 +62,39 @@ void add_markers(DrawnScene& drawn, const WorkbenchState& state, const Theme& th
         const std::string label = state.scene->markers[m].name;
         const int number = static_cast<int>(m);
         if (place.index < 0) {
-            drawn.markers.push_back({state.scene->markers[m].rest_m, color_of(theme.measured), false, label, number});
+            drawn.markers.push_back(
+                {state.scene->markers[m].rest_m, viewport::color_of(theme.measured), false, label, number});
             continue;
         }
         const Eigen::Vector3d measured = at_time(trial->measured[m], place);
         if (view.measured) {
-            drawn.markers.push_back({measured, color_of(theme.measured), false, label, number});
-            if (view.trails) add_line(drawn, trail(trial->measured[m], trial->time_s, state.time_s), color_of(theme.measured, 0.75f), 1.5);
+            drawn.markers.push_back({measured, viewport::color_of(theme.measured), false, label, number});
+            if (view.trails)
+                add_line(drawn, trail(trial->measured[m], trial->time_s, state.time_s),
+                         viewport::color_of(theme.measured, 0.75f), 1.5);
         }
         // A trial that did not complete has no simulated markers.
-        if (!simulated || !view.simulated || m >= simulated->markers.size() || simulated->markers[m].cols() != trial->time_s.size()) continue;
+        if (!simulated || !view.simulated || m >= simulated->markers.size() ||
+            simulated->markers[m].cols() != trial->time_s.size())
+            continue;
         const Eigen::Vector3d predicted = at_time(simulated->markers[m], place);
         // The label stays with the measured marker while that is seen.
-        drawn.markers.push_back({predicted, color_of(theme.simulated), true, measured.allFinite() && view.measured ? "" : label, number});
+        drawn.markers.push_back({predicted, viewport::color_of(theme.simulated), true,
+                                 measured.allFinite() && view.measured ? "" : label, number});
         if (view.trails) {
-            add_line(drawn, trail(simulated->markers[m], trial->time_s, state.time_s), color_of(theme.simulated, 0.75f), 1.5);
+            add_line(drawn, trail(simulated->markers[m], trial->time_s, state.time_s),
+                     viewport::color_of(theme.simulated, 0.75f), 1.5);
         }
         if (view.errors && view.measured) {
             Eigen::Matrix3Xd whisker(3, 2);
             whisker << measured, predicted;
-            add_line(drawn, whisker, color_of(theme.failure), 2.0);
+            add_line(drawn, whisker, viewport::color_of(theme.failure), 2.0);
         }
     }
 }
 
 /// The rings of compared runs at the shown time; not to be picked.
-void add_compared(DrawnScene& drawn, const WorkbenchState& state, const Theme& theme) {
+void add_compared(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const SceneTrial* trial = state.scene_trial();
     if (!trial || !state.view.simulated) return;
     const TimePlace place = place_in_time(trial->time_s, state.time_s);
@@ -95,24 +102,28 @@ void add_compared(DrawnScene& drawn, const WorkbenchState& state, const Theme& t
     for (const std::size_t k : compared_records(state)) {
         const SimulatedTrial* const other = state.trial_of(state.history[k].run.get());
         if (!other) continue;
-        const Color color = color_of(theme.muscle(static_cast<int>(k)));
+        const viewport::Color color = viewport::color_of(theme.muscle(static_cast<int>(k)));
         for (const Eigen::Matrix3Xd& way : other->markers)
             if (way.cols() == trial->time_s.size()) drawn.markers.push_back({at_time(way, place), color, true, "", -1});
     }
 }
 
-/// The range is that fixed by hand, or the trial's, so that colours can be compared in time, or until that is known the frame's.
-void add_field(DrawnScene& drawn, const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame) {
+/// The range is that fixed by hand, or the trial's, so that colours can be compared in time, or until that is known the
+/// frame's.
+void add_field(viewport::DrawnScene& drawn, const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame) {
     if (frame.values.size() != drawn.positions.cols()) return;
-    DrawnField field;
+    viewport::DrawnField field;
     field.name = kind.label;
     field.unit = kind.unit;
     field.diverging = kind.signed_values;
-    field.color_map = number_of_color_map(view.color_map);
+    field.color_map = viewport::number_of_color_map(view.color_map);
     field.values = frame.values / kind.per_unit;
-    std::array<double, 2> range = frame.trial_range.value_or(std::array<double, 2>{frame.values.minCoeff(), frame.values.maxCoeff()});
-    if (const auto fixed = view.field_ranges.find(kind.id); fixed != view.field_ranges.end()) range = fixed->second;
-    else if (kind.signed_values) range = {-std::max(std::abs(range[0]), std::abs(range[1])), std::max(std::abs(range[0]), std::abs(range[1]))};
+    std::array<double, 2> range = frame.trial_range.value_or(
+        std::array<double, 2>{frame.values.minCoeff(), frame.values.maxCoeff()});
+    if (const auto fixed = view.field_ranges.find(kind.id); fixed != view.field_ranges.end())
+        range = fixed->second;
+    else if (kind.signed_values)
+        range = {-std::max(std::abs(range[0]), std::abs(range[1])), std::max(std::abs(range[0]), std::abs(range[1]))};
     field.lowest = range[0] / kind.per_unit;
     field.highest = range[1] / kind.per_unit;
     // A field without differences, as a stress at rest, is shown in one colour, not as noise.
@@ -157,10 +168,10 @@ Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state) {
 MotionSummary summarize_motion(const WorkbenchState& state) {
     MotionSummary motion;
     if (state.body) {
-        motion.body = std::make_shared<DrawnBody>(DrawnBody{state.body->boundary, {}});
-        motion.surface = std::make_shared<DrawnSurface>(drawn_surface(state.body->boundary));
+        motion.body = std::make_shared<viewport::DrawnBody>(viewport::DrawnBody{state.body->boundary, {}});
+        motion.surface = std::make_shared<viewport::DrawnSurface>(viewport::drawn_surface(state.body->boundary));
     } else if (state.scene && state.scene->surface.triangles.cols() > 0) {
-        motion.surface = std::make_shared<DrawnSurface>(drawn_surface(state.scene->surface));
+        motion.surface = std::make_shared<viewport::DrawnSurface>(viewport::drawn_surface(state.scene->surface));
     }
     Bounds bounds = rest_bounds(state);
     motion.rest = bounds.box;
@@ -178,9 +189,10 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
     return motion;
 }
 
-DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const MotionSummary& motion, const CellPaint* live, const FieldKind* kind,
-                         const FieldFrame* field) {
-    DrawnScene drawn;
+viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::Theme& theme,
+                                   const MotionSummary& motion, const fibre::CellPaint* live, const FieldKind* kind,
+                                   const FieldFrame* field) {
+    viewport::DrawnScene drawn;
     if (!state.scene) return drawn;
     drawn.surface = motion.surface;
     drawn.body = motion.body;
@@ -193,22 +205,28 @@ DrawnScene scene_at_time(const WorkbenchState& state, const Theme& theme, const 
     drawn.marker_radius = 0.012 * motion.rest.size().norm();
     if (kind && field) add_field(drawn, state.view, *kind, *field);
     if (state.view.clamp && state.scene->clamp_m) {
-        for (DrawnLine& line : box_lines(*state.scene->clamp_m, color_of(theme.muted, 0.9f), 1.5)) drawn.lines.push_back(std::move(line));
+        for (viewport::DrawnLine& line :
+             viewport::box_lines(*state.scene->clamp_m, viewport::color_of(theme.muted, 0.9f), 1.5))
+            drawn.lines.push_back(std::move(line));
     }
-    if (state.view.clip.on && state.body) add_line(drawn, outline_of(state.view.clip, motion.rest), color_of(theme.accent, 0.9f), 1.5);
+    if (state.view.clip.on && state.body)
+        add_line(drawn, outline_of(state.view.clip, motion.rest), viewport::color_of(theme.accent, 0.9f), 1.5);
     add_muscles(drawn, state, theme, live);
-    if (drawn.field && !live) drawn.tints.resize(4, 0);   // one meaning of colour at a time
+    if (drawn.field && !live) drawn.tints.resize(4, 0);  // one meaning of colour at a time
     add_force_arrows(drawn, state, theme);
-    if (state.import) add_import(drawn, state, theme);
-    else add_markers(drawn, state, theme), add_compared(drawn, state, theme);
+    if (state.import)
+        add_import(drawn, state, theme);
+    else
+        add_markers(drawn, state, theme), add_compared(drawn, state, theme);
     return drawn;
 }
 
 std::vector<std::size_t> compared_records(const WorkbenchState& state) {
     std::vector<std::size_t> compared;
     for (std::size_t k = 0; k < state.history.size(); ++k)
-        if (state.history[k].compared && state.history[k].run && state.history[k].run != state.run) compared.push_back(k);
+        if (state.history[k].compared && state.history[k].run && state.history[k].run != state.run)
+            compared.push_back(k);
     return compared;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -4,11 +4,11 @@
 
 #include <string>
 
-namespace myo {
+namespace myo::ui::commands {
 
 struct SceneMarker {
     std::string name;
     Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();
 };
 
-}  // namespace myo
+}  // namespace myo::ui::commands

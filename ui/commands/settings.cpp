@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
-namespace myo {
+namespace myo::ui::commands {
 
 Settings within_limits(Settings s) {
-    const auto limit = [](double& value, const Limits& limits) { value = std::clamp(value, limits.lowest, limits.highest); };
+    const auto limit = [](double& value, const Limits& limits) {
+        value = std::clamp(value, limits.lowest, limits.highest);
+    };
     limit(s.youngs_modulus_Pa, youngs_modulus_limits);
     limit(s.poissons_ratio, poissons_ratio_limits);
     limit(s.density_kg_m3, density_limits);
@@ -20,4 +22,4 @@ Settings within_limits(Settings s) {
     return s;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -8,36 +8,36 @@
 #include "commands/muscle.hpp"
 #include "mesh/volume_mesh.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
 /// An effect that was added to the model of the file.
 struct AddedEffect {
     using Value = std::variant<double, std::vector<double>, std::string, std::vector<std::string>>;
 
     std::string id;
-    std::map<std::string, Value> parameters;   // by their names, SI units
-    std::string name;                          // "Quadratic drag"
-    std::string value;                         // "coefficient 903 ± 12 kg/m³"
+    std::map<std::string, Value> parameters;  // by their names, SI units
+    std::string name;                         // "Quadratic drag"
+    std::string value;                        // "coefficient 903 ± 12 kg/m³"
 
     bool operator==(const AddedEffect&) const = default;
 };
 
 /// What a person can set before a run. SI units.
 struct Settings {
-    CellType element = CellType::hex8;
-    double resolution_m = 0.005;            // edge length aimed at
-    std::string material;                   // id of a Choice
+    mesh::CellType element = mesh::CellType::hex8;
+    double resolution_m = 0.005;  // edge length aimed at
+    std::string material;         // id of a Choice
     double youngs_modulus_Pa = 2.6e5;
     double poissons_ratio = 0.49;
     double density_kg_m3 = 1070.0;
-    double damping_s = 0.0;                 // Kelvin-Voigt time
-    std::string integrator;                 // id of a Choice
-    double spectral_radius = 0.5;           // at infinite frequency, for schemes that have it to choose
+    double damping_s = 0.0;        // Kelvin-Voigt time
+    std::string integrator;        // id of a Choice
+    double spectral_radius = 0.5;  // at infinite frequency, for schemes that have it to choose
     double time_step_s = 0.01;
-    bool own_step = false;                  // a person set time_step_s; else runs shorten it to suit what moves
-    double velocity_force_1_s = 0.0;        // Lambda of f = Lambda M v
-    std::vector<AddedEffect> effects;       // beside those that the experiment declares
-    std::vector<Muscle> muscles;            // names differ
+    bool own_step = false;             // a person set time_step_s; else runs shorten it to suit what moves
+    double velocity_force_1_s = 0.0;   // Lambda of f = Lambda M v
+    std::vector<AddedEffect> effects;  // beside those that the experiment declares
+    std::vector<Muscle> muscles;       // names differ
 
     bool operator==(const Settings&) const = default;
 };
@@ -65,4 +65,4 @@ inline constexpr Limits muscle_ratio_limits{-10.0, 10.0};
 /// Every number brought back into its range.
 Settings within_limits(Settings settings);
 
-}  // namespace myo
+}  // namespace myo::ui::commands

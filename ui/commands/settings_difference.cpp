@@ -5,7 +5,7 @@
 
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 constexpr const char* none = "\xe2\x80\x93";
@@ -21,7 +21,8 @@ public:
     explicit Rows(const std::vector<const Settings*>& of) : of_(of) {}
 
     /// @param alike  whether two settings have the same there, though they may read alike without
-    void add(const std::string& name, const std::function<std::string(const Settings&)>& words, const std::function<bool(const Settings&, const Settings&)>& alike) {
+    void add(const std::string& name, const std::function<std::string(const Settings&)>& words,
+             const std::function<bool(const Settings&, const Settings&)>& alike) {
         const auto same = [&](const Settings* s) { return alike(*of_.front(), *s); };
         if (std::all_of(of_.begin(), of_.end(), same)) return;
         SettingDifference row{name, {}};
@@ -36,7 +37,9 @@ public:
     }
 
     void add_number(const std::string& name, double Settings::*number, double unit, const std::string& unit_name) {
-        const auto words = [=](const Settings& s) { return plain_label(s.*number / unit, 6) + (unit_name.empty() ? "" : " " + unit_name); };
+        const auto words = [=](const Settings& s) {
+            return plot::plain_label(s.*number / unit, 6) + (unit_name.empty() ? "" : " " + unit_name);
+        };
         add(name, words, [number](const Settings& a, const Settings& b) { return a.*number == b.*number; });
     }
 
@@ -49,7 +52,8 @@ private:
 
 /// Every name that some settings have, each once, in the order of their first appearance.
 template <class Entry>
-std::vector<std::string> names_of(const std::vector<const Settings*>& of, std::vector<Entry> Settings::*list, std::string Entry::*name) {
+std::vector<std::string> names_of(const std::vector<const Settings*>& of, std::vector<Entry> Settings::*list,
+                                  std::string Entry::*name) {
     std::vector<std::string> names;
     for (const Settings* s : of)
         for (const Entry& entry : s->*list)
@@ -59,23 +63,28 @@ std::vector<std::string> names_of(const std::vector<const Settings*>& of, std::v
 
 template <class Entry>
 const Entry* named(const std::vector<Entry>& list, std::string Entry::*name, const std::string& wanted) {
-    const auto found = std::find_if(list.begin(), list.end(), [&](const Entry& entry) { return entry.*name == wanted; });
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [&](const Entry& entry) { return entry.*name == wanted; });
     return found != list.end() ? &*found : nullptr;
 }
 
 void add_effects(const std::vector<const Settings*>& of, Rows& rows) {
     for (const std::string& name : names_of(of, &Settings::effects, &AddedEffect::name)) {
         const auto effect = [name](const Settings& s) { return named(s.effects, &AddedEffect::name, name); };
-        rows.add(name, [=](const Settings& s) { return effect(s) ? effect(s)->value : std::string(none); },
-                 [=](const Settings& a, const Settings& b) { return (effect(a) && effect(b) && *effect(a) == *effect(b)) || (!effect(a) && !effect(b)); });
+        rows.add(
+            name, [=](const Settings& s) { return effect(s) ? effect(s)->value : std::string(none); },
+            [=](const Settings& a, const Settings& b) {
+                return (effect(a) && effect(b) && *effect(a) == *effect(b)) || (!effect(a) && !effect(b));
+            });
     }
 }
 
 std::string signal_words(const Muscle& muscle) {
-    if (!muscle.follows.empty()) return plain_label(muscle.ratio, 3) + " \xc3\x97 " + muscle.follows;
+    if (!muscle.follows.empty()) return plot::plain_label(muscle.ratio, 3) + " \xc3\x97 " + muscle.follows;
     if (!muscle.signal || muscle.signal->values.empty()) return "as recorded";
     const auto [least, most] = std::minmax_element(muscle.signal->values.begin(), muscle.signal->values.end());
-    return "a " + plain_label(*least, 3) + " to " + plain_label(*most, 3) + ", " + std::to_string(muscle.signal->values.size()) + " knots";
+    return "a " + plot::plain_label(*least, 3) + " to " + plot::plain_label(*most, 3) + ", " +
+           std::to_string(muscle.signal->values.size()) + " knots";
 }
 
 void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
@@ -84,30 +93,49 @@ void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
     for (const std::string& name : names_of(of, &Settings::muscles, &Muscle::name)) {
         const auto muscle = [name](const Settings& s) { return named(s.muscles, &Muscle::name, name); };
         const auto add = [&](const std::string& what, const Words& words, const Alike& alike) {
-            rows.add(name + ", " + what, [=](const Settings& s) { return muscle(s) ? words(*muscle(s)) : std::string(none); },
-                     [=](const Settings& a, const Settings& b) { return muscle(a) && muscle(b) ? alike(*muscle(a), *muscle(b)) : !muscle(a) && !muscle(b); });
+            rows.add(
+                name + ", " + what,
+                [=](const Settings& s) { return muscle(s) ? words(*muscle(s)) : std::string(none); },
+                [=](const Settings& a, const Settings& b) {
+                    return muscle(a) && muscle(b) ? alike(*muscle(a), *muscle(b)) : !muscle(a) && !muscle(b);
+                });
         };
-        add("place", [](const Muscle& m) { return std::string(m.paint ? "painted" : m.declared.empty() ? "nowhere" : "as declared"); },
+        add(
+            "place",
+            [](const Muscle& m) {
+                return std::string(m.paint ? "painted" : m.declared.empty() ? "nowhere" : "as declared");
+            },
             [](const Muscle& a, const Muscle& b) { return a.paint == b.paint && a.declared == b.declared; });
-        add("stiffness", [](const Muscle& m) { return plain_label(1e-3 * m.stiffness_Pa, 6) + " kPa"; }, [](const Muscle& a, const Muscle& b) { return a.stiffness_Pa == b.stiffness_Pa; });
-        add("signal", signal_words,
-            [](const Muscle& a, const Muscle& b) { return a.follows == b.follows && (a.follows.empty() ? a.signal == b.signal : a.ratio == b.ratio); });
+        add(
+            "stiffness", [](const Muscle& m) { return plot::plain_label(1e-3 * m.stiffness_Pa, 6) + " kPa"; },
+            [](const Muscle& a, const Muscle& b) { return a.stiffness_Pa == b.stiffness_Pa; });
+        add("signal", signal_words, [](const Muscle& a, const Muscle& b) {
+            return a.follows == b.follows && (a.follows.empty() ? a.signal == b.signal : a.ratio == b.ratio);
+        });
     }
 }
 
 }  // namespace
 
-std::vector<SettingDifference> settings_differences(const std::vector<const Settings*>& of, const std::vector<Choice>& materials, const std::vector<Choice>& integrators) {
+std::vector<SettingDifference> settings_differences(const std::vector<const Settings*>& of,
+                                                    const std::vector<Choice>& materials,
+                                                    const std::vector<Choice>& integrators) {
     if (of.size() < 2) return {};
     Rows rows(of);
-    rows.add("Elements", [](const Settings& s) { return to_string(s.element); }, [](const Settings& a, const Settings& b) { return a.element == b.element; });
+    rows.add(
+        "Elements", [](const Settings& s) { return to_string(s.element); },
+        [](const Settings& a, const Settings& b) { return a.element == b.element; });
     rows.add_number("Edge length", &Settings::resolution_m, 1e-3, "mm");
-    rows.add("Material", [&](const Settings& s) { return label_of(materials, s.material); }, [](const Settings& a, const Settings& b) { return a.material == b.material; });
+    rows.add(
+        "Material", [&](const Settings& s) { return label_of(materials, s.material); },
+        [](const Settings& a, const Settings& b) { return a.material == b.material; });
     rows.add_number("Young's modulus E", &Settings::youngs_modulus_Pa, 1e3, "kPa");
     rows.add_number("Poisson's ratio \xce\xbd", &Settings::poissons_ratio, 1.0, "");
     rows.add_number("Density \xcf\x81", &Settings::density_kg_m3, 1.0, "kg/m\xc2\xb3");
     rows.add_number("Damping \xcf\x84", &Settings::damping_s, 1e-3, "ms");
-    rows.add("Integrator", [&](const Settings& s) { return label_of(integrators, s.integrator); }, [](const Settings& a, const Settings& b) { return a.integrator == b.integrator; });
+    rows.add(
+        "Integrator", [&](const Settings& s) { return label_of(integrators, s.integrator); },
+        [](const Settings& a, const Settings& b) { return a.integrator == b.integrator; });
     rows.add_number("Spectral radius \xcf\x81\xe2\x88\x9e", &Settings::spectral_radius, 1.0, "");
     rows.add_number("Time step h", &Settings::time_step_s, 1e-3, "ms");
     rows.add_number("Velocity force \xce\x9b", &Settings::velocity_force_1_s, 1.0, "1/s");
@@ -116,4 +144,4 @@ std::vector<SettingDifference> settings_differences(const std::vector<const Sett
     return rows.take();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

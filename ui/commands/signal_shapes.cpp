@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 constexpr double step_rise_s = 1e-3;
@@ -14,15 +14,16 @@ constexpr double knots_per_period = 32.0;
 
 }  // namespace
 
-Signal make_signal(const SignalRecipe& recipe) {
+fibre::Signal make_signal(const SignalRecipe& recipe) {
     switch (recipe.shape) {
-        case SignalShape::constant: return Signal::constant(recipe.level);
+        case SignalShape::constant: return fibre::Signal::constant(recipe.level);
         case SignalShape::step: return {{recipe.start_s, recipe.start_s + step_rise_s}, {1.0, recipe.level}};
-        case SignalShape::ramp: return {{recipe.start_s, recipe.start_s + std::max(step_rise_s, recipe.rise_s)}, {1.0, recipe.level}};
+        case SignalShape::ramp:
+            return {{recipe.start_s, recipe.start_s + std::max(step_rise_s, recipe.rise_s)}, {1.0, recipe.level}};
         case SignalShape::sine: break;
     }
-    Signal signal{{}, {}};
-    const double whole = std::max(0.0, recipe.end_s - recipe.start_s) * recipe.frequency_Hz;   // periods
+    fibre::Signal signal{{}, {}};
+    const double whole = std::max(0.0, recipe.end_s - recipe.start_s) * recipe.frequency_Hz;  // periods
     const auto knots = static_cast<int>(std::ceil(whole * knots_per_period));
     for (int k = 0; k <= knots; ++k) {
         const double period = std::min(whole, k / knots_per_period);
@@ -32,29 +33,32 @@ Signal make_signal(const SignalRecipe& recipe) {
     return signal;
 }
 
-Signal with_knot_moved(Signal signal, std::size_t knot, double time_s, double value) {
-    const double earliest = knot > 0 ? signal.times_s[knot - 1] + closest_knots_s : -std::numeric_limits<double>::infinity();
-    const double latest = knot + 1 < signal.times_s.size() ? signal.times_s[knot + 1] - closest_knots_s : std::numeric_limits<double>::infinity();
+fibre::Signal with_knot_moved(fibre::Signal signal, std::size_t knot, double time_s, double value) {
+    const double earliest = knot > 0 ? signal.times_s[knot - 1] + closest_knots_s
+                                     : -std::numeric_limits<double>::infinity();
+    const double latest = knot + 1 < signal.times_s.size() ? signal.times_s[knot + 1] - closest_knots_s
+                                                           : std::numeric_limits<double>::infinity();
     if (earliest <= latest) signal.times_s[knot] = std::clamp(time_s, earliest, latest);
     signal.values[knot] = value;
     return signal;
 }
 
-Signal with_knot_added(Signal signal, double time_s, double value) {
+fibre::Signal with_knot_added(fibre::Signal signal, double time_s, double value) {
     const auto after = std::upper_bound(signal.times_s.begin(), signal.times_s.end(), time_s);
     const auto place = after - signal.times_s.begin();
-    const bool crowded = (after != signal.times_s.end() && *after - time_s < closest_knots_s) || (place > 0 && time_s - *(after - 1) < closest_knots_s);
+    const bool crowded = (after != signal.times_s.end() && *after - time_s < closest_knots_s) ||
+                         (place > 0 && time_s - *(after - 1) < closest_knots_s);
     if (crowded) return signal;
     signal.times_s.insert(after, time_s);
     signal.values.insert(signal.values.begin() + place, value);
     return signal;
 }
 
-Signal with_knot_removed(Signal signal, std::size_t knot) {
+fibre::Signal with_knot_removed(fibre::Signal signal, std::size_t knot) {
     if (signal.times_s.size() < 2) return signal;
     signal.times_s.erase(signal.times_s.begin() + static_cast<std::ptrdiff_t>(knot));
     signal.values.erase(signal.values.begin() + static_cast<std::ptrdiff_t>(knot));
     return signal;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

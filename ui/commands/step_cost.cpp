@@ -4,15 +4,16 @@
 #include <cmath>
 #include <iterator>
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
-/// Measured by `myoloop bench scaling`, 4 to 66 thousand degrees of freedom; between assembly (1) and factorisation (2).
+/// Measured by `myoloop bench scaling`, 4 to 66 thousand degrees of freedom; between assembly (1) and factorisation
+/// (2).
 constexpr double benchmark_exponent = 1.5;
 /// Of smaller bodies, where assembly is nearly all: 1.6 ms at 1,080 degrees of freedom, 6.8 ms at 4,608.
 constexpr double small_exponent = 1.0;
 /// The default model in README's table of times, on the machine named there.
-constexpr StepCost benchmark_cost{CellType::hex8, 4608.0, 6.8e-3};
+constexpr StepCost benchmark_cost{mesh::CellType::hex8, 4608.0, 6.8e-3};
 constexpr double least_size_ratio = 1.5;
 
 /// Slope of log(seconds) over log(DOF) by least squares.
@@ -29,14 +30,16 @@ double slope(const std::vector<StepCost>& costs) {
 
 void remember(std::vector<StepCost>& costs, const StepCost& cost) {
     if (!(cost.dofs > 0.0 && cost.seconds > 0.0)) return;
-    std::erase_if(costs, [&](const StepCost& known) { return known.element == cost.element && known.dofs == cost.dofs; });
+    std::erase_if(costs,
+                  [&](const StepCost& known) { return known.element == cost.element && known.dofs == cost.dofs; });
     costs.push_back(cost);
     if (costs.size() > most_step_costs) costs.erase(costs.begin());
 }
 
-StepPrediction predict_step(const std::vector<StepCost>& costs, CellType element, double dofs) {
+StepPrediction predict_step(const std::vector<StepCost>& costs, mesh::CellType element, double dofs) {
     std::vector<StepCost> same;
-    std::copy_if(costs.begin(), costs.end(), std::back_inserter(same), [&](const StepCost& cost) { return cost.element == element; });
+    std::copy_if(costs.begin(), costs.end(), std::back_inserter(same),
+                 [&](const StepCost& cost) { return cost.element == element; });
     const StepCost from = !same.empty() ? same.back() : !costs.empty() ? costs.back() : benchmark_cost;
     const double exponent = std::max(from.dofs, dofs) <= benchmark_cost.dofs ? small_exponent : benchmark_exponent;
     StepPrediction prediction{0.0, from, exponent, false, !costs.empty()};
@@ -53,4 +56,4 @@ StepPrediction predict_step(const std::vector<StepCost>& costs, CellType element
     return prediction;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::ui::commands {
 
 /// Past and future values of something that is edited.
 ///
@@ -45,4 +45,4 @@ private:
     std::string last_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -6,7 +6,7 @@
 
 #include "commands/clip_plane.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
 /// What the 3D view shows.
 struct ViewOptions {
@@ -15,18 +15,19 @@ struct ViewOptions {
     bool measured = true;
     bool simulated = true;
     bool trails = true;
-    bool errors = true;             // lines from simulated to measured
+    bool errors = true;  // lines from simulated to measured
     bool labels = true;
     bool clamp = true;
-    std::string field;              // id of the quantity that colours the body; empty: none
-    std::string color_map;          // id of the colours of values without a sign; empty: the usual ones
-    std::map<std::string, std::array<double, 2>> field_ranges;   // fixed by hand, by the field's id [SI]; the others follow the run
-    bool fibres = true;             // muscles: colours and lines
-    bool effect_force = true;       // arrows of the chosen effect's force, once there is a diagnosis
+    std::string field;      // id of the quantity that colours the body; empty: none
+    std::string color_map;  // id of the colours of values without a sign; empty: the usual ones
+    std::map<std::string, std::array<double, 2>>
+        field_ranges;          // fixed by hand, by the field's id [SI]; the others follow the run
+    bool fibres = true;        // muscles: colours and lines
+    bool effect_force = true;  // arrows of the chosen effect's force, once there is a diagnosis
     double opacity = 1.0;
     ClipPlane clip;
 
     bool operator==(const ViewOptions&) const = default;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -7,12 +7,16 @@
 
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
-/// A finer mesh of the same cells has no fewer than the one at hand, which a finely triangulated surface may have filled with more than its edge length asks for.
-MeshPrediction no_smaller_than_coarser(MeshPrediction prediction, const WorkbenchState& state, const Settings& settings) {
-    if (!state.body || prediction.exact || state.body_settings.element != settings.element || state.body_settings.resolution_m < settings.resolution_m) return prediction;
+/// A finer mesh of the same cells has no fewer than the one at hand, which a finely triangulated surface may have
+/// filled with more than its edge length asks for.
+MeshPrediction no_smaller_than_coarser(MeshPrediction prediction, const WorkbenchState& state,
+                                       const Settings& settings) {
+    if (!state.body || prediction.exact || state.body_settings.element != settings.element ||
+        state.body_settings.resolution_m < settings.resolution_m)
+        return prediction;
     prediction.elements = std::max(prediction.elements, static_cast<double>(state.body->mesh.cell_count()));
     prediction.dofs = std::max(prediction.dofs, state.body->dofs);
     return prediction;
@@ -63,7 +67,8 @@ Workbench::Workbench(std::shared_ptr<Backend> backend, std::function<void()> wak
 }
 
 void Workbench::log(LogLevel level, const std::string& text) {
-    if (state_.log.size() >= most_log_lines) state_.log.erase(state_.log.begin(), state_.log.begin() + most_log_lines / 10);
+    if (state_.log.size() >= most_log_lines)
+        state_.log.erase(state_.log.begin(), state_.log.begin() + most_log_lines / 10);
     state_.log.push_back({level, text});
     ++state_.logged;
 }
@@ -74,112 +79,116 @@ void Workbench::log_failure(const Error& error, const std::string& what) {
 
 void Workbench::execute(const Command& asked) {
     std::visit(Overloaded{
-                   [&](const command::Open& c) {
+                   [&](const Open& c) {
                        dropped_with_body_.reset();
                        open(c.path, c.metres_per_unit);
                    },
-                   [&](const command::Drop& c) { drop(c.files); },
-                   [&](const command::AnswerUnit& c) {
+                   [&](const Drop& c) { drop(c.files); },
+                   [&](const AnswerUnit& c) {
                        const auto path = std::exchange(state_.unit_question, std::nullopt);
                        if (path && c.metres_per_unit) open(*path, c.metres_per_unit);
                    },
-                   [&](const command::ChangeSettings& c) { change_settings(c); },
-                   [&](const command::Undo&) { set_settings(undo_.undo(state_.settings)); },
-                   [&](const command::Redo&) { set_settings(undo_.redo(state_.settings)); },
-                   [&](const command::BuildMesh&) {
+                   [&](const ChangeSettings& c) { change_settings(c); },
+                   [&](const Undo&) { set_settings(undo_.undo(state_.settings)); },
+                   [&](const Redo&) { set_settings(undo_.redo(state_.settings)); },
+                   [&](const BuildMesh&) {
                        if (state_.scene) request("Mesh", [this] { build_mesh({}); });
                    },
-                   [&](const command::Run&) { run(); },
-                   [&](const command::ChangePreview& c) { change_preview(c); },
-                   [&](const command::Calibrate&) { calibrate(); },
-                   [&](const command::ChangeOptimize& c) { state_.optimize = c.request; },
-                   [&](const command::Optimize&) { optimize(); },
-                   [&](const command::Diagnose&) { diagnose(); },
-                   [&](const command::ChooseCandidate& c) {
+                   [&](const Run&) { run(); },
+                   [&](const ChangePreview& c) { change_preview(c); },
+                   [&](const Calibrate&) { calibrate(); },
+                   [&](const ChangeOptimize& c) { state_.optimize = c.request; },
+                   [&](const Optimize&) { optimize(); },
+                   [&](const Diagnose&) { diagnose(); },
+                   [&](const ChooseCandidate& c) {
                        state_.candidate = c.key;
                        look_at_forces();
                    },
-                   [&](const command::AddEffect& c) { add_effect(c.key); },
-                   [&](const command::ChooseMuscle& c) { state_.muscle = std::clamp(c.muscle, 0, std::max(0, static_cast<int>(state_.settings.muscles.size()) - 1)); },
-                   [&](const command::Paint& c) { paint(c); },
-                   [&](const command::ImportSignal& c) { import_signal(c); },
-                   [&](const command::ExportSignal& c) { export_signal(c); },
-                   [&](const command::ChangeBrush& c) { state_.brush = c.brush; },
-                   [&](const command::Cancel&) {
+                   [&](const AddEffect& c) { add_effect(c.key); },
+                   [&](const ChooseMuscle& c) {
+                       state_.muscle = std::clamp(c.muscle, 0,
+                                                  std::max(0, static_cast<int>(state_.settings.muscles.size()) - 1));
+                   },
+                   [&](const Paint& c) { paint(c); },
+                   [&](const ImportSignal& c) { import_signal(c); },
+                   [&](const ExportSignal& c) { export_signal(c); },
+                   [&](const ChangeBrush& c) { state_.brush = c.brush; },
+                   [&](const Cancel&) {
                        if (job_) job_->cancel();
                    },
-                   [&](const command::Pause& c) {
+                   [&](const Pause& c) {
                        if (job_) job_->pause(c.paused);
                    },
-                   [&](const command::Unqueue& c) {
+                   [&](const Unqueue& c) {
                        std::erase_if(queue_, [&](const Task& task) { return task.id == c.id; });
                        update_queue();
                    },
-                   [&](const command::RestoreRecord& c) { restore(c.id); },
-                   [&](const command::CompareRecord& c) {
+                   [&](const RestoreRecord& c) { restore(c.id); },
+                   [&](const CompareRecord& c) {
                        for (JobRecord& record : state_.history)
                            if (record.id == c.id) record.compared = c.compared && record.run;
                    },
-                   [&](const command::ForgetRecord& c) { forget(c.id); },
-                   [&](const command::Save&) { save(); },
-                   [&](const command::SaveAs& c) { save_as(c.file); },
-                   [&](const command::AskWhereToSave& c) {
+                   [&](const ForgetRecord& c) { forget(c.id); },
+                   [&](const Save&) { save(); },
+                   [&](const SaveAs& c) { save_as(c.file); },
+                   [&](const AskWhereToSave& c) {
                        state_.asks_where_to_save = c.asks && state_.scene;
                        if (!c.asks) state_.pending.reset();
                    },
-                   [&](const command::AnswerUnsaved& c) { answer_unsaved(c.answer); },
-                   [&](const command::OfferRecovery& c) { state_.recovered = c.files; },
-                   [&](const command::Recover& c) { recover(c.file); },
-                   [&](const command::DiscardRecovery&) { discard_recovery(); },
-                   [&](const command::Quit&) { quit(); },
-                   [&](const command::AnswerStop& c) {
+                   [&](const AnswerUnsaved& c) { answer_unsaved(c.answer); },
+                   [&](const OfferRecovery& c) { state_.recovered = c.files; },
+                   [&](const Recover& c) { recover(c.file); },
+                   [&](const DiscardRecovery&) { discard_recovery(); },
+                   [&](const Quit&) { quit(); },
+                   [&](const AnswerStop& c) {
                        if (c.stops && state_.asks_to_stop) quit();
                        state_.asks_to_stop = false;
                    },
-                   [&](const command::ChooseTrial& c) { choose_trial(c.trial); },
-                   [&](const command::ChooseMarker& c) {
+                   [&](const ChooseTrial& c) { choose_trial(c.trial); },
+                   [&](const ChooseMarker& c) {
                        const int count = state_.scene ? static_cast<int>(state_.scene->markers.size()) : 0;
                        state_.marker = std::clamp(c.marker, 0, std::max(0, count - 1));
                    },
-                   [&](const command::SetTime& c) {
+                   [&](const SetTime& c) {
                        const auto span = time_span(state_);
                        if (std::isfinite(c.time_s)) state_.time_s = std::clamp(c.time_s, span[0], span[1]);
                    },
-                   [&](const command::Play& c) {
+                   [&](const Play& c) {
                        const auto span = time_span(state_);
                        state_.playing = c.playing && span[1] > span[0];
                        if (state_.playing && state_.time_s >= span[1]) state_.time_s = span[0];
                    },
-                   [&](const command::SetSpeed& c) { state_.speed = std::clamp(c.speed, 0.01, 10.0); },
-                   [&](const command::ChangeView& c) { state_.view = c.view; },
-                   [&](const command::SetDampingFrequency& c) {
+                   [&](const SetSpeed& c) { state_.speed = std::clamp(c.speed, 0.01, 10.0); },
+                   [&](const ChangeView& c) { state_.view = c.view; },
+                   [&](const SetDampingFrequency& c) {
                        state_.damping_frequency_Hz = std::clamp(c.frequency_Hz, 0.01, 1000.0);
                        check_stability();
                    },
-                   [&](const command::SetTheme& c) {
+                   [&](const SetTheme& c) {
                        state_.preferences.theme = c.theme;
                        state_.preferences.scale = std::clamp(c.scale, least_scale, greatest_scale);
                    },
-                   [&](const command::SetLayout& c) { state_.preferences.layout = c.layout; },
-                   [&](const command::Bookmark& c) {
+                   [&](const SetLayout& c) { state_.preferences.layout = c.layout; },
+                   [&](const Bookmark& c) {
                        auto& kept = state_.preferences.bookmarks;
                        std::erase(kept, c.folder);
                        if (c.kept) kept.push_back(c.folder);
                    },
-                   [&](const command::UsePreferences& c) {
+                   [&](const UsePreferences& c) {
                        state_.preferences = c.preferences;
-                       if (c.preferences.scale > 0.0f) state_.preferences.scale = std::clamp(c.preferences.scale, least_scale, greatest_scale);
+                       if (c.preferences.scale > 0.0f)
+                           state_.preferences.scale = std::clamp(c.preferences.scale, least_scale, greatest_scale);
                    },
-                   [&](const command::ClearLog&) { state_.log.clear(); },
-                   [&](const command::Tell& c) { log(c.level, c.text); },
-                   [&](const command::WriteReport& c) { write_report(c.folder); },
-                   [&](const command::ReadRecording& c) { read_recording(c.path, c.reading); },
-                   [&](const command::ChangeImport& c) { change_import(c.choices); },
-                   [&](const command::ChooseLabel& c) { choose_label(c.label, c.placing); },
-                   [&](const command::ProposeMarkers&) { propose_markers(); },
-                   [&](const command::AlignImport&) { align_import(); },
-                   [&](const command::AddRecording&) { add_recording(); },
-                   [&](const command::GiveUpImport&) { give_up_import(); },
+                   [&](const ClearLog&) { state_.log.clear(); },
+                   [&](const Tell& c) { log(c.level, c.text); },
+                   [&](const WriteReport& c) { write_report(c.folder); },
+                   [&](const ReadRecording& c) { read_recording(c.path, c.reading); },
+                   [&](const ChangeImport& c) { change_import(c.choices); },
+                   [&](const ChooseLabel& c) { choose_label(c.label, c.placing); },
+                   [&](const ProposeMarkers&) { propose_markers(); },
+                   [&](const AlignImport&) { align_import(); },
+                   [&](const AddRecording&) { add_recording(); },
+                   [&](const GiveUpImport&) { give_up_import(); },
                },
                asked);
     state_.can_undo = undo_.can_undo();
@@ -197,7 +206,7 @@ void Workbench::advance(double seconds) {
             state_.job.reset();
             if (*completion) (*completion)();
             if (!job_) begin_next();
-            if (!task_) state_.asks_to_stop = false;   // whoever asked sees first what it brought
+            if (!task_) state_.asks_to_stop = false;  // whoever asked sees first what it brought
         }
         if (job_) state_.job = job_->view();
     }
@@ -206,7 +215,8 @@ void Workbench::advance(double seconds) {
         const auto span = time_span(state_);
         state_.time_s += seconds * state_.speed;
         // What a search has found so far plays again and again, and so does a preview.
-        if (state_.time_s >= (state_.previewing() ? state_.preview.end_s : span[1]) && (state_.searching() || state_.previewing())) {
+        if (state_.time_s >= (state_.previewing() ? state_.preview.end_s : span[1]) &&
+            (state_.searching() || state_.previewing())) {
             state_.time_s = span[0];
         } else if (state_.time_s >= span[1]) {
             state_.time_s = span[1];
@@ -222,7 +232,7 @@ void Workbench::take_live() {
         if (auto known = live_search_->take()) {
             const bool first = known->best && !(state_.search && state_.search->best);
             state_.search = std::move(known);
-            if (first) execute(command::Play{});
+            if (first) execute(Play{});
         }
 }
 
@@ -236,7 +246,7 @@ void Workbench::choose_trial(int trial) {
     want_preview();
 }
 
-void Workbench::change_settings(const command::ChangeSettings& change) {
+void Workbench::change_settings(const ChangeSettings& change) {
     Settings settings = within_limits(change.settings);
     // Unless the choice is given back to the program.
     const bool given_back = settings.own_step != state_.settings.own_step;
@@ -251,7 +261,8 @@ void Workbench::set_settings(const Settings& settings) {
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
     place_muscles();
     check_stability();
-    if (state_.scene) state_.prediction = no_smaller_than_coarser(backend_->predict(*state_.scene, settings), state_, settings);
+    if (state_.scene)
+        state_.prediction = no_smaller_than_coarser(backend_->predict(*state_.scene, settings), state_, settings);
     want_preview();
 }
 
@@ -259,7 +270,8 @@ void Workbench::check_stability() {
     state_.critical_velocity_force_1_s.reset();
     const Choice* integrator = state_.integrator();
     if (integrator && integrator->critical_velocity_force)
-        state_.critical_velocity_force_1_s = integrator->critical_velocity_force(2.0 * std::numbers::pi * state_.damping_frequency_Hz, state_.settings);
+        state_.critical_velocity_force_1_s = integrator->critical_velocity_force(
+            2.0 * std::numbers::pi * state_.damping_frequency_Hz, state_.settings);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

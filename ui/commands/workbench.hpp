@@ -12,12 +12,12 @@
 #include "commands/undo.hpp"
 #include "commands/workbench_state.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 
 /// The workbench without its looks: carries out commands, runs jobs one after the other, holds the state.
 ///
-/// A job works on the settings as they were when it was asked for. What it brings is shown when it ends, but the settings are changed by it
-/// only where nobody has changed them meanwhile.
+/// A job works on the settings as they were when it was asked for. What it brings is shown when it ends, but the
+/// settings are changed by it only where nobody has changed them meanwhile.
 class Workbench {
 public:
     /// @param wake  called from another thread when there is something new to show; may be empty
@@ -34,8 +34,9 @@ public:
     /// Something changes by itself, so frames must go on.
     bool animating() const { return state_.playing; }
 
-    /// Writes unsaved work into a file from which it can be recovered, where it has changed since the last call; removes the file where all is
-    /// saved. Writes on a thread beside the drawing: painted bodies are large. A failure is logged once.
+    /// Writes unsaved work into a file from which it can be recovered, where it has changed since the last call;
+    /// removes the file where all is saved. Writes on a thread beside the drawing: painted bodies are large. A failure
+    /// is logged once.
     void autosave(const std::filesystem::path& file);
     /// Waits until nothing is being written any more.
     void finish_autosave();
@@ -49,7 +50,7 @@ private:
         Settings settings;
         std::shared_ptr<const Scene> scene;
         std::function<void()> begin;
-        PlacedBody on;              // what it works on, once that is meshed
+        PlacedBody on;  // what it works on, once that is meshed
     };
 
     // workbench_jobs.cpp
@@ -68,7 +69,7 @@ private:
 
     // workbench_scene.cpp
     void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
-    void drop(const std::vector<std::filesystem::path>& files);   // workbench_drop.cpp
+    void drop(const std::vector<std::filesystem::path>& files);  // workbench_drop.cpp
     void show_scene(Scene scene, std::optional<double> metres_per_unit);
     void show_project(const std::filesystem::path& file, Project project, Scene scene);
     void build_mesh(std::function<void()> then);
@@ -79,7 +80,7 @@ private:
     Project project() const;
     void save();
     void save_as(std::filesystem::path file);
-    void answer_unsaved(command::UnsavedAnswer answer);
+    void answer_unsaved(UnsavedAnswer answer);
     void go_on_with_pending();
     void quit();
     void write_report(const std::filesystem::path& folder);
@@ -99,7 +100,7 @@ private:
     void show_found(const std::string& verb, SearchResult result);
 
     // workbench_preview.cpp
-    void change_preview(const command::ChangePreview& asked);
+    void change_preview(const ChangePreview& asked);
     /// Something it shows has changed: the running one is given up, another begins as soon as it can.
     void want_preview();
     void give_up_preview();
@@ -117,9 +118,9 @@ private:
     void add_effect(const std::string& key);
 
     // workbench_muscles.cpp
-    void paint(const command::Paint& asked);
-    void import_signal(const command::ImportSignal& asked);
-    void export_signal(const command::ExportSignal& asked);
+    void paint(const Paint& asked);
+    void import_signal(const ImportSignal& asked);
+    void export_signal(const ExportSignal& asked);
     /// Puts the settings' muscles on the body.
     void place_muscles();
 
@@ -133,7 +134,7 @@ private:
     void add_recording();
     void give_up_import();
 
-    void change_settings(const command::ChangeSettings& change);
+    void change_settings(const ChangeSettings& change);
     void set_settings(const Settings& settings);
     void check_stability();
     void choose_trial(int trial);
@@ -155,20 +156,22 @@ private:
     UndoStack<Settings> undo_;
     PlacedPaint placed_;
     std::deque<Task> queue_;
-    std::optional<Task> task_;                  // that runs
+    std::optional<Task> task_;  // that runs
     int next_id_ = 1;
     std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;
     std::shared_ptr<LiveValue<SearchView>> live_search_;
-    std::optional<std::filesystem::path> dropped_with_body_;   // recording that is read once the body it was dropped with is open
-    std::optional<PendingAction> after_recovery_;   // what is opened once all that could be recovered was thrown away
-    Settings autosaved_;                        // as they are in the file of recovery
+    std::optional<std::filesystem::path>
+        dropped_with_body_;                        // recording that is read once the body it was dropped with is open
+    std::optional<PendingAction> after_recovery_;  // what is opened once all that could be recovered was thrown away
+    Settings autosaved_;                           // as they are in the file of recovery
     bool autosave_failed_ = false;
-    std::filesystem::path recovered_;           // file from which the shown project was recovered; to be removed once it is saved
-    bool preview_given_up_ = false;             // what the running preview brings is not wanted any more
+    std::filesystem::path
+        recovered_;                  // file from which the shown project was recovered; to be removed once it is saved
+    bool preview_given_up_ = false;  // what the running preview brings is not wanted any more
     // Last members: their threads end before anything they use.
     std::future<Result<void>> autosave_job_;
     std::unique_ptr<Job> preview_job_;
     std::unique_ptr<Job> job_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::commands

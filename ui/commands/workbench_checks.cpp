@@ -5,7 +5,7 @@
 
 // The checks of the workbench's jobs, and the time step that they are about.
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 bool says(const CheckRows& rows, const std::string& sentence) {
@@ -34,11 +34,11 @@ void Workbench::take_step(double time_step_s) {
         if (settings.own_step) return;
         settings.time_step_s = time_step_s;
     };
-    take(state_.saved_settings);   // no edit that would have to be saved
+    take(state_.saved_settings);  // no edit that would have to be saved
     take(autosaved_);
     Settings settings = state_.settings;
     take(settings);
     if (!(settings == state_.settings)) set_settings(settings);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

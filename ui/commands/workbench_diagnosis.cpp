@@ -6,7 +6,7 @@
 
 // The diagnosis of the workbench: started, shown while it runs, and its effects taken into the model.
 
-namespace myo {
+namespace myo::ui::commands {
 
 void Workbench::diagnose() {
     if (!may_compute()) return;
@@ -20,21 +20,27 @@ void Workbench::diagnose() {
             state_.candidate.clear();
             state_.diagnosis_settings = task_->settings;
             live_diagnosis_ = std::make_shared<LiveValue<DiagnosisView>>();
-            start(
-                diagnose_job,
-                [this, settings = task_->settings, scene = task_->scene, body = task_->on.body, live = live_diagnosis_](const Progress& progress) -> Job::Completion {
-                    const auto show = [live](std::shared_ptr<const DiagnosisView> view) { live->set(std::move(view)); };
-                    auto result = std::make_shared<Result<DiagnosisView>>(backend_->diagnose(*scene, *body, settings, progress, show));
-                    const bool cancelled = progress.cancelled();
-                    return [this, result, cancelled] {
-                        live_diagnosis_.reset();
-                        if (*result) return show_diagnosis(std::move(**result));
-                        if (cancelled) log(LogLevel::information, "Diagnosis cancelled before it knew anything.");
-                        else log_failure(result->error(), "Diagnosis failed");
-                        end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed, cancelled ? "cancelled" : result->error().text());
-                    };
-                },
-                {true, false});
+            start(diagnose_job,
+                  [this, settings = task_->settings, scene = task_->scene, body = task_->on.body,
+                   live = live_diagnosis_](const Progress& progress) -> Job::Completion {
+                      const auto show = [live](std::shared_ptr<const DiagnosisView> view) {
+                          live->set(std::move(view));
+                      };
+                      auto result = std::make_shared<Result<DiagnosisView>>(
+                          backend_->diagnose(*scene, *body, settings, progress, show));
+                      const bool cancelled = progress.cancelled();
+                      return [this, result, cancelled] {
+                          live_diagnosis_.reset();
+                          if (*result) return show_diagnosis(std::move(**result));
+                          if (cancelled)
+                              log(LogLevel::information, "Diagnosis cancelled before it knew anything.");
+                          else
+                              log_failure(result->error(), "Diagnosis failed");
+                          end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed,
+                                   cancelled ? "cancelled" : result->error().text());
+                      };
+                  },
+                  {true, false});
         });
     });
 }
@@ -42,10 +48,12 @@ void Workbench::diagnose() {
 void Workbench::show_diagnosis(DiagnosisView diagnosis) {
     state_.diagnosis = std::make_shared<const DiagnosisView>(std::move(diagnosis));
     const DiagnosisView& d = *state_.diagnosis;
-    if (d.stopped) log(LogLevel::information, "Diagnosis cancelled; what it knew by then is shown, without a verdict.");
-    else log_done("Diagnosed in " + value_label(d.seconds, 3) + " s: " + d.headline + ", confidence " +
-                      value_label(100.0 * d.confidence, 2) + " %.",
-                  d.checks);
+    if (d.stopped)
+        log(LogLevel::information, "Diagnosis cancelled; what it knew by then is shown, without a verdict.");
+    else
+        log_done("Diagnosed in " + plot::value_label(d.seconds, 3) + " s: " + d.headline + ", confidence " +
+                     plot::value_label(100.0 * d.confidence, 2) + " %.",
+                 d.checks);
     for (const std::string& note : d.notes) log(LogLevel::information, note);
     show_checks(d.checks, task_->settings);
     JobRecord record;
@@ -53,7 +61,8 @@ void Workbench::show_diagnosis(DiagnosisView diagnosis) {
     record.settings = task_->settings;
     record.diagnosis = state_.diagnosis;
     if (!d.checks.empty()) record.checks = state_.checks;
-    end_task(d.stopped ? JobOutcome::stopped : JobOutcome::done, d.stopped ? "stopped without a verdict" : d.headline, std::move(record));
+    end_task(d.stopped ? JobOutcome::stopped : JobOutcome::done, d.stopped ? "stopped without a verdict" : d.headline,
+             std::move(record));
     look_at_forces();
 }
 
@@ -74,7 +83,9 @@ void Workbench::add_effect(const std::string& key) {
     settings.damping_s = row->settings.damping_s;
     if (settings == state_.settings) return;
     change_settings({settings, "effects"});
-    log(LogLevel::done, row->name + " is part of the model now, with the modulus and damping that were fitted beside it. Run to see the motion with it.");
+    log(LogLevel::done, row->name +
+                            " is part of the model now, with the modulus and damping that were fitted beside it. Run "
+                            "to see the motion with it.");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -5,14 +5,16 @@
 
 // Files that were dropped on the window.
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
 bool is_recording(const fs::path& path) {
     std::error_code ignored;
-    return std::find(recording_endings.begin(), recording_endings.end(), lower_case(path.extension().string())) != recording_endings.end() && !fs::is_directory(path, ignored);
+    return std::find(recording_endings.begin(), recording_endings.end(), lower_case(path.extension().string())) !=
+               recording_endings.end() &&
+           !fs::is_directory(path, ignored);
 }
 
 }  // namespace
@@ -21,7 +23,7 @@ void Workbench::drop(const std::vector<fs::path>& files) {
     const auto recording = std::find_if(files.begin(), files.end(), is_recording);
     const auto body = std::find_if_not(files.begin(), files.end(), is_recording);
     if (body != files.end()) {
-        if (task_) return open(*body, std::nullopt);   // which says why not; what was dropped with it belongs to it
+        if (task_) return open(*body, std::nullopt);  // which says why not; what was dropped with it belongs to it
         dropped_with_body_.reset();
         if (recording != files.end()) dropped_with_body_ = *recording;
         open(*body, std::nullopt);
@@ -30,7 +32,9 @@ void Workbench::drop(const std::vector<fs::path>& files) {
     }
     const auto taken = (body != files.end() ? 1 : 0) + (recording != files.end() ? 1 : 0);
     if (const auto left = static_cast<std::ptrdiff_t>(files.size()) - taken; left > 0)
-        log(LogLevel::warning, "One body and one recording are opened at a time; " + std::to_string(left) + (left == 1 ? " of the dropped files is left out." : " of the dropped files are left out."));
+        log(LogLevel::warning,
+            "One body and one recording are opened at a time; " + std::to_string(left) +
+                (left == 1 ? " of the dropped files is left out." : " of the dropped files are left out."));
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -5,7 +5,7 @@
 
 // Recordings on their way to become trials.
 
-namespace myo {
+namespace myo::ui::commands {
 
 void Workbench::read_recording(const std::filesystem::path& path, const ReadingOptions& reading) {
     const auto has_body = [this] {
@@ -14,7 +14,7 @@ void Workbench::read_recording(const std::filesystem::path& path, const ReadingO
     };
     if (!task_ && !has_body()) return;
     request("Read " + path.filename().string(), [this, path, reading, has_body] {
-        if (!has_body()) return;   // what was being opened cannot be
+        if (!has_body()) return;  // what was being opened cannot be
         start(task_->name, [this, path, reading](const Progress& progress) -> Job::Completion {
             auto file = std::make_shared<Result<RecordingFile>>(backend_->read_recording(path, reading));
             const bool cancelled = progress.cancelled();
@@ -28,21 +28,24 @@ void Workbench::read_recording(const std::filesystem::path& path, const ReadingO
 }
 
 void Workbench::begin_import(RecordingFile file) {
-    const bool known = state_.import && state_.import->file.path == file.path && state_.import->file.recording->labels.size() == file.recording->labels.size();
+    const bool known = state_.import && state_.import->file.path == file.path &&
+                       state_.import->file.recording->labels.size() == file.recording->labels.size();
     RecordingImport import;
-    if (known) import = *state_.import;
+    if (known)
+        import = *state_.import;
     else {
         import.choices.markers.resize(file.recording->labels.size());
         import.choices.trial = marker_name(file.path.stem().string());
     }
-    if (!known || file.recording->time_s != state_.import->file.recording->time_s) import.choices.start_s = file.start_s.value_or(file.recording->time_s[0]);
+    if (!known || file.recording->time_s != state_.import->file.recording->time_s)
+        import.choices.start_s = file.start_s.value_or(file.recording->time_s[0]);
     import.file = std::move(file);
     import.declared = backend_->declared_markers(*state_.scene);
     import.view = backend_->view_import(*state_.scene, import.file, import.choices);
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
     if (!known && !state_.import->declared.empty()) propose_markers();
     state_.playing = false;
-    execute(command::SetTime{0.0});
+    execute(SetTime{0.0});
 }
 
 void Workbench::change_import(const ImportChoices& choices) {
@@ -51,7 +54,7 @@ void Workbench::change_import(const ImportChoices& choices) {
     import.choices = choices;
     import.view = backend_->view_import(*state_.scene, import.file, choices);
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
-    execute(command::SetTime{state_.time_s});
+    execute(SetTime{state_.time_s});
 }
 
 void Workbench::choose_label(int label, bool placing) {
@@ -63,24 +66,29 @@ void Workbench::choose_label(int label, bool placing) {
     if (!placing) return;
     state_.brush.tool = BrushTool::none;
     state_.playing = false;
-    execute(command::SetTime{0.0});
+    execute(SetTime{0.0});
 }
 
 void Workbench::propose_markers() {
     if (!state_.import) return;
     if (!state_.body) return log(LogLevel::warning, "Mesh the body first.");
-    const auto proposed = backend_->propose_markers(*state_.scene, *state_.body, state_.import->file, state_.import->choices);
+    const auto proposed = backend_->propose_markers(*state_.scene, *state_.body, state_.import->file,
+                                                    state_.import->choices);
     if (!proposed) return log(LogLevel::warning, proposed.error().text());
     change_import(*proposed);
-    const auto named = std::count_if(proposed->markers.begin(), proposed->markers.end(), [](const ImportedMarker& m) { return !m.name.empty(); });
-    log(LogLevel::information, "Proposed " + std::to_string(named) + (named == 1 ? " marker." : " markers.") + " Look at their distances before you go on.");
+    const auto named = std::count_if(proposed->markers.begin(), proposed->markers.end(),
+                                     [](const ImportedMarker& m) { return !m.name.empty(); });
+    log(LogLevel::information, "Proposed " + std::to_string(named) + (named == 1 ? " marker." : " markers.") +
+                                   " Look at their distances before you go on.");
 }
 
 void Workbench::align_import() {
     const SceneTrial* const trial = state_.scene_trial();
     const SimulatedTrial* const run = state_.simulated_trial();
-    if (!state_.import || !trial || !run) return log(LogLevel::warning, "Run the trial first that the recording is to be aligned with.");
-    const auto start = backend_->align_import(*state_.scene, *run, trial->time_s, state_.import->file, state_.import->choices);
+    if (!state_.import || !trial || !run)
+        return log(LogLevel::warning, "Run the trial first that the recording is to be aligned with.");
+    const auto start = backend_->align_import(*state_.scene, *run, trial->time_s, state_.import->file,
+                                              state_.import->choices);
     if (!start) return log(LogLevel::warning, "Not aligned. " + start.error().text());
     ImportChoices choices = state_.import->choices;
     choices.start_s = *start;
@@ -94,17 +102,20 @@ void Workbench::add_recording() {
     const Settings settings = state_.settings;
     request("Add " + import.choices.trial, [this, import, scene, settings] {
         start(task_->name, [this, import, scene, settings](const Progress& progress) -> Job::Completion {
-            auto place = std::make_shared<Result<std::filesystem::path>>(Error{"cancelled before anything was written", ""});
+            auto place = std::make_shared<Result<std::filesystem::path>>(
+                Error{"cancelled before anything was written", ""});
             if (!progress.cancelled()) *place = backend_->add_recording(*scene, settings, import.file, import.choices);
             auto made = std::make_shared<Result<Scene>>(Error{"not read", ""});
             if (*place) *made = backend_->open(**place, std::nullopt, progress);
             return [this, import, scene, place, made] {
                 if (!*place) return log_failure(place->error(), "Cannot add the trial");
-                if (!*made) return log_failure(made->error(), "The trial was added, but the experiment cannot be opened");
-                if (state_.scene != scene) return;   // something else was opened meanwhile
+                if (!*made)
+                    return log_failure(made->error(), "The trial was added, but the experiment cannot be opened");
+                if (state_.scene != scene) return;  // something else was opened meanwhile
                 // What was set and painted on this body stays.
                 const Settings kept = state_.settings;
-                const std::filesystem::path project = import.choices.folder.empty() ? state_.project : std::filesystem::path();
+                const std::filesystem::path project = import.choices.folder.empty() ? state_.project
+                                                                                    : std::filesystem::path();
                 show_scene(std::move(**made), std::nullopt);
                 state_.project = project;
                 set_settings(kept);
@@ -121,7 +132,7 @@ void Workbench::add_recording() {
 
 void Workbench::give_up_import() {
     state_.import.reset();
-    execute(command::SetTime{state_.time_s});
+    execute(SetTime{state_.time_s});
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

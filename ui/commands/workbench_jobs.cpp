@@ -6,11 +6,11 @@
 
 // Jobs of the workbench: one runs, others wait, those that have ended are remembered.
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 constexpr std::size_t most_records = 60;
-constexpr double most_bytes = 1.5e9;   // of the frames that records keep
+constexpr double most_bytes = 1.5e9;  // of the frames that records keep
 
 std::string clock_now() {
     const std::time_t now = std::time(nullptr);
@@ -144,4 +144,4 @@ void Workbench::forget(int id) {
     std::erase_if(state_.history, [&](const JobRecord& record) { return record.id == id; });
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

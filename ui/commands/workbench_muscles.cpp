@@ -2,23 +2,23 @@
 
 // Muscles of the workbench: where they are on the body, and what strokes change.
 
-namespace myo {
+namespace myo::ui::commands {
 
-void Workbench::paint(const command::Paint& asked) {
+void Workbench::paint(const Paint& asked) {
     const auto index = static_cast<std::size_t>(asked.muscle);
     if (!state_.body || !asked.paint || asked.muscle < 0 || index >= state_.settings.muscles.size()) return;
-    if (asked.paint->count() != state_.body->mesh.cell_count()) return;   // of a mesh that is gone
-    const auto mask = std::make_shared<const PaintedMask>(mask_of_cells(state_.body->mesh, *asked.paint));
+    if (asked.paint->count() != state_.body->mesh.cell_count()) return;  // of a mesh that is gone
+    const auto mask = std::make_shared<const fibre::PaintedMask>(fibre::mask_of_cells(state_.body->mesh, *asked.paint));
     placed_.remember(state_.body, mask, asked.paint);
     Settings settings = state_.settings;
     settings.muscles[index].paint = mask;
     change_settings({settings, asked.what, false});
 }
 
-void Workbench::import_signal(const command::ImportSignal& asked) {
+void Workbench::import_signal(const ImportSignal& asked) {
     const auto index = static_cast<std::size_t>(asked.muscle);
     if (asked.muscle < 0 || index >= state_.settings.muscles.size()) return;
-    const Result<Signal> signal = backend_->read_signal(asked.path, state_.settings.muscles[index].name);
+    const Result<fibre::Signal> signal = backend_->read_signal(asked.path, state_.settings.muscles[index].name);
     if (!signal) return log_failure(signal.error(), "Cannot import the signal");
     Settings settings = state_.settings;
     settings.muscles[index].signal = *signal;
@@ -26,7 +26,7 @@ void Workbench::import_signal(const command::ImportSignal& asked) {
     log(LogLevel::done, "Signal of " + settings.muscles[index].name + " read from " + asked.path.string() + ".");
 }
 
-void Workbench::export_signal(const command::ExportSignal& asked) {
+void Workbench::export_signal(const ExportSignal& asked) {
     const Result<void> written = backend_->write_signal(asked.path, asked.muscle, asked.signal);
     if (!written) return log_failure(written.error(), "Cannot export the signal");
     log(LogLevel::done, "Signal of " + asked.muscle + " written to " + asked.path.string() + ".");
@@ -38,4 +38,4 @@ void Workbench::place_muscles() {
     for (const Muscle& muscle : state_.settings.muscles) state_.paint.push_back(placed_.of(muscle, state_.body));
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -5,15 +5,17 @@
 
 // Live previews of the workbench: short runs beside everything else, each stopped by the next edit.
 
-namespace myo {
+namespace myo::ui::commands {
 
-void Workbench::change_preview(const command::ChangePreview& asked) {
+void Workbench::change_preview(const ChangePreview& asked) {
     const bool longer = asked.length_s != state_.preview.length_s;
     if (asked.on == state_.preview.on && !longer) return;
     state_.preview.on = asked.on;
     state_.preview.length_s = asked.length_s;
-    if (asked.on) want_preview();
-    else stop_preview();
+    if (asked.on)
+        want_preview();
+    else
+        stop_preview();
 }
 
 void Workbench::want_preview() {
@@ -43,11 +45,15 @@ void Workbench::begin_preview() {
     // What was run whole needs no preview.
     if (!possible || state_.run_is_current()) return stop_preview();
     const RunExtent extent{static_cast<std::size_t>(state_.trial), preview_length_s(state_)};
-    const auto work = [this, extent, settings = state_.settings, scene = state_.scene, body = state_.body](const Progress& progress) -> Job::Completion {
-        auto result = std::make_shared<Result<RunResult>>(backend_->simulate(*scene, *body, settings, extent, progress));
+    const auto work = [this, extent, settings = state_.settings, scene = state_.scene,
+                       body = state_.body](const Progress& progress) -> Job::Completion {
+        auto result = std::make_shared<Result<RunResult>>(
+            backend_->simulate(*scene, *body, settings, extent, progress));
         return [this, extent, result] { show_preview(extent.end_s, std::move(*result)); };
     };
-    const auto failed = [this, extent](const std::string& what) -> Job::Completion { return [this, extent, what] { show_preview(extent.end_s, Error{what, ""}); }; };
+    const auto failed = [this, extent](const std::string& what) -> Job::Completion {
+        return [this, extent, what] { show_preview(extent.end_s, Error{what, ""}); };
+    };
     preview_given_up_ = false;
     preview_job_ = std::make_unique<Job>("Preview", work, failed, wake_);
 }
@@ -72,4 +78,4 @@ void Workbench::advance_preview() {
     begin_preview();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

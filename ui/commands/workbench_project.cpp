@@ -7,7 +7,7 @@
 
 // The workbench's project: saved, taken up again, never lost.
 
-namespace myo {
+namespace myo::ui::commands {
 
 namespace fs = std::filesystem;
 
@@ -23,13 +23,16 @@ void remove_project(const fs::path& file) {
 
 Project Workbench::project() const {
     std::error_code ignored;
-    return {fs::absolute(state_.scene->path, ignored), state_.metres_per_unit, state_.settings, state_.view, state_.scene_trial() ? state_.scene_trial()->name : ""};
+    return {fs::absolute(state_.scene->path, ignored), state_.metres_per_unit, state_.settings, state_.view,
+            state_.scene_trial() ? state_.scene_trial()->name : ""};
 }
 
 void Workbench::save() {
     if (!state_.scene) return;
-    if (state_.project.empty()) state_.asks_where_to_save = true;
-    else save_as(state_.project);
+    if (state_.project.empty())
+        state_.asks_where_to_save = true;
+    else
+        save_as(state_.project);
 }
 
 void Workbench::save_as(fs::path file) {
@@ -49,10 +52,12 @@ void Workbench::save_as(fs::path file) {
     go_on_with_pending();
 }
 
-void Workbench::answer_unsaved(command::UnsavedAnswer answer) {
+void Workbench::answer_unsaved(UnsavedAnswer answer) {
     if (!state_.pending) return;
-    if (answer == command::UnsavedAnswer::cancel) state_.pending.reset();
-    else if (answer == command::UnsavedAnswer::save) save();
+    if (answer == UnsavedAnswer::cancel)
+        state_.pending.reset();
+    else if (answer == UnsavedAnswer::save)
+        save();
     else {
         state_.saved_settings = state_.settings;
         forget_recovered();
@@ -69,8 +74,10 @@ void Workbench::go_on_with_pending() {
     if (!state_.pending) return;
     const PendingAction action = *state_.pending;
     state_.pending.reset();
-    if (action.quit) quit();
-    else open(action.open, action.metres_per_unit);
+    if (action.quit)
+        quit();
+    else
+        open(action.open, action.metres_per_unit);
 }
 
 void Workbench::quit() {
@@ -88,9 +95,11 @@ void Workbench::quit() {
 
 void Workbench::write_report(const fs::path& folder) {
     if (!state_.scene || !state_.run) return log(LogLevel::warning, "There is nothing to report before a run.");
-    const auto written = backend_->write_report(folder, *state_.scene, *state_.run, state_.found.get(), state_.diagnosis.get());
+    const auto written = backend_->write_report(folder, *state_.scene, *state_.run, state_.found.get(),
+                                                state_.diagnosis.get());
     if (!written) return log_failure(written.error(), "Cannot write the report");
-    log(LogLevel::done, "Report written to " + folder.string() + ": " + std::to_string(written->size()) + (written->size() == 1 ? " file." : " files."));
+    log(LogLevel::done, "Report written to " + folder.string() + ": " + std::to_string(written->size()) +
+                            (written->size() == 1 ? " file." : " files."));
 }
 
 void Workbench::remember_recent(const fs::path& path) {
@@ -104,17 +113,19 @@ void Workbench::remember_recent(const fs::path& path) {
 
 void Workbench::autosave(const fs::path& file) {
     std::error_code ignored;
-    if (autosave_job_.valid()) return;   // the last one is still being written
+    if (autosave_job_.valid()) return;  // the last one is still being written
     if (!state_.unsaved()) return remove_project(file);
     if (state_.settings == autosaved_ && fs::exists(file, ignored)) return;
     autosaved_ = state_.settings;
-    autosave_job_ = std::async(std::launch::async, [backend = backend_, file, project = project()] { return backend->write_project(file, project); });
+    autosave_job_ = std::async(std::launch::async, [backend = backend_, file, project = project()] {
+        return backend->write_project(file, project);
+    });
 }
 
 void Workbench::take_autosaved() {
     if (!autosave_job_.valid() || autosave_job_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     const Result<void> written = autosave_job_.get();
-    if (!written) autosaved_ = state_.saved_settings;   // to be tried again
+    if (!written) autosaved_ = state_.saved_settings;  // to be tried again
     if (!written && !autosave_failed_) log_failure(written.error(), "Cannot keep a copy for recovery");
     autosave_failed_ = !written;
 }
@@ -127,15 +138,19 @@ void Workbench::finish_autosave() {
 void Workbench::recover(const fs::path& file) {
     // What else was found is offered again at the next start.
     state_.recovered.clear();
-    if (const auto other = std::exchange(after_recovery_, std::nullopt)) log(LogLevel::information, other->open.filename().string() + " is not opened: the recovered work is shown instead.");
+    if (const auto other = std::exchange(after_recovery_, std::nullopt))
+        log(LogLevel::information,
+            other->open.filename().string() + " is not opened: the recovered work is shown instead.");
     dropped_with_body_.reset();
     recovered_ = file;
     request("Recover", [this, file] {
         start(task_->name, [this, file](const Progress& progress) -> Job::Completion {
             auto project = std::make_shared<Result<Project>>(backend_->read_project(file));
             auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
-            if (*project) *scene = backend_->open((*project)->source, (*project)->metres_per_unit, progress);
-            else *scene = project->error();
+            if (*project)
+                *scene = backend_->open((*project)->source, (*project)->metres_per_unit, progress);
+            else
+                *scene = project->error();
             return [this, project, scene] {
                 if (!*scene) return log_failure(scene->error(), "Cannot recover");
                 show_project({}, std::move(**project), std::move(**scene));
@@ -156,4 +171,4 @@ void Workbench::discard_recovery() {
     if (const auto next = std::exchange(after_recovery_, std::nullopt)) open(next->open, next->metres_per_unit);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

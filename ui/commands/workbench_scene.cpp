@@ -5,11 +5,11 @@
 
 // What the workbench works on: an experiment, a mesh or a project is opened, and its body meshed.
 
-namespace myo {
+namespace myo::ui::commands {
 
 void Workbench::open(const std::filesystem::path& given, std::optional<double> metres_per_unit) {
     std::filesystem::path path = given.lexically_normal();
-    if (!path.has_filename()) path = path.parent_path();   // "folder/"
+    if (!path.has_filename()) path = path.parent_path();  // "folder/"
     if (!state_.recovered.empty()) {
         // First it is settled what becomes of the work that was found.
         after_recovery_ = PendingAction{false, path, metres_per_unit};
@@ -47,10 +47,13 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
                     log_failure(scene->error(), "Cannot open");
                     return;
                 }
-                if (*project) show_project(path, std::move(**project), std::move(**scene));
-                else show_scene(std::move(**scene), metres_per_unit);
+                if (*project)
+                    show_project(path, std::move(**project), std::move(**scene));
+                else
+                    show_scene(std::move(**scene), metres_per_unit);
                 remember_recent(path);
-                if (const auto recording = std::exchange(dropped_with_body_, std::nullopt)) read_recording(*recording, {});
+                if (const auto recording = std::exchange(dropped_with_body_, std::nullopt))
+                    read_recording(*recording, {});
                 build_mesh({});
             };
         });
@@ -77,7 +80,8 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     state_.history.clear();
     state_.candidate.clear();
     state_.muscle = 0;
-    if (state_.scene->surface.vertices.cols() > 0) state_.brush = brush_for(bounding_box(state_.scene->surface.vertices).size());
+    if (state_.scene->surface.vertices.cols() > 0)
+        state_.brush = brush_for(mesh::bounding_box(state_.scene->surface.vertices).size());
     place_muscles();
     undo_.clear();
     state_.can_undo = state_.can_redo = false;
@@ -101,9 +105,12 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
     // The experiment may have changed since the project was saved.
     for (Muscle& muscle : project.settings.muscles) {
         const auto& declared = scene.settings.muscles;
-        const bool known = std::any_of(declared.begin(), declared.end(), [&](const Muscle& own) { return own.name == muscle.declared; });
+        const bool known = std::any_of(declared.begin(), declared.end(),
+                                       [&](const Muscle& own) { return own.name == muscle.declared; });
         if (muscle.declared.empty() || known) continue;
-        log(LogLevel::warning, "The experiment no longer has the muscle " + muscle.declared + "; the project keeps it as one of its own" + (muscle.paint ? "." : ", without paint."));
+        log(LogLevel::warning, "The experiment no longer has the muscle " + muscle.declared +
+                                   "; the project keeps it as one of its own" +
+                                   (muscle.paint ? "." : ", without paint."));
         muscle.declared.clear();
     }
     show_scene(std::move(scene), project.metres_per_unit);
@@ -121,7 +128,8 @@ void Workbench::build_mesh(std::function<void()> then) {
     const auto scene = task_->scene;
     start("Mesh", [this, settings, scene, then = std::move(then)](const Progress& progress) -> Job::Completion {
         auto body = std::make_shared<Result<MeshedBody>>(backend_->mesh(*scene, settings, progress));
-        const std::shared_ptr<const PaintGround> ground = *body ? paint_ground(scene->surface, (*body)->mesh, progress) : nullptr;
+        const std::shared_ptr<const PaintGround> ground = *body ? paint_ground(scene->surface, (*body)->mesh, progress)
+                                                                : nullptr;
         const bool cancelled = progress.cancelled();
         return [this, settings, body, ground, cancelled, then] {
             if (cancelled) {
@@ -139,8 +147,11 @@ void Workbench::build_mesh(std::function<void()> then) {
             for (const ReportLine& line : state_.body->report) {
                 if (line.warning) log(LogLevel::warning, line.label + ": " + line.value);
             }
-            if (then) then();
-            else if (task_->name == "Mesh") end_task(JobOutcome::done, std::to_string(state_.body->mesh.cell_count()) + " " + to_string(settings.element));
+            if (then)
+                then();
+            else if (task_->name == "Mesh")
+                end_task(JobOutcome::done,
+                         std::to_string(state_.body->mesh.cell_count()) + " " + to_string(settings.element));
         };
     });
 }
@@ -156,4 +167,4 @@ void Workbench::show_body(const PlacedBody& on) {
     state_.found.reset();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

@@ -6,7 +6,7 @@
 
 // Runs of the workbench, and searches for values and signals with which they follow the measurement.
 
-namespace myo {
+namespace myo::ui::commands {
 
 void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings& settings) {
     state_.run = std::move(result);
@@ -21,40 +21,45 @@ void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings
 void Workbench::run() {
     if (!may_compute()) return;
     const auto simulate = [this] {
-        start(task_->name, [this, settings = task_->settings, scene = task_->scene, body = task_->on.body](const Progress& progress) -> Job::Completion {
-            auto result = std::make_shared<Result<RunResult>>(backend_->simulate(*scene, *body, settings, std::nullopt, progress));
-            const bool cancelled = progress.cancelled();
-            return [this, settings, result, cancelled] {
-                if (cancelled) {
-                    log(LogLevel::information, "Simulation cancelled.");
-                    end_task(JobOutcome::stopped, "cancelled");
-                } else if (!*result) {
-                    log_failure(result->error(), "Simulation failed");
-                    end_task(JobOutcome::failed, result->error().text());
-                } else {
-                    const double seconds = (*result)->seconds, rms = (*result)->rms_m;
-                    if ((*result)->problem.empty() && (*result)->steps > 0.0) remember(state_.preferences.step_costs, {settings.element, task_->on.body->dofs, seconds / (*result)->steps});
-                    state_.found.reset();
-                    show_body(task_->on);
-                    Settings used = settings;
-                    if ((*result)->time_step_s > 0.0) {
-                        used.time_step_s = (*result)->time_step_s;
-                        take_step(used.time_step_s);
-                    }
-                    show_run(std::make_shared<RunResult>(std::move(**result)), used);
-                    show_checks(state_.run->checks, used);
-                    const std::string error = std::isfinite(rms) ? "rms error " + millimetres(rms) : "";
-                    const std::string told = error.empty() ? "." : ", " + error + ".";
-                    log_done("Simulated in " + value_label(seconds, 3) + " s" + told, state_.run->checks);
-                    JobRecord record;
-                    record.seconds = seconds;
-                    record.settings = used;
-                    record.run = state_.run;
-                    if (!state_.run->checks.empty()) record.checks = state_.checks;
-                    end_task(JobOutcome::done, error, std::move(record));
-                }
-            };
-        });
+        start(task_->name,
+              [this, settings = task_->settings, scene = task_->scene,
+               body = task_->on.body](const Progress& progress) -> Job::Completion {
+                  auto result = std::make_shared<Result<RunResult>>(
+                      backend_->simulate(*scene, *body, settings, std::nullopt, progress));
+                  const bool cancelled = progress.cancelled();
+                  return [this, settings, result, cancelled] {
+                      if (cancelled) {
+                          log(LogLevel::information, "Simulation cancelled.");
+                          end_task(JobOutcome::stopped, "cancelled");
+                      } else if (!*result) {
+                          log_failure(result->error(), "Simulation failed");
+                          end_task(JobOutcome::failed, result->error().text());
+                      } else {
+                          const double seconds = (*result)->seconds, rms = (*result)->rms_m;
+                          if ((*result)->problem.empty() && (*result)->steps > 0.0)
+                              remember(state_.preferences.step_costs,
+                                       {settings.element, task_->on.body->dofs, seconds / (*result)->steps});
+                          state_.found.reset();
+                          show_body(task_->on);
+                          Settings used = settings;
+                          if ((*result)->time_step_s > 0.0) {
+                              used.time_step_s = (*result)->time_step_s;
+                              take_step(used.time_step_s);
+                          }
+                          show_run(std::make_shared<RunResult>(std::move(**result)), used);
+                          show_checks(state_.run->checks, used);
+                          const std::string error = std::isfinite(rms) ? "rms error " + plot::millimetres(rms) : "";
+                          const std::string told = error.empty() ? "." : ", " + error + ".";
+                          log_done("Simulated in " + plot::value_label(seconds, 3) + " s" + told, state_.run->checks);
+                          JobRecord record;
+                          record.seconds = seconds;
+                          record.settings = used;
+                          record.run = state_.run;
+                          if (!state_.run->checks.empty()) record.checks = state_.checks;
+                          end_task(JobOutcome::done, error, std::move(record));
+                      }
+                  };
+              });
     };
     request("Simulate", [this, simulate] { with_body(simulate); });
 }
@@ -64,33 +69,38 @@ void Workbench::search(const std::string& verb, Search find) {
     state_.search_body = task_->on.body;
     live_search_ = std::make_shared<LiveValue<SearchView>>();
     const auto live = live_search_;
-    start(
-        task_->name,
-        [this, verb, find = std::move(find), live](const Progress& progress) -> Job::Completion {
-            const auto show = [live](std::shared_ptr<const SearchView> view) { live->set(std::move(view)); };
-            auto result = std::make_shared<Result<SearchResult>>(find(progress, show));
-            const bool cancelled = progress.cancelled();
-            return [this, verb, result, cancelled] {
-                take_live();
-                live_search_.reset();
-                if (*result) return show_found(verb, std::move(**result));
-                if (cancelled) log(LogLevel::information, task_->name + " cancelled before it had any values; the settings are unchanged.");
-                else log_failure(result->error(), task_->name + " failed");
-                end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed, cancelled ? "cancelled" : result->error().text());
-            };
-        },
-        {false, true});
+    start(task_->name,
+          [this, verb, find = std::move(find), live](const Progress& progress) -> Job::Completion {
+              const auto show = [live](std::shared_ptr<const SearchView> view) { live->set(std::move(view)); };
+              auto result = std::make_shared<Result<SearchResult>>(find(progress, show));
+              const bool cancelled = progress.cancelled();
+              return [this, verb, result, cancelled] {
+                  take_live();
+                  live_search_.reset();
+                  if (*result) return show_found(verb, std::move(**result));
+                  if (cancelled)
+                      log(LogLevel::information,
+                          task_->name + " cancelled before it had any values; the settings are unchanged.");
+                  else
+                      log_failure(result->error(), task_->name + " failed");
+                  end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed,
+                           cancelled ? "cancelled" : result->error().text());
+              };
+          },
+          {false, true});
 }
 
 void Workbench::calibrate() {
     if (!may_compute()) return;
     if (state_.scene->calibrated.empty()) {
-        log(LogLevel::warning, "Nothing to calibrate: the experiment has no measured trial or declares every value as known.");
+        log(LogLevel::warning,
+            "Nothing to calibrate: the experiment has no measured trial or declares every value as known.");
         return;
     }
     request("Calibrate", [this] {
         with_body([this] {
-            search("Calibrated", [this, settings = task_->settings, scene = task_->scene, body = task_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
+            search("Calibrated", [this, settings = task_->settings, scene = task_->scene, body = task_->on.body](
+                                     const Progress& progress, const Backend::LiveSearch& live) {
                 return backend_->calibrate(*scene, *body, settings, progress, live);
             });
         });
@@ -101,15 +111,17 @@ void Workbench::optimize() {
     if (!may_compute()) return;
     const SceneTrial* const trial = state_.scene_trial();
     if (state_.settings.muscles.empty() || !trial || trial->measured.empty()) {
-        log(LogLevel::warning, state_.settings.muscles.empty() ? "Nothing to optimise: add a muscle and paint it first."
-                                                               : "Nothing to optimise: the shown trial has no measured markers to follow.");
+        log(LogLevel::warning, state_.settings.muscles.empty()
+                                   ? "Nothing to optimise: add a muscle and paint it first."
+                                   : "Nothing to optimise: the shown trial has no measured markers to follow.");
         return;
     }
     OptimizeRequest request_of = state_.optimize;
     request_of.trial = trial->name;
     request("Optimise", [this, request_of] {
         with_body([this, request_of] {
-            search("Optimised", [this, request_of, settings = task_->settings, scene = task_->scene, body = task_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
+            search("Optimised", [this, request_of, settings = task_->settings, scene = task_->scene,
+                                 body = task_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
                 return backend_->optimize(*scene, *body, settings, request_of, progress, live);
             });
         });
@@ -129,11 +141,16 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
     }
     show_run(std::shared_ptr<const RunResult>(state_.found, &found.run), found.settings);
     if (!found.problem.empty()) log(LogLevel::warning, found.problem);
-    const std::string errors = "rms error " + millimetres(found.rms_before_m) + " before, " + millimetres(found.rms_after_m) + " after, " +
-                               std::to_string(found.evaluations) + (found.evaluations == 1 ? " evaluation." : " evaluations.");
-    if (found.stopped) log(LogLevel::warning, task_->name + " stopped; the best values so far are kept: " + errors);
-    else log_done(verb + ": " + errors, found.run.checks);
-    if (!untouched) log(LogLevel::information, "The settings were changed meanwhile and stay as they are; Restore in Jobs takes over what was found.");
+    const std::string errors = "rms error " + plot::millimetres(found.rms_before_m) + " before, " +
+                               plot::millimetres(found.rms_after_m) + " after, " + std::to_string(found.evaluations) +
+                               (found.evaluations == 1 ? " evaluation." : " evaluations.");
+    if (found.stopped)
+        log(LogLevel::warning, task_->name + " stopped; the best values so far are kept: " + errors);
+    else
+        log_done(verb + ": " + errors, found.run.checks);
+    if (!untouched)
+        log(LogLevel::information,
+            "The settings were changed meanwhile and stay as they are; Restore in Jobs takes over what was found.");
     for (const std::string& warning : found.warnings) log(LogLevel::warning, warning);
     show_checks(found.run.checks, found.settings);
     JobRecord record;
@@ -143,7 +160,10 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
     record.found = state_.found;
     record.search = state_.search;
     if (!found.run.checks.empty()) record.checks = state_.checks;
-    end_task(found.stopped ? JobOutcome::stopped : JobOutcome::done, "rms error " + millimetres(found.rms_before_m) + " \xe2\x86\x92 " + millimetres(found.rms_after_m), std::move(record));
+    end_task(
+        found.stopped ? JobOutcome::stopped : JobOutcome::done,
+        "rms error " + plot::millimetres(found.rms_before_m) + " \xe2\x86\x92 " + plot::millimetres(found.rms_after_m),
+        std::move(record));
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

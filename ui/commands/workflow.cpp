@@ -6,7 +6,7 @@
 
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::commands {
 namespace {
 
 bool is_measured(const Scene& scene) {
@@ -23,19 +23,24 @@ StepStatus body_status(const WorkbenchState& state) {
 StepStatus mesh_status(const WorkbenchState& state) {
     if (!state.body) return {StepState::ready, "Choose elements and an edge length, then build the mesh."};
     if (!state.mesh_is_current()) return {StepState::stale, "Element or edge length changed: build the mesh again."};
-    return {StepState::done, plain_label(static_cast<double>(state.body->mesh.cell_count()), 7) + " elements of " + to_string(state.body->mesh.type) + "."};
+    return {StepState::done, plot::plain_label(static_cast<double>(state.body->mesh.cell_count()), 7) +
+                                 " elements of " + to_string(state.body->mesh.type) + "."};
 }
 
 StepStatus material_status(const WorkbenchState& state) {
-    const std::string values = "E = " + plain_label(1e-3 * state.settings.youngs_modulus_Pa, 4) + " kPa, \xce\xbd = " + plain_label(state.settings.poissons_ratio, 4) + ".";
-    if (!is_measured(*state.scene) && state.settings == state.scene->settings) return {StepState::ready, "A silicone is assumed; set the values of your material. " + values};
+    const std::string values = "E = " + plot::plain_label(1e-3 * state.settings.youngs_modulus_Pa, 4) +
+                               " kPa, \xce\xbd = " + plot::plain_label(state.settings.poissons_ratio, 4) + ".";
+    if (!is_measured(*state.scene) && state.settings == state.scene->settings)
+        return {StepState::ready, "A silicone is assumed; set the values of your material. " + values};
     return {StepState::done, values};
 }
 
 StepStatus fibres_status(const WorkbenchState& state) {
-    if (state.settings.muscles.empty()) return {StepState::ready, "No muscles: add one and paint it on the body, or leave it passive."};
+    if (state.settings.muscles.empty())
+        return {StepState::ready, "No muscles: add one and paint it on the body, or leave it passive."};
     for (std::size_t m = 0; m < state.settings.muscles.size() && m < state.paint.size(); ++m)
-        if (state.paint[m] && !(state.paint[m]->weights.maxCoeff() > 0.0)) return {StepState::ready, "Paint " + state.settings.muscles[m].name + " on the body."};
+        if (state.paint[m] && !(state.paint[m]->weights.maxCoeff() > 0.0))
+            return {StepState::ready, "Paint " + state.settings.muscles[m].name + " on the body."};
     const std::size_t count = state.settings.muscles.size();
     return {StepState::done, std::to_string(count) + (count == 1 ? " muscle is painted." : " muscles are painted.")};
 }
@@ -43,26 +48,33 @@ StepStatus fibres_status(const WorkbenchState& state) {
 StepStatus run_status(const WorkbenchState& state) {
     if (!state.run) return {StepState::ready, "Choose the time step, then run."};
     if (!state.run_is_current()) return {StepState::stale, "The settings changed since the last run: run again."};
-    return {StepState::done, "Run in " + value_label(state.run->seconds, 2) + " s."};
+    return {StepState::done, "Run in " + plot::value_label(state.run->seconds, 2) + " s."};
 }
 
 StepStatus measure_status(const WorkbenchState& state) {
-    if (!is_measured(*state.scene)) return {StepState::missing, "No measured markers: there is nothing to compare with."};
+    if (!is_measured(*state.scene))
+        return {StepState::missing, "No measured markers: there is nothing to compare with."};
     if (!state.run) return {StepState::ready, "Run to see the error against the markers."};
     if (!state.run_is_current()) return {StepState::stale, "The errors are those of earlier settings: run again."};
-    return {StepState::done, "Error against the markers " + millimetres(state.run->rms_m) + " rms."};
+    return {StepState::done, "Error against the markers " + plot::millimetres(state.run->rms_m) + " rms."};
 }
 
 StepStatus fit_status(const WorkbenchState& state) {
     if (!is_measured(*state.scene)) return {StepState::missing, "A fit needs measured markers."};
-    if (state.scene->calibrated.empty() && state.settings.muscles.empty()) return {StepState::missing, "Nothing is unknown: no value to calibrate, no muscle to optimise."};
-    if (!state.found) return {StepState::ready, state.scene->calibrated.empty() ? "Optimise the muscles' signals." : "Calibrate the values that are unknown, or optimise the muscles' signals."};
+    if (state.scene->calibrated.empty() && state.settings.muscles.empty())
+        return {StepState::missing, "Nothing is unknown: no value to calibrate, no muscle to optimise."};
+    if (!state.found)
+        return {StepState::ready, state.scene->calibrated.empty()
+                                      ? "Optimise the muscles' signals."
+                                      : "Calibrate the values that are unknown, or optimise the muscles' signals."};
     if (!(state.settings == state.found->settings)) return {StepState::stale, "The settings changed since the fit."};
-    return {StepState::done, state.found->title + ": " + millimetres(state.found->rms_before_m) + " \xe2\x86\x92 " + millimetres(state.found->rms_after_m) + "."};
+    return {StepState::done, state.found->title + ": " + plot::millimetres(state.found->rms_before_m) +
+                                 " \xe2\x86\x92 " + plot::millimetres(state.found->rms_after_m) + "."};
 }
 
 StepStatus diagnose_status(const WorkbenchState& state) {
-    if (!can_be_diagnosed(*state.scene)) return {StepState::missing, "A diagnosis needs a trial of role fit with measured markers."};
+    if (!can_be_diagnosed(*state.scene))
+        return {StepState::missing, "A diagnosis needs a trial of role fit with measured markers."};
     if (!state.diagnosis || !state.diagnosis->complete) return {StepState::ready, "Ask what the model lacks."};
     // An effect that was added is the diagnosis' own advice.
     Settings bare = state.settings, then = state.diagnosis_settings;
@@ -114,12 +126,14 @@ CheckRows checks_of(const WorkbenchState& state, Step step) {
 }  // namespace
 
 const char* step_id(Step step) {
-    static constexpr std::array<const char*, 9> ids{"body", "mesh", "material", "fibres", "run", "measure", "fit", "diagnose", "report"};
+    static constexpr std::array<const char*, 9> ids{"body",    "mesh", "material", "fibres", "run",
+                                                    "measure", "fit",  "diagnose", "report"};
     return ids[static_cast<std::size_t>(step)];
 }
 
 const char* step_title(Step step) {
-    static constexpr std::array<const char*, 9> titles{"Body", "Mesh", "Material", "Fibres", "Run", "Measure", "Fit", "Diagnose", "Report"};
+    static constexpr std::array<const char*, 9> titles{"Body",    "Mesh", "Material", "Fibres", "Run",
+                                                       "Measure", "Fit",  "Diagnose", "Report"};
     return titles[static_cast<std::size_t>(step)];
 }
 
@@ -141,4 +155,4 @@ Step next_step(const WorkbenchState& state) {
     return Step::report;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::commands

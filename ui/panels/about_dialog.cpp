@@ -7,21 +7,23 @@
 #include "panels/widgets.hpp"
 #include "panels/wrapped_text.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// As the packages' own copyright files have it.
 constexpr const char* bound_by =
-    "Myoloop's own source is under the MIT licence. A binary that is passed on is bound by more: CHOLMOD's supernodal module and SPQR are under the GPL 2 or later, METIS's Apache "
-    "licence goes together with the GPL 3 only, and the mesher myoloop-tetgen holds TetGen, which is under the AGPL 3. So pass a binary on under the GPL 3, its mesher under the AGPL 3, "
+    "Myoloop's own source is under the MIT licence. A binary that is passed on is bound by more: CHOLMOD's supernodal "
+    "module and SPQR are under the GPL 2 or later, METIS's Apache "
+    "licence goes together with the GPL 3 only, and the mesher myoloop-tetgen holds TetGen, which is under the AGPL 3. "
+    "So pass a binary on under the GPL 3, its mesher under the AGPL 3, "
     "and the source with both.";
 
-void draw_libraries(const std::vector<Library>& libraries) {
+void draw_libraries(const std::vector<commands::Library>& libraries) {
     if (!ImGui::BeginTable("libraries", 3, ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.0f);
     ImGui::TableSetupColumn("version", ImGuiTableColumnFlags_WidthStretch, 0.8f);
     ImGui::TableSetupColumn("licence", ImGuiTableColumnFlags_WidthStretch, 1.5f);
-    for (const Library& library : libraries) {
+    for (const commands::Library& library : libraries) {
         ImGui::TableNextRow();
         for (const std::string* text : {&library.name, &library.version, &library.licence}) {
             ImGui::TableNextColumn();
@@ -35,11 +37,12 @@ void draw_libraries(const std::vector<Library>& libraries) {
 
 void draw_about(PanelContext& context, bool& open) {
     if (!open) return;
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     if (!begin_dialog(theme, "About Myoloop", 560.0f)) return;
     heading(theme, "Myoloop " + context.backend.version());
     // The list scrolls where the window is low; the button stays in sight.
-    ImGui::BeginChild("about", {0.0f, std::min(460.0f * theme.scale, ImGui::GetIO().DisplaySize.y - 170.0f * theme.scale)});
+    ImGui::BeginChild("about",
+                      {0.0f, std::min(460.0f * theme.scale, ImGui::GetIO().DisplaySize.y - 170.0f * theme.scale)});
     muted_text(theme, "A workbench for soft robots. It stands on these libraries and fonts:");
     draw_libraries(context.backend.libraries());
     ImGui::Spacing();
@@ -55,4 +58,4 @@ void draw_about(PanelContext& context, bool& open) {
     ImGui::EndPopup();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -19,7 +19,7 @@
 #include "panels/time_panel.hpp"
 #include "panels/verdict_panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 std::vector<std::unique_ptr<Panel>> all_panels() {
     std::vector<std::unique_ptr<Panel>> panels;
@@ -46,4 +46,4 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     return panels;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

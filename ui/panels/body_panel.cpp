@@ -9,41 +9,53 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 void BodyPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     // What was opened from elsewhere (dropped, command line) stands in the field too.
-    if (scene_ != state.scene && state.scene) path_ = (state.project.empty() ? state.scene->path : state.project).string();
+    if (scene_ != state.scene && state.scene)
+        path_ = (state.project.empty() ? state.scene->path : state.project).string();
     scene_ = state.scene;
     const float button = ImGui::GetFrameHeight() + 8.0f * theme.scale;
     ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
-    if (ImGui::InputTextWithHint("##path", "Experiment, mesh or project", &path_, ImGuiInputTextFlags_EnterReturnsTrue) && !path_.empty())
-        context.emit(command::Open{path_, std::nullopt});
+    if (ImGui::InputTextWithHint("##path", "Experiment, mesh or project", &path_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue) &&
+        !path_.empty())
+        context.emit(commands::Open{path_, std::nullopt});
     context.items.mark("body/path");
     if (!path_.empty()) tooltip(theme, path_);
     ImGui::SameLine();
-    if (ImGui::Button(icon::folder, {button, 0.0f})) context.window.file = open_dialog(path_.empty() && state.scene ? state.scene->path : std::filesystem::path(path_));
+    if (ImGui::Button(platform::icon::folder, {button, 0.0f}))
+        context.window.file = open_dialog(path_.empty() && state.scene ? state.scene->path
+                                                                       : std::filesystem::path(path_));
     context.items.mark("body/browse");
     tooltip(theme, "Choose from a list (Ctrl+O)");
     if (!state.scene) {
-        muted_text(theme, "A folder with an experiment.toml brings body, clamp, material and measured markers. A closed surface or a volume mesh alone is taken as silicone, "
-                          "held at the lower end of its longest axis.");
+        muted_text(theme,
+                   "A folder with an experiment.toml brings body, clamp, material and measured markers. A closed "
+                   "surface or a volume mesh alone is taken as silicone, "
+                   "held at the lower end of its longest axis.");
         return;
     }
-    const Scene& scene = *state.scene;
+    const commands::Scene& scene = *state.scene;
     heading(theme, scene.name);
     if (!scene.description.empty()) muted_text(theme, scene.description);
     ImGui::Spacing();
-    const Eigen::Vector3d size = 1e3 * body_size(state);
+    const Eigen::Vector3d size = 1e3 * commands::body_size(state);
     if (size.maxCoeff() > 0.0)
-        text_row(theme, "Size", plain_label(size.x(), 4) + " \xc3\x97 " + plain_label(size.y(), 4) + " \xc3\x97 " + plain_label(size.z(), 4) + " mm");
-    if (scene.surface.triangles.cols() > 0) text_row(theme, "Surface", with_separators(static_cast<double>(scene.surface.triangles.cols())) + " triangles");
+        text_row(theme, "Size",
+                 plot::plain_label(size.x(), 4) + " \xc3\x97 " + plot::plain_label(size.y(), 4) + " \xc3\x97 " +
+                     plot::plain_label(size.z(), 4) + " mm");
+    if (scene.surface.triangles.cols() > 0)
+        text_row(theme, "Surface", with_separators(static_cast<double>(scene.surface.triangles.cols())) + " triangles");
     if (!scene.markers.empty()) text_row(theme, "Markers", std::to_string(scene.markers.size()));
     text_row(theme, "Trials", std::to_string(scene.trials.size()));
-    if (!state.project.empty()) text_row(theme, "Project", state.project.filename().string() + (state.unsaved() ? ", with changes" : ", saved"));
-    for (const std::string& warning : scene.warnings) notice(theme, LogLevel::warning, warning);
+    if (!state.project.empty())
+        text_row(theme, "Project",
+                 state.project.filename().string() + (state.unsaved() ? ", with changes" : ", saved"));
+    for (const std::string& warning : scene.warnings) notice(theme, commands::LogLevel::warning, warning);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -4,7 +4,7 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// Opens a body, and says what it is.
 class BodyPanel : public Panel {
@@ -12,12 +12,12 @@ public:
     std::string name() const override { return "body"; }
     std::string title() const override { return "Body"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::body; }
+    std::optional<commands::Step> step() const override { return commands::Step::body; }
     void draw(PanelContext& context) override;
 
 private:
     std::string path_;
-    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const commands::Scene> scene_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -6,7 +6,7 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 struct Mark {
@@ -16,15 +16,15 @@ struct Mark {
     std::string tip;
 };
 
-Mark mark_of(const WorkbenchState& state, const Theme& theme) {
-    if (!state.checks) return {icon::shield, theme.muted, "no checks yet", no_checks_words};
-    const CheckReport& report = *state.checks;
-    const std::string counted = count_words(report.rows) + "\nof " + report.job + ", begun " + report.clock;
+Mark mark_of(const commands::WorkbenchState& state, const platform::Theme& theme) {
+    if (!state.checks) return {platform::icon::shield, theme.muted, "no checks yet", no_checks_words};
+    const commands::CheckReport& report = *state.checks;
+    const std::string counted = commands::count_words(report.rows) + "\nof " + report.job + ", begun " + report.clock;
     if (!state.checks_are_current())
-        return {icon::stale, theme.muted, "checks: " + doubt_words(report.rows) + ", outdated",
+        return {platform::icon::stale, theme.muted, "checks: " + commands::doubt_words(report.rows) + ", outdated",
                 counted + "\n" + stale_checks_words};
-    const CheckState worst = worst_state(report.rows);
-    return {check_icon(worst), check_color(theme, worst), "checks: " + doubt_words(report.rows), counted};
+    const commands::CheckState worst = commands::worst_state(report.rows);
+    return {check_icon(worst), check_color(theme, worst), "checks: " + commands::doubt_words(report.rows), counted};
 }
 
 void go_to_checks(PanelContext& context) {
@@ -34,28 +34,32 @@ void go_to_checks(PanelContext& context) {
 
 }  // namespace
 
-const char* check_icon(CheckState state) {
-    return state == CheckState::green ? icon::check : state == CheckState::amber ? icon::warning : icon::failure;
+const char* check_icon(commands::CheckState state) {
+    return state == commands::CheckState::green   ? platform::icon::check
+           : state == commands::CheckState::amber ? platform::icon::warning
+                                                  : platform::icon::failure;
 }
 
-const ImVec4& check_color(const Theme& theme, CheckState state) {
-    return state == CheckState::green ? theme.success : state == CheckState::amber ? theme.warning : theme.failure;
+const ImVec4& check_color(const platform::Theme& theme, commands::CheckState state) {
+    return state == commands::CheckState::green   ? theme.success
+           : state == commands::CheckState::amber ? theme.warning
+                                                  : theme.failure;
 }
 
-void check_text(const Theme& theme, CheckState state, const std::string& words) {
+void check_text(const platform::Theme& theme, commands::CheckState state, const std::string& words) {
     ImGui::TextColored(check_color(theme, state), "%s  %s", check_icon(state), words.c_str());
 }
 
-void checks_line(PanelContext& context, const CheckRows& rows, const std::string& item) {
+void checks_line(PanelContext& context, const commands::CheckRows& rows, const std::string& item) {
     if (rows.empty()) return;
-    check_text(context.theme, worst_state(rows), "Checks: " + doubt_words(rows));
+    check_text(context.theme, commands::worst_state(rows), "Checks: " + commands::doubt_words(rows));
     context.items.mark(item);
-    tooltip(context.theme, count_words(rows) + "\nA click shows what was found.");
+    tooltip(context.theme, commands::count_words(rows) + "\nA click shows what was found.");
     go_to_checks(context);
 }
 
 float checks_mark(PanelContext& context, float left, float right) {
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     const Mark mark = mark_of(context.state, theme);
     const std::string all = std::string(mark.sign) + "  " + mark.words;
     const bool fits = left + ImGui::CalcTextSize(all.c_str()).x <= right;
@@ -70,4 +74,4 @@ float checks_mark(PanelContext& context, float left, float right) {
     return begin;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -10,31 +10,31 @@
 #include "panels/wrapped_text.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-void draw_state(PanelContext& context, const CheckRow& row, const std::string& number) {
+void draw_state(PanelContext& context, const commands::CheckRow& row, const std::string& number) {
     ImGui::TableNextColumn();
-    check_text(context.theme, row.state, check_word(row.state));
+    check_text(context.theme, row.state, commands::check_word(row.state));
     context.items.mark("checks/state/" + number);
 }
 
 /// The question, and below it of what.
-void draw_question(const Theme& theme, const CheckRow& row) {
+void draw_question(const platform::Theme& theme, const commands::CheckRow& row) {
     wrapped_text(row.question);
     tooltip(theme, row.source.empty() ? row.id : row.id + "\nThreshold: " + row.source);
     if (!row.subject.empty()) muted_text(theme, row.subject);
 }
 
-void draw_sentence(const Theme& theme, const CheckRow& row) {
+void draw_sentence(const platform::Theme& theme, const commands::CheckRow& row) {
     wrapped_text(row.sentence);
     if (row.way_out.empty()) return;
-    ImGui::TextColored(theme.accent, "%s", icon::arrow);
+    ImGui::TextColored(theme.accent, "%s", platform::icon::arrow);
     ImGui::SameLine(0.0f, 6.0f * theme.scale);
     wrapped_text(row.way_out);
 }
 
-void draw_wide_row(const Theme& theme, const CheckRow& row) {
+void draw_wide_row(const platform::Theme& theme, const commands::CheckRow& row) {
     ImGui::TableNextColumn();
     draw_question(theme, row);
     ImGui::TableNextColumn();
@@ -46,7 +46,7 @@ void draw_wide_row(const Theme& theme, const CheckRow& row) {
     tooltip(theme, source);
 }
 
-void draw_narrow_row(const Theme& theme, const CheckRow& row) {
+void draw_narrow_row(const platform::Theme& theme, const commands::CheckRow& row) {
     ImGui::TableNextColumn();
     draw_question(theme, row);
     draw_sentence(theme, row);
@@ -57,7 +57,7 @@ void draw_narrow_row(const Theme& theme, const CheckRow& row) {
 
 }  // namespace
 
-std::string ChecksPanel::title() const { return std::string(icon::shield) + "  Checks"; }
+std::string ChecksPanel::title() const { return std::string(platform::icon::shield) + "  Checks"; }
 
 void ChecksPanel::draw(PanelContext& context) {
     if (!context.state.checks) {
@@ -70,14 +70,15 @@ void ChecksPanel::draw(PanelContext& context) {
 }
 
 void ChecksPanel::draw_head(PanelContext& context) {
-    const Theme& theme = context.theme;
-    const CheckReport& report = *context.state.checks;
+    const platform::Theme& theme = context.theme;
+    const commands::CheckReport& report = *context.state.checks;
     ImGui::BeginGroup();
-    for (const CheckState state : {CheckState::green, CheckState::amber, CheckState::red}) {
-        const auto is_of = [&](const CheckRow& row) { return row.state == state; };
+    for (const commands::CheckState state :
+         {commands::CheckState::green, commands::CheckState::amber, commands::CheckState::red}) {
+        const auto is_of = [&](const commands::CheckRow& row) { return row.state == state; };
         const auto count = std::count_if(report.rows.begin(), report.rows.end(), is_of);
         if (count == 0) continue;
-        check_text(theme, state, std::to_string(count) + " " + check_word(state));
+        check_text(theme, state, std::to_string(count) + " " + commands::check_word(state));
         ImGui::SameLine(0.0f, 16.0f * theme.scale);
     }
     const std::string of = "of " + report.job + ", begun " + report.clock;
@@ -85,21 +86,21 @@ void ChecksPanel::draw_head(PanelContext& context) {
     ImGui::EndGroup();
     context.items.mark("checks/head");
     if (context.state.checks_are_current()) return;
-    ImGui::TextColored(theme.warning, "%s", icon::stale);
+    ImGui::TextColored(theme.warning, "%s", platform::icon::stale);
     ImGui::SameLine(0.0f, 8.0f * theme.scale);
     wrapped_text(stale_checks_words);
     context.items.mark("checks/stale");
 }
 
 void ChecksPanel::draw_rows(PanelContext& context) {
-    const Theme& theme = context.theme;
-    const CheckRows& rows = context.state.checks->rows;
+    const platform::Theme& theme = context.theme;
+    const commands::CheckRows& rows = context.state.checks->rows;
     const bool wide = ImGui::GetContentRegionAvail().x > 720.0f * theme.scale;
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_BordersOuterH;
     if (!ImGui::BeginTable("checks", wide ? 5 : 2, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    const float state = ImGui::CalcTextSize((std::string(icon::warning) + "  amber").c_str()).x;
+    const float state = ImGui::CalcTextSize((std::string(platform::icon::warning) + "  amber").c_str()).x;
     ImGui::TableSetupColumn("state", ImGuiTableColumnFlags_WidthFixed, state);
     ImGui::TableSetupColumn("check", ImGuiTableColumnFlags_WidthStretch, 1.0f);
     if (wide) {
@@ -119,11 +120,13 @@ void ChecksPanel::draw_rows(PanelContext& context) {
         const std::string number = std::to_string(i);
         draw_state(context, rows[i], number);
         const ImVec2 corner = ImGui::GetItemRectMin();
-        if (wide) draw_wide_row(theme, rows[i]);
-        else draw_narrow_row(theme, rows[i]);
+        if (wide)
+            draw_wide_row(theme, rows[i]);
+        else
+            draw_narrow_row(theme, rows[i]);
         context.items.add("checks/row/" + number, {corner, ImGui::GetItemRectMax()});
     }
     ImGui::EndTable();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,14 +2,14 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 inline constexpr const char* checks_panel_name = "checks";
 inline constexpr const char* no_checks_words =
     "Checks appear once an experiment is open: whether its units, support, mesh, time step, start and recordings can "
     "be trusted, and after a run, a calibration or a diagnosis what that brought.";
-inline constexpr const char* stale_checks_words =
-    "The settings changed since: these are the checks of earlier settings.";
+inline constexpr const char*
+    stale_checks_words = "The settings changed since: these are the checks of earlier settings.";
 
 /// What the checks found of the experiment and the newest job, the worst first.
 class ChecksPanel : public Panel {
@@ -24,4 +24,4 @@ private:
     void draw_rows(PanelContext& context);
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -7,16 +7,16 @@
 
 #include "panels/widgets.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// Of the body at rest along the normal [m].
-std::array<double, 2> extent_along(const MeshedBody& body, const Eigen::Vector3d& normal) {
+std::array<double, 2> extent_along(const commands::MeshedBody& body, const Eigen::Vector3d& normal) {
     const Eigen::RowVectorXd along = normal.transpose() * body.mesh.nodes;
     return {along.minCoeff(), along.maxCoeff()};
 }
 
-void turn(const MeshedBody& body, ClipPlane& plane, const Eigen::Vector3d& normal) {
+void turn(const commands::MeshedBody& body, commands::ClipPlane& plane, const Eigen::Vector3d& normal) {
     plane.normal = normal;
     const auto [lowest, highest] = extent_along(body, normal);
     plane.position_m = 0.5 * (lowest + highest);
@@ -24,37 +24,49 @@ void turn(const MeshedBody& body, ClipPlane& plane, const Eigen::Vector3d& norma
 
 }  // namespace
 
-void draw_clip_options(PanelContext& context, const Camera& camera, ViewOptions& view) {
+void draw_clip_options(PanelContext& context, const viewport::Camera& camera, commands::ViewOptions& view) {
     if (!context.state.body) return;
-    const MeshedBody& body = *context.state.body;
-    ClipPlane& plane = view.clip;
+    const commands::MeshedBody& body = *context.state.body;
+    commands::ClipPlane& plane = view.clip;
     ImGui::Separator();
     if (ImGui::Checkbox("Cut the body open", &plane.on) && plane.on) turn(body, plane, plane.normal);
     context.items.mark("view/clip");
-    tooltip(context.theme, "Cuts away the elements whose middle at rest, X, lies beyond a plane: n \xc2\xb7 X > d. Which ones does not change while the body moves.");
+    tooltip(context.theme,
+            "Cuts away the elements whose middle at rest, X, lies beyond a plane: n \xc2\xb7 X > d. Which ones does "
+            "not change while the body moves.");
     if (!plane.on) return;
-    struct Direction { const char* label; const char* name; Eigen::Vector3d normal; const char* tip; };
+    struct Direction {
+        const char* label;
+        const char* name;
+        Eigen::Vector3d normal;
+        const char* tip;
+    };
     const Direction directions[] = {{"X", "view/clip_x", Eigen::Vector3d::UnitX(), "Across the x axis"},
                                     {"Y", "view/clip_y", Eigen::Vector3d::UnitY(), "Across the y axis"},
                                     {"Z", "view/clip_z", Eigen::Vector3d::UnitZ(), "Across the z axis"},
-                                    {"View", "view/clip_view", camera_axes(camera).back, "Across the direction in which you look now; stays when you turn the view"}};
+                                    {"View", "view/clip_view", viewport::camera_axes(camera).back,
+                                     "Across the direction in which you look now; stays when you turn the view"}};
     bool first = true;
     for (const Direction& direction : directions) {
         if (!first) ImGui::SameLine();
         first = false;
-        if (tab(context.theme, (std::string(direction.label) + "##clip").c_str(), plane.normal == direction.normal)) turn(body, plane, direction.normal);
+        if (tab(context.theme, (std::string(direction.label) + "##clip").c_str(), plane.normal == direction.normal))
+            turn(body, plane, direction.normal);
         context.items.mark(direction.name);
         tooltip(context.theme, direction.tip);
     }
     const auto [lowest, highest] = extent_along(body, plane.normal);
     float position = static_cast<float>(1e3 * plane.position_m);
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
-    if (ImGui::SliderFloat("Plane##clip", &position, static_cast<float>(1e3 * lowest), static_cast<float>(1e3 * highest), "%.1f mm", ImGuiSliderFlags_AlwaysClamp))
+    if (ImGui::SliderFloat("Plane##clip", &position, static_cast<float>(1e3 * lowest),
+                           static_cast<float>(1e3 * highest), "%.1f mm", ImGuiSliderFlags_AlwaysClamp))
         plane.position_m = 1e-3 * static_cast<double>(position);
     context.items.mark("view/clip_position");
-    tooltip(context.theme, "Where the plane is along its direction, d, in the body's own coordinates at rest. Ctrl and a click: type it.");
+    tooltip(
+        context.theme,
+        "Where the plane is along its direction, d, in the body's own coordinates at rest. Ctrl and a click: type it.");
     ImGui::Checkbox("Show the other part", &plane.flip);
     context.items.mark("view/clip_flip");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

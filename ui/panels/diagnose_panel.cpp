@@ -14,64 +14,77 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 constexpr const char* times = "\xc3\x97";
 
-std::string percent(double share) { return !std::isfinite(share) ? dash : std::abs(share) < 5e-4 ? "0" : value_label(100.0 * share, 3); }
-
-ImVec4 verdict_color(const Theme& theme, const DiagnosisView& d) {
-    if (!d.complete) return theme.text;
-    if (d.verdict == DiagnosisVerdict::none) return check_color(theme, worst_state(d.checks));
-    return d.verdict == DiagnosisVerdict::effects ? theme.accent : theme.warning;
+std::string percent(double share) {
+    return !std::isfinite(share) ? dash : std::abs(share) < 5e-4 ? "0" : plot::value_label(100.0 * share, 3);
 }
 
-std::string stage_words(const JobView& job) {
+ImVec4 verdict_color(const platform::Theme& theme, const commands::DiagnosisView& d) {
+    if (!d.complete) return theme.text;
+    if (d.verdict == commands::DiagnosisVerdict::none) return check_color(theme, commands::worst_state(d.checks));
+    return d.verdict == commands::DiagnosisVerdict::effects ? theme.accent : theme.warning;
+}
+
+std::string stage_words(const commands::JobView& job) {
     std::string words = job.progress.task.empty() ? "Starting" : job.progress.task;
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     if (const std::string counted = counted_words(job); !counted.empty()) words += ", " + counted;
     if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
-    std::replace(words.begin(), words.end(), '_', ' ');   // ids of effects
+    std::replace(words.begin(), words.end(), '_', ' ');  // ids of effects
     if (job.remaining_s) words += " \xc2\xb7 " + time_words(job);
     return words + " \xc2\xb7 " + duration_label(job.elapsed_s) + " so far";
 }
 
-bool can_be_added(const DiagnosisRow* row) { return row && row->fitted && row->kind == DiagnosisRow::Kind::effects; }
+bool can_be_added(const commands::DiagnosisRow* row) {
+    return row && row->fitted && row->kind == commands::DiagnosisRow::Kind::effects;
+}
 
-bool is_in_model(const WorkbenchState& state, const DiagnosisRow& row) { return row.settings.effects == state.settings.effects; }
+bool is_in_model(const commands::WorkbenchState& state, const commands::DiagnosisRow& row) {
+    return row.settings.effects == state.settings.effects;
+}
 
 /// The fitted value as far as a cell has room for it: what is left out is told on hovering.
-std::string value_words(const DiagnosisRow& row, float width) {
+std::string value_words(const commands::DiagnosisRow& row, float width) {
     const bool fits = ImGui::CalcTextSize(row.value.c_str()).x <= width;
     return row.one_number || (!fits && !row.brief.empty()) ? row.brief : row.value;
 }
 
 }  // namespace
 
-std::string DiagnosePanel::title() const { return std::string(icon::stethoscope) + "  Diagnose"; }
+std::string DiagnosePanel::title() const { return std::string(platform::icon::stethoscope) + "  Diagnose"; }
 
 void DiagnosePanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!state.scene) {
-        muted_text(context.theme, "Finds what the model lacks: compares the simulation with measured markers and tries every known effect on what is left. "
-                                  "Open an experiment folder to begin.");
+        muted_text(context.theme,
+                   "Finds what the model lacks: compares the simulation with measured markers and tries every known "
+                   "effect on what is left. "
+                   "Open an experiment folder to begin.");
         return;
     }
-    if (!can_be_diagnosed(*state.scene)) {
-        muted_text(context.theme, "Nothing to diagnose: this needs an experiment folder with at least one trial of role fit and its measured markers.");
+    if (!commands::can_be_diagnosed(*state.scene)) {
+        muted_text(context.theme,
+                   "Nothing to diagnose: this needs an experiment folder with at least one trial of role fit and its "
+                   "measured markers.");
         return;
     }
     follow(state);
     draw_head(context);
     if (!state.diagnosis) {
         if (!state.diagnosing())
-            muted_text(context.theme, "Diagnose fits the declared values, tests whether more than noise is left, tries every effect of the catalogue on it and "
-                                      "fits the best. Trials of role validate are predicted once, at the end. It takes some minutes and can be cancelled.");
+            muted_text(context.theme,
+                       "Diagnose fits the declared values, tests whether more than noise is left, tries every effect "
+                       "of the catalogue on it and "
+                       "fits the best. Trials of role validate are predicted once, at the end. It takes some minutes "
+                       "and can be cancelled.");
         return;
     }
     const float width = ImGui::GetContentRegionAvail().x;
-    const bool narrow = width < 560.0f * context.theme.scale;   // then one at a time
+    const bool narrow = width < 560.0f * context.theme.scale;  // then one at a time
     if (!narrow) {
         ImGui::BeginChild("ranking", {std::floor(0.55f * width), 0.0f});
         draw_ranking(context);
@@ -79,7 +92,7 @@ void DiagnosePanel::draw(PanelContext& context) {
         ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
     }
     ImGui::BeginChild("chosen");
-    const DiagnosisRow* const row = state.diagnosis_row();
+    const commands::DiagnosisRow* const row = state.diagnosis_row();
     if (narrow) {
         if (tab(context.theme, "Ranking", ranking_)) ranking_ = true;
         context.items.mark("diagnose/show/ranking");
@@ -87,21 +100,27 @@ void DiagnosePanel::draw(PanelContext& context) {
     }
     const bool alone = narrow && ranking_;
     if (row) draw_choices(context, alone);
-    if (alone) draw_ranking(context);
-    else if (!row) {}
-    else if (errors_) draw_errors(context, *row);
-    else if (row->kind == DiagnosisRow::Kind::missing_force) draw_force(context);
-    else draw_residual(context, *row);
+    if (alone)
+        draw_ranking(context);
+    else if (!row) {
+    } else if (errors_)
+        draw_errors(context, *row);
+    else if (row->kind == commands::DiagnosisRow::Kind::missing_force)
+        draw_force(context);
+    else
+        draw_residual(context, *row);
     ImGui::EndChild();
 }
 
-void DiagnosePanel::follow(const WorkbenchState& state) {
+void DiagnosePanel::follow(const commands::WorkbenchState& state) {
     if (scene_ != state.scene) axis_chosen_ = false;
     scene_ = state.scene;
     if (!axis_chosen_ && state.diagnosis) axis_ = std::clamp(state.diagnosis->worst_axis, 0, 2);
-    const DiagnosisRow* const row = state.diagnosis_row();
-    const std::string shown = state.scene->path.string() + (row && row->kind == DiagnosisRow::Kind::missing_force ? " force " : " ") + std::to_string(state.trial) + " " +
-                              std::to_string(state.marker) + " " + std::to_string(axis_);
+    const commands::DiagnosisRow* const row = state.diagnosis_row();
+    const std::string shown = state.scene->path.string() +
+                              (row && row->kind == commands::DiagnosisRow::Kind::missing_force ? " force " : " ") +
+                              std::to_string(state.trial) + " " + std::to_string(state.marker) + " " +
+                              std::to_string(axis_);
     if (shown == followed_) return;
     // Another curve: the old zoom means nothing.
     followed_ = shown;
@@ -110,40 +129,46 @@ void DiagnosePanel::follow(const WorkbenchState& state) {
 }
 
 void DiagnosePanel::draw_head(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const float s = theme.scale;
     const ImVec2 button{132.0f * s, 0.0f};
     if (state.diagnosing()) {
         ImGui::BeginDisabled(state.job->cancelling);
-        if (ImGui::Button((std::string(icon::stop) + "  Cancel").c_str(), button)) context.emit(command::Cancel{});
+        if (ImGui::Button((std::string(platform::icon::stop) + "  Cancel").c_str(), button))
+            context.emit(commands::Cancel{});
         context.items.mark("diagnose/cancel");
         ImGui::EndDisabled();
         ImGui::SameLine(0.0f, 12.0f * s);
-        const JobView& job = *state.job;
+        const commands::JobView& job = *state.job;
         ImGui::ProgressBar(static_cast<float>(job.fraction()), {160.0f * s, 0.0f}, bar_words(job).c_str());
         context.items.mark("diagnose/progress");
         ImGui::SameLine(0.0f, 12.0f * s);
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(elided(job.cancelling ? "Stopping" : stage_words(job), ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::TextUnformatted(
+            elided(job.cancelling ? "Stopping" : stage_words(job), ImGui::GetContentRegionAvail().x).c_str());
         return;
     }
-    const std::string label = std::string(icon::stethoscope) + "  Diagnose";
-    if (state.diagnosis ? ImGui::Button(label.c_str(), button) : primary_button(theme, label, button)) context.emit(command::Diagnose{});
+    const std::string label = std::string(platform::icon::stethoscope) + "  Diagnose";
+    if (state.diagnosis ? ImGui::Button(label.c_str(), button) : primary_button(theme, label, button))
+        context.emit(commands::Diagnose{});
     context.items.mark("diagnose/diagnose");
     if (!state.diagnosis) return;
-    const DiagnosisView& d = *state.diagnosis;
-    const DiagnosisRow* const row = state.diagnosis_row();
+    const commands::DiagnosisView& d = *state.diagnosis;
+    const commands::DiagnosisRow* const row = state.diagnosis_row();
     std::string add;
-    if (can_be_added(row)) add = is_in_model(state, *row) ? std::string(icon::done) + "  Added to the model" : std::string(icon::plus) + "  Add " + lower_first(row->name);
-    const float add_width = add.empty() ? 0.0f : ImGui::CalcTextSize(add.c_str()).x + 4.0f * ImGui::GetStyle().FramePadding.x;
+    if (can_be_added(row))
+        add = is_in_model(state, *row) ? std::string(platform::icon::done) + "  Added to the model"
+                                       : std::string(platform::icon::plus) + "  Add " + lower_first(row->name);
+    const float add_width = add.empty() ? 0.0f
+                                        : ImGui::CalcTextSize(add.c_str()).x + 4.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(0.0f, 12.0f * s);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(theme.strong);
     const float confidence_width = 140.0f * s, all = ImGui::GetContentRegionAvail().x - add_width - 16.0f * s;
-    const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;   // else it is told on hovering
+    const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // else it is told on hovering
     const float room = all - (with_confidence ? confidence_width : 0.0f);
-    const std::string confidence = "confidence " + value_label(100.0 * d.confidence, 2) + " %";
+    const std::string confidence = "confidence " + plot::value_label(100.0 * d.confidence, 2) + " %";
     const std::string headline = d.complete ? d.headline : "Cancelled before a verdict: this is what was known by then";
     ImGui::TextColored(verdict_color(theme, d), "%s", elided(headline, room).c_str());
     ImGui::PopFont();
@@ -154,31 +179,38 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     if (with_confidence) {
         ImGui::SameLine(0.0f, 12.0f * s);
         ImGui::TextColored(theme.muted, "%s", confidence.c_str());
-        tooltip(theme, "How credible the verdict is among all that was tried, the declared model and \"none of these\" included.");
+        tooltip(
+            theme,
+            "How credible the verdict is among all that was tried, the declared model and \"none of these\" included.");
     }
     if (!add.empty()) {
         ImGui::SameLine();
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - add_width));
         ImGui::BeginDisabled(is_in_model(state, *row));
-        if (primary_button(theme, add, {add_width, 0.0f})) context.emit(command::AddEffect{row->key});
+        if (primary_button(theme, add, {add_width, 0.0f})) context.emit(commands::AddEffect{row->key});
         context.items.mark("diagnose/add");
         ImGui::EndDisabled();
-        tooltip(theme, row->name + ": " + row->value + "\n\nBecomes part of the model, with the modulus and the damping that were fitted beside it. The next run has it; undo takes it out.");
+        tooltip(theme, row->name + ": " + row->value +
+                           "\n\nBecomes part of the model, with the modulus and the damping that were fitted beside "
+                           "it. The next run has it; undo takes it out.");
     }
     if (words.empty()) return;
     const ImVec2 below = ImGui::GetContentRegionAvail();
-    if (below.y < 160.0f * s) return;   // the plot needs the room; the verdict tells it on hovering
+    if (below.y < 160.0f * s) return;  // the plot needs the room; the verdict tells it on hovering
     muted_text(theme, elided_lines(words, below.x, below.y > 180.0f * s ? 2 : 1));
     context.items.mark("diagnose/because");
     tooltip(theme, words);
 }
 
 void DiagnosePanel::draw_ranking(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const DiagnosisView& d = *state.diagnosis;
-    const DiagnosisRow* const shown = state.diagnosis_row();
-    if (!ImGui::BeginTable("candidates", 6, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::DiagnosisView& d = *state.diagnosis;
+    const commands::DiagnosisRow* const shown = state.diagnosis_row();
+    if (!ImGui::BeginTable("candidates", 6,
+                           ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                               ImGuiTableFlags_BordersOuterH))
+        return;
     ImGui::TableSetupScrollFreeze(0, 1);
     // In a narrow window the value is told on hovering, and the weight gives way to the name.
     const float width = ImGui::GetWindowWidth() / theme.scale;
@@ -187,45 +219,51 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         {"", ""},
         {"Effect", "Best first. A click shows what the effect would do."},
         {"Fitted value", "With one standard deviation, fitted together with the declared parameters."},
-        {"Explains [%]", "Share of the residual's square that it could take away, after what the declared parameters absorb.", true},
-        {std::string("Held out [") + times + "]", "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
+        {"Explains [%]",
+         "Share of the residual's square that it could take away, after what the declared parameters absorb.", true},
+        {std::string("Held out [") + times + "]",
+         "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
         {"Weight [%]", "Share of the evidence among all that was fitted, the declared model included.", true}};
     ImGui::TableSetupColumn("rank", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00").x);
     ImGui::TableSetupColumn("effect", ImGuiTableColumnFlags_WidthStretch, 1.2f);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch | (narrow ? ImGuiTableColumnFlags_Disabled : 0), 1.2f);
-    for (std::size_t k = 3; k < headings.size(); ++k) number_column(theme, headings[k], tight && k == 5 ? ImGuiTableColumnFlags_Disabled : 0);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch | (narrow ? ImGuiTableColumnFlags_Disabled : 0),
+                            1.2f);
+    for (std::size_t k = 3; k < headings.size(); ++k)
+        number_column(theme, headings[k], tight && k == 5 ? ImGuiTableColumnFlags_Disabled : 0);
     heading_row(theme, headings);
     int rank = 0;
-    for (const DiagnosisRow& row : d.rows) {
+    for (const commands::DiagnosisRow& row : d.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         const ImVec4& color = row.fitted ? theme.text : theme.muted;
-        const std::string label = row.kind == DiagnosisRow::Kind::effects ? std::to_string(++rank) : " ";
+        const std::string label = row.kind == commands::DiagnosisRow::Kind::effects ? std::to_string(++rank) : " ";
         ImGui::PushStyleColor(ImGuiCol_Text, color);
-        if (ImGui::Selectable((label + "##" + row.key).c_str(), &row == shown, ImGuiSelectableFlags_SpanAllColumns)) context.emit(command::ChooseCandidate{row.key});
+        if (ImGui::Selectable((label + "##" + row.key).c_str(), &row == shown, ImGuiSelectableFlags_SpanAllColumns))
+            context.emit(commands::ChooseCandidate{row.key});
         ImGui::PopStyleColor();
         context.items.mark("diagnose/row/" + row.key);
         const std::string like = row.like.empty() ? "" : "This experiment cannot tell it from " + row.like + ".";
-        std::string words = row.name + (row.value.empty() ? "" : ": " + row.value);   // whole, however narrow the table is
+        std::string words = row.name +
+                            (row.value.empty() ? "" : ": " + row.value);  // whole, however narrow the table is
         for (const std::string& more : {like, row.no_force})
             if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
         tooltip(theme, words);
-        const std::string sign = row.chosen ? std::string("  ") + check_icon(worst_state(d.checks)) : "";
+        const std::string sign = row.chosen ? std::string("  ") + check_icon(commands::worst_state(d.checks)) : "";
         text_cell(theme, row.name + sign, row.chosen ? verdict_color(theme, d) : color);
         ImGui::TableNextColumn();
         const float room = ImGui::GetContentRegionAvail().x;
         ImGui::TextColored(color, "%s", elided(value_words(row, room), room).c_str());
         context.items.add("diagnose/value/" + row.key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
         number_cell(theme, percent(row.explained), &color);
-        number_cell(theme, value_label(row.held_out, 3), &color);
+        number_cell(theme, plot::value_label(row.held_out, 3), &color);
         number_cell(theme, percent(row.weight), &color);
     }
     ImGui::EndTable();
 }
 
 void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const float s = theme.scale;
     const auto choice = [&](const char* label, const char* name, bool errors) {
         if (tab(theme, label, !none && errors_ == errors)) {
@@ -238,8 +276,8 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     ImGui::SameLine();
     choice("Errors", "diagnose/show/errors", true);
     tooltip(theme, "Errors of the trials before and after");
-    const DiagnosisRow* const row = state.diagnosis_row();
-    if (none || errors_ || row->kind == DiagnosisRow::Kind::missing_force) return;
+    const commands::DiagnosisRow* const row = state.diagnosis_row();
+    if (none || errors_ || row->kind == commands::DiagnosisRow::Kind::missing_force) return;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
     // In a narrow window on a line of their own.
@@ -247,12 +285,14 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     ImGui::SameLine(0.0f, 16.0f * s);
     const float room = ImGui::GetContentRegionAvail().x - axis_width - ImGui::GetStyle().ItemSpacing.x;
     if (room < least) ImGui::NewLine();
-    ImGui::SetNextItemWidth(std::min(150.0f * s, ImGui::GetContentRegionAvail().x - axis_width - ImGui::GetStyle().ItemSpacing.x));
+    ImGui::SetNextItemWidth(
+        std::min(150.0f * s, ImGui::GetContentRegionAvail().x - axis_width - ImGui::GetStyle().ItemSpacing.x));
     const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
     context.items.mark("diagnose/marker");
     if (open) {
         for (std::size_t m = 0; m < markers.size(); ++m) {
-            if (ImGui::Selectable(markers[m].name.c_str(), m == current)) context.emit(command::ChooseMarker{static_cast<int>(m)});
+            if (ImGui::Selectable(markers[m].name.c_str(), m == current))
+                context.emit(commands::ChooseMarker{static_cast<int>(m)});
             context.items.mark("diagnose/marker/" + markers[m].name);
         }
         ImGui::EndCombo();
@@ -273,42 +313,49 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     ImGui::EndCombo();
 }
 
-void DiagnosePanel::draw_residual(PanelContext& context, const DiagnosisRow& row) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+void DiagnosePanel::draw_residual(PanelContext& context, const commands::DiagnosisRow& row) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const auto trial = static_cast<std::size_t>(state.trial), marker = static_cast<std::size_t>(state.marker);
-    const DiagnosisView& d = *state.diagnosis;
+    const commands::DiagnosisView& d = *state.diagnosis;
     if (trial >= d.trials.size() || marker >= d.trials[trial].residual_m.size()) {
-        muted_text(theme, "The residual of " + (state.scene_trial() ? state.scene_trial()->name : std::string("this trial")) +
+        muted_text(theme, "The residual of " +
+                              (state.scene_trial() ? state.scene_trial()->name : std::string("this trial")) +
                               " is not known: a trial of role validate is predicted once, when there is a verdict.");
         return;
     }
-    Plot plot;
+    plot::Plot plot;
     plot.id = "diagnose/plot";
     // The legend needs the room more than the title.
     const std::string axis = axis_names[static_cast<std::size_t>(axis_)];
-    plot.title = ImGui::GetContentRegionAvail().x > 440.0f * theme.scale ? axis + " \xe2\x88\x92 that of the declared model [mm]" : "\xce\x94" + axis + " [mm]";
+    plot.title = ImGui::GetContentRegionAvail().x > 440.0f * theme.scale
+                     ? axis + " \xe2\x88\x92 that of the declared model [mm]"
+                     : "\xce\x94" + axis + " [mm]";
     plot.cursor = state.time_s;
     plot.mark = 0.0;
     plot.legend = true;
     plot.zero_line = true;
     const Eigen::VectorXd& time = state.scene_trial()->time_s;
-    plot.series.push_back({"measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true});
+    plot.series.push_back(
+        {"measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true});
     const bool predicted = trial < row.predicted_m.size() && marker < row.predicted_m[trial].size();
-    if (predicted) plot.series.push_back({"with " + lower_first(row.name), time, 1e3 * row.predicted_m[trial][marker].row(axis_).transpose(), theme.simulated, false});
-    const PlotResult result = draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_, plot_, hidden_);
-    if (result.cursor) context.emit(command::SetTime{*result.cursor});
+    if (predicted)
+        plot.series.push_back({"with " + lower_first(row.name), time,
+                               1e3 * row.predicted_m[trial][marker].row(axis_).transpose(), theme.simulated, false});
+    const plot::PlotResult result = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
+                                                    plot_, hidden_);
+    if (result.cursor) context.emit(commands::SetTime{*result.cursor});
 }
 
 void DiagnosePanel::draw_force(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const ForceCourses& force = state.diagnosis->missing_force;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::ForceCourses& force = state.diagnosis->missing_force;
     double largest = 0.0;
     for (const Eigen::VectorXd& amplitude : force.amplitude_N)
         if (amplitude.size() > 0) largest = std::max(largest, amplitude.cwiseAbs().maxCoeff());
     const bool small = largest < 0.1;
-    Plot plot;
+    plot::Plot plot;
     plot.id = "diagnose/plot";
     plot.y_unit = small ? "mN" : "N";
     plot.title = "missing in " + force.trial + " [" + plot.y_unit + "]";
@@ -318,46 +365,60 @@ void DiagnosePanel::draw_force(PanelContext& context) {
     plot.zero_line = true;
     const std::array<ImVec4, 3> colors{theme.force, theme.simulated, theme.success};
     for (std::size_t k = 0; k < force.amplitude_N.size(); ++k)
-        plot.series.push_back({force.names[k], force.time_s, (small ? 1e3 : 1.0) * force.amplitude_N[k], colors[k % colors.size()], false});
-    const PlotResult result = draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_, plot_, hidden_);
-    if (result.cursor) context.emit(command::SetTime{*result.cursor});
+        plot.series.push_back({force.names[k], force.time_s, (small ? 1e3 : 1.0) * force.amplitude_N[k],
+                               colors[k % colors.size()], false});
+    const plot::PlotResult result = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
+                                                    plot_, hidden_);
+    if (result.cursor) context.emit(commands::SetTime{*result.cursor});
 }
 
-void DiagnosePanel::draw_errors(PanelContext& context, const DiagnosisRow& row) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const DiagnosisView& d = *state.diagnosis;
-    if (row.kind == DiagnosisRow::Kind::missing_force) return muted_text(theme, "The missing force is no model: there is no prediction with it.");
-    if (!ImGui::BeginTable("errors", 6, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH)) return;
+void DiagnosePanel::draw_errors(PanelContext& context, const commands::DiagnosisRow& row) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::DiagnosisView& d = *state.diagnosis;
+    if (row.kind == commands::DiagnosisRow::Kind::missing_force)
+        return muted_text(theme, "The missing force is no model: there is no prediction with it.");
+    if (!ImGui::BeginTable("errors", 6,
+                           ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                               ImGuiTableFlags_BordersOuterH))
+        return;
     ImGui::TableSetupScrollFreeze(0, 1);
     const std::string of_noise = std::string(" [") + times + " noise]";
-    const std::string before = "rms error over the markers of the declared model, its parameters fitted", after = "with " + lower_first(row.name) + " beside them";
-    const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials that are predicted took no part in any fit or choice."}, {"Before [mm]", before, true}, {"After [mm]", after, true},
-                                        {"Before" + of_noise, before, true}, {"After" + of_noise, after, true}};
+    const std::string before = "rms error over the markers of the declared model, its parameters fitted",
+                      after = "with " + lower_first(row.name) + " beside them";
+    const std::vector<Heading> headings{{"Trial", ""},
+                                        {"Role", "Trials that are predicted took no part in any fit or choice."},
+                                        {"Before [mm]", before, true},
+                                        {"After [mm]", after, true},
+                                        {"Before" + of_noise, before, true},
+                                        {"After" + of_noise, after, true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
     // In a narrow window the role is told on hovering, and what the error was in noise levels can be worked out.
     const int where_wide = ImGui::GetWindowWidth() < 480.0f * theme.scale ? ImGuiTableColumnFlags_Disabled : 0;
-    ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed | where_wide, ImGui::CalcTextSize("predicted").x + 2.0f);
+    ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed | where_wide,
+                            ImGui::CalcTextSize("predicted").x + 2.0f);
     for (std::size_t k = 2; k < headings.size(); ++k) number_column(theme, headings[k], k == 4 ? where_wide : 0);
     heading_row(theme, headings);
     for (std::size_t t = 0; t < d.trials.size(); ++t) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        const DiagnosisTrial& trial = d.trials[t];
+        const commands::DiagnosisTrial& trial = d.trials[t];
         ImGui::PushID(static_cast<int>(t));
-        if (ImGui::Selectable(elided(trial.name, ImGui::GetContentRegionAvail().x).c_str(), static_cast<int>(t) == state.trial, ImGuiSelectableFlags_SpanAllColumns))
-            context.emit(command::ChooseTrial{static_cast<int>(t)});
+        if (ImGui::Selectable(elided(trial.name, ImGui::GetContentRegionAvail().x).c_str(),
+                              static_cast<int>(t) == state.trial, ImGuiSelectableFlags_SpanAllColumns))
+            context.emit(commands::ChooseTrial{static_cast<int>(t)});
         context.items.mark("diagnose/error/" + trial.name);
         tooltip(theme, trial.name + (trial.fitted ? ", fitted" : ", predicted"));
         ImGui::PopID();
         text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
         const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");
         for (const double factor : {1e3, 1.0 / d.noise_m}) {
-            number_cell(theme, value_label(factor * trial.before_m, 3));
-            number_cell(theme, value_label(factor * after_m, 3), after_m < trial.before_m ? &theme.success : nullptr);
+            number_cell(theme, plot::value_label(factor * trial.before_m, 3));
+            number_cell(theme, plot::value_label(factor * after_m, 3),
+                        after_m < trial.before_m ? &theme.success : nullptr);
         }
     }
     ImGui::EndTable();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -8,20 +8,23 @@
 
 #include "panels/view_points.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 std::string label_of(const MeasuredDistance& distance) {
     const double change = distance.now_m - distance.at_rest_m;
     char text[120];
-    if (distance.at_rest_m > 0.0) std::snprintf(text, sizeof text, "%.2f mm\nat rest %.2f mm, %+.2f mm, %+.1f %%", 1e3 * distance.now_m, 1e3 * distance.at_rest_m, 1e3 * change, 100.0 * change / distance.at_rest_m);
-    else std::snprintf(text, sizeof text, "%.2f mm\nat rest 0 mm", 1e3 * distance.now_m);
+    if (distance.at_rest_m > 0.0)
+        std::snprintf(text, sizeof text, "%.2f mm\nat rest %.2f mm, %+.2f mm, %+.1f %%", 1e3 * distance.now_m,
+                      1e3 * distance.at_rest_m, 1e3 * change, 100.0 * change / distance.at_rest_m);
+    else
+        std::snprintf(text, sizeof text, "%.2f mm\nat rest 0 mm", 1e3 * distance.now_m);
     return text;
 }
 
-void draw_line(ImDrawList& list, const Theme& theme, const ImVec2& a, const ImVec2& b) {
+void draw_line(ImDrawList& list, const platform::Theme& theme, const ImVec2& a, const ImVec2& b) {
     const float s = theme.scale;
-    const ImU32 accent = packed(theme.accent), dark = IM_COL32(0, 0, 0, 160);
+    const ImU32 accent = platform::packed(theme.accent), dark = IM_COL32(0, 0, 0, 160);
     list.AddLine(a, b, dark, 4.0f * s);
     list.AddLine(a, b, accent, 2.0f * s);
     for (const ImVec2& end : {a, b}) {
@@ -32,19 +35,23 @@ void draw_line(ImDrawList& list, const Theme& theme, const ImVec2& a, const ImVe
 
 }  // namespace
 
-void measure(std::vector<MeasuredDistance>& distances, const DrawnScene& scene) {
-    for (MeasuredDistance& each : distances) each.now_m = (place_now(each.to, scene) - place_now(each.from, scene)).norm();
+void measure(std::vector<MeasuredDistance>& distances, const viewport::DrawnScene& scene) {
+    for (MeasuredDistance& each : distances)
+        each.now_m = (commands::place_now(each.to, scene) - commands::place_now(each.from, scene)).norm();
 }
 
-void draw_distances(ImDrawList& list, const Theme& theme, const std::vector<MeasuredDistance>& distances, const DrawnScene& scene, const ViewportState& view) {
+void draw_distances(ImDrawList& list, const platform::Theme& theme, const std::vector<MeasuredDistance>& distances,
+                    const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const float s = theme.scale;
     for (const MeasuredDistance& each : distances) {
-        const auto a = window_pixel(view, place_now(each.from, scene)), b = window_pixel(view, place_now(each.to, scene));
+        const auto a = window_pixel(view, commands::place_now(each.from, scene)),
+                   b = window_pixel(view, commands::place_now(each.to, scene));
         if (!a || !b) continue;
         draw_line(list, theme, *a, *b);
         const std::string label = label_of(each);
         const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str()).x;
-        draw_note(list, theme, {0.5f * (a->x + b->x - width), std::max(a->y, b->y) + 12.0f * s}, label);   // below it, so that it stays in sight
+        draw_note(list, theme, {0.5f * (a->x + b->x - width), std::max(a->y, b->y) + 12.0f * s},
+                  label);  // below it, so that it stays in sight
     }
 }
 
@@ -53,8 +60,8 @@ void DistanceTool::clear() {
     begun_.reset();
 }
 
-void DistanceTool::update(PanelContext& context, const DrawnScene& scene, ViewportState& view) {
-    const WorkbenchState& state = context.state;
+void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view) {
+    const commands::WorkbenchState& state = context.state;
     if (scene_ != state.scene || body_ != state.body) clear();
     scene_ = state.scene;
     body_ = state.body;
@@ -64,10 +71,16 @@ void DistanceTool::update(PanelContext& context, const DrawnScene& scene, Viewpo
     }
     if (!view.measuring) begun_.reset();
     if (view.measuring && view.clicked) {
-        const auto place = pick_place(state, scene, view.camera, view.size(), view.mouse, static_cast<double>(marker_reach * context.theme.scale));
-        if (place && begun_) distances_.push_back({*begun_, *place, 0.0, (place_at_rest(*place, state) - place_at_rest(*begun_, state)).norm()});
-        if (place && begun_) begun_.reset();
-        else if (place) begun_ = place;
+        const auto place = commands::pick_place(state, scene, view.camera, view.size(), view.mouse,
+                                                static_cast<double>(marker_reach * context.theme.scale));
+        if (place && begun_)
+            distances_.push_back(
+                {*begun_, *place, 0.0,
+                 (commands::place_at_rest(*place, state) - commands::place_at_rest(*begun_, state)).norm()});
+        if (place && begun_)
+            begun_.reset();
+        else if (place)
+            begun_ = place;
     }
     // The scene may still show the body before this one.
     if (state.body && scene.positions.cols() != state.body->mesh.node_count()) return;
@@ -76,9 +89,11 @@ void DistanceTool::update(PanelContext& context, const DrawnScene& scene, Viewpo
     draw_distances(list, context.theme, distances_, scene, view);
     if (!view.measuring) return;
     if (begun_)
-        if (const auto a = window_pixel(view, place_now(*begun_, scene))) draw_line(list, context.theme, *a, view.hovered ? ImGui::GetIO().MousePos : *a);
-    const std::string hint = begun_ ? "Click the other end. Esc: another start." : "Click two places on the body or its markers. Esc ends.";
+        if (const auto a = window_pixel(view, commands::place_now(*begun_, scene)))
+            draw_line(list, context.theme, *a, view.hovered ? ImGui::GetIO().MousePos : *a);
+    const std::string hint = begun_ ? "Click the other end. Esc: another start."
+                                    : "Click two places on the body or its markers. Esc ends.";
     draw_hint(context, view, hint, "view/distance_hint");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

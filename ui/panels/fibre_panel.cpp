@@ -11,71 +11,81 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-bool is_taken(const Settings& settings, const std::string& name) {
-    return std::any_of(settings.muscles.begin(), settings.muscles.end(), [&](const Muscle& muscle) { return muscle.name == name; });
+bool is_taken(const commands::Settings& settings, const std::string& name) {
+    return std::any_of(settings.muscles.begin(), settings.muscles.end(),
+                       [&](const commands::Muscle& muscle) { return muscle.name == name; });
 }
 
-std::string amount_label(const PaintedAmount& amount) {
-    return with_separators(amount.cells) + (amount.cells == 1 ? " element, " : " elements, ") + value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3";
+std::string amount_label(const fibre::PaintedAmount& amount) {
+    return with_separators(amount.cells) + (amount.cells == 1 ? " element, " : " elements, ") +
+           plot::value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3";
 }
 
-void change(PanelContext& context, const std::string& what, bool goes_on, const std::function<void(Muscle&)>& edit) {
-    Settings settings = context.state.settings;
+void change(PanelContext& context, const std::string& what, bool goes_on,
+            const std::function<void(commands::Muscle&)>& edit) {
+    commands::Settings settings = context.state.settings;
     edit(settings.muscles[static_cast<std::size_t>(context.state.muscle)]);
-    context.emit(command::ChangeSettings{std::move(settings), what, goes_on});
+    context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
 }
 
-const std::vector<Choice>& action_choices() {
-    static const std::vector<Choice> choices{{"contracts", "Contracts", "Its fibres shorten when active: a < 1."}, {"extends", "Extends", "Its fibres lengthen when active, as a chamber under pressure does: a > 1."}};
+const std::vector<commands::Choice>& action_choices() {
+    static const std::vector<commands::Choice> choices{
+        {"contracts", "Contracts", "Its fibres shorten when active: a < 1."},
+        {"extends", "Extends", "Its fibres lengthen when active, as a chamber under pressure does: a > 1."}};
     return choices;
 }
 
-const std::vector<Choice>& direction_choices() {
-    static const std::vector<Choice> choices{{"stroke", "Along the stroke", "Fibres follow the hand, smoothed over the brush, in the plane of the surface."},
-                                             {"x", "Along x", "All fibres along the x axis."},
-                                             {"y", "Along y", "All fibres along the y axis."},
-                                             {"z", "Along z", "All fibres along the z axis."},
-                                             {"longest", "Along the longest axis", "All fibres along the axis in which the body reaches farthest."}};
+const std::vector<commands::Choice>& direction_choices() {
+    static const std::vector<commands::Choice> choices{
+        {"stroke", "Along the stroke", "Fibres follow the hand, smoothed over the brush, in the plane of the surface."},
+        {"x", "Along x", "All fibres along the x axis."},
+        {"y", "Along y", "All fibres along the y axis."},
+        {"z", "Along z", "All fibres along the z axis."},
+        {"longest", "Along the longest axis", "All fibres along the axis in which the body reaches farthest."}};
     return choices;
 }
 
-const std::vector<Choice>& mirror_choices() {
-    static const std::vector<Choice> choices{{"none", "Off", "Paint where the mouse is."},
-                                             {"x", "Left and right in x", "What is painted on one side of the body's middle is painted on the other, too."},
-                                             {"y", "Left and right in y", "What is painted on one side of the body's middle is painted on the other, too."},
-                                             {"z", "Above and below in z", "What is painted on one side of the body's middle is painted on the other, too."}};
+const std::vector<commands::Choice>& mirror_choices() {
+    static const std::vector<commands::Choice> choices{
+        {"none", "Off", "Paint where the mouse is."},
+        {"x", "Left and right in x", "What is painted on one side of the body's middle is painted on the other, too."},
+        {"y", "Left and right in y", "What is painted on one side of the body's middle is painted on the other, too."},
+        {"z", "Above and below in z",
+         "What is painted on one side of the body's middle is painted on the other, too."}};
     return choices;
 }
 
 template <class Kind>
-bool choose(PanelContext& context, const char* label, const char* name, const char* tip, const std::vector<Choice>& choices, Kind& kind) {
+bool choose(PanelContext& context, const char* label, const char* name, const char* tip,
+            const std::vector<commands::Choice>& choices, Kind& kind) {
     std::string id = choices[static_cast<std::size_t>(kind)].id;
     if (!choice_row(context, label, name, tip, choices, id)) return false;
-    const auto found = std::find_if(choices.begin(), choices.end(), [&](const Choice& choice) { return choice.id == id; });
+    const auto found = std::find_if(choices.begin(), choices.end(),
+                                    [&](const commands::Choice& choice) { return choice.id == id; });
     kind = static_cast<Kind>(found - choices.begin());
     return true;
 }
 
 }  // namespace
 
-Muscle new_muscle(const Settings& settings) {
-    Muscle muscle;
+commands::Muscle new_muscle(const commands::Settings& settings) {
+    commands::Muscle muscle;
     for (int i = 1;; ++i) {
         muscle.name = "muscle " + std::to_string(i);
         if (!is_taken(settings, muscle.name)) break;
     }
-    const auto used = [&](const Muscle& other) { return other.color == muscle.color; };
+    const auto used = [&](const commands::Muscle& other) { return other.color == muscle.color; };
     while (std::any_of(settings.muscles.begin(), settings.muscles.end(), used)) ++muscle.color;
     muscle.stiffness_Pa = settings.youngs_modulus_Pa;
-    muscle.signal = Signal{{0.0, 0.5}, {1.0, 0.8}};
+    muscle.signal = fibre::Signal{{0.0, 0.5}, {1.0, 0.8}};
     return muscle;
 }
 
 void FibrePanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!state.scene) {
         muted_text(context.theme, "Muscles are painted on the body here.");
         return;
@@ -86,40 +96,45 @@ void FibrePanel::draw(PanelContext& context) {
 }
 
 void FibrePanel::draw_list(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     if (state.settings.muscles.empty()) muted_text(theme, "No muscles yet. Add one, then paint it on the body.");
     for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
-        const Muscle& muscle = state.settings.muscles[static_cast<std::size_t>(m)];
+        const commands::Muscle& muscle = state.settings.muscles[static_cast<std::size_t>(m)];
         ImGui::PushID(m);
         const float box = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable(("        " + muscle.name).c_str(), m == state.muscle)) context.emit(command::ChooseMuscle{m});
+        if (ImGui::Selectable(("        " + muscle.name).c_str(), m == state.muscle))
+            context.emit(commands::ChooseMuscle{m});
         context.items.mark("fibres/muscle/" + muscle.name);
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f}, {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f}, packed(theme.muscle(muscle.color)),
-                                                  3.0f * theme.scale);
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f},
+                                                  {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f},
+                                                  platform::packed(theme.muscle(muscle.color)), 3.0f * theme.scale);
         if (static_cast<std::size_t>(m) < state.paint.size() && state.ground) {
-            const CellPaint& paint = m == state.muscle && context.live_paint ? *context.live_paint : *state.paint[static_cast<std::size_t>(m)];
-            const PaintedAmount amount = amount_of(paint, state.ground->volumes_m3);
-            const std::string text = amount.cells > 0 ? value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3" : "not painted";
+            const fibre::CellPaint& paint = m == state.muscle && context.live_paint
+                                                ? *context.live_paint
+                                                : *state.paint[static_cast<std::size_t>(m)];
+            const fibre::PaintedAmount amount = fibre::amount_of(paint, state.ground->volumes_m3);
+            const std::string text = amount.cells > 0 ? plot::value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3"
+                                                      : "not painted";
             const float width = ImGui::CalcTextSize(text.c_str()).x;
             ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
             ImGui::TextColored(theme.muted, "%s", text.c_str());
         }
         ImGui::PopID();
     }
-    if (ImGui::Button((std::string(icon::plus) + "  Add a muscle").c_str(), {-1.0f, 0.0f})) {
-        Settings settings = state.settings;
+    if (ImGui::Button((std::string(platform::icon::plus) + "  Add a muscle").c_str(), {-1.0f, 0.0f})) {
+        commands::Settings settings = state.settings;
         settings.muscles.push_back(new_muscle(settings));
         const int added = static_cast<int>(settings.muscles.size()) - 1;
-        context.emit(command::ChangeSettings{std::move(settings), "add muscle", false});
-        context.emit(command::ChooseMuscle{added});
+        context.emit(commands::ChangeSettings{std::move(settings), "add muscle", false});
+        context.emit(commands::ChooseMuscle{added});
     }
     context.items.mark("fibres/add");
 }
 
 void FibrePanel::draw_name(PanelContext& context) {
-    const Muscle& muscle = *context.state.chosen_muscle();
+    const commands::Muscle& muscle = *context.state.chosen_muscle();
     row_label(context.theme, "Name", "Heads the muscle's column in files of signals.");
     if (!typing_) typed_name_ = muscle.name;
     ImGui::BeginDisabled(!muscle.declared.empty());
@@ -128,39 +143,54 @@ void FibrePanel::draw_name(PanelContext& context) {
     ImGui::EndDisabled();
     typing_ = ImGui::IsItemActive();
     if (!ImGui::IsItemDeactivatedAfterEdit() || typed_name_ == muscle.name) return;
-    const bool fits = !typed_name_.empty() && typed_name_ != "time_s" && typed_name_.find(',') == std::string::npos && !is_taken(context.state.settings, typed_name_);
+    const bool fits = !typed_name_.empty() && typed_name_ != "time_s" && typed_name_.find(',') == std::string::npos &&
+                      !is_taken(context.state.settings, typed_name_);
     if (!fits) return;
-    Settings settings = context.state.settings;
-    for (Muscle& other : settings.muscles)
+    commands::Settings settings = context.state.settings;
+    for (commands::Muscle& other : settings.muscles)
         if (other.follows == muscle.name) other.follows = typed_name_;
     settings.muscles[static_cast<std::size_t>(context.state.muscle)].name = typed_name_;
-    context.emit(command::ChangeSettings{std::move(settings), "name of a muscle", false});
+    context.emit(commands::ChangeSettings{std::move(settings), "name of a muscle", false});
 }
 
 void FibrePanel::draw_link(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Muscle& muscle = *state.chosen_muscle();
-    const bool leads = std::any_of(state.settings.muscles.begin(), state.settings.muscles.end(), [&](const Muscle& other) { return other.follows == muscle.name; });
-    std::vector<Choice> partners{{"", "None", "It has a signal of its own."}};
-    for (const Muscle& other : state.settings.muscles)
-        if (other.name != muscle.name && other.follows.empty() && !leads) partners.push_back({other.name, other.name, "Its signal follows that of " + other.name + "."});
+    const commands::WorkbenchState& state = context.state;
+    const commands::Muscle& muscle = *state.chosen_muscle();
+    const bool leads = std::any_of(state.settings.muscles.begin(), state.settings.muscles.end(),
+                                   [&](const commands::Muscle& other) { return other.follows == muscle.name; });
+    std::vector<commands::Choice> partners{{"", "None", "It has a signal of its own."}};
+    for (const commands::Muscle& other : state.settings.muscles)
+        if (other.name != muscle.name && other.follows.empty() && !leads)
+            partners.push_back({other.name, other.name, "Its signal follows that of " + other.name + "."});
     std::string partner = muscle.follows;
-    if (choice_row(context, "Antagonist of", "fibres/follows", leads ? "Another muscle follows this one." : "A muscle whose signal this one takes the other way: a \xe2\x88\x92 1 = ratio (a\xe2\x82\x80 \xe2\x88\x92 1).", partners, partner))
-        change(context, "antagonist", false, [&](Muscle& m) {
+    if (choice_row(context, "Antagonist of", "fibres/follows",
+                   leads ? "Another muscle follows this one."
+                         : "A muscle whose signal this one takes the other way: a \xe2\x88\x92 1 = ratio "
+                           "(a\xe2\x82\x80 \xe2\x88\x92 1).",
+                   partners, partner))
+        change(context, "antagonist", false, [&](commands::Muscle& m) {
             m.follows = partner;
-            if (partner.empty() && !m.signal && m.declared.empty()) m.signal = Signal::constant(1.0);
+            if (partner.empty() && !m.signal && m.declared.empty()) m.signal = fibre::Signal::constant(1.0);
         });
     if (muscle.follows.empty()) return;
     double ratio = muscle.ratio;
     bool goes_on = false;
-    const NumberField field{"Ratio", "fibres/ratio", "", "a \xe2\x88\x92 1 is so many times that of the other muscle: \xe2\x88\x92" "1 lengthens as much as the other shortens.", 1.0, muscle_ratio_limits, 0.01};
-    if (number_row(context, field, edit_, ratio, goes_on)) change(context, "ratio of antagonists", goes_on, [&](Muscle& m) { m.ratio = ratio; });
+    const NumberField field{"Ratio",
+                            "fibres/ratio",
+                            "",
+                            "a \xe2\x88\x92 1 is so many times that of the other muscle: \xe2\x88\x92"
+                            "1 lengthens as much as the other shortens.",
+                            1.0,
+                            commands::muscle_ratio_limits,
+                            0.01};
+    if (number_row(context, field, edit_, ratio, goes_on))
+        change(context, "ratio of antagonists", goes_on, [&](commands::Muscle& m) { m.ratio = ratio; });
 }
 
 void FibrePanel::draw_muscle(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const Muscle& muscle = *state.chosen_muscle();
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::Muscle& muscle = *state.chosen_muscle();
     ImGui::Spacing();
     draw_name(context);
     row_label(theme, "Colour");
@@ -169,19 +199,33 @@ void FibrePanel::draw_muscle(PanelContext& context) {
         if (c > 0) ImGui::SameLine(0.0f, 2.0f * theme.scale);
         ImGui::PushID(c);
         const bool chosen = c == muscle.color % static_cast<int>(theme.muscles.size());
-        if (ImGui::ColorButton("##color", theme.muscles[static_cast<std::size_t>(c)], ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop, {swatch, ImGui::GetFrameHeight()}))
-            change(context, "colour", false, [&](Muscle& m) { m.color = c; });
-        if (chosen) ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), packed(theme.text), 4.0f * theme.scale, 0, 2.0f * theme.scale);
+        if (ImGui::ColorButton("##color", theme.muscles[static_cast<std::size_t>(c)],
+                               ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                               {swatch, ImGui::GetFrameHeight()}))
+            change(context, "colour", false, [&](commands::Muscle& m) { m.color = c; });
+        if (chosen)
+            ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                                platform::packed(theme.text), 4.0f * theme.scale, 0,
+                                                2.0f * theme.scale);
         context.items.mark("fibres/color/" + std::to_string(c));
         ImGui::PopID();
     }
     double stiffness = muscle.stiffness_Pa;
     bool goes_on = false;
-    const NumberField field{"Stiffness w", "fibres/stiffness", "kPa", "Energy per rest volume w/2 (|F m| \xe2\x88\x92 a)\xc2\xb2: m the fibre's direction, a(t) the length it wants.", 1e3, muscle_stiffness_limits, 0.1};
-    if (number_row(context, field, edit_, stiffness, goes_on)) change(context, "stiffness of a muscle", goes_on, [&](Muscle& m) { m.stiffness_Pa = stiffness; });
+    const NumberField field{
+        "Stiffness w",
+        "fibres/stiffness",
+        "kPa",
+        "Energy per rest volume w/2 (|F m| \xe2\x88\x92 a)\xc2\xb2: m the fibre's direction, a(t) the length it wants.",
+        1e3,
+        commands::muscle_stiffness_limits,
+        0.1};
+    if (number_row(context, field, edit_, stiffness, goes_on))
+        change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
     std::string action = muscle.extends ? "extends" : "contracts";
-    if (muscle.follows.empty() && choice_row(context, "When active", "fibres/action", "What the muscle does; turns its signal over.", action_choices(), action))
-        change(context, "action of a muscle", false, [&](Muscle& m) {
+    if (muscle.follows.empty() && choice_row(context, "When active", "fibres/action",
+                                             "What the muscle does; turns its signal over.", action_choices(), action))
+        change(context, "action of a muscle", false, [&](commands::Muscle& m) {
             m.extends = action == "extends";
             if (m.signal)
                 for (double& a : m.signal->values) a = 2.0 - a;
@@ -191,16 +235,20 @@ void FibrePanel::draw_muscle(PanelContext& context) {
 }
 
 void FibrePanel::draw_paint_actions(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const Muscle& muscle = *state.chosen_muscle();
-    const CellPaint* const paint = state.chosen_paint();
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::Muscle& muscle = *state.chosen_muscle();
+    const fibre::CellPaint* const paint = state.chosen_paint();
     const bool ready = paint && state.ground;
-    if (ready) text_row(theme, "Painted", amount_label(amount_of(context.live_paint ? *context.live_paint : *paint, state.ground->volumes_m3)));
-    const auto repaint = [&](const char* what, CellPaint changed) {
-        context.emit(command::Paint{state.muscle, std::make_shared<const CellPaint>(std::move(changed)), what});
+    if (ready)
+        text_row(theme, "Painted",
+                 amount_label(
+                     fibre::amount_of(context.live_paint ? *context.live_paint : *paint, state.ground->volumes_m3)));
+    const auto repaint = [&](const char* what, fibre::CellPaint changed) {
+        context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(changed)), what});
     };
-    const float gap = ImGui::GetStyle().ItemSpacing.x, third = std::floor((ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f);
+    const float gap = ImGui::GetStyle().ItemSpacing.x,
+                third = std::floor((ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f);
     const auto button = [&](const char* label, const char* name, const char* tip) {
         const bool pressed = ImGui::Button(label, {third, 0.0f});
         context.items.mark(name);
@@ -208,43 +256,57 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
         return pressed;
     };
     ImGui::BeginDisabled(!ready || !(paint->weights.maxCoeff() > 0.0));
-    if (button("Grow", "fibres/grow", "One layer of elements more")) repaint("grow", grown(*paint, state.ground->neighbours));
+    if (button("Grow", "fibres/grow", "One layer of elements more"))
+        repaint("grow", fibre::grown(*paint, state.ground->neighbours));
     ImGui::SameLine();
-    if (button("Shrink", "fibres/shrink", "One layer of elements less")) repaint("shrink", shrunk(*paint, state.ground->neighbours));
+    if (button("Shrink", "fibres/shrink", "One layer of elements less"))
+        repaint("shrink", fibre::shrunk(*paint, state.ground->neighbours));
     ImGui::SameLine();
     if (button("Straighten", "fibres/straighten", "All its fibres along the axis in which it reaches farthest")) {
-        CellPaint straight = *paint;
-        straight.directions = directions_along_longest_axis(state.body->mesh, paint->weights);
+        fibre::CellPaint straight = *paint;
+        straight.directions = fibre::directions_along_longest_axis(state.body->mesh, paint->weights);
         repaint("straighten", std::move(straight));
     }
-    if (button("Clear", "fibres/clear", "Take all its paint away")) repaint("clear", blank_paint(state.body->mesh));
+    if (button("Clear", "fibres/clear", "Take all its paint away"))
+        repaint("clear", fibre::blank_paint(state.body->mesh));
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!muscle.declared.empty());
     if (button("Remove", "fibres/remove", "Take the muscle out of the model")) {
-        Settings settings = state.settings;
+        commands::Settings settings = state.settings;
         settings.muscles.erase(settings.muscles.begin() + state.muscle);
-        for (Muscle& other : settings.muscles)
-            if (other.follows == muscle.name) other.follows.clear(), other.signal = Signal::constant(1.0);
-        context.emit(command::ChangeSettings{std::move(settings), "remove muscle", false});
+        for (commands::Muscle& other : settings.muscles)
+            if (other.follows == muscle.name) other.follows.clear(), other.signal = fibre::Signal::constant(1.0);
+        context.emit(commands::ChangeSettings{std::move(settings), "remove muscle", false});
     }
     ImGui::EndDisabled();
 }
 
 void FibrePanel::draw_brush(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     ImGui::Spacing();
-    BrushSettings brush = state.brush;
-    struct Tool { BrushTool tool; const char* icon; const char* label; const char* name; const char* tip; };
-    static constexpr std::array<Tool, 4> tools{{{BrushTool::none, icon::hand, "View", "fibres/tool/view", "The mouse turns the view (Esc ends a stroke)"},
-                                                {BrushTool::add, icon::brush, "Paint", "fibres/tool/paint", "Drag over the body to paint (B). Ctrl erases."},
-                                                {BrushTool::erase, icon::eraser, "Erase", "fibres/tool/erase", "Drag over the body to take paint away (E). Ctrl paints."},
-                                                {BrushTool::fill, icon::drop, "Fill", "fibres/tool/fill", "Click on the body: all that can be reached without crossing paint becomes muscle"}}};
+    commands::BrushSettings brush = state.brush;
+    struct Tool {
+        commands::BrushTool tool;
+        const char* icon;
+        const char* label;
+        const char* name;
+        const char* tip;
+    };
+    static constexpr std::array<Tool, 4> tools{
+        {{commands::BrushTool::none, platform::icon::hand, "View", "fibres/tool/view",
+          "The mouse turns the view (Esc ends a stroke)"},
+         {commands::BrushTool::add, platform::icon::brush, "Paint", "fibres/tool/paint",
+          "Drag over the body to paint (B). Ctrl erases."},
+         {commands::BrushTool::erase, platform::icon::eraser, "Erase", "fibres/tool/erase",
+          "Drag over the body to take paint away (E). Ctrl paints."},
+         {commands::BrushTool::fill, platform::icon::drop, "Fill", "fibres/tool/fill",
+          "Click on the body: all that can be reached without crossing paint becomes muscle"}}};
     const float gap = 2.0f * theme.scale, width = std::floor((ImGui::GetContentRegionAvail().x - 3.0f * gap) / 4.0f);
     ImGui::BeginDisabled(!state.ground);
     for (const Tool& tool : tools) {
-        if (tool.tool != BrushTool::none) ImGui::SameLine(0.0f, gap);
+        if (tool.tool != commands::BrushTool::none) ImGui::SameLine(0.0f, gap);
         const bool chosen = brush.tool == tool.tool;
         ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.accent : theme.raised);
         ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.on_accent : theme.text);
@@ -254,25 +316,59 @@ void FibrePanel::draw_brush(PanelContext& context) {
         tooltip(theme, tool.tip);
     }
     ImGui::EndDisabled();
-    const double reach = state.body ? bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
+    const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
     bool ignored = false;
-    const auto number = [&](const NumberField& field, double& value) { number_row(context, field, edit_, value, ignored); };
-    if (brush.tool == BrushTool::add || brush.tool == BrushTool::erase) {
-        number({"Radius", "fibres/radius", "mm", "Radius r of the brush [mm]: it paints the elements whose middle lies no farther from the stroke, measured along the surface.", 1e-3, {1e-3 * reach, 0.5 * reach}, 0.05}, brush.radius_m);
+    const auto number = [&](const NumberField& field, double& value) {
+        number_row(context, field, edit_, value, ignored);
+    };
+    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase) {
+        number({"Radius",
+                "fibres/radius",
+                "mm",
+                "Radius r of the brush [mm]: it paints the elements whose middle lies no farther from the stroke, "
+                "measured along the surface.",
+                1e-3,
+                {1e-3 * reach, 0.5 * reach},
+                0.05},
+               brush.radius_m);
         ImGui::BeginDisabled(brush.through);
-        number({"Depth", "fibres/depth", "mm", "How far below the surface the brush reaches [mm], along the surface's normal.", 1e-3, {1e-3 * reach, reach}, 0.05}, brush.depth_m);
+        number({"Depth",
+                "fibres/depth",
+                "mm",
+                "How far below the surface the brush reaches [mm], along the surface's normal.",
+                1e-3,
+                {1e-3 * reach, reach},
+                0.05},
+               brush.depth_m);
         ImGui::EndDisabled();
         row_label(theme, "", "");
         ImGui::Checkbox("through the body", &brush.through);
         context.items.mark("fibres/through");
-        number({"Soft edge", "fibres/falloff", "%", "Share q of the radius over which the weight falls to nothing: at the distance d from the stroke it is the strength times s² (3 − 2 s), s = (r − d) / (q r), no more than 1.", 0.01, {0.0, 1.0}, 0.5}, brush.falloff);
-        number({"Strength", "fibres/strength", "%", "Weight in the middle: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − a)² counts by it.", 0.01, {0.01, 1.0}, 0.5}, brush.strength);
+        number({"Soft edge",
+                "fibres/falloff",
+                "%",
+                "Share q of the radius over which the weight falls to nothing: at the distance d from the stroke it is "
+                "the strength times s² (3 − 2 s), s = (r − d) / (q r), no more than 1.",
+                0.01,
+                {0.0, 1.0},
+                0.5},
+               brush.falloff);
+        number({"Strength",
+                "fibres/strength",
+                "%",
+                "Weight in the middle: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − "
+                "a)² counts by it.",
+                0.01,
+                {0.01, 1.0},
+                0.5},
+               brush.strength);
     }
-    if (brush.tool == BrushTool::add || brush.tool == BrushTool::fill)
+    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::fill)
         choose(context, "Direction", "fibres/direction", "Where the fibres run.", direction_choices(), brush.direction);
-    if (brush.tool == BrushTool::add || brush.tool == BrushTool::erase)
-        choose(context, "Mirror", "fibres/mirror", "Two halves of the body painted alike.", mirror_choices(), brush.mirror);
-    if (!(brush == state.brush)) context.emit(command::ChangeBrush{brush});
+    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase)
+        choose(context, "Mirror", "fibres/mirror", "Two halves of the body painted alike.", mirror_choices(),
+               brush.mirror);
+    if (!(brush == state.brush)) context.emit(commands::ChangeBrush{brush});
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,7 +2,7 @@
 
 #include "panels/widgets.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// The muscles of the body, and the brush that paints them.
 class FibrePanel : public Panel {
@@ -10,7 +10,7 @@ public:
     std::string name() const override { return "fibres"; }
     std::string title() const override { return "Fibres"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::fibres; }
+    std::optional<commands::Step> step() const override { return commands::Step::fibres; }
     void draw(PanelContext& context) override;
 
 private:
@@ -26,7 +26,8 @@ private:
     bool typing_ = false;
 };
 
-/// A muscle that is not painted yet: a free name and colour, as stiff as the body, with a contraction of a fifth in half a second to begin with.
-Muscle new_muscle(const Settings& settings);
+/// A muscle that is not painted yet: a free name and colour, as stiff as the body, with a contraction of a fifth in
+/// half a second to begin with.
+commands::Muscle new_muscle(const commands::Settings& settings);
 
-}  // namespace myo
+}  // namespace myo::ui::panels

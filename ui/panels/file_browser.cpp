@@ -12,7 +12,7 @@
 #include "panels/wrapped_text.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,15 +24,19 @@ bool has_ending(const fs::path& file, const std::vector<std::string>& endings) {
 
 /// Outside of any text that is being typed, whose own business the key would be.
 bool enter_pressed() {
-    return !ImGui::GetIO().WantTextInput && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
+    return !ImGui::GetIO().WantTextInput &&
+           (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
 }
 
-std::string folder_name(const fs::path& folder) { return folder.filename().empty() ? folder.string() : folder.filename().string(); }
+std::string folder_name(const fs::path& folder) {
+    return folder.filename().empty() ? folder.string() : folder.filename().string();
+}
 
 }  // namespace
 
 std::string with_ending(const std::string& name, const std::vector<std::string>& endings) {
-    const bool has_one = endings.empty() || std::find(endings.begin(), endings.end(), fs::path(name).extension()) != endings.end();
+    const bool has_one = endings.empty() ||
+                         std::find(endings.begin(), endings.end(), fs::path(name).extension()) != endings.end();
     return name.empty() || has_one ? name : name + endings.front();
 }
 
@@ -76,7 +80,9 @@ void FileBrowser::open(FileDialog dialog) {
     replaced_.clear();
 }
 
-fs::path FileBrowser::target() const { return writes() ? folder_ / with_ending(name_, dialog_->endings) : folder_ / selected_; }
+fs::path FileBrowser::target() const {
+    return writes() ? folder_ / with_ending(name_, dialog_->endings) : folder_ / selected_;
+}
 
 void FileBrowser::choose(PanelContext& context, const fs::path& path) {
     const FileDialog dialog = *dialog_;
@@ -93,45 +99,53 @@ void FileBrowser::give_up(PanelContext& context) {
 }
 
 void FileBrowser::draw_places(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const auto place = [&](const char* icon, const std::string& label, const fs::path& folder, const std::string& item) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const auto place = [&](const char* icon, const std::string& label, const fs::path& folder,
+                           const std::string& item) {
         if (folder.empty()) return;
         ImGui::TextColored(theme.muted, "%s", icon);
         ImGui::SameLine(28.0f * theme.scale);
         ImGui::PushID(item.c_str());
-        if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), folder == folder_)) go_to(folder);
+        if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), folder == folder_))
+            go_to(folder);
         ImGui::PopID();
         context.items.mark(item);
         tooltip(theme, folder.string());
     };
     const char* const home = std::getenv("HOME");
     std::error_code ignored;
-    place(icon::home, "Home", home ? home : "", "browser/place/home");
-    place(icon::closed_folder, "Working folder", fs::current_path(ignored), "browser/place/working");
-    if (!state.examples.empty()) place(icon::cube, "Examples", state.examples.front().path.parent_path(), "browser/place/examples");
+    place(platform::icon::home, "Home", home ? home : "", "browser/place/home");
+    place(platform::icon::closed_folder, "Working folder", fs::current_path(ignored), "browser/place/working");
+    if (!state.examples.empty())
+        place(platform::icon::cube, "Examples", state.examples.front().path.parent_path(), "browser/place/examples");
     for (std::size_t i = 0; i < state.preferences.bookmarks.size(); ++i) {
         const fs::path& folder = state.preferences.bookmarks[i];
-        place(icon::star, folder_name(folder), folder, "browser/bookmark/" + std::to_string(i));
+        place(platform::icon::star, folder_name(folder), folder, "browser/bookmark/" + std::to_string(i));
     }
 }
 
 void FileBrowser::draw_entries(PanelContext& context) {
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     if (entries_.empty()) muted_text(theme, "Nothing here that can be chosen.");
     std::optional<fs::path> enter, chosen;
     for (const FolderEntry& entry : entries_) {
         const bool experiment = entry.experiment && dialog_->experiments;
-        const char* icon = experiment ? icon::cube : entry.folder ? icon::closed_folder : icon::file;
+        const char* icon = experiment     ? platform::icon::cube
+                           : entry.folder ? platform::icon::closed_folder
+                                          : platform::icon::file;
         ImGui::TextColored(experiment ? theme.accent : theme.muted, "%s", icon);
         ImGui::SameLine(28.0f * theme.scale);
         const char* const tag = "experiment";
-        const float room = ImGui::GetContentRegionAvail().x - (experiment ? ImGui::CalcTextSize(tag).x + 16.0f * theme.scale : 0.0f);
+        const float room = ImGui::GetContentRegionAvail().x -
+                           (experiment ? ImGui::CalcTextSize(tag).x + 16.0f * theme.scale : 0.0f);
         ImGui::PushID(entry.name.c_str());
-        if (ImGui::Selectable(elided(entry.name, room).c_str(), selected_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) {
+        if (ImGui::Selectable(elided(entry.name, room).c_str(), selected_ == entry.name,
+                              ImGuiSelectableFlags_AllowDoubleClick)) {
             selected_ = entry.name;
             if (!entry.folder && writes()) name_ = entry.name;
-            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) (entry.folder && !experiment ? enter : chosen) = folder_ / entry.name;
+            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+                (entry.folder && !experiment ? enter : chosen) = folder_ / entry.name;
         }
         ImGui::PopID();
         context.items.mark("browser/entry/" + entry.name);
@@ -139,12 +153,14 @@ void FileBrowser::draw_entries(PanelContext& context) {
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(tag).x - 4.0f * theme.scale);
         ImGui::TextColored(theme.muted, "%s", tag);
     }
-    if (enter) go_to(*enter);
-    else if (chosen && !writes()) choose(context, *chosen);
+    if (enter)
+        go_to(*enter);
+    else if (chosen && !writes())
+        choose(context, *chosen);
 }
 
 void FileBrowser::draw_preview(PanelContext& context) {
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     if (selected_.empty()) return muted_text(theme, "What is selected is described here.");
     const fs::path path = folder_ / selected_;
     if (path != previewed_) {
@@ -154,27 +170,30 @@ void FileBrowser::draw_preview(PanelContext& context) {
     ImGui::PushFont(theme.strong);
     wrapped_text(selected_);
     ImGui::PopFont();
-    for (const ReportLine& line : preview_) {
+    for (const commands::ReportLine& line : preview_) {
         muted_text(theme, line.label);
         wrapped_text(line.value);
     }
 }
 
 bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool replaces) {
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(260.0f * theme.scale);
     if (typing_name_) ImGui::SetKeyboardFocusHere();
     typing_name_ = false;
-    const bool entered = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered = ImGui::InputText("##name", &name_,
+                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     context.items.mark("browser/name");
     if (replaces) {
         const bool again = target == replaced_;
-        const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x - 240.0f * theme.scale;
+        const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x -
+                           240.0f * theme.scale;
         ImGui::SameLine();
-        const std::string told = std::string(icon::warning) + "  " + (again ? "Enter again replaces it" : "There already: " + target.filename().string());
+        const std::string told = std::string(platform::icon::warning) + "  " +
+                                 (again ? "Enter again replaces it" : "There already: " + target.filename().string());
         ImGui::TextColored(theme.warning, "%s", elided(told, room).c_str());
         context.items.mark("browser/is_there");
         tooltip(theme, told);
@@ -189,7 +208,7 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
 }
 
 void FileBrowser::draw_foot(PanelContext& context) {
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     const float width = 96.0f * theme.scale;
     std::error_code ignored;
     const fs::path asked = target();
@@ -199,21 +218,26 @@ void FileBrowser::draw_foot(PanelContext& context) {
     const bool cancelled = ImGui::Button("Cancel", {width, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     context.items.mark("browser/cancel");
     ImGui::SameLine();
-    const bool has_choice = writes() ? !name_.empty() && !fs::is_directory(asked, ignored) : !selected_.empty() || dialog_->folders;
+    const bool has_choice = writes() ? !name_.empty() && !fs::is_directory(asked, ignored)
+                                     : !selected_.empty() || dialog_->folders;
     ImGui::BeginDisabled(!has_choice);
     const bool pressed = primary_button(theme, replaces ? "Replace" : dialog_->button, {width, 0.0f});
     context.items.mark("browser/open");
     ImGui::EndDisabled();
     if (cancelled) return give_up(context);
     if (!pressed && !(entered && has_choice)) return;
-    const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const FolderEntry& e) { return e.name == selected_; });
-    const bool plain_folder = !writes() && entry != entries_.end() && entry->folder && !(entry->experiment && dialog_->experiments) && !dialog_->folders;
-    if (plain_folder) go_to(asked);
-    else choose(context, selected_.empty() && !writes() ? folder_ : asked);
+    const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const FolderEntry& e) { return e.name == selected_; });
+    const bool plain_folder = !writes() && entry != entries_.end() && entry->folder &&
+                              !(entry->experiment && dialog_->experiments) && !dialog_->folders;
+    if (plain_folder)
+        go_to(asked);
+    else
+        choose(context, selected_.empty() && !writes() ? folder_ : asked);
 }
 
 void FileBrowser::draw_new_folder(PanelContext& context) {
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     if (ImGui::Button("New folder")) {
         new_folder_.clear();
         problem_.clear();
@@ -226,7 +250,8 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
     if (typing_folder_) ImGui::SetKeyboardFocusHere();
     typing_folder_ = false;
     ImGui::SetNextItemWidth(240.0f * theme.scale);
-    const bool entered = ImGui::InputTextWithHint("##new folder", "Name of the folder", &new_folder_, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputTextWithHint("##new folder", "Name of the folder", &new_folder_,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
     context.items.mark("browser/new_folder/name");
     ImGui::SameLine();
     ImGui::BeginDisabled(new_folder_.empty());
@@ -242,7 +267,8 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
             typing_name_ = true;
             ImGui::CloseCurrentPopup();
         } else {
-            problem_ = fs::exists(made) ? "A file of this name is there already." : "Cannot be made: " + failed.message();
+            problem_ = fs::exists(made) ? "A file of this name is there already."
+                                        : "Cannot be made: " + failed.message();
             typing_folder_ = true;
         }
     }
@@ -266,23 +292,27 @@ void FileBrowser::draw(PanelContext& context) {
         if (dialog.given_up) dialog.given_up(context);
         return;
     }
-    if (ImGui::Button(icon::up)) go_to(folder_.parent_path());
+    if (ImGui::Button(platform::icon::up)) go_to(folder_.parent_path());
     context.items.mark("browser/up");
     tooltip(context.theme, "The folder above");
     ImGui::SameLine();
     const auto& kept = context.state.preferences.bookmarks;
     const bool marked = std::find(kept.begin(), kept.end(), folder_) != kept.end();
-    if (ImGui::Button(marked ? icon::star : icon::empty_star)) context.emit(command::Bookmark{folder_, !marked});
+    if (ImGui::Button(marked ? platform::icon::star : platform::icon::empty_star))
+        context.emit(commands::Bookmark{folder_, !marked});
     context.items.mark("browser/star");
-    tooltip(context.theme, marked ? "Take this folder off the list at the left" : "Keep this folder in the list at the left");
+    tooltip(context.theme,
+            marked ? "Take this folder off the list at the left" : "Keep this folder in the list at the left");
     ImGui::SameLine();
     if (writes() || dialog_->folders) draw_new_folder(context);
     ImGui::SetNextItemWidth(-1.0f);
     std::optional<fs::path> typed_file;
     if (ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code ignored;
-        if (fs::is_directory(typed_, ignored)) go_to(typed_);
-        else if (fs::is_regular_file(typed_, ignored) && !writes()) typed_file = typed_;
+        if (fs::is_directory(typed_, ignored))
+            go_to(typed_);
+        else if (fs::is_regular_file(typed_, ignored) && !writes())
+            typed_file = typed_;
     }
     context.items.mark("browser/path");
     const float foot = ImGui::GetFrameHeightWithSpacing() + 4.0f * s;
@@ -307,4 +337,4 @@ void FileBrowser::draw(PanelContext& context) {
     ImGui::EndPopup();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

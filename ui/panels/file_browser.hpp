@@ -7,16 +7,17 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// One line of a folder's list.
 struct FolderEntry {
     std::string name;
     bool folder = false;
-    bool experiment = false;   // a folder that holds experiment.toml
+    bool experiment = false;  // a folder that holds experiment.toml
 };
 
-/// Folders first, then files with one of these endings (any case; none given: all), each in alphabetical order; hidden ones are left out.
+/// Folders first, then files with one of these endings (any case; none given: all), each in alphabetical order; hidden
+/// ones are left out.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder, const std::vector<std::string>& endings);
 
 /// The name with the first of the endings, unless it has one of them; no endings: the name itself.
@@ -49,16 +50,16 @@ private:
     bool just_opened_ = false;
     std::filesystem::path folder_;
     std::string typed_;
-    std::string name_;                         // of the file to be written; its ending may be left out
-    bool typing_name_ = false;                 // its field gets the keyboard in the next frame
-    std::filesystem::path replaced_;           // file over which Enter was pressed once
-    std::string new_folder_;                   // name that is being typed
-    bool typing_folder_ = false;               // likewise
-    std::string problem_;                      // with it
+    std::string name_;                // of the file to be written; its ending may be left out
+    bool typing_name_ = false;        // its field gets the keyboard in the next frame
+    std::filesystem::path replaced_;  // file over which Enter was pressed once
+    std::string new_folder_;          // name that is being typed
+    bool typing_folder_ = false;      // likewise
+    std::string problem_;             // with it
     std::vector<FolderEntry> entries_;
     std::string selected_;
     std::filesystem::path previewed_;
-    std::vector<ReportLine> preview_;
+    std::vector<commands::ReportLine> preview_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,16 +2,19 @@
 
 #include "base/files.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 FileDialog open_dialog(const std::filesystem::path& start) {
     FileDialog dialog;
     dialog.title = "Open an experiment folder, a mesh or a project";
     dialog.button = "Open";
-    dialog.endings = {".stl", ".obj", ".ply", ".vtp", ".vtu", ".vtk", ".msh", ".node", ".ele", ".toml", project_ending};
+    dialog.endings = {
+        ".stl", ".obj", ".ply", ".vtp", ".vtu", ".vtk", ".msh", ".node", ".ele", ".toml", commands::project_ending};
     dialog.experiments = true;
     dialog.start = start;
-    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) { context.emit(command::Open{path, std::nullopt}); };
+    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::Open{path, std::nullopt});
+    };
     return dialog;
 }
 
@@ -19,23 +22,26 @@ FileDialog recording_dialog(const std::filesystem::path& start) {
     FileDialog dialog;
     dialog.title = "Import a recording of motion capture";
     dialog.button = "Import";
-    dialog.endings = recording_endings;
+    dialog.endings = commands::recording_endings;
     dialog.start = start;
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
-        context.emit(command::ReadRecording{path});
+        context.emit(commands::ReadRecording{path});
     };
     return dialog;
 }
 
-FileDialog save_dialog(const WorkbenchState& state) {
+FileDialog save_dialog(const commands::WorkbenchState& state) {
     FileDialog dialog;
     dialog.title = "Save the project";
     dialog.button = "Save";
-    dialog.endings = {project_ending};
+    dialog.endings = {commands::project_ending};
     dialog.start = state.project.empty() ? std::filesystem::path() : state.project;
-    dialog.new_name = state.project.empty() ? state.scene->path.stem().string() + project_ending : state.project.filename().string();
-    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) { context.emit(command::SaveAs{path}); };
-    dialog.given_up = [](PanelContext& context) { context.emit(command::AskWhereToSave{false}); };
+    dialog.new_name = state.project.empty() ? state.scene->path.stem().string() + commands::project_ending
+                                            : state.project.filename().string();
+    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::SaveAs{path});
+    };
+    dialog.given_up = [](PanelContext& context) { context.emit(commands::AskWhereToSave{false}); };
     return dialog;
 }
 
@@ -54,13 +60,15 @@ FileDialog picture_dialog(const PictureRequest& request, const std::string& name
     return dialog;
 }
 
-FileDialog part_dialog(std::string title, const std::string& name, const Rectangle& part) {
+FileDialog part_dialog(std::string title, const std::string& name, const platform::Rectangle& part) {
     FileDialog dialog;
     dialog.title = std::move(title);
     dialog.button = "Save";
     dialog.endings = {".png"};
     dialog.new_name = name + ".png";
-    dialog.chosen = [part](PanelContext& context, const std::filesystem::path& path) { context.window.part = WindowPart{path, part}; };
+    dialog.chosen = [part](PanelContext& context, const std::filesystem::path& path) {
+        context.window.part = WindowPart{path, part};
+    };
     return dialog;
 }
 
@@ -72,9 +80,10 @@ FileDialog table_dialog(std::string title, const std::string& name, std::string 
     dialog.new_name = name + ending;
     dialog.chosen = [table = std::move(table)](PanelContext& context, const std::filesystem::path& path) {
         const Result<void> written = write_file(path, table);
-        context.emit(written ? command::Tell{LogLevel::done, "Wrote " + path.string()} : command::Tell{LogLevel::failure, "Cannot save: " + written.error().text()});
+        context.emit(written ? commands::Tell{commands::LogLevel::done, "Wrote " + path.string()}
+                             : commands::Tell{commands::LogLevel::failure, "Cannot save: " + written.error().text()});
     };
     return dialog;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -9,13 +9,13 @@
 #include "panels/widgets.hpp"
 #include "viewport/view_overlay.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-constexpr float least_picture_scale = 0.75f;   // letters 10 pixels high
+constexpr float least_picture_scale = 0.75f;  // letters 10 pixels high
 
 /// All that the view shows is in a picture that is narrower than it, too.
-Camera widened(Camera camera, const ViewSize& view, const ViewSize& picture) {
+viewport::Camera widened(viewport::Camera camera, const viewport::ViewSize& view, const viewport::ViewSize& picture) {
     const double by = std::max(1.0, view.aspect() / picture.aspect());
     camera.field_of_view = 2.0 * std::atan(by * std::tan(0.5 * camera.field_of_view));
     return camera;
@@ -29,8 +29,9 @@ std::string time_label(double time_s) {
 
 }  // namespace
 
-float picture_scale(const ViewSize& view, const ViewSize& picture, float view_scale) {
-    const float wide = static_cast<float>(picture.width) / static_cast<float>(view.width), high = static_cast<float>(picture.height) / static_cast<float>(view.height);
+float picture_scale(const viewport::ViewSize& view, const viewport::ViewSize& picture, float view_scale) {
+    const float wide = static_cast<float>(picture.width) / static_cast<float>(view.width),
+                high = static_cast<float>(picture.height) / static_cast<float>(view.height);
     return std::max(least_picture_scale, view_scale * std::min(wide, high));
 }
 
@@ -39,16 +40,16 @@ Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
     request_ = request;
     if (request_.width <= 0) request_.width = filmed.view.size().width, request_.height = filmed.view.size().height;
     if (!request_.moves) request_.from_s = request_.time_s.value_or(filmed.state.time_s);
-    const ViewSize view = filmed.view.size(), size{request_.width, request_.height};
+    const viewport::ViewSize view = filmed.view.size(), size{request_.width, request_.height};
     scale_ = picture_scale(view, size, filmed.theme.scale);
     filmed.view.camera = widened(filmed.view.camera, view, size);
     filmed.view.pixels = {{0.0f, 0.0f}, {static_cast<float>(size.width), static_cast<float>(size.height)}};
-    auto renderer = SceneRenderer::make();
+    auto renderer = viewport::SceneRenderer::make();
     if (!renderer) return renderer.error();
-    auto canvas = PictureCanvas::make(filmed.theme.name, scale_);
+    auto canvas = platform::PictureCanvas::make(filmed.theme.name, scale_);
     if (!canvas) return canvas.error();
     if (request_.moves) {
-        auto writer = FilmWriter::begin(request_.path, request_.width, request_.height, request_.rate_Hz);
+        auto writer = platform::FilmWriter::begin(request_.path, request_.width, request_.height, request_.rate_Hz);
         if (!writer) return writer.error();
         writer_ = std::move(*writer);
     }
@@ -67,16 +68,19 @@ void FilmJob::give_up() {
     canvas_.reset();
 }
 
-Result<bool> FilmJob::add(const Backend& backend) {
-    WorkbenchState& state = filmed_->state;
+Result<bool> FilmJob::add(const commands::Backend& backend) {
+    commands::WorkbenchState& state = filmed_->state;
     state.time_s = time_s();
-    std::shared_ptr<const FieldFrame> field = fields_.update(state, backend);
-    if (fields_.waits()) field = fields_.update(state, backend);   // where values are quick, the range follows at once
+    std::shared_ptr<const commands::FieldFrame> field = fields_.update(state, backend);
+    if (fields_.waits()) field = fields_.update(state, backend);  // where values are quick, the range follows at once
     if (fields_.waits()) return false;
-    const std::optional<FieldKind> kind = shown_field(state, backend);
-    const DrawnScene scene = scene_at_time(state, filmed_->theme, filmed_->motion, nullptr, kind ? &*kind : nullptr, field.get());
-    const Result<Image> image = picture(scene);
-    Result<void> added = !image ? Result<void>(image.error()) : writer_ ? writer_->add(*image) : write_png(*image, request_.path);
+    const std::optional<commands::FieldKind> kind = commands::shown_field(state, backend);
+    const viewport::DrawnScene scene = commands::scene_at_time(state, filmed_->theme, filmed_->motion, nullptr,
+                                                               kind ? &*kind : nullptr, field.get());
+    const Result<platform::Image> image = picture(scene);
+    Result<void> added = !image    ? Result<void>(image.error())
+                         : writer_ ? writer_->add(*image)
+                                   : platform::write_png(*image, request_.path);
     if (added) ++done_;
     const bool last = added && done_ == picture_count(request_);
     if (last && writer_) added = writer_->finish();
@@ -85,30 +89,35 @@ Result<bool> FilmJob::add(const Backend& backend) {
     return last;
 }
 
-Result<Image> FilmJob::picture(const DrawnScene& scene) {
-    const ViewSize size{request_.width, request_.height};
-    const auto drawn = renderer_->update(scene, static_cast<std::uint64_t>(done_) + 1, view_colors(filmed_->theme), filmed_->view.camera, size, 4, static_cast<double>(scale_));
+Result<platform::Image> FilmJob::picture(const viewport::DrawnScene& scene) {
+    const viewport::ViewSize size{request_.width, request_.height};
+    const auto drawn = renderer_->update(scene, static_cast<std::uint64_t>(done_) + 1,
+                                         viewport::view_colors(filmed_->theme), filmed_->view.camera, size, 4,
+                                         static_cast<double>(scale_));
     if (!drawn) return drawn.error();
     if (request_.overlay) draw_overlay(scene);
     return renderer_->read();
 }
 
-void FilmJob::draw_overlay(const DrawnScene& scene) {
-    const ViewportState& view = filmed_->view;
-    const WorkbenchState& state = filmed_->state;
+void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
+    const viewport::ViewportState& view = filmed_->view;
+    const commands::WorkbenchState& state = filmed_->state;
     measure(filmed_->distances, scene);
-    canvas_->draw(renderer_->framebuffer(), request_.width, request_.height, [&](ImDrawList& list, const Theme& theme) {
-        draw_view_overlay(list, view.pixels, view.camera, scene, theme, state.view.labels);
-        draw_distances(list, theme, filmed_->distances, scene, view);
-        if (const auto span = time_span(state); span[1] > span[0]) draw_view_title(list, view.pixels, time_label(state.time_s), theme);
-    });
+    canvas_->draw(renderer_->framebuffer(), request_.width, request_.height,
+                  [&](ImDrawList& list, const platform::Theme& theme) {
+                      viewport::draw_view_overlay(list, view.pixels, view.camera, scene, theme, state.view.labels);
+                      draw_distances(list, theme, filmed_->distances, scene, view);
+                      if (const auto span = commands::time_span(state); span[1] > span[0])
+                          viewport::draw_view_title(list, view.pixels, time_label(state.time_s), theme);
+                  });
 }
 
 bool FilmJob::draw(PanelContext& context) const {
     if (!begin_dialog(context.theme, "Writing pictures", 360.0f)) return false;
     const int count = picture_count(request_);
     const double left = done_ > 0 ? watch_.seconds() * (count - done_) / done_ : 0.0;
-    ImGui::TextUnformatted((with_separators(done_) + " of " + with_separators(count) + (count == 1 ? " picture" : " pictures")).c_str());
+    ImGui::TextUnformatted(
+        (with_separators(done_) + " of " + with_separators(count) + (count == 1 ? " picture" : " pictures")).c_str());
     if (done_ > 0) {
         ImGui::SameLine();
         right_aligned(duration_label(left) + " left");
@@ -121,4 +130,4 @@ bool FilmJob::draw(PanelContext& context) const {
     return cancel;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

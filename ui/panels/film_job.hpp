@@ -11,18 +11,20 @@
 #include "platform/picture_canvas.hpp"
 #include "viewport/scene_renderer.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-/// The 3D view when pictures of it are asked for. What happens later, as playing, a search or another run, is not in them.
+/// The 3D view when pictures of it are asked for. What happens later, as playing, a search or another run, is not in
+/// them.
 struct FilmedView {
-    WorkbenchState state;
-    MotionSummary motion;              // of its trial, the body cut as in the view
-    ViewportState view;
+    commands::WorkbenchState state;
+    commands::MotionSummary motion;  // of its trial, the body cut as in the view
+    viewport::ViewportState view;
     std::vector<MeasuredDistance> distances;
-    Theme theme;
+    platform::Theme theme;
 };
 
-/// Draws the view into a file, or the motion into many: one picture in each frame of the window, so that it can be stopped at any time.
+/// Draws the view into a file, or the motion into many: one picture in each frame of the window, so that it can be
+/// stopped at any time.
 class FilmJob {
 public:
     bool runs() const { return filmed_.has_value(); }
@@ -33,7 +35,7 @@ public:
     /// Error: cannot be written.
     Result<void> begin(const PictureRequest& request, FilmedView filmed);
     /// Draws the next picture, unless values that colour the body are still being computed. True when it was the last.
-    Result<bool> add(const Backend& backend);
+    Result<bool> add(const commands::Backend& backend);
     void give_up();
     const PictureRequest& request() const { return request_; }
 
@@ -43,21 +45,21 @@ public:
 private:
     /// Of the next picture.
     double time_s() const { return request_.from_s + done_ * request_.speed / request_.rate_Hz; }
-    Result<Image> picture(const DrawnScene& scene);
-    void draw_overlay(const DrawnScene& scene);
+    Result<platform::Image> picture(const viewport::DrawnScene& scene);
+    void draw_overlay(const viewport::DrawnScene& scene);
 
     PictureRequest request_;
     std::optional<FilmedView> filmed_;
-    float scale_ = 1.0f;               // of lines and letters
-    std::unique_ptr<FilmWriter> writer_;   // null: one picture alone
-    std::optional<SceneRenderer> renderer_;
-    std::optional<PictureCanvas> canvas_;
-    FieldStore fields_;
+    float scale_ = 1.0f;                            // of lines and letters
+    std::unique_ptr<platform::FilmWriter> writer_;  // null: one picture alone
+    std::optional<viewport::SceneRenderer> renderer_;
+    std::optional<platform::PictureCanvas> canvas_;
+    commands::FieldStore fields_;
     Stopwatch watch_;
     int done_ = 0;
 };
 
 /// Of lines and letters in a picture: as large against it as they are in the view, where that can be read.
-float picture_scale(const ViewSize& view, const ViewSize& picture, float view_scale);
+float picture_scale(const viewport::ViewSize& view, const viewport::ViewSize& picture, float view_scale);
 
-}  // namespace myo
+}  // namespace myo::ui::panels

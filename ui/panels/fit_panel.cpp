@@ -9,65 +9,115 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 void FitPanel::draw(PanelContext& context) {
-    if (!context.state.scene) return muted_text(context.theme, "Values and signals are fitted to measured motion here. Open an experiment folder first.");
+    if (!context.state.scene)
+        return muted_text(context.theme,
+                          "Values and signals are fitted to measured motion here. Open an experiment folder first.");
     draw_calibrate(context);
     draw_optimize(context);
     draw_found(context);
 }
 
 void FitPanel::draw_calibrate(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     heading(theme, "Values of the model");
-    if (state.scene->calibrated.empty()) return muted_text(theme, "The experiment leaves nothing unknown: material.calibrate is empty.");
+    if (state.scene->calibrated.empty())
+        return muted_text(theme, "The experiment leaves nothing unknown: material.calibrate is empty.");
     std::string list;
     for (const std::string& label : state.scene->calibrated) list += (list.empty() ? "" : "\n") + label;
     text_row(theme, "Unknown", list);
-    if (ImGui::Button((std::string(icon::target) + "  Calibrate").c_str(), {-1.0f, 0.0f})) context.emit(command::Calibrate{});
+    if (ImGui::Button((std::string(platform::icon::target) + "  Calibrate").c_str(), {-1.0f, 0.0f}))
+        context.emit(commands::Calibrate{});
     context.items.mark("fit/calibrate");
-    tooltip(theme, "Fits these to all trials of role fit: the least |r|² / 2, r = (simulated − measured) / noise, on exact derivatives; trials of role validate are predicted at the end.");
+    tooltip(theme,
+            "Fits these to all trials of role fit: the least |r|² / 2, r = (simulated − measured) / noise, on exact "
+            "derivatives; trials of role validate are predicted at the end.");
 }
 
 void FitPanel::draw_optimize(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     heading(theme, "Signals of the muscles");
-    const SceneTrial* const trial = state.scene_trial();
+    const commands::SceneTrial* const trial = state.scene_trial();
     const bool measured = trial && !trial->measured.empty();
-    if (state.settings.muscles.empty()) return muted_text(theme, "There is no muscle. Add one under Fibres and paint it on the body.");
+    if (state.settings.muscles.empty())
+        return muted_text(theme, "There is no muscle. Add one under Fibres and paint it on the body.");
     if (!measured) return muted_text(theme, "The shown trial has no measured markers to follow.");
-    OptimizeRequest request = state.optimize;
+    commands::OptimizeRequest request = state.optimize;
     text_row(theme, "Follow", trial->name);
     tooltip(theme, "The trial that the timeline shows is the target.");
     bool ignored = false;
-    number_row(context, {"Knots", "fit/frequency", "1/s", "Knots of each signal a(t) per second [1/s]; between them it is linear. A trial of T seconds has about T times as many unknowns for each muscle.", 1.0, {0.5, 200.0}, 0.1}, edit_, request.frequency_Hz, ignored);
-    number_row(context, {"Least a", "fit/lowest", "", "Least target stretch a that is tried, a plain number: the length that the fibres want over their length at rest. Below 1 they pull.", 1.0, {0.1, 1.0}, 0.005}, edit_, request.lowest, ignored);
-    number_row(context, {"Greatest a", "fit/highest", "", "Greatest target stretch a that is tried, a plain number: the length that the fibres want over their length at rest. Above 1 they push.", 1.0, {1.0, 4.0}, 0.005}, edit_, request.highest, ignored);
+    number_row(context,
+               {"Knots",
+                "fit/frequency",
+                "1/s",
+                "Knots of each signal a(t) per second [1/s]; between them it is linear. A trial of T seconds has about "
+                "T times as many unknowns for each muscle.",
+                1.0,
+                {0.5, 200.0},
+                0.1},
+               edit_, request.frequency_Hz, ignored);
+    number_row(context,
+               {"Least a",
+                "fit/lowest",
+                "",
+                "Least target stretch a that is tried, a plain number: the length that the fibres want over their "
+                "length at rest. Below 1 they pull.",
+                1.0,
+                {0.1, 1.0},
+                0.005},
+               edit_, request.lowest, ignored);
+    number_row(context,
+               {"Greatest a",
+                "fit/highest",
+                "",
+                "Greatest target stretch a that is tried, a plain number: the length that the fibres want over their "
+                "length at rest. Above 1 they push.",
+                1.0,
+                {1.0, 4.0},
+                0.005},
+               edit_, request.highest, ignored);
     double evaluations = request.max_evaluations;
-    if (number_row(context, {"Evaluations", "fit/evaluations", "", "At most so many runs of the trial, each with the exact gradient of its loss by the adjoint method.", 1.0, {1.0, 1000.0}, 1.0}, edit_, evaluations, ignored))
+    if (number_row(
+            context,
+            {"Evaluations",
+             "fit/evaluations",
+             "",
+             "At most so many runs of the trial, each with the exact gradient of its loss by the adjoint method.",
+             1.0,
+             {1.0, 1000.0},
+             1.0},
+            edit_, evaluations, ignored))
         request.max_evaluations = static_cast<int>(std::lround(evaluations));
-    if (!(request == state.optimize)) context.emit(command::ChangeOptimize{request});
-    if (ImGui::Button((std::string(icon::bolt) + "  Optimise").c_str(), {-1.0f, 0.0f})) context.emit(command::Optimize{});
+    if (!(request == state.optimize)) context.emit(commands::ChangeOptimize{request});
+    if (ImGui::Button((std::string(platform::icon::bolt) + "  Optimise").c_str(), {-1.0f, 0.0f}))
+        context.emit(commands::Optimize{});
     context.items.mark("fit/optimize");
-    tooltip(theme, "Looks for the signals with which the markers follow the trial: the least mean square distance, plus a little for hasty signals, by a quasi-Newton search on its exact gradient. The best so far plays in the view.");
+    tooltip(
+        theme,
+        "Looks for the signals with which the markers follow the trial: the least mean square distance, plus a little "
+        "for hasty signals, by a quasi-Newton search on its exact gradient. The best so far plays in the view.");
 }
 
 void FitPanel::draw_found(PanelContext& context) {
     const auto& found = context.state.found;
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     if (!found) return;
     heading(theme, found->title + (found->stopped ? ", stopped" : ""));
     context.items.mark("fit/found");
-    for (const ParameterRow& row : found->parameters)
-        text_row(theme, row.name, label_with_deviation(row.value, row.deviation) + " " + row.unit + "\nfrom " + plain_label(row.start, 4) + " " + row.unit);
+    for (const commands::ParameterRow& row : found->parameters)
+        text_row(theme, row.name,
+                 plot::label_with_deviation(row.value, row.deviation) + " " + row.unit + "\nfrom " +
+                     plot::plain_label(row.start, 4) + " " + row.unit);
     for (const std::string& note : found->notes) muted_text(theme, note);
-    text_row(theme, "rms error", millimetres(found->rms_before_m) + " \xe2\x86\x92 " + millimetres(found->rms_after_m));
-    if (!found->problem.empty()) notice(theme, LogLevel::warning, found->problem);
-    for (const std::string& warning : found->warnings) notice(theme, LogLevel::warning, warning);
+    text_row(theme, "rms error",
+             plot::millimetres(found->rms_before_m) + " \xe2\x86\x92 " + plot::millimetres(found->rms_after_m));
+    if (!found->problem.empty()) notice(theme, commands::LogLevel::warning, found->problem);
+    for (const std::string& warning : found->warnings) notice(theme, commands::LogLevel::warning, warning);
     checks_line(context, found->run.checks, "fit/checks");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

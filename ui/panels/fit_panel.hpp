@@ -2,7 +2,7 @@
 
 #include "panels/widgets.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// Searches: values of the model from measured motion, and signals of muscles that make the markers follow a trial.
 class FitPanel : public Panel {
@@ -10,7 +10,7 @@ public:
     std::string name() const override { return "fit"; }
     std::string title() const override { return "Fit"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::fit; }
+    std::optional<commands::Step> step() const override { return commands::Step::fit; }
     void draw(PanelContext& context) override;
 
 private:
@@ -21,4 +21,4 @@ private:
     OpenEdit edit_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

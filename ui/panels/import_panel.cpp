@@ -12,10 +12,10 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-const std::vector<Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"m", "m", ""}, {"inch", "inch", ""}};
+const std::vector<commands::Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"m", "m", ""}, {"inch", "inch", ""}};
 constexpr std::array<double, 4> unit_lengths{1e-3, 1e-2, 1.0, 0.0254};
 
 /// "+x" of an axis.
@@ -29,7 +29,8 @@ std::string fixed_mm(double metres) {
 }
 
 /// Two to choose from; true when the other one was chosen.
-bool either_row(PanelContext& context, const char* label, const std::string& name, const char* tip, const char* first, const char* second, bool& is_first) {
+bool either_row(PanelContext& context, const char* label, const std::string& name, const char* tip, const char* first,
+                const char* second, bool& is_first) {
     row_label(context.theme, label, tip);
     const bool before = is_first;
     if (tab(context.theme, (std::string(first) + "##" + name).c_str(), is_first)) is_first = true;
@@ -42,7 +43,7 @@ bool either_row(PanelContext& context, const char* label, const std::string& nam
     return is_first != before;
 }
 
-FileDialog new_folder_dialog(const ImportChoices& choices, const std::filesystem::path& scene) {
+FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::filesystem::path& scene) {
     FileDialog dialog;
     dialog.title = "A new folder for the experiment";
     dialog.button = "Choose";
@@ -50,9 +51,9 @@ FileDialog new_folder_dialog(const ImportChoices& choices, const std::filesystem
     dialog.new_name = choices.folder.empty() ? choices.trial + "_experiment" : choices.folder.filename().string();
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
         if (!context.state.import) return;
-        ImportChoices chosen = context.state.import->choices;
+        commands::ImportChoices chosen = context.state.import->choices;
         chosen.folder = path;
-        context.emit(command::ChangeImport{chosen});
+        context.emit(commands::ChangeImport{chosen});
     };
     return dialog;
 }
@@ -60,8 +61,8 @@ FileDialog new_folder_dialog(const ImportChoices& choices, const std::filesystem
 }  // namespace
 
 void ImportPanel::draw(PanelContext& context) {
-    const RecordingImport& import = *context.state.import;
-    ImportChoices choices = import.choices;
+    const commands::RecordingImport& import = *context.state.import;
+    commands::ImportChoices choices = import.choices;
     draw_file(context);
     heading(context.theme, "Frame");
     draw_placing(context, choices);
@@ -71,45 +72,51 @@ void ImportPanel::draw(PanelContext& context) {
     draw_start(context, choices);
     heading(context.theme, "Trial");
     draw_trial(context, choices);
-    if (!(choices == import.choices)) context.emit(command::ChangeImport{choices});
+    if (!(choices == import.choices)) context.emit(commands::ChangeImport{choices});
 }
 
 void ImportPanel::draw_file(PanelContext& context) {
-    const RecordingFile& file = context.state.import->file;
-    const Recording& recording = *file.recording;
+    const commands::RecordingFile& file = context.state.import->file;
+    const measurement::Recording& recording = *file.recording;
     text_row(context.theme, "File", file.path.filename().string());
     char text[160];
-    std::snprintf(text, sizeof text, "%s, %zu labels, %lld samples, %.4g Hz, %.4g s", file.format.c_str(), recording.labels.size(), static_cast<long long>(recording.sample_count()), recording.rate_Hz,
+    std::snprintf(text, sizeof text, "%s, %zu labels, %lld samples, %.4g Hz, %.4g s", file.format.c_str(),
+                  recording.labels.size(), static_cast<long long>(recording.sample_count()), recording.rate_Hz,
                   recording.time_s[recording.time_s.size() - 1] - recording.time_s[0]);
     text_row(context.theme, "Content", text);
-    ReadingOptions reading = file.reading;
+    commands::ReadingOptions reading = file.reading;
     if (file.asks_unit) {
         std::string unit = "mm";
         for (std::size_t u = 0; u < units.size(); ++u)
             if (reading.metres_per_unit == unit_lengths[u]) unit = units[u].id;
-        if (choice_row(context, "Unit", "import/unit", "Of the lengths in the file, which does not say it", units, unit))
+        if (choice_row(context, "Unit", "import/unit", "Of the lengths in the file, which does not say it", units,
+                       unit))
             for (std::size_t u = 0; u < units.size(); ++u)
                 if (units[u].id == unit) reading.metres_per_unit = unit_lengths[u];
     }
     bool goes_on = false;
-    if (file.asks_rate) number_row(context, {"Rate", "import/rate", "Hz", "Samples in a second: the file does not say it", 1.0, {1.0, 1e5}, 1.0}, edit_, reading.rate_Hz, goes_on);
+    if (file.asks_rate)
+        number_row(context,
+                   {"Rate", "import/rate", "Hz", "Samples in a second: the file does not say it", 1.0, {1.0, 1e5}, 1.0},
+                   edit_, reading.rate_Hz, goes_on);
     if (file.asks_rate) {
         row_label(context.theme, "0, 0, 0");
         ImGui::Checkbox("is a gap##import", &reading.zero_is_occluded);
         context.items.mark("import/zero");
     }
-    if (!(reading == file.reading) && !context.state.busy()) context.emit(command::ReadRecording{file.path, reading});
+    if (!(reading == file.reading) && !context.state.busy()) context.emit(commands::ReadRecording{file.path, reading});
 }
 
-void ImportPanel::draw_placing(PanelContext& context, ImportChoices& choices) {
-    const ImportView& view = context.state.import->view;
+void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& choices) {
+    const commands::ImportView& view = context.state.import->view;
     row_label(context.theme, "Axes x, y, z", "Which axis of the cameras the body's x, y and z point along");
     const float width = (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
     for (std::size_t k = 0; k < 3; ++k) {
         if (k > 0) ImGui::SameLine();
         ImGui::SetNextItemWidth(width);
         const std::string item = std::string("import/axis_") + "xyz"[k];
-        const bool open = ImGui::BeginCombo(("##" + item).c_str(), axis_label(choices.axes[k]).c_str(), ImGuiComboFlags_NoArrowButton);
+        const bool open = ImGui::BeginCombo(("##" + item).c_str(), axis_label(choices.axes[k]).c_str(),
+                                            ImGuiComboFlags_NoArrowButton);
         context.items.mark(item);
         tooltip(context.theme, std::string("The body's ") + "xyz"[k] + " points along this axis of the cameras.");
         if (!open) continue;
@@ -124,39 +131,51 @@ void ImportPanel::draw_placing(PanelContext& context, ImportChoices& choices) {
         }
         ImGui::EndCombo();
     }
-    row_label(context.theme, "Turn", "Three markers and more that are not on one line say how the cameras' frame lies on the body (Kabsch 1976)");
+    row_label(
+        context.theme, "Turn",
+        "Three markers and more that are not on one line say how the cameras' frame lies on the body (Kabsch 1976)");
     ImGui::Checkbox("by the markers##import", &choices.turns);
     context.items.mark("import/turns");
-    tooltip(context.theme, "Three markers and more that are not on one line say how the cameras' frame lies on the body: the rigid motion with the least squares of their distances (Kabsch 1976). Otherwise the axes above say it.");
-    muted_text(context.theme, view.placed_by + (std::isfinite(view.rms_m) ? " They are " + fixed_mm(view.rms_m) + " mm rms apart from their places." : ""));
+    tooltip(context.theme,
+            "Three markers and more that are not on one line say how the cameras' frame lies on the body: the rigid "
+            "motion with the least squares of their distances (Kabsch 1976). Otherwise the axes above say it.");
+    muted_text(context.theme, view.placed_by + (std::isfinite(view.rms_m) ? " They are " + fixed_mm(view.rms_m) +
+                                                                                " mm rms apart from their places."
+                                                                          : ""));
 }
 
-void ImportPanel::draw_name(PanelContext& context, std::size_t label, ImportChoices& choices) {
-    ImportedMarker& marker = choices.markers[label];
-    const std::vector<SceneMarker>& declared = context.state.import->declared;
+void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::ImportChoices& choices) {
+    commands::ImportedMarker& marker = choices.markers[label];
+    const std::vector<commands::SceneMarker>& declared = context.state.import->declared;
     const std::string item = "import/marker/" + context.state.import->file.recording->labels[label];
     ImGui::SetNextItemWidth(-1.0f);
     if (declared.empty()) {
-        if (ImGui::InputTextWithHint("##name", "left out", &marker.name)) marker.name = marker_name(marker.name);
+        if (ImGui::InputTextWithHint("##name", "left out", &marker.name))
+            marker.name = commands::marker_name(marker.name);
         context.items.mark(item);
         return;
     }
-    const bool open = ImGui::BeginCombo("##name", marker.name.empty() ? "left out" : marker.name.c_str(), ImGuiComboFlags_NoArrowButton);
+    const bool open = ImGui::BeginCombo("##name", marker.name.empty() ? "left out" : marker.name.c_str(),
+                                        ImGuiComboFlags_NoArrowButton);
     context.items.mark(item);
     if (!open) return;
     if (ImGui::Selectable("left out", marker.name.empty())) marker = {};
     context.items.mark(item + "/none");
-    for (const SceneMarker& own : declared) {
-        if (ImGui::Selectable(own.name.c_str(), own.name == marker.name)) assign_marker(choices, label, own.name);
+    for (const commands::SceneMarker& own : declared) {
+        if (ImGui::Selectable(own.name.c_str(), own.name == marker.name))
+            commands::assign_marker(choices, label, own.name);
         context.items.mark(item + "/" + own.name);
     }
     ImGui::EndCombo();
 }
 
-void ImportPanel::draw_markers(PanelContext& context, ImportChoices& choices) {
-    const RecordingImport& import = *context.state.import;
-    const Theme& theme = context.theme;
-    const std::vector<Heading> headings{{"Label", ""}, {"Marker", ""}, {"seen [%]", "Share of the samples in which the cameras saw it", true}, {"off [mm]", "Distance before the start from where the marker sits", true}};
+void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& choices) {
+    const commands::RecordingImport& import = *context.state.import;
+    const platform::Theme& theme = context.theme;
+    const std::vector<Heading> headings{{"Label", ""},
+                                        {"Marker", ""},
+                                        {"seen [%]", "Share of the samples in which the cameras saw it", true},
+                                        {"off [mm]", "Distance before the start from where the marker sits", true}};
     if (ImGui::BeginTable("labels", 4, ImGuiTableFlags_RowBg)) {
         ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
@@ -171,43 +190,59 @@ void ImportPanel::draw_markers(PanelContext& context, ImportChoices& choices) {
             ImGui::AlignTextToFramePadding();
             const bool chosen = static_cast<int>(i) == import.label;
             const float own_width = ImGui::GetContentRegionAvail().x;
-            if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
-                context.emit(command::ChooseLabel{static_cast<int>(i), import.placing});
+            if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), chosen,
+                                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
+                context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
                 context.window.panel = "recording";
             }
             // Of the whole row another column may hold the middle.
-            context.items.add("import/label/" + label, {ImGui::GetItemRectMin(), {ImGui::GetItemRectMin().x + own_width, ImGui::GetItemRectMax().y}});
+            context.items.add(
+                "import/label/" + label,
+                {ImGui::GetItemRectMin(), {ImGui::GetItemRectMin().x + own_width, ImGui::GetItemRectMax().y}});
             tooltip(theme, label);
             ImGui::TableNextColumn();
             draw_name(context, i, choices);
             const double seen = 100.0 * import.file.seen[i], off = import.view.residual_m[static_cast<Eigen::Index>(i)];
-            number_cell(theme, value_label(seen, 3), seen < 80.0 ? &theme.warning : nullptr);
+            number_cell(theme, plot::value_label(seen, 3), seen < 80.0 ? &theme.warning : nullptr);
             number_cell(theme, std::isfinite(off) ? fixed_mm(off) : dash);
             ImGui::PopID();
         }
         ImGui::EndTable();
     }
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::Button("Propose", {width, 0.0f})) context.emit(command::ProposeMarkers{});
+    if (ImGui::Button("Propose", {width, 0.0f})) context.emit(commands::ProposeMarkers{});
     context.items.mark("import/propose");
-    tooltip(theme, "Tells labels from markers by their names and by the distances between them. On a plain mesh: gives those that were not clicked the nearest place of the body.");
+    tooltip(theme,
+            "Tells labels from markers by their names and by the distances between them. On a plain mesh: gives those "
+            "that were not clicked the nearest place of the body.");
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Button, import.placing ? theme.accent : theme.raised);
     ImGui::PushStyleColor(ImGuiCol_Text, import.placing ? theme.on_accent : theme.text);
     ImGui::BeginDisabled(!context.state.body);
-    if (ImGui::Button("Click on the body", {width, 0.0f})) context.emit(command::ChooseLabel{import.label, !import.placing});
+    if (ImGui::Button("Click on the body", {width, 0.0f}))
+        context.emit(commands::ChooseLabel{import.label, !import.placing});
     context.items.mark("import/place");
     ImGui::EndDisabled();
     ImGui::PopStyleColor(2);
-    tooltip(theme, import.declared.empty() ? "Then a click on the body says where the chosen label sits, and the next one is chosen."
-                                           : "Then a click on one of the experiment's markers, which the view shows as rings, says that the chosen label is this one, and the next label is chosen.");
+    tooltip(theme, import.declared.empty()
+                       ? "Then a click on the body says where the chosen label sits, and the next one is chosen."
+                       : "Then a click on one of the experiment's markers, which the view shows as rings, says that "
+                         "the chosen label is this one, and the next label is chosen.");
 }
 
-void ImportPanel::draw_start(PanelContext& context, ImportChoices& choices) {
-    const RecordingImport& import = *context.state.import;
+void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& choices) {
+    const commands::RecordingImport& import = *context.state.import;
     const Eigen::VectorXd& time = import.file.recording->time_s;
     bool goes_on = false;
-    number_row(context, {"t = 0 is at", "import/start", "s", "Time in the file at which the trial begins. The line in the plot below can be dragged, too.", 1.0, {time[0], time[time.size() - 1]}, 1e-3}, edit_, choices.start_s, goes_on);
+    number_row(context,
+               {"t = 0 is at",
+                "import/start",
+                "s",
+                "Time in the file at which the trial begins. The line in the plot below can be dragged, too.",
+                1.0,
+                {time[0], time[time.size() - 1]},
+                1e-3},
+               edit_, choices.start_s, goes_on);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     ImGui::BeginDisabled(!import.file.start_s);
     if (ImGui::Button("First motion", {width, 0.0f})) choices.start_s = *import.file.start_s;
@@ -216,40 +251,55 @@ void ImportPanel::draw_start(PanelContext& context, ImportChoices& choices) {
     tooltip(context.theme, import.file.start_message);
     ImGui::SameLine();
     ImGui::BeginDisabled(!context.state.run);
-    if (ImGui::Button("Align to the run", {width, 0.0f})) context.emit(command::AlignImport{});
+    if (ImGui::Button("Align to the run", {width, 0.0f})) context.emit(commands::AlignImport{});
     ImGui::EndDisabled();
     context.items.mark("import/align");
-    tooltip(context.theme, context.state.run ? "The start with which displacements follow the shown run best: the greatest cross-correlation of all markers together" : "Run first: then the recording can be aligned with what is simulated.");
+    tooltip(context.theme, context.state.run ? "The start with which displacements follow the shown run best: the "
+                                               "greatest cross-correlation of all markers together"
+                                             : "Run first: then the recording can be aligned with what is simulated.");
 }
 
-void ImportPanel::draw_trial(PanelContext& context, ImportChoices& choices) {
+void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& choices) {
     const bool new_one = context.state.import->declared.empty();
     row_label(context.theme, "Name");
     ImGui::InputText("##trial", &choices.trial);
     context.items.mark("import/name");
-    either_row(context, "Role", "import/role", "A trial of role fit is calibrated with; one of role validate is predicted, never fitted.", "fit", "validate", choices.fit);
-    either_row(context, "Begins", "import/begins", "Straight: held in the rest shape and let go at t = 0. At rest: in equilibrium under gravity, loads and muscles.", "straight", "at rest", choices.straight);
-    row_label(context.theme, "Goes into", new_one ? "A plain mesh becomes an experiment in a folder of its own." : "The trial is added to the experiment that is open, or to a copy of it.");
-    const std::string place = !choices.folder.empty() ? choices.folder.filename().string() : new_one ? "New folder\xe2\x80\xa6" : "This experiment";
-    if (ImGui::Button((elided(place, ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().FramePadding.x) + "##folder").c_str(), {ImGui::GetContentRegionAvail().x, 0.0f}))
+    either_row(context, "Role", "import/role",
+               "A trial of role fit is calibrated with; one of role validate is predicted, never fitted.", "fit",
+               "validate", choices.fit);
+    either_row(context, "Begins", "import/begins",
+               "Straight: held in the rest shape and let go at t = 0. At rest: in equilibrium under gravity, loads and "
+               "muscles.",
+               "straight", "at rest", choices.straight);
+    row_label(context.theme, "Goes into",
+              new_one ? "A plain mesh becomes an experiment in a folder of its own."
+                      : "The trial is added to the experiment that is open, or to a copy of it.");
+    const std::string place = !choices.folder.empty() ? choices.folder.filename().string()
+                              : new_one               ? "New folder\xe2\x80\xa6"
+                                                      : "This experiment";
+    if (ImGui::Button(
+            (elided(place, ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().FramePadding.x) + "##folder")
+                .c_str(),
+            {ImGui::GetContentRegionAvail().x, 0.0f}))
         context.window.file = new_folder_dialog(choices, context.state.scene->path);
     context.items.mark("import/folder");
     tooltip(context.theme, choices.folder.empty() ? "Choose a new folder" : choices.folder.string());
 }
 
 void draw_import_controls(PanelContext& context) {
-    const RecordingImport& import = *context.state.import;
+    const commands::RecordingImport& import = *context.state.import;
     const std::string& problem = import.view.problem;
-    muted_text(context.theme, elided_lines(problem.empty() ? "It can be added." : problem, ImGui::GetContentRegionAvail().x, 2));
+    muted_text(context.theme,
+               elided_lines(problem.empty() ? "It can be added." : problem, ImGui::GetContentRegionAvail().x, 2));
     tooltip(context.theme, problem);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     ImGui::BeginDisabled(!problem.empty() || context.state.busy());
-    if (primary_button(context.theme, "Add the trial", {width, 0.0f})) context.emit(command::AddRecording{});
+    if (primary_button(context.theme, "Add the trial", {width, 0.0f})) context.emit(commands::AddRecording{});
     ImGui::EndDisabled();
     context.items.mark("import/add");
     ImGui::SameLine();
-    if (ImGui::Button("Give up", {width, 0.0f})) context.emit(command::GiveUpImport{});
+    if (ImGui::Button("Give up", {width, 0.0f})) context.emit(commands::GiveUpImport{});
     context.items.mark("import/give_up");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

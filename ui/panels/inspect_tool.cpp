@@ -8,26 +8,30 @@
 #include "mesh/cell_topology.hpp"
 #include "panels/view_points.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 template <class Edges>
-void draw_edges(ImDrawList& list, const DrawnScene& scene, const ViewportState& view, const Eigen::VectorXi& cell, const Edges& edges, ImU32 color, float width) {
+void draw_edges(ImDrawList& list, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
+                const Eigen::VectorXi& cell, const Edges& edges, ImU32 color, float width) {
     for (const auto& edge : edges) {
-        const auto a = window_pixel(view, scene.positions.col(cell[edge[0]])), b = window_pixel(view, scene.positions.col(cell[edge[1]]));
+        const auto a = window_pixel(view, scene.positions.col(cell[edge[0]])),
+                   b = window_pixel(view, scene.positions.col(cell[edge[1]]));
         if (a && b) list.AddLine(*a, *b, color, width);
     }
 }
 
 }  // namespace
 
-void InspectTool::update(PanelContext& context, const DrawnScene& scene, const ViewportState& view) {
-    const WorkbenchState& state = context.state;
+void InspectTool::update(PanelContext& context, const viewport::DrawnScene& scene,
+                         const viewport::ViewportState& view) {
+    const commands::WorkbenchState& state = context.state;
     if (scene_ != state.scene || body_ != state.body) picked_.reset();
     scene_ = state.scene;
     body_ = state.body;
     const bool on_card = picked_ && card_.contains(ImGui::GetIO().MousePos);
-    if (view.clicked && !view.measuring && state.brush.tool == BrushTool::none && !on_card) click(context, scene, view);
+    if (view.clicked && !view.measuring && state.brush.tool == commands::BrushTool::none && !on_card)
+        click(context, scene, view);
     if (escape_pressed()) picked_.reset();
     // A body that is just being replaced is not the one that is drawn.
     if (!picked_ || (picked_->marker < 0 && scene.positions.cols() != state.body->mesh.node_count())) return;
@@ -35,17 +39,18 @@ void InspectTool::update(PanelContext& context, const DrawnScene& scene, const V
     draw_card(context, scene, view);
 }
 
-void InspectTool::click(PanelContext& context, const DrawnScene& scene, const ViewportState& view) {
+void InspectTool::click(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const double reach = static_cast<double>(marker_reach * context.theme.scale);
-    picked_ = pick_place(context.state, scene, view.camera, view.size(), view.mouse, reach);
-    if (picked_ && picked_->marker >= 0) context.emit(command::ChooseMarker{picked_->marker});
+    picked_ = commands::pick_place(context.state, scene, view.camera, view.size(), view.mouse, reach);
+    if (picked_ && picked_->marker >= 0) context.emit(commands::ChooseMarker{picked_->marker});
 }
 
-const MarkerError* InspectTool::error_of(const WorkbenchState& state) {
-    const SceneTrial* const trial = state.scene_trial();
+const commands::MarkerError* InspectTool::error_of(const commands::WorkbenchState& state) {
+    const commands::SceneTrial* const trial = state.scene_trial();
     if (!trial || picked_->marker < 0) return nullptr;
-    if (const auto run = state.shown_run(); run_ != run || trial_ != state.trial || errors_.size() != state.scene->markers.size()) {
-        errors_ = marker_errors(*state.scene, *trial, state.simulated_trial());
+    if (const auto run = state.shown_run();
+        run_ != run || trial_ != state.trial || errors_.size() != state.scene->markers.size()) {
+        errors_ = commands::marker_errors(*state.scene, *trial, state.simulated_trial());
         run_ = run;
         trial_ = state.trial;
     }
@@ -53,22 +58,25 @@ const MarkerError* InspectTool::error_of(const WorkbenchState& state) {
     return m < errors_.size() ? &errors_[m] : nullptr;
 }
 
-void InspectTool::draw_highlight(const PanelContext& context, const DrawnScene& scene, const ViewportState& view) const {
+void InspectTool::draw_highlight(const PanelContext& context, const viewport::DrawnScene& scene,
+                                 const viewport::ViewportState& view) const {
     const float s = context.theme.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 accent = packed(context.theme.accent), dark = IM_COL32(0, 0, 0, 160);
+    const ImU32 accent = platform::packed(context.theme.accent), dark = IM_COL32(0, 0, 0, 160);
     if (picked_->marker >= 0) {
-        if (const auto at = window_pixel(view, place_now(*picked_, scene))) {
+        if (const auto at = window_pixel(view, commands::place_now(*picked_, scene))) {
             list.AddCircle(*at, 11.0f * s, dark, 0, 4.0f * s);
             list.AddCircle(*at, 11.0f * s, accent, 0, 2.0f * s);
         }
         return;
     }
-    const VolumeMesh& mesh = context.state.body->mesh;
+    const mesh::VolumeMesh& mesh = context.state.body->mesh;
     const Eigen::VectorXi cell = mesh.cells.col(picked_->cell);
     for (const auto& [color, width] : {std::pair{dark, 3.5f * s}, std::pair{accent, 1.8f * s}}) {
-        if (mesh.type == CellType::hex8) draw_edges(list, scene, view, cell, hexahedron_edges, color, width);
-        else draw_edges(list, scene, view, cell, tetrahedron_edges, color, width);
+        if (mesh.type == mesh::CellType::hex8)
+            draw_edges(list, scene, view, cell, mesh::hexahedron_edges, color, width);
+        else
+            draw_edges(list, scene, view, cell, mesh::tetrahedron_edges, color, width);
     }
     if (const auto at = window_pixel(view, scene.positions.col(picked_->node))) {
         list.AddCircleFilled(*at, 5.5f * s, dark);
@@ -76,11 +84,13 @@ void InspectTool::draw_highlight(const PanelContext& context, const DrawnScene& 
     }
 }
 
-void InspectTool::draw_card(PanelContext& context, const DrawnScene& scene, const ViewportState& view) {
-    const std::vector<ReportLine> lines = lines_about(*picked_, context.state, scene, error_of(context.state));
+void InspectTool::draw_card(PanelContext& context, const viewport::DrawnScene& scene,
+                            const viewport::ViewportState& view) {
+    const std::vector<commands::ReportLine> lines = commands::lines_about(*picked_, context.state, scene,
+                                                                          error_of(context.state));
     const float s = context.theme.scale, margin = 10.0f * s, line = ImGui::GetTextLineHeight() + 3.0f * s;
     float labels = 0.0f, values = 0.0f;
-    for (const ReportLine& each : lines) {
+    for (const commands::ReportLine& each : lines) {
         labels = std::max(labels, ImGui::CalcTextSize(each.label.c_str()).x);
         values = std::max(values, ImGui::CalcTextSize(each.value.c_str()).x);
     }
@@ -90,15 +100,16 @@ void InspectTool::draw_card(PanelContext& context, const DrawnScene& scene, cons
     const ImVec2 from{std::max(view.pixels.lowest.x + 4.0f * s, right - width), view.pixels.lowest.y + 52.0f * s};
     card_ = {from, {from.x + width, from.y + line * static_cast<float>(lines.size()) + 2.0f * margin}};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(card_.lowest, card_.highest, packed(context.theme.popup, 0.94f), 6.0f * s);
-    list.AddRect(card_.lowest, card_.highest, packed(context.theme.border), 6.0f * s);
+    list.AddRectFilled(card_.lowest, card_.highest, platform::packed(context.theme.popup, 0.94f), 6.0f * s);
+    list.AddRect(card_.lowest, card_.highest, platform::packed(context.theme.border), 6.0f * s);
     float y = from.y + margin;
-    for (const ReportLine& each : lines) {
-        list.AddText({from.x + margin, y}, packed(context.theme.muted), each.label.c_str());
-        list.AddText({from.x + margin + labels + 14.0f * s, y}, packed(context.theme.text), each.value.c_str());
+    for (const commands::ReportLine& each : lines) {
+        list.AddText({from.x + margin, y}, platform::packed(context.theme.muted), each.label.c_str());
+        list.AddText({from.x + margin + labels + 14.0f * s, y}, platform::packed(context.theme.text),
+                     each.value.c_str());
         y += line;
     }
     context.items.add("view/inspector", card_);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

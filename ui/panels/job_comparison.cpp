@@ -9,41 +9,47 @@
 #include "panels/widgets.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// A column: an ended job, or the present.
 struct Compared {
     std::string title, tip;
-    const Settings* settings = nullptr;
-    const RunResult* run = nullptr;
+    const commands::Settings* settings = nullptr;
+    const commands::RunResult* run = nullptr;
 };
 
-std::vector<Compared> columns_of(const WorkbenchState& state) {
+std::vector<Compared> columns_of(const commands::WorkbenchState& state) {
     std::vector<Compared> columns;
-    for (const JobRecord& record : state.history)
-        if (record.compared) columns.push_back({record.clock, record.name + ", begun " + record.clock, &record.settings, record.run.get()});
-    columns.push_back({"Now", "The present settings, and the error of the run with them", &state.settings, state.run_is_current() ? state.run.get() : nullptr});
+    for (const commands::JobRecord& record : state.history)
+        if (record.compared)
+            columns.push_back(
+                {record.clock, record.name + ", begun " + record.clock, &record.settings, record.run.get()});
+    columns.push_back({"Now", "The present settings, and the error of the run with them", &state.settings,
+                       state.run_is_current() ? state.run.get() : nullptr});
     return columns;
 }
 
-std::string error_of(const RunResult* run) { return run && std::isfinite(run->rms_m) ? millimetres(run->rms_m) : "\xe2\x80\x93"; }
+std::string error_of(const commands::RunResult* run) {
+    return run && std::isfinite(run->rms_m) ? plot::millimetres(run->rms_m) : "\xe2\x80\x93";
+}
 
 }  // namespace
 
-bool compares_jobs(const WorkbenchState& state) {
-    for (const JobRecord& record : state.history)
+bool compares_jobs(const commands::WorkbenchState& state) {
+    for (const commands::JobRecord& record : state.history)
         if (record.compared) return true;
     return false;
 }
 
 void draw_job_comparison(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const std::vector<Compared> columns = columns_of(state);
-    std::vector<const Settings*> settings;
+    std::vector<const commands::Settings*> settings;
     for (const Compared& column : columns) settings.push_back(column.settings);
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX | ImGuiTableFlags_BordersOuterH;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
+                                      ImGuiTableFlags_ScrollX | ImGuiTableFlags_BordersOuterH;
     if (!ImGui::BeginTable("differences", 1 + static_cast<int>(columns.size()), flags)) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     std::vector<Heading> headings{{"Differs in", ""}};
@@ -56,8 +62,9 @@ void draw_job_comparison(PanelContext& context) {
     ImGui::TableNextRow();
     text_cell(theme, "rms error", theme.muted);
     for (const Compared& column : columns) number_cell(theme, error_of(column.run));
-    const std::vector<SettingDifference> differences = settings_differences(settings, state.materials, state.integrators);
-    for (const SettingDifference& row : differences) {
+    const std::vector<commands::SettingDifference> differences = commands::settings_differences(
+        settings, state.materials, state.integrators);
+    for (const commands::SettingDifference& row : differences) {
         ImGui::TableNextRow();
         text_cell(theme, row.name, theme.muted);
         context.items.mark("jobs/differs/" + row.name);
@@ -75,4 +82,4 @@ void draw_job_comparison(PanelContext& context) {
     context.items.mark("jobs/differences");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -3,30 +3,30 @@
 #include "panels/widgets.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-std::string count_label(double count) { return count < 1000.0 ? plain_label(count, 3) : with_separators(count); }
+std::string count_label(double count) { return count < 1000.0 ? plot::plain_label(count, 3) : with_separators(count); }
 
 }  // namespace
 
-std::string counted_words(const JobView& job) {
+std::string counted_words(const commands::JobView& job) {
     const ProgressEvent& progress = job.progress;
     if (!job.counts() || progress.unit.empty()) return "";
     return count_label(progress.done) + " of " + count_label(progress.total) + " " + progress.unit;
 }
 
-std::string time_words(const JobView& job) {
+std::string time_words(const commands::JobView& job) {
     if (job.cancelling) return "stopping";
     if (job.paused) return "paused";
     if (!job.remaining_s) return duration_label(job.elapsed_s) + " so far";
     const std::string left = duration_label(*job.remaining_s) + " left";
-    if (job.remaining_of == TimeLeft::at_most) return "at most " + left;
-    return job.remaining_of == TimeLeft::of_stage ? left + " of this stage" : left;
+    if (job.remaining_of == commands::TimeLeft::at_most) return "at most " + left;
+    return job.remaining_of == commands::TimeLeft::of_stage ? left + " of this stage" : left;
 }
 
-std::string bar_words(const JobView& job) {
-    return job.counts() ? value_label(100.0 * job.fraction(), 2) + " %" : "working";
+std::string bar_words(const commands::JobView& job) {
+    return job.counts() ? plot::value_label(100.0 * job.fraction(), 2) + " %" : "working";
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -12,29 +12,30 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-CheckState state_of(const JobRecord& record) {
-    return record.checks ? worst_state(record.checks->rows) : CheckState::green;
+commands::CheckState state_of(const commands::JobRecord& record) {
+    return record.checks ? commands::worst_state(record.checks->rows) : commands::CheckState::green;
 }
 
 /// What is done has a tick only where its checks are green.
-const char* record_icon(const JobRecord& record) {
-    if (record.outcome == JobOutcome::failed) return icon::failure;
-    if (record.outcome == JobOutcome::stopped) return icon::stop;
-    return state_of(record) == CheckState::green ? icon::done : check_icon(state_of(record));
+const char* record_icon(const commands::JobRecord& record) {
+    if (record.outcome == commands::JobOutcome::failed) return platform::icon::failure;
+    if (record.outcome == commands::JobOutcome::stopped) return platform::icon::stop;
+    return state_of(record) == commands::CheckState::green ? platform::icon::done : check_icon(state_of(record));
 }
 
-ImVec4 record_color(const Theme& theme, const JobRecord& record) {
-    if (record.outcome == JobOutcome::failed) return theme.failure;
-    return record.outcome == JobOutcome::stopped ? theme.warning : check_color(theme, state_of(record));
+ImVec4 record_color(const platform::Theme& theme, const commands::JobRecord& record) {
+    if (record.outcome == commands::JobOutcome::failed) return theme.failure;
+    return record.outcome == commands::JobOutcome::stopped ? theme.warning : check_color(theme, state_of(record));
 }
 
 /// "rms error 1.32 mm; checks: 1 amber"
-std::string result_words(const JobRecord& record) {
-    if (state_of(record) == CheckState::green) return record.summary;
-    return record.summary + (record.summary.empty() ? "" : "; ") + "checks: " + doubt_words(record.checks->rows);
+std::string result_words(const commands::JobRecord& record) {
+    if (state_of(record) == commands::CheckState::green) return record.summary;
+    return record.summary + (record.summary.empty() ? "" : "; ") +
+           "checks: " + commands::doubt_words(record.checks->rows);
 }
 
 bool small_button(PanelContext& context, const char* label, const std::string& item, const std::string& tip) {
@@ -44,17 +45,18 @@ bool small_button(PanelContext& context, const char* label, const std::string& i
     return pressed;
 }
 
-void running_row(PanelContext& context, const JobView& job, bool wide) {
-    const Theme& theme = context.theme;
+void running_row(PanelContext& context, const commands::JobView& job, bool wide) {
+    const platform::Theme& theme = context.theme;
     ImGui::TableNextRow();
-    text_cell(theme, std::string(job.paused ? icon::pause : icon::play), theme.accent);
+    text_cell(theme, std::string(job.paused ? platform::icon::pause : platform::icon::play), theme.accent);
     text_cell(theme, job.name, theme.text);
     if (wide) text_cell(theme, "", theme.muted), number_cell(theme, duration_label(job.elapsed_s));
     ImGui::TableNextColumn();
-    const std::string counted = counted_words(job), told = (counted.empty() ? "" : counted + " \xc2\xb7 ") + time_words(job);
+    const std::string counted = counted_words(job),
+                      told = (counted.empty() ? "" : counted + " \xc2\xb7 ") + time_words(job);
     const float room = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
     const std::string inside = ImGui::CalcTextSize(told.c_str()).x <= room ? told : elided(time_words(job), room);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));   // on the line of the other cells
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));  // on the line of the other cells
     ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, ImGui::GetTextLineHeight()}, inside.c_str());
     ImGui::PopStyleVar();
     context.items.mark("jobs/progress");
@@ -62,71 +64,90 @@ void running_row(PanelContext& context, const JobView& job, bool wide) {
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(job.cancelling);
-    if (small_button(context, wide ? (job.paused ? "Go on" : "Pause") : (job.paused ? icon::play : icon::pause), "jobs/pause", "Stops at the next step until it goes on")) context.emit(command::Pause{!job.paused});
+    if (small_button(
+            context,
+            wide ? (job.paused ? "Go on" : "Pause") : (job.paused ? platform::icon::play : platform::icon::pause),
+            "jobs/pause", "Stops at the next step until it goes on"))
+        context.emit(commands::Pause{!job.paused});
     ImGui::SameLine();
-    if (small_button(context, wide ? "Cancel" : icon::stop, "jobs/cancel", "Ends it; a search keeps its best values")) context.emit(command::Cancel{});
+    if (small_button(context, wide ? "Cancel" : platform::icon::stop, "jobs/cancel",
+                     "Ends it; a search keeps its best values"))
+        context.emit(commands::Cancel{});
     ImGui::EndDisabled();
 }
 
-void waiting_row(PanelContext& context, const QueuedJob& job, bool wide) {
-    const Theme& theme = context.theme;
+void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wide) {
+    const platform::Theme& theme = context.theme;
     ImGui::TableNextRow();
-    text_cell(theme, icon::clock, theme.muted);
+    text_cell(theme, platform::icon::clock, theme.muted);
     text_cell(theme, job.name, theme.text);
     if (wide) text_cell(theme, "", theme.muted), number_cell(theme, "");
     text_cell(theme, "waits", theme.muted);
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
-    if (small_button(context, wide ? "Take out" : icon::remove, "jobs/unqueue/" + std::to_string(job.id), "It will not be run")) context.emit(command::Unqueue{job.id});
+    if (small_button(context, wide ? "Take out" : platform::icon::remove, "jobs/unqueue/" + std::to_string(job.id),
+                     "It will not be run"))
+        context.emit(commands::Unqueue{job.id});
 }
 
-void record_row(PanelContext& context, const JobRecord& record, bool wide) {
-    const Theme& theme = context.theme;
+void record_row(PanelContext& context, const commands::JobRecord& record, bool wide) {
+    const platform::Theme& theme = context.theme;
     const std::string id = std::to_string(record.id);
     ImGui::TableNextRow();
     text_cell(theme, record_icon(record), record_color(theme, record));
     context.items.mark("jobs/icon/" + id);
     text_cell(theme, record.name, theme.text);
-    const std::string time = record.seconds > 0.0 ? value_label(record.seconds, 3) + " s" : "";
-    if (wide) text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
-    else tooltip(theme, "Begun " + record.clock + (time.empty() ? "" : ", took " + time));
+    const std::string time = record.seconds > 0.0 ? plot::value_label(record.seconds, 3) + " s" : "";
+    if (wide)
+        text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
+    else
+        tooltip(theme, "Begun " + record.clock + (time.empty() ? "" : ", took " + time));
     text_cell(theme, result_words(record), theme.text);
     context.items.mark("jobs/record/" + id);
     ImGui::TableNextColumn();
     if (record.run) {
         bool compared = record.compared;
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
-        if (ImGui::Checkbox("##compare", &compared)) context.emit(command::CompareRecord{record.id, compared});
+        if (ImGui::Checkbox("##compare", &compared)) context.emit(commands::CompareRecord{record.id, compared});
         ImGui::PopStyleVar();
         context.items.mark("jobs/compare/" + id);
-        tooltip(theme, "Draw its markers beside those of the shown run: as curves in the plots, as rings of the same colour in the view. The settings in which it differs are listed, too.");
+        tooltip(theme,
+                "Draw its markers beside those of the shown run: as curves in the plots, as rings of the same colour "
+                "in the view. The settings in which it differs are listed, too.");
     }
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(!record.can_be_restored());
-    if (small_button(context, wide ? "Restore" : icon::undo, "jobs/restore/" + id, "Show it again, with its settings; undo brings the present ones back")) context.emit(command::RestoreRecord{record.id});
+    if (small_button(context, wide ? "Restore" : platform::icon::undo, "jobs/restore/" + id,
+                     "Show it again, with its settings; undo brings the present ones back"))
+        context.emit(commands::RestoreRecord{record.id});
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (small_button(context, wide ? "Forget" : icon::remove, "jobs/forget/" + id, "Take it off the list")) context.emit(command::ForgetRecord{record.id});
+    if (small_button(context, wide ? "Forget" : platform::icon::remove, "jobs/forget/" + id, "Take it off the list"))
+        context.emit(commands::ForgetRecord{record.id});
 }
 
 }  // namespace
 
-std::string JobsPanel::title() const { return std::string(icon::tasks) + "  Jobs"; }
+std::string JobsPanel::title() const { return std::string(platform::icon::tasks) + "  Jobs"; }
 
 void JobsPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     if (!state.job && state.history.empty()) {
-        muted_text(theme, "Runs, calibrations, searches and diagnoses are listed here, with what they brought, to be compared and taken up again. While one runs, "
-                          "others can be asked for: they wait their turn.");
+        muted_text(theme,
+                   "Runs, calibrations, searches and diagnoses are listed here, with what they brought, to be compared "
+                   "and taken up again. While one runs, "
+                   "others can be asked for: they wait their turn.");
         return;
     }
     // Beside the list where there is room, else below it.
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool compares = compares_jobs(state), beside = room.x > 900.0f * theme.scale;
     ImVec2 size{0.0f, 0.0f};
-    if (compares && beside) size.x = room.x - 380.0f * theme.scale;
-    else if (compares) size.y = 0.5f * room.y;
+    if (compares && beside)
+        size.x = room.x - 380.0f * theme.scale;
+    else if (compares)
+        size.y = 0.5f * room.y;
     draw_list(context, size);
     if (!compares) return;
     if (beside) ImGui::SameLine();
@@ -134,23 +155,38 @@ void JobsPanel::draw(PanelContext& context) {
 }
 
 void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const bool wide = (size.x > 0.0f ? size.x : ImGui::GetContentRegionAvail().x) > 620.0f * theme.scale;   // else the times stand in tooltips and the buttons are signs
-    struct Column { Heading heading; float width; };   // width 0: the rest
-    std::vector<Column> columns{{{"", ""}, 20.0f}, {{"Job", ""}, 110.0f}, {{"Result", ""}, 0.0f}, {{wide ? "Compare" : "", "Its markers in the plots, and the settings in which it differs"}, wide ? 60.0f : 22.0f}, {{"", ""}, wide ? 132.0f : 64.0f}};
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const bool wide = (size.x > 0.0f ? size.x : ImGui::GetContentRegionAvail().x) >
+                      620.0f * theme.scale;  // else the times stand in tooltips and the buttons are signs
+    struct Column {
+        Heading heading;
+        float width;
+    };  // width 0: the rest
+    std::vector<Column> columns{
+        {{"", ""}, 20.0f},
+        {{"Job", ""}, 110.0f},
+        {{"Result", ""}, 0.0f},
+        {{wide ? "Compare" : "", "Its markers in the plots, and the settings in which it differs"},
+         wide ? 60.0f : 22.0f},
+        {{"", ""}, wide ? 132.0f : 64.0f}};
     if (wide) columns.insert(columns.begin() + 2, {{{"Begun", ""}, 64.0f}, {{"Time", "Spent on it", true}, 80.0f}});
-    if (!ImGui::BeginTable("jobs", static_cast<int>(columns.size()), ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH, size)) return;
+    if (!ImGui::BeginTable(
+            "jobs", static_cast<int>(columns.size()),
+            ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH,
+            size))
+        return;
     ImGui::TableSetupScrollFreeze(0, 1);
     std::vector<Heading> headings;
     for (std::size_t k = 0; k < columns.size(); ++k) {
         headings.push_back(columns[k].heading);
-        const ImGuiTableColumnFlags flags = columns[k].width > 0.0f ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch;
+        const ImGuiTableColumnFlags flags = columns[k].width > 0.0f ? ImGuiTableColumnFlags_WidthFixed
+                                                                    : ImGuiTableColumnFlags_WidthStretch;
         ImGui::TableSetupColumn(std::to_string(k).c_str(), flags, columns[k].width * theme.scale);
     }
     heading_row(theme, headings);
     if (state.job) running_row(context, *state.job, wide);
-    for (const QueuedJob& job : state.queue) {
+    for (const commands::QueuedJob& job : state.queue) {
         ImGui::PushID(job.id);
         waiting_row(context, job, wide);
         ImGui::PopID();
@@ -163,4 +199,4 @@ void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
     ImGui::EndTable();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -4,7 +4,7 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// The running job, those that wait, and those that have ended, with what they brought.
 class JobsPanel : public Panel {
@@ -19,4 +19,4 @@ private:
     void draw_list(PanelContext& context, const ImVec2& size);
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace myo {
+namespace myo::ui::panels {
 
-Layout make_layout(float width, float height, float scale, const LayoutSizes& sizes) {
+Layout make_layout(float width, float height, float scale, const commands::LayoutSizes& sizes) {
     const float edge = std::round(4.0f * scale);
     const float bar = std::round(44.0f * scale);
     const float timeline = std::round(44.0f * scale);
     Layout layout;
     layout.narrow = width < 1000.0f * scale;
     const float steps = std::round((layout.narrow ? 44.0f : 128.0f) * scale);
-    const float rail = steps + std::round(std::clamp(sizes.rail * scale, std::min(240.0f * scale, 0.5f * width - steps), 0.6f * width - steps));
-    const float strip = std::round(std::clamp(sizes.strip * scale, 80.0f, std::max(80.0f, 0.5f * (height - bar - timeline))));
+    const float rail = steps + std::round(std::clamp(sizes.rail * scale, std::min(240.0f * scale, 0.5f * width - steps),
+                                                     0.6f * width - steps));
+    const float strip = std::round(
+        std::clamp(sizes.strip * scale, 80.0f, std::max(80.0f, 0.5f * (height - bar - timeline))));
     const float left = rail + edge;
     const float strip_top = height - strip;
     const float timeline_top = strip_top - edge - timeline;
@@ -28,4 +30,4 @@ Layout make_layout(float width, float height, float scale, const LayoutSizes& si
     return layout;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -5,12 +5,12 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-std::string LogPanel::title() const { return std::string(icon::list) + "  Messages"; }
+std::string LogPanel::title() const { return std::string(platform::icon::list) + "  Messages"; }
 
 void LogPanel::draw(PanelContext& context) {
-    const std::vector<LogLine>& lines = context.state.log;
+    const std::vector<commands::LogLine>& lines = context.state.log;
     if (lines.empty()) muted_text(context.theme, "No messages yet.");
     const std::size_t logged = context.state.logged;
     const float width = ImGui::GetContentRegionAvail().x;
@@ -36,4 +36,4 @@ void LogPanel::draw(PanelContext& context) {
     seen_ = logged;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

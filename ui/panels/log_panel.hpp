@@ -4,7 +4,7 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// Messages, newest last.
 class LogPanel : public Panel {
@@ -15,9 +15,10 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    std::size_t seen_ = 0;                       // lines since the start
-    std::map<std::size_t, float> heights_;       // of lines that were drawn, by their number since the start, at this width and scale
+    std::size_t seen_ = 0;  // lines since the start
+    std::map<std::size_t, float>
+        heights_;  // of lines that were drawn, by their number since the start, at this width and scale
     float width_ = 0.0f, scale_ = 0.0f;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -12,7 +12,7 @@
 #include "platform/fonts.hpp"
 #include "plot/legend.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 constexpr const char* plot_help =
@@ -24,37 +24,39 @@ constexpr const char* plot_help =
     "A name in the legend: hide or show the curve";
 
 /// Far in hue from measured, simulated and residual in both themes.
-const ImVec4& overlay_color(const Theme& theme, std::size_t trial) {
+const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial) {
     constexpr std::array<int, 4> colors{3, 2, 7, 6};
     return theme.muscle(colors[trial % colors.size()]);
 }
 
 /// Whether the panel has no room for words on its buttons; the legend of several trials is then in their menu.
-bool is_narrow(const Theme& theme) { return ImGui::GetContentRegionAvail().x < 460.0f * theme.scale; }
+bool is_narrow(const platform::Theme& theme) { return ImGui::GetContentRegionAvail().x < 460.0f * theme.scale; }
 
 /// All curves of one trial in x, y or z.
 struct TrialCurves {
-    PlotSeries measured, simulated, residual;   // the latter two NaN without a run
+    plot::PlotSeries measured, simulated, residual;  // the latter two NaN without a run
 };
 
-TrialCurves overlaid_curves(const OverlaidMarker& other, std::size_t marker, int axis, const Theme& theme) {
-    const SceneTrial& trial = *other.measured;
+TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t marker, int axis,
+                            const platform::Theme& theme) {
+    const commands::SceneTrial& trial = *other.measured;
     ImVec4 faint = overlay_color(theme, other.trial);
     const Eigen::VectorXd measured = 1e3 * trial.measured[marker].row(axis).transpose();
     Eigen::VectorXd simulated = Eigen::VectorXd::Constant(measured.size(), std::numeric_limits<double>::quiet_NaN());
     if (other.simulated_m) simulated = 1e3 * other.simulated_m->row(axis).transpose();
     const ImVec4 color = faint;
-    faint.w = 0.7f;   // the line stays in sight where the dots lie on it
-    return {{trial.name + ", measured", trial.time_s, measured, faint, true}, {trial.name + ", simulated", trial.time_s, simulated, color, false},
+    faint.w = 0.7f;  // the line stays in sight where the dots lie on it
+    return {{trial.name + ", measured", trial.time_s, measured, faint, true},
+            {trial.name + ", simulated", trial.time_s, simulated, color, false},
             {trial.name, trial.time_s, simulated - measured, color, false}};
 }
 
 }  // namespace
 
-std::string MarkerPanel::title() const { return std::string(icon::chart) + "  Markers"; }
+std::string MarkerPanel::title() const { return std::string(platform::icon::chart) + "  Markers"; }
 
 void MarkerPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!state.scene_trial() || state.scene->markers.empty()) {
         muted_text(context.theme, "Measured and simulated markers are drawn here. Open an experiment folder to begin.");
         return;
@@ -70,7 +72,7 @@ void MarkerPanel::draw(PanelContext& context) {
         marker_ = state.marker;
     }
     draw_choice(context);
-    if (!is_narrow(context.theme) && !overlaid_markers(state, overlaid_).empty()) draw_legend(context);
+    if (!is_narrow(context.theme) && !commands::overlaid_markers(state, overlaid_).empty()) draw_legend(context);
     seen_.clear();
     const ImVec2 space = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
     plots_ = {corner, {corner.x + space.x, corner.y + space.y}};
@@ -90,18 +92,19 @@ void MarkerPanel::draw(PanelContext& context) {
 }
 
 void MarkerPanel::draw_choice(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
-    const bool narrow = is_narrow(context.theme);   // then the buttons are signs
+    const bool narrow = is_narrow(context.theme);  // then the buttons are signs
     const float gap = narrow ? 4.0f * s : 8.0f * s;
     ImGui::SetNextItemWidth(narrow ? 80.0f * s : std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
     context.items.mark("markers/marker");
     if (open) {
         for (std::size_t m = 0; m < markers.size(); ++m) {
-            if (ImGui::Selectable(markers[m].name.c_str(), m == current)) context.emit(command::ChooseMarker{static_cast<int>(m)});
+            if (ImGui::Selectable(markers[m].name.c_str(), m == current))
+                context.emit(commands::ChooseMarker{static_cast<int>(m)});
             context.items.mark("markers/marker/" + markers[m].name);
         }
         ImGui::EndCombo();
@@ -116,7 +119,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     ImGui::SameLine(0.0f, 2.0f * gap);
     draw_trials(context, narrow);
     ImGui::SameLine(0.0f, gap);
-    if (ImGui::Button(narrow ? icon::expand : "Fit")) {
+    if (ImGui::Button(narrow ? platform::icon::expand : "Fit")) {
         time_.range.reset();
         main_ = {};
         residual_ = {};
@@ -124,68 +127,79 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     context.items.mark("markers/fit");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the data (double-click in a plot does the same)");
     ImGui::SameLine(0.0f, gap);
-    if (ImGui::Button(narrow ? icon::save : "Export\xe2\x80\xa6")) ImGui::OpenPopup("markers export");
+    if (ImGui::Button(narrow ? platform::icon::save : "Export\xe2\x80\xa6")) ImGui::OpenPopup("markers export");
     context.items.mark("markers/export");
     tooltip(context.theme, "Saves what is seen of this marker as a table, a drawing or a picture");
     draw_export(context, state.scene_trial()->name + "_" + markers[current].name);
     ImGui::SameLine(0.0f, gap);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(context.theme.muted, "%s", icon::information);
+    ImGui::TextColored(context.theme.muted, "%s", platform::icon::information);
     context.items.mark("markers/help");
     tooltip(context.theme, plot_help, 460.0f);
     draw_error(context);
 }
 
 void MarkerPanel::draw_error(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const SimulatedTrial* simulated = state.simulated_trial();
+    const commands::WorkbenchState& state = context.state;
+    const commands::SimulatedTrial* simulated = state.simulated_trial();
     const auto m = static_cast<std::size_t>(state.marker);
     std::string text;
     if (time_.chosen) {
-        const double rms = marker_rms_m(*state.scene_trial(), simulated, m, time_.chosen->lowest, time_.chosen->highest);
-        const std::string range = " in " + value_label(time_.chosen->lowest, 3) + "\xe2\x80\x93" + value_label(time_.chosen->highest, 3) + " s";
-        text = (std::isfinite(rms) ? "rms " + value_label(1e3 * rms, 3) + " mm" : std::string("nothing to compare")) + range;
+        const double rms = commands::marker_rms_m(*state.scene_trial(), simulated, m, time_.chosen->lowest,
+                                                  time_.chosen->highest);
+        const std::string range = " in " + plot::value_label(time_.chosen->lowest, 3) + "\xe2\x80\x93" +
+                                  plot::value_label(time_.chosen->highest, 3) + " s";
+        text = (std::isfinite(rms) ? "rms " + plot::value_label(1e3 * rms, 3) + " mm"
+                                   : std::string("nothing to compare")) +
+               range;
     } else if (simulated && m < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[m])) {
-        text = "rms of this marker  " + value_label(1e3 * simulated->marker_rms_m[m], 3) + " mm";
+        text = "rms of this marker  " + plot::value_label(1e3 * simulated->marker_rms_m[m], 3) + " mm";
     }
     if (text.empty()) return;
     ImGui::SameLine(0.0f, 16.0f * context.theme.scale);
     if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) {
         ImGui::NewLine();
-        if (!time_.chosen) return;   // the table of errors has it; a range was asked for here
+        if (!time_.chosen) return;  // the table of errors has it; a range was asked for here
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(time_.chosen ? context.theme.text : context.theme.muted, "%s", text.c_str());
     context.items.mark(time_.chosen ? "markers/chosen_rms" : "markers/rms");
-    if (time_.chosen) tooltip(context.theme, "Root mean square of simulated \xe2\x88\x92 measured over x, y and z of this marker in the shown trial, within the chosen range. Shift and click in a plot: no range.");
+    if (time_.chosen)
+        tooltip(context.theme,
+                "Root mean square of simulated \xe2\x88\x92 measured over x, y and z of this marker in the shown "
+                "trial, within the chosen range. Shift and click in a plot: no range.");
 }
 
 void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
-    const WorkbenchState& state = context.state;
-    if (ImGui::Button(narrow ? icon::list : "Trials\xe2\x80\xa6")) ImGui::OpenPopup("trials");
+    const commands::WorkbenchState& state = context.state;
+    if (ImGui::Button(narrow ? platform::icon::list : "Trials\xe2\x80\xa6")) ImGui::OpenPopup("trials");
     context.items.mark("markers/trials");
     tooltip(context.theme, "Draws this marker in other trials, too, in time since each trial's start");
     if (!begin_popup_above(context.theme, "trials", 320.0f)) return;
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
-        const SceneTrial& trial = state.scene->trials[t];
+        const commands::SceneTrial& trial = state.scene->trials[t];
         const int index = static_cast<int>(t);
         bool drawn = index == state.trial || overlaid_.count(index) > 0;
         ImGui::BeginDisabled(index == state.trial);
         ImGui::PushID(index);
         if (ImGui::Checkbox("##drawn", &drawn)) {
-            if (drawn) overlaid_.insert(index);
-            else overlaid_.erase(index);
+            if (drawn)
+                overlaid_.insert(index);
+            else
+                overlaid_.erase(index);
         }
         ImGui::PopID();
         context.items.mark("markers/trial/" + trial.name);
         ImGui::EndDisabled();
         ImGui::SameLine();
         ImGui::PushTextWrapPos(0.0f);
-        if (index == state.trial) ImGui::TextColored(context.theme.muted, "%s (shown)", trial.name.c_str());
-        else ImGui::TextColored(overlay_color(context.theme, t), "%s", trial.name.c_str());
+        if (index == state.trial)
+            ImGui::TextColored(context.theme.muted, "%s (shown)", trial.name.c_str());
+        else
+            ImGui::TextColored(overlay_color(context.theme, t), "%s", trial.name.c_str());
         ImGui::PopTextWrapPos();
     }
-    if (narrow && !overlaid_markers(state, overlaid_).empty()) {
+    if (narrow && !commands::overlaid_markers(state, overlaid_).empty()) {
         ImGui::Separator();
         draw_legend(context);
     }
@@ -194,11 +208,12 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
 
 /// One legend for all axes: over each plot there is no room for the names of several trials.
 void MarkerPanel::draw_legend(PanelContext& context) {
-    const Theme& theme = context.theme;
-    std::vector<LegendEntry> entries{{"measured", theme.measured, true}};
+    const platform::Theme& theme = context.theme;
+    std::vector<plot::LegendEntry> entries{{"measured", theme.measured, true}};
     if (context.state.simulated_trial()) entries.push_back({"simulated", theme.simulated, false});
-    for (const ComparedMarker& other : compared_markers(context.state)) entries.push_back({other.name, theme.muscle(static_cast<int>(other.record)), false});
-    for (const OverlaidMarker& other : overlaid_markers(context.state, overlaid_)) {
+    for (const commands::ComparedMarker& other : commands::compared_markers(context.state))
+        entries.push_back({other.name, theme.muscle(static_cast<int>(other.record)), false});
+    for (const commands::OverlaidMarker& other : commands::overlaid_markers(context.state, overlaid_)) {
         const ImVec4& color = overlay_color(theme, other.trial);
         entries.push_back({other.measured->name + ", measured", color, true});
         if (other.simulated_m) entries.push_back({other.measured->name + ", simulated", color, false});
@@ -206,15 +221,16 @@ void MarkerPanel::draw_legend(PanelContext& context) {
     ImGui::PushFont(theme.small);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float gap = 12.0f * theme.scale, right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    for (const LegendEntry& entry : entries) {
-        const float width = legend_width(entry, theme);
+    for (const plot::LegendEntry& entry : entries) {
+        const float width = plot::legend_width(entry, theme);
         if (&entry != &entries.front()) {
             ImGui::SameLine(0.0f, gap);
             if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
         }
         const bool pressed = ImGui::InvisibleButton(entry.name.c_str(), {width, ImGui::GetTextLineHeight()});
         context.items.mark("markers/legend/" + entry.name);
-        draw_legend_entry(list, entry, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::IsItemHovered(), pressed, theme, hidden_);
+        plot::draw_legend_entry(list, entry, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::IsItemHovered(),
+                                pressed, theme, hidden_);
     }
     ImGui::PopFont();
 }
@@ -223,69 +239,82 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     if (!ImGui::BeginPopup("markers export")) return;
     if (ImGui::MenuItem("Table (CSV)\xe2\x80\xa6")) {
         constexpr double infinite = std::numeric_limits<double>::infinity();
-        const Range range = time_.range.value_or(Range{-infinite, infinite});
-        context.window.file = table_dialog("Save the marker's curves", name, marker_curves_csv(context.state, range.lowest, range.highest, overlaid_));
+        const plot::Range range = time_.range.value_or(plot::Range{-infinite, infinite});
+        context.window.file = table_dialog(
+            "Save the marker's curves", name,
+            commands::marker_curves_csv(context.state, range.lowest, range.highest, overlaid_));
     }
     context.items.mark("markers/csv");
-    tooltip(context.theme, "The visible time range of this marker [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, every compared run and the other trials that are drawn, each in x, y and z");
+    tooltip(context.theme,
+            "The visible time range of this marker [s, m]: measured, simulated, simulated \xe2\x88\x92 measured, every "
+            "compared run and the other trials that are drawn, each in x, y and z");
     if (ImGui::MenuItem("Drawing (SVG)\xe2\x80\xa6", nullptr, false, !seen_.empty()))
-        context.window.file = table_dialog("Save the marker's plots", name, plots_svg(seen_, context.theme), ".svg");
+        context.window.file = table_dialog("Save the marker's plots", name, plot::plots_svg(seen_, context.theme),
+                                           ".svg");
     context.items.mark("markers/svg");
-    tooltip(context.theme, "The visible range of the shown plots [s, mm] below each other, as vectors for a paper or a slide");
-    if (ImGui::MenuItem("Picture (PNG)\xe2\x80\xa6")) context.window.file = part_dialog("Save a picture of the plots", name, plots_);
+    tooltip(context.theme,
+            "The visible range of the shown plots [s, mm] below each other, as vectors for a paper or a slide");
+    if (ImGui::MenuItem("Picture (PNG)\xe2\x80\xa6"))
+        context.window.file = part_dialog("Save a picture of the plots", name, plots_);
     context.items.mark("markers/png");
     tooltip(context.theme, "The plots as they are seen, pixel by pixel");
     ImGui::EndPopup();
 }
 
-void MarkerPanel::see(const Plot& plot, const PlotResult& drawn, const HiddenSeries& hidden) {
-    SeenPlot seen{plot, drawn.area.x, drawn.area.y};
-    std::erase_if(seen.plot.series, [&](const PlotSeries& series) { return hidden.count(series.name) > 0; });
+void MarkerPanel::see(const plot::Plot& plot, const plot::PlotResult& drawn, const plot::HiddenSeries& hidden) {
+    plot::SeenPlot seen{plot, drawn.area.x, drawn.area.y};
+    std::erase_if(seen.plot.series, [&](const plot::PlotSeries& series) { return hidden.count(series.name) > 0; });
     seen_.push_back(std::move(seen));
 }
 
 void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& size) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const auto a = static_cast<std::size_t>(axis);
     const auto m = static_cast<std::size_t>(state.marker);
-    const SceneTrial& trial = *state.scene_trial();
-    const SimulatedTrial* simulated = state.simulated_trial();
+    const commands::SceneTrial& trial = *state.scene_trial();
+    const commands::SimulatedTrial* simulated = state.simulated_trial();
     const std::string axis_name = axis_names[a];
-    const bool compare = simulated && m < simulated->markers.size() && simulated->markers[m].cols() == trial.time_s.size();
+    const bool compare = simulated && m < simulated->markers.size() &&
+                         simulated->markers[m].cols() == trial.time_s.size();
 
-    Plot plot;
+    plot::Plot plot;
     plot.id = "plot/" + axis_name;
     plot.title = axis_name + " [mm]";
     plot.cursor = state.time_s;
     plot.mark = 0.0;
-    const std::vector<OverlaidMarker> others = overlaid_markers(state, overlaid_);
+    const std::vector<commands::OverlaidMarker> others = commands::overlaid_markers(state, overlaid_);
     plot.legend = others.empty();
     plot.selectable = true;
-    Plot strip;
-    for (const OverlaidMarker& other : others) {   // first: the shown trial lies over them
+    plot::Plot strip;
+    for (const commands::OverlaidMarker& other : others) {  // first: the shown trial lies over them
         TrialCurves curves = overlaid_curves(other, m, axis, theme);
-        if (hidden_.count(curves.simulated.name) > 0) curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
+        if (hidden_.count(curves.simulated.name) > 0)
+            curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
         plot.series.push_back(std::move(curves.measured));
         if (other.simulated_m) plot.series.push_back(std::move(curves.simulated));
-        strip.series.push_back(std::move(curves.residual));   // also without values: the time axes of both plots stay equal
+        strip.series.push_back(
+            std::move(curves.residual));  // also without values: the time axes of both plots stay equal
     }
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
     plot.series.push_back({"measured", trial.time_s, measured, theme.measured, true});
     if (compare) {
         const Eigen::VectorXd predicted = 1e3 * simulated->markers[m].row(axis).transpose();
         plot.series.push_back({"simulated", trial.time_s, predicted, theme.simulated, false});
-        strip.series.push_back({"simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure, false});
+        strip.series.push_back(
+            {"simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure, false});
     }
-    for (const ComparedMarker& other : compared_markers(state))
-        plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(), theme.muscle(static_cast<int>(other.record)), false});
+    for (const commands::ComparedMarker& other : commands::compared_markers(state))
+        plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(),
+                               theme.muscle(static_cast<int>(other.record)), false});
     // In a low strip the motion itself keeps the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
     plot.x_axis = !residual;
     const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
-    const PlotResult main = draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_, main_[a], hidden_);
+    const plot::PlotResult main = plot::draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_,
+                                                  main_[a], hidden_);
     see(plot, main, hidden_);
-    if (main.cursor) context.emit(command::SetTime{*main.cursor});
+    if (main.cursor) context.emit(commands::SetTime{*main.cursor});
     if (!residual) return;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     strip.id = "residual/" + axis_name;
@@ -294,10 +323,11 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     strip.mark = 0.0;
     strip.zero_line = true;
     strip.selectable = true;
-    HiddenSeries none;
-    const PlotResult below = draw_plot(strip, {size.x, residual_height}, theme, context.items, time_, residual_[a], none);
+    plot::HiddenSeries none;
+    const plot::PlotResult below = plot::draw_plot(strip, {size.x, residual_height}, theme, context.items, time_,
+                                                   residual_[a], none);
     see(strip, below, none);
-    if (below.cursor) context.emit(command::SetTime{*below.cursor});
+    if (below.cursor) context.emit(commands::SetTime{*below.cursor});
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -8,57 +8,77 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 const std::vector<SettingField>& material_fields() {
     static const std::vector<SettingField> fields{
-        {{"E", "model/youngs_modulus", "kPa", "Young's modulus E [Pa]: stress over strain in a small pull. With Poisson's ratio it gives the shear modulus μ = E / (2 (1 + ν)) and the bulk modulus "
-                                              "κ = E / (3 (1 − 2ν)).", 1e3, youngs_modulus_limits, 0.1}, &Settings::youngs_modulus_Pa},
-        {{"ν", "model/poissons_ratio", "", "Poisson's ratio ν, a plain number: how much thinner a pulled bar becomes, ν = −ε_across / ε_along. Silicone is nearly incompressible, ν ≈ 0.49 to "
-                                           "0.499. Lamé's λ = E ν / ((1 + ν) (1 − 2ν)).", 1.0, poissons_ratio_limits, 1e-4}, &Settings::poissons_ratio},
-        {{"ρ", "model/density", "kg/m³", "Density ρ [kg/m³] at rest. The mass matrix M in M dv/dt = f is ρ times the integrals of the shape functions' products, m = ρ V in all.", 1.0, density_limits, 1.0},
-         &Settings::density_kg_m3},
+        {{"E", "model/youngs_modulus", "kPa",
+          "Young's modulus E [Pa]: stress over strain in a small pull. With Poisson's ratio it gives the shear modulus "
+          "μ = E / (2 (1 + ν)) and the bulk modulus "
+          "κ = E / (3 (1 − 2ν)).",
+          1e3, commands::youngs_modulus_limits, 0.1},
+         &commands::Settings::youngs_modulus_Pa},
+        {{"ν", "model/poissons_ratio", "",
+          "Poisson's ratio ν, a plain number: how much thinner a pulled bar becomes, ν = −ε_across / ε_along. Silicone "
+          "is nearly incompressible, ν ≈ 0.49 to "
+          "0.499. Lamé's λ = E ν / ((1 + ν) (1 − 2ν)).",
+          1.0, commands::poissons_ratio_limits, 1e-4},
+         &commands::Settings::poissons_ratio},
+        {{"ρ", "model/density", "kg/m³",
+          "Density ρ [kg/m³] at rest. The mass matrix M in M dv/dt = f is ρ times the integrals of the shape "
+          "functions' products, m = ρ V in all.",
+          1.0, commands::density_limits, 1.0},
+         &commands::Settings::density_kg_m3},
         {{"Damping τ", "model/damping", "ms",
           "Kelvin–Voigt time τ [s]: stress S = 2 τ μ dev(dE/dt), E Green's strain. A vibration of angular frequency ω "
           "has the damping ratio ζ = c τ ω / 2: c = 1 in shear and torsion, 2 (1 + ν) / 3 in slender stretching and "
           "bending, 2 (1 − ν + ν²) / (3 (1 − ν)) in wide plates.",
-          1e-3, damping_limits, 0.01},
-         &Settings::damping_s}};
+          1e-3, commands::damping_limits, 0.01},
+         &commands::Settings::damping_s}};
     return fields;
 }
 
-std::string place_label(const Eigen::Vector3d& p) { return plain_label(1e3 * p.x(), 4) + ", " + plain_label(1e3 * p.y(), 4) + ", " + plain_label(1e3 * p.z(), 4); }
+std::string place_label(const Eigen::Vector3d& p) {
+    return plot::plain_label(1e3 * p.x(), 4) + ", " + plot::plain_label(1e3 * p.y(), 4) + ", " +
+           plot::plain_label(1e3 * p.z(), 4);
+}
 
 }  // namespace
 
 void MaterialPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    setting_choice(context, "Material", "model/material", "Energy per rest volume ψ [J/m³] of the deformation gradient F; the stress is P = ∂ψ/∂F.", state.materials, &Settings::material);
+    const commands::WorkbenchState& state = context.state;
+    setting_choice(context, "Material", "model/material",
+                   "Energy per rest volume ψ [J/m³] of the deformation gradient F; the stress is P = ∂ψ/∂F.",
+                   state.materials, &commands::Settings::material);
     setting_rows(context, material_fields(), edit_);
     draw_preview_rows(context, preview_edit_);
     if (!state.scene) return;
     heading(context.theme, "Support");
     if (state.scene->clamp_m) {
-        text_row(context.theme, "Held inside", place_label(state.scene->clamp_m->lowest) + "\nto " + place_label(state.scene->clamp_m->highest) + " mm");
+        text_row(
+            context.theme, "Held inside",
+            place_label(state.scene->clamp_m->lowest) + "\nto " + place_label(state.scene->clamp_m->highest) + " mm");
         tooltip(context.theme, "What lies in this box does not move. It is drawn in the view.");
     } else {
         muted_text(context.theme, "Nothing holds the body.");
     }
     const double g = state.scene->gravity_m_s2.norm();
-    text_row(context.theme, "Gravity", g > 0.0 ? plain_label(state.scene->gravity_m_s2.x(), 3) + ", " + plain_label(state.scene->gravity_m_s2.y(), 3) + ", " +
-                                                     plain_label(state.scene->gravity_m_s2.z(), 3) + " m/s\xc2\xb2"
-                                               : std::string("none"));
+    text_row(context.theme, "Gravity",
+             g > 0.0 ? plot::plain_label(state.scene->gravity_m_s2.x(), 3) + ", " +
+                           plot::plain_label(state.scene->gravity_m_s2.y(), 3) + ", " +
+                           plot::plain_label(state.scene->gravity_m_s2.z(), 3) + " m/s\xc2\xb2"
+                     : std::string("none"));
     tooltip(context.theme, "Acceleration g [m/s²] of the trial's weight, f = M g, as the experiment declares it.");
     draw_effects(context);
 }
 
 void MaterialPanel::draw_effects(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (state.settings.effects.empty()) return;
     heading(context.theme, "Added effects");
     for (std::size_t i = 0; i < state.settings.effects.size(); ++i) {
-        const AddedEffect& effect = state.settings.effects[i];
+        const commands::AddedEffect& effect = state.settings.effects[i];
         ImGui::PushID(static_cast<int>(i));
         const float button = ImGui::GetFrameHeight();
         row_label(context.theme, effect.name, "An effect that was added to the experiment's own model.");
@@ -67,10 +87,10 @@ void MaterialPanel::draw_effects(PanelContext& context) {
         context.items.mark("model/effect/" + effect.id);
         ImGui::SameLine();
         ImGui::SetCursorPosX(right - button);
-        if (ImGui::Button(icon::remove, {button, 0.0f})) {
-            Settings settings = state.settings;
+        if (ImGui::Button(platform::icon::remove, {button, 0.0f})) {
+            commands::Settings settings = state.settings;
             settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(i));
-            context.emit(command::ChangeSettings{settings, "effects", false});
+            context.emit(commands::ChangeSettings{settings, "effects", false});
         }
         context.items.mark("model/remove/" + effect.id);
         tooltip(context.theme, "Take it out of the model");
@@ -78,4 +98,4 @@ void MaterialPanel::draw_effects(PanelContext& context) {
     }
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,7 +2,7 @@
 
 #include "panels/widgets.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// What the body is made of, where it is held, and the effects that were added.
 class MaterialPanel : public Panel {
@@ -10,7 +10,7 @@ public:
     std::string name() const override { return "material"; }
     std::string title() const override { return "Material & support"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::material; }
+    std::optional<commands::Step> step() const override { return commands::Step::material; }
     void draw(PanelContext& context) override;
 
 private:
@@ -20,4 +20,4 @@ private:
     OpenEdit preview_edit_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -11,27 +11,32 @@
 #include "panels/widgets.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-void draw_trial_errors(PanelContext& context, const std::string& item, const RunResult* run) {
-    const WorkbenchState& state = context.state;
+void draw_trial_errors(PanelContext& context, const std::string& item, const commands::RunResult* run) {
+    const commands::WorkbenchState& state = context.state;
     if (!ImGui::BeginTable("trials", 3, ImGuiTableFlags_RowBg)) return;
-    const std::vector<Heading> headings{{"Trial", ""}, {"Role", "Trials of role validate are predicted, never fitted."}, {"rms [mm]", "Error over all markers of the trial", true}};
+    const std::vector<Heading> headings{{"Trial", ""},
+                                        {"Role", "Trials of role validate are predicted, never fitted."},
+                                        {"rms [mm]", "Error over all markers of the trial", true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("validate").x);
     number_column(context.theme, headings[2]);
     heading_row(context.theme, headings);
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
-        const SceneTrial& trial = state.scene->trials[t];
+        const commands::SceneTrial& trial = state.scene->trials[t];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushID(static_cast<int>(t));
-        if (ImGui::Selectable(elided(trial.name, ImGui::GetContentRegionAvail().x).c_str(), static_cast<int>(t) == state.trial, ImGuiSelectableFlags_SpanAllColumns))
-            context.emit(command::ChooseTrial{static_cast<int>(t)});
+        if (ImGui::Selectable(elided(trial.name, ImGui::GetContentRegionAvail().x).c_str(),
+                              static_cast<int>(t) == state.trial, ImGuiSelectableFlags_SpanAllColumns))
+            context.emit(commands::ChooseTrial{static_cast<int>(t)});
         context.items.mark(item + trial.name);
         ImGui::PopID();
         text_cell(context.theme, trial.role, context.theme.muted);
-        number_cell(context.theme, run && t < run->trials.size() && std::isfinite(run->trials[t].rms_m) ? value_label(1e3 * run->trials[t].rms_m, 3) : "\xe2\x80\x93");
+        number_cell(context.theme, run && t < run->trials.size() && std::isfinite(run->trials[t].rms_m)
+                                       ? plot::value_label(1e3 * run->trials[t].rms_m, 3)
+                                       : "\xe2\x80\x93");
     }
     ImGui::EndTable();
 }
@@ -40,72 +45,99 @@ namespace {
 
 void draw_import_button(PanelContext& context) {
     ImGui::Spacing();
-    if (ImGui::Button("Import a recording\xe2\x80\xa6")) context.window.file = recording_dialog(context.state.scene->path);
+    if (ImGui::Button("Import a recording\xe2\x80\xa6"))
+        context.window.file = recording_dialog(context.state.scene->path);
     context.items.mark("measure/import");
-    tooltip(context.theme, "Makes a trial of a file of motion capture: C3D, Qualisys TSV, CSV, or a table of x, y, z of each marker");
+    tooltip(context.theme,
+            "Makes a trial of a file of motion capture: C3D, Qualisys TSV, CSV, or a table of x, y, z of each marker");
 }
 
 }  // namespace
 
 void MeasurePanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     if (!state.scene || state.scene->markers.empty()) {
-        muted_text(theme, "Measured markers are compared with the simulation here. Open an experiment folder that has some, or import a recording of this body.");
+        muted_text(theme,
+                   "Measured markers are compared with the simulation here. Open an experiment folder that has some, "
+                   "or import a recording of this body.");
         if (state.scene) draw_import_button(context);
         return;
     }
-    if (state.previewing()) notice(theme, LogLevel::information, preview_text(state));
-    else if (state.run && !state.run_is_current()) notice(theme, LogLevel::information, "The settings changed since this run.");
+    if (state.previewing())
+        notice(theme, commands::LogLevel::information, commands::preview_text(state));
+    else if (state.run && !state.run_is_current())
+        notice(theme, commands::LogLevel::information, "The settings changed since this run.");
     draw_trial_errors(context, "measure/trial/", state.shown_run().get());
-    const SceneTrial* const trial = state.scene_trial();
+    const commands::SceneTrial* const trial = state.scene_trial();
     draw_import_button(context);
     if (!trial) return;
     heading(theme, "Markers of " + trial->name);
-    struct Tab { Shown shown; const char* label; const char* item; const char* tip; };
+    struct Tab {
+        Shown shown;
+        const char* label;
+        const char* item;
+        const char* tip;
+    };
     const std::string what = shown_ == Shown::bias      ? "Mean of simulated less measured [mm]"
                              : shown_ == Shown::largest ? "Largest magnitude of simulated less measured [mm]"
                                                         : "Root mean square of simulated less measured [mm]";
-    for (const Tab& t : {Tab{Shown::whole, "In all", "measure/whole", "All three coordinates together"}, Tab{Shown::rms, "rms", "measure/rms", "Root mean square in x, y and z"}, Tab{Shown::largest, "max", "measure/largest", "Largest error in x, y and z"},
+    for (const Tab& t : {Tab{Shown::whole, "In all", "measure/whole", "All three coordinates together"},
+                         Tab{Shown::rms, "rms", "measure/rms", "Root mean square in x, y and z"},
+                         Tab{Shown::largest, "max", "measure/largest", "Largest error in x, y and z"},
                          Tab{Shown::bias, "Bias", "measure/bias", "Mean error in x, y and z"}}) {
         if (t.shown != Shown::whole) ImGui::SameLine();
         if (tab(theme, t.label, shown_ == t.shown)) shown_ = t.shown;
         context.items.mark(t.item);
         tooltip(theme, t.tip);
     }
-    const std::vector<MarkerError> errors = marker_errors(*state.scene, *trial, state.simulated_trial());
-    const std::vector<Heading> whole{{"Marker", ""}, {"rms [mm]", "Over all three coordinates, from t = 0 on", true}, {"max [mm]", "Largest distance", true},
+    const std::vector<commands::MarkerError> errors = commands::marker_errors(*state.scene, *trial,
+                                                                              state.simulated_trial());
+    const std::vector<Heading> whole{{"Marker", ""},
+                                     {"rms [mm]", "Over all three coordinates, from t = 0 on", true},
+                                     {"max [mm]", "Largest distance", true},
                                      {"seen [%]", "Share of the samples in which the marker was measured", true}};
-    const std::vector<Heading> axes{{"Marker", ""}, {"x [mm]", what, true}, {"y [mm]", what, true}, {"z [mm]", what, true}};
+    const std::vector<Heading> axes{
+        {"Marker", ""}, {"x [mm]", what, true}, {"y [mm]", what, true}, {"z [mm]", what, true}};
     const std::vector<Heading>& headings = shown_ == Shown::whole ? whole : axes;
     if (!ImGui::BeginTable("markers", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
     for (std::size_t k = 1; k < headings.size(); ++k) number_column(theme, headings[k]);
     heading_row(theme, headings);
-    const auto length = [&](double metres) { number_cell(theme, std::isfinite(metres) ? value_label(1e3 * metres, 2) : "\xe2\x80\x93"); };
+    const auto length = [&](double metres) {
+        number_cell(theme, std::isfinite(metres) ? plot::value_label(1e3 * metres, 2) : "\xe2\x80\x93");
+    };
     for (std::size_t m = 0; m < errors.size(); ++m) {
-        const MarkerError& error = errors[m];
+        const commands::MarkerError& error = errors[m];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushID(static_cast<int>(m));
-        if (ImGui::Selectable(elided(error.name, ImGui::GetContentRegionAvail().x).c_str(), static_cast<int>(m) == state.marker, ImGuiSelectableFlags_SpanAllColumns))
-            context.emit(command::ChooseMarker{static_cast<int>(m)});
+        if (ImGui::Selectable(elided(error.name, ImGui::GetContentRegionAvail().x).c_str(),
+                              static_cast<int>(m) == state.marker, ImGuiSelectableFlags_SpanAllColumns))
+            context.emit(commands::ChooseMarker{static_cast<int>(m)});
         context.items.mark("measure/marker/" + error.name);
         tooltip(theme, error.name);
         ImGui::PopID();
         if (shown_ == Shown::whole) {
             length(error.rms_m);
             length(error.largest_m);
-            number_cell(theme, value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
+            number_cell(theme, plot::value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
         } else {
-            for (const double value : shown_ == Shown::bias ? error.bias_m : shown_ == Shown::largest ? error.largest_axis_m : error.rms_axis_m) length(value);
+            for (const double value : shown_ == Shown::bias      ? error.bias_m
+                                      : shown_ == Shown::largest ? error.largest_axis_m
+                                                                 : error.rms_axis_m)
+                length(value);
         }
     }
     ImGui::EndTable();
     ImGui::Spacing();
-    if (ImGui::Button("Save the table\xe2\x80\xa6")) context.window.file = table_dialog("Save the markers' errors", trial->name + "_errors", marker_errors_csv(errors));
+    if (ImGui::Button("Save the table\xe2\x80\xa6"))
+        context.window.file = table_dialog("Save the markers' errors", trial->name + "_errors",
+                                           commands::marker_errors_csv(errors));
     context.items.mark("measure/csv");
-    tooltip(theme, "Saves rms, largest distance, rms, max and bias per axis [m] and the share of samples seen, of every marker of this trial, as CSV");
+    tooltip(theme,
+            "Saves rms, largest distance, rms, max and bias per axis [m] and the share of samples seen, of every "
+            "marker of this trial, as CSV");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

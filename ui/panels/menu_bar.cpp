@@ -12,7 +12,7 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 constexpr std::array<const char*, 5> menus{"File", "Edit", "View", "Run", "Help"};
@@ -21,38 +21,42 @@ void draw_recent(PanelContext& context) {
     const auto& recent = context.state.preferences.recent;
     if (recent.empty() || !ImGui::BeginMenu("Open lately")) return;
     for (const std::filesystem::path& path : recent)
-        if (ImGui::MenuItem(path.string().c_str())) context.emit(command::Open{path, std::nullopt});
+        if (ImGui::MenuItem(path.string().c_str())) context.emit(commands::Open{path, std::nullopt});
     ImGui::EndMenu();
 }
 
 void draw_examples(PanelContext& context) {
-    const std::vector<Example>& examples = context.state.examples;
+    const std::vector<commands::Example>& examples = context.state.examples;
     const bool open = !examples.empty() && ImGui::BeginMenu("Examples");
     if (!examples.empty()) context.items.mark("menu/examples");
     if (!open) return;
-    for (const Example& example : examples) {
-        if (ImGui::MenuItem(example.name.c_str())) context.emit(command::Open{example.path, std::nullopt});
+    for (const commands::Example& example : examples) {
+        if (ImGui::MenuItem(example.name.c_str())) context.emit(commands::Open{example.path, std::nullopt});
         context.items.mark("menu/example/" + example.path.filename().string());
         tooltip(context.theme, example.description);
     }
     ImGui::EndMenu();
 }
 
-void draw_menu(PanelContext& context, ViewportState& viewport, const std::string& menu) {
+void draw_menu(PanelContext& context, viewport::ViewportState& viewport, const std::string& menu) {
     for (const Action& action : all_actions()) {
         if (action.menu != menu) continue;
         if (action.separated) ImGui::Separator();
-        const bool enabled = !action.enabled || action.enabled(context.state), checked = action.checked && action.checked(context.state);
-        if (ImGui::MenuItem(action.label.c_str(), action.shortcut.label[0] ? action.shortcut.label : nullptr, checked, enabled)) action.perform(context, viewport);
+        const bool enabled = !action.enabled || action.enabled(context.state),
+                   checked = action.checked && action.checked(context.state);
+        if (ImGui::MenuItem(action.label.c_str(), action.shortcut.label[0] ? action.shortcut.label : nullptr, checked,
+                            enabled))
+            action.perform(context, viewport);
         context.items.mark("menu/" + action.id);
         if (action.id == "file.open") draw_recent(context), draw_examples(context);
     }
 }
 
-void draw_menus(PanelContext& context, ViewportState& viewport) {
-    const Theme& theme = context.theme;
+void draw_menus(PanelContext& context, viewport::ViewportState& viewport) {
+    const platform::Theme& theme = context.theme;
     const auto id = [](const char* menu) { return std::string("menu ") + menu; };
-    const bool any_open = std::any_of(menus.begin(), menus.end(), [&](const char* menu) { return ImGui::IsPopupOpen(id(menu).c_str()); });
+    const bool any_open = std::any_of(menus.begin(), menus.end(),
+                                      [&](const char* menu) { return ImGui::IsPopupOpen(id(menu).c_str()); });
     ImGui::PushStyleColor(ImGuiCol_Button, theme.panel);
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0f);
     for (const char* menu : menus) {
@@ -61,7 +65,8 @@ void draw_menus(PanelContext& context, ViewportState& viewport) {
         context.items.mark("menu/" + lower_first(menu));
         const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 2.0f * theme.scale};
         // With one menu open, the mouse goes from one to the next.
-        const bool passes = any_open && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup) && !ImGui::IsPopupOpen(id(menu).c_str());
+        const bool passes = any_open && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup) &&
+                            !ImGui::IsPopupOpen(id(menu).c_str());
         if (pressed || passes) ImGui::OpenPopup(id(menu).c_str());
         ImGui::SetNextWindowPos(below);
         ImGui::SetNextWindowSize({260.0f * theme.scale, 0.0f});
@@ -76,10 +81,14 @@ void draw_menus(PanelContext& context, ViewportState& viewport) {
 }
 
 void draw_message(PanelContext& context, float right) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     if (state.log.empty()) return;
-    const LogLine line = state.previewing() ? LogLine{state.preview.run->problem.empty() ? LogLevel::information : LogLevel::warning, preview_text(state)} : state.log.back();
+    const commands::LogLine line = state.previewing() ? commands::LogLine{state.preview.run->problem.empty()
+                                                                              ? commands::LogLevel::information
+                                                                              : commands::LogLevel::warning,
+                                                                          commands::preview_text(state)}
+                                                      : state.log.back();
     const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
     ImGui::AlignTextToFramePadding();
     const float room = right - 16.0f * theme.scale - ImGui::GetCursorPosX();
@@ -93,9 +102,9 @@ void draw_message(PanelContext& context, float right) {
 
 }  // namespace
 
-void draw_menu_bar(PanelContext& context, ViewportState& viewport) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     ImGui::SetCursorPosY(0.5f * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(theme.strong);
@@ -104,7 +113,8 @@ void draw_menu_bar(PanelContext& context, ViewportState& viewport) {
     ImGui::SameLine(0.0f, 12.0f * theme.scale);
     draw_menus(context, viewport);
     ImGui::SameLine(0.0f, 12.0f * theme.scale);
-    const auto button = [&](const char* sign, const char* item, const char* tip, bool enabled, const Command& asked) {
+    const auto button = [&](const char* sign, const char* item, const char* tip, bool enabled,
+                            const commands::Command& asked) {
         ImGui::BeginDisabled(!enabled);
         if (ImGui::Button(sign)) context.emit(asked);
         context.items.mark(item);
@@ -112,13 +122,17 @@ void draw_menu_bar(PanelContext& context, ViewportState& viewport) {
         tooltip(theme, tip);
         ImGui::SameLine();
     };
-    button(icon::save, "bar/save", state.unsaved() ? "Save the project (Ctrl+S); it has changes" : "Save the project (Ctrl+S)", state.scene != nullptr, command::Save{});
-    button(icon::undo, "bar/undo", "Undo the last change (Ctrl+Z)", state.can_undo, command::Undo{});
-    button(icon::redo, "bar/redo", "Redo (Ctrl+Y)", state.can_redo, command::Redo{});
+    button(platform::icon::save, "bar/save",
+           state.unsaved() ? "Save the project (Ctrl+S); it has changes" : "Save the project (Ctrl+S)",
+           state.scene != nullptr, commands::Save{});
+    button(platform::icon::undo, "bar/undo", "Undo the last change (Ctrl+Z)", state.can_undo, commands::Undo{});
+    button(platform::icon::redo, "bar/redo", "Redo (Ctrl+Y)", state.can_redo, commands::Redo{});
 
-    const bool dark = state.preferences.theme == ThemeName::dark;
-    const float theme_width = 72.0f * theme.scale, scale_width = 84.0f * theme.scale, spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width - spacing;
+    const bool dark = state.preferences.theme == platform::ThemeName::dark;
+    const float theme_width = 72.0f * theme.scale, scale_width = 84.0f * theme.scale,
+                spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width -
+                        spacing;
     const float left = ImGui::GetCursorPosX();
     const float message_right = checks_mark(context, left, right - 16.0f * theme.scale);
     ImGui::SameLine();
@@ -129,7 +143,8 @@ void draw_menu_bar(PanelContext& context, ViewportState& viewport) {
     if (ImGui::BeginCombo("##scale", (std::to_string(std::lround(100.0f * state.scale())) + " %").c_str())) {
         for (const int percent : {75, 100, 125, 150, 200, 250}) {
             const bool chosen = std::lround(100.0f * state.scale()) == percent;
-            if (ImGui::Selectable((std::to_string(percent) + " %").c_str(), chosen)) context.emit(command::SetTheme{state.preferences.theme, 0.01f * static_cast<float>(percent)});
+            if (ImGui::Selectable((std::to_string(percent) + " %").c_str(), chosen))
+                context.emit(commands::SetTheme{state.preferences.theme, 0.01f * static_cast<float>(percent)});
             context.items.mark("bar/scale/" + std::to_string(percent));
         }
         ImGui::EndCombo();
@@ -137,9 +152,10 @@ void draw_menu_bar(PanelContext& context, ViewportState& viewport) {
     context.items.mark("bar/scale");
     tooltip(theme, "Size of text and controls");
     ImGui::SameLine();
-    if (ImGui::Button(dark ? "Light" : "Dark", {theme_width, 0.0f})) context.emit(command::SetTheme{dark ? ThemeName::light : ThemeName::dark, state.scale()});
+    if (ImGui::Button(dark ? "Light" : "Dark", {theme_width, 0.0f}))
+        context.emit(commands::SetTheme{dark ? platform::ThemeName::light : platform::ThemeName::dark, state.scale()});
     context.items.mark("bar/theme");
     tooltip(theme, "Light or dark colours");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,9 +2,10 @@
 
 #include "panels/actions.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-/// The bar at the top: menus with their keys, undo and redo, the last message, size and colours. Fills the current window.
-void draw_menu_bar(PanelContext& context, ViewportState& viewport);
+/// The bar at the top: menus with their keys, undo and redo, the last message, size and colours. Fills the current
+/// window.
+void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport);
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -8,50 +8,63 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-const std::vector<Choice>& element_choices() {
-    static const std::vector<Choice> choices{
-        {"hex8", "Hexahedra (hex8)", "Bricks of 8 nodes on a regular grid. Robust for any closed surface; curved sides become steps."},
-        {"tet4", "Tetrahedra (tet4)", "Linear tetrahedra that follow the surface. Far too stiff for nearly incompressible material: "
-                                      "for comparison only."},
+const std::vector<commands::Choice>& element_choices() {
+    static const std::vector<commands::Choice> choices{
+        {"hex8", "Hexahedra (hex8)",
+         "Bricks of 8 nodes on a regular grid. Robust for any closed surface; curved sides become steps."},
+        {"tet4", "Tetrahedra (tet4)",
+         "Linear tetrahedra that follow the surface. Far too stiff for nearly incompressible material: "
+         "for comparison only."},
         {"tet10", "Tetrahedra (tet10)", "Quadratic tetrahedra that follow the surface; accurate on coarse meshes."}};
     return choices;
 }
 
-CellType cell_type(const std::string& id) {
-    if (id == "tet4") return CellType::tet4;
-    return id == "tet10" ? CellType::tet10 : CellType::hex8;
+mesh::CellType cell_type(const std::string& id) {
+    if (id == "tet4") return mesh::CellType::tet4;
+    return id == "tet10" ? mesh::CellType::tet10 : mesh::CellType::hex8;
 }
 
 }  // namespace
 
 void MeshPanel::draw(PanelContext& context) {
-    if (!context.state.scene) return muted_text(context.theme, "A body is divided into finite elements here. Open one first.");
+    if (!context.state.scene)
+        return muted_text(context.theme, "A body is divided into finite elements here. Open one first.");
     draw_mesh_settings(context);
     draw_report(context);
 }
 
 void MeshPanel::draw_mesh_settings(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     std::string element = to_string(state.settings.element);
     if (choice_row(context, "Elements", "body/element", "Shape of the finite elements.", element_choices(), element)) {
-        Settings settings = state.settings;
+        commands::Settings settings = state.settings;
         settings.element = cell_type(element);
-        context.emit(command::ChangeSettings{settings, "element", false});
+        context.emit(commands::ChangeSettings{settings, "element", false});
     }
-    const double longest = std::max(body_size(state).maxCoeff(), 1e-3);
-    const Limits range{longest / 120.0, longest / 3.0};
-    const NumberField field{"Edge length", "body/edge_length", "mm", "Edge length of the elements that is aimed at. Along a side of length L there are about L / edge elements, adapted so that the body's size is met exactly: half the edge, eight times the elements.", 1e-3, range, 0.05};
-    Settings settings = state.settings;
+    const double longest = std::max(commands::body_size(state).maxCoeff(), 1e-3);
+    const commands::Limits range{longest / 120.0, longest / 3.0};
+    const NumberField field{
+        "Edge length",
+        "body/edge_length",
+        "mm",
+        "Edge length of the elements that is aimed at. Along a side of length L there are about L / edge elements, "
+        "adapted so that the body's size is met exactly: half the edge, eight times the elements.",
+        1e-3,
+        range,
+        0.05};
+    commands::Settings settings = state.settings;
     bool goes_on = false;
-    if (number_row(context, field, edit_, settings.resolution_m, goes_on)) context.emit(command::ChangeSettings{settings, "resolution", goes_on});
+    if (number_row(context, field, edit_, settings.resolution_m, goes_on))
+        context.emit(commands::ChangeSettings{settings, "resolution", goes_on});
     double shown = 1e3 * state.settings.resolution_m;
-    if (slider_row(context, "body/resolution", {1e3 * range.lowest, 1e3 * range.highest}, true, slide_, shown, goes_on)) {
+    if (slider_row(context, "body/resolution", {1e3 * range.lowest, 1e3 * range.highest}, true, slide_, shown,
+                   goes_on)) {
         settings.resolution_m = 1e-3 * shown;
-        context.emit(command::ChangeSettings{settings, "resolution", goes_on});
+        context.emit(commands::ChangeSettings{settings, "resolution", goes_on});
     }
     // Counted once the mesh is there, estimated before.
     const bool built = state.mesh_is_current();
@@ -60,44 +73,57 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     const std::string about = built || state.prediction.exact ? "" : "\xe2\x89\x88 ";
     const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;
     text_row(theme, "Elements, DOF", about + with_separators(elements) + ", " + about + with_separators(dofs), color);
-    tooltip(theme, "Degrees of freedom: three displacements for each node. Orange above 300,000, where a step takes seconds.");
+    tooltip(theme,
+            "Degrees of freedom: three displacements for each node. Orange above 300,000, where a step takes seconds.");
     draw_step_cost(context, dofs);
     if (!state.mesh_is_current()) {
-        if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(command::BuildMesh{});
+        if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(commands::BuildMesh{});
         context.items.mark("body/build");
     }
 }
 
 void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!(dofs > 0.0)) return;
-    const auto milliseconds = [](double seconds) { return value_label(1e3 * seconds, 3) + " ms"; };
-    const StepPrediction predicted = predict_step(state.preferences.step_costs, state.settings.element, dofs);
-    const bool same = predicted.measured && predicted.from.dofs == dofs && predicted.from.element == state.settings.element;
-    const std::string source = predicted.measured ? milliseconds(predicted.from.seconds) + " measured at " + with_separators(predicted.from.dofs) + " DOF" : "from the benchmark";
-    text_row(context.theme, "Per time step", same ? milliseconds(predicted.from.seconds) + " measured" : "\xe2\x89\x88 " + milliseconds(predicted.seconds) + "; " + source);
+    const auto milliseconds = [](double seconds) { return plot::value_label(1e3 * seconds, 3) + " ms"; };
+    const commands::StepPrediction predicted = commands::predict_step(state.preferences.step_costs,
+                                                                      state.settings.element, dofs);
+    const bool same = predicted.measured && predicted.from.dofs == dofs &&
+                      predicted.from.element == state.settings.element;
+    const std::string source = predicted.measured ? milliseconds(predicted.from.seconds) + " measured at " +
+                                                        with_separators(predicted.from.dofs) + " DOF"
+                                                  : "from the benchmark";
+    text_row(context.theme, "Per time step",
+             same ? milliseconds(predicted.from.seconds) + " measured"
+                  : "\xe2\x89\x88 " + milliseconds(predicted.seconds) + "; " + source);
     context.items.mark("body/step_cost");
-    const std::string carried = " carried to another size by\nt \xe2\x88\xbc DOF^p, p = " + value_label(predicted.exponent, 3) +
-                                (predicted.fitted ? ", fitted to this machine's runs with these elements." : ", as measured with hexahedra of small and large bodies.");
-    tooltip(context.theme, (predicted.measured ? "Wall time of the newest run on this machine over the steps of all its trials," + carried
-                                               : "No run was made on this machine yet. README's benchmark, " + milliseconds(predicted.from.seconds) + " at " +
-                                                     with_separators(predicted.from.dofs) + " DOF," + carried + "\nThe first run measures it.") +
-                               "\nOther elements, steps, materials or a busy machine change it: expect a factor of two.");
+    const std::string carried = " carried to another size by\nt \xe2\x88\xbc DOF^p, p = " +
+                                plot::value_label(predicted.exponent, 3) +
+                                (predicted.fitted ? ", fitted to this machine's runs with these elements."
+                                                  : ", as measured with hexahedra of small and large bodies.");
+    tooltip(
+        context.theme,
+        (predicted.measured
+             ? "Wall time of the newest run on this machine over the steps of all its trials," + carried
+             : "No run was made on this machine yet. README's benchmark, " + milliseconds(predicted.from.seconds) +
+                   " at " + with_separators(predicted.from.dofs) + " DOF," + carried + "\nThe first run measures it.") +
+            "\nOther elements, steps, materials or a busy machine change it: expect a factor of two.");
 }
 
 void MeshPanel::draw_report(PanelContext& context) {
     if (!context.state.body) return;
-    const MeshedBody& body = *context.state.body;
+    const commands::MeshedBody& body = *context.state.body;
     heading(context.theme, "Mesh report");
     context.items.mark("body/report");
-    text_row(context.theme, "Elements", with_separators(static_cast<double>(body.mesh.cell_count())) + " " + to_string(body.mesh.type));
+    text_row(context.theme, "Elements",
+             with_separators(static_cast<double>(body.mesh.cell_count())) + " " + to_string(body.mesh.type));
     text_row(context.theme, "Nodes", with_separators(static_cast<double>(body.mesh.node_count())));
     text_row(context.theme, "DOF", with_separators(body.dofs));
     tooltip(context.theme, "Degrees of freedom: three displacements for each node, those of held nodes included.");
-    for (const ReportLine& line : body.report) {
+    for (const commands::ReportLine& line : body.report) {
         text_row(context.theme, line.label, line.value, line.warning ? &context.theme.warning : nullptr);
         tooltip(context.theme, line.explanation);
     }
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,7 +2,7 @@
 
 #include "panels/widgets.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// Sets how the body is divided into elements, and says what came out.
 class MeshPanel : public Panel {
@@ -10,7 +10,7 @@ public:
     std::string name() const override { return "mesh"; }
     std::string title() const override { return "Mesh"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::mesh; }
+    std::optional<commands::Step> step() const override { return commands::Step::mesh; }
     void draw(PanelContext& context) override;
 
 private:
@@ -23,4 +23,4 @@ private:
     OpenEdit slide_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

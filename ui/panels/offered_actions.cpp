@@ -4,56 +4,71 @@
 
 #include "commands/field_store.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-using Perform = std::function<void(PanelContext&, ViewportState&)>;
+using Perform = std::function<void(PanelContext&, viewport::ViewportState&)>;
 
 Perform opens(const std::filesystem::path& path) {
-    return [path](PanelContext& context, ViewportState&) { context.emit(command::Open{path, std::nullopt}); };
+    return [path](PanelContext& context, viewport::ViewportState&) {
+        context.emit(commands::Open{path, std::nullopt});
+    };
 }
 
-void add_files(std::vector<Action>& all, const WorkbenchState& state) {
-    for (const Example& example : state.examples) all.push_back({"example/" + example.path.filename().string(), "Example", example.name, {}, opens(example.path)});
-    for (const std::filesystem::path& path : state.preferences.recent) all.push_back({"recent/" + path.string(), "Open lately", path.string(), {}, opens(path)});
+void add_files(std::vector<Action>& all, const commands::WorkbenchState& state) {
+    for (const commands::Example& example : state.examples)
+        all.push_back(
+            {"example/" + example.path.filename().string(), "Example", example.name, {}, opens(example.path)});
+    for (const std::filesystem::path& path : state.preferences.recent)
+        all.push_back({"recent/" + path.string(), "Open lately", path.string(), {}, opens(path)});
 }
 
-void add_trials(std::vector<Action>& all, const WorkbenchState& state) {
+void add_trials(std::vector<Action>& all, const commands::WorkbenchState& state) {
     if (!state.scene) return;
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
         const int trial = static_cast<int>(t);
-        all.push_back({"trial/" + state.scene->trials[t].name, "Trial", state.scene->trials[t].name, {},
-                       [trial](PanelContext& context, ViewportState&) { context.emit(command::ChooseTrial{trial}); }});
+        all.push_back(
+            {"trial/" + state.scene->trials[t].name,
+             "Trial",
+             state.scene->trials[t].name,
+             {},
+             [trial](PanelContext& context, viewport::ViewportState&) { context.emit(commands::ChooseTrial{trial}); }});
     }
 }
 
 /// Titles begin with an icon, which nobody types.
 std::string without_icon(const std::string& title) {
-    const auto letter = std::find_if(title.begin(), title.end(), [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
+    const auto letter = std::find_if(title.begin(), title.end(),
+                                     [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
     return {letter, title.end()};
 }
 
-void add_panels(std::vector<Action>& all, const WorkbenchState& state, const std::vector<std::unique_ptr<Panel>>& panels) {
+void add_panels(std::vector<Action>& all, const commands::WorkbenchState& state,
+                const std::vector<std::unique_ptr<Panel>>& panels) {
     if (!state.scene) return;
     for (const auto& panel : panels) {
         if (panel->place() != PanelPlace::strip || !panel->offered(state)) continue;
-        all.push_back({"panel/" + panel->name(), "Below the view", without_icon(panel->title()), {},
-                       [name = panel->name()](PanelContext& context, ViewportState&) { context.window.panel = name; }});
+        all.push_back(
+            {"panel/" + panel->name(),
+             "Below the view",
+             without_icon(panel->title()),
+             {},
+             [name = panel->name()](PanelContext& context, viewport::ViewportState&) { context.window.panel = name; }});
     }
 }
 
-void add_fields(std::vector<Action>& all, const WorkbenchState& state, const Backend& backend) {
+void add_fields(std::vector<Action>& all, const commands::WorkbenchState& state, const commands::Backend& backend) {
     if (!state.scene) return;
     const auto colours = [](const std::string& field) {
-        return [field](PanelContext& context, ViewportState&) {
-            ViewOptions view = context.state.view;
+        return [field](PanelContext& context, viewport::ViewportState&) {
+            commands::ViewOptions view = context.state.view;
             view.field = field;
-            context.emit(command::ChangeView{view});
+            context.emit(commands::ChangeView{view});
         };
     };
-    for (const FieldKind& kind : field_kinds(backend)) {
+    for (const commands::FieldKind& kind : commands::field_kinds(backend)) {
         Action action{"field/" + kind.id, "Colour by", kind.label, {}, colours(kind.id)};
-        action.enabled = [kind](const WorkbenchState& s) { return needed_for(kind, s).empty(); };
+        action.enabled = [kind](const commands::WorkbenchState& s) { return commands::needed_for(kind, s).empty(); };
         all.push_back(std::move(action));
     }
     all.push_back({"field/none", "Colour by", "nothing", {}, colours("")});
@@ -61,7 +76,8 @@ void add_fields(std::vector<Action>& all, const WorkbenchState& state, const Bac
 
 }  // namespace
 
-std::vector<Action> offered_actions(const WorkbenchState& state, const Backend& backend, const std::vector<std::unique_ptr<Panel>>& panels) {
+std::vector<Action> offered_actions(const commands::WorkbenchState& state, const commands::Backend& backend,
+                                    const std::vector<std::unique_ptr<Panel>>& panels) {
     std::vector<Action> all;
     add_trials(all, state);
     add_panels(all, state, panels);
@@ -70,4 +86,4 @@ std::vector<Action> offered_actions(const WorkbenchState& state, const Backend& 
     return all;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

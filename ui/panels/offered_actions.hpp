@@ -5,9 +5,11 @@
 
 #include "panels/actions.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-/// Actions on what is there now: examples and files to open, trials and panels to show, quantities that colour the body.
-std::vector<Action> offered_actions(const WorkbenchState& state, const Backend& backend, const std::vector<std::unique_ptr<Panel>>& panels);
+/// Actions on what is there now: examples and files to open, trials and panels to show, quantities that colour the
+/// body.
+std::vector<Action> offered_actions(const commands::WorkbenchState& state, const commands::Backend& backend,
+                                    const std::vector<std::unique_ptr<Panel>>& panels);
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -7,21 +7,25 @@
 #include <numbers>
 #include <vector>
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// Points of a stroke are at least so far apart, in radii: shorter ways have the hand's tremor for a direction.
 constexpr double closest_points = 0.08;
 
-bool can_paint(const WorkbenchState& state) {
-    return state.brush.tool != BrushTool::none && state.ground && state.chosen_paint();
+bool can_paint(const commands::WorkbenchState& state) {
+    return state.brush.tool != commands::BrushTool::none && state.ground && state.chosen_paint();
 }
 
-bool erases(const BrushSettings& brush) { return (brush.tool == BrushTool::erase) != ImGui::GetIO().KeyCtrl; }
+bool erases(const commands::BrushSettings& brush) {
+    return (brush.tool == commands::BrushTool::erase) != ImGui::GetIO().KeyCtrl;
+}
 
 /// Rest to deformed at a triangle, in its plane.
-Eigen::Matrix3d frame_of(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, int triangle) {
-    const auto corner = [&](int k) { return Eigen::Vector3d(positions.col(surface.corners[static_cast<std::size_t>(3 * triangle + k)])); };
+Eigen::Matrix3d frame_of(const viewport::DrawnSurface& surface, const Eigen::Matrix3Xd& positions, int triangle) {
+    const auto corner = [&](int k) {
+        return Eigen::Vector3d(positions.col(surface.corners[static_cast<std::size_t>(3 * triangle + k)]));
+    };
     Eigen::Matrix3d frame;
     frame.col(0) = corner(1) - corner(0);
     frame.col(1) = corner(2) - corner(0);
@@ -31,12 +35,18 @@ Eigen::Matrix3d frame_of(const DrawnSurface& surface, const Eigen::Matrix3Xd& po
 
 }  // namespace
 
-std::optional<SurfaceHit> PaintTool::hit_at(const WorkbenchState& state, const DrawnScene& scene, const ViewportState& view, const Eigen::Vector2d& pixel) {
-    if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count()) return std::nullopt;
-    return pick_surface(*scene.surface, scene.positions, ray_through(view.camera, view.size(), pixel));
+std::optional<viewport::SurfaceHit> PaintTool::hit_at(const commands::WorkbenchState& state,
+                                                      const viewport::DrawnScene& scene,
+                                                      const viewport::ViewportState& view,
+                                                      const Eigen::Vector2d& pixel) {
+    if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count())
+        return std::nullopt;
+    return viewport::pick_surface(*scene.surface, scene.positions,
+                                  viewport::ray_through(view.camera, view.size(), pixel));
 }
 
-bool PaintTool::takes(const WorkbenchState& state, const DrawnScene& scene, const ViewportState& view, const Eigen::Vector2d& pixel) const {
+bool PaintTool::takes(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
+                      const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
     return can_paint(state) && !ImGui::GetIO().KeyShift && hit_at(state, scene, view, pixel).has_value();
 }
 
@@ -48,54 +58,61 @@ void PaintTool::drop() {
     live_.reset();
 }
 
-void PaintTool::press(PanelContext& context, const DrawnScene& scene, const Touch& touch) {
-    const WorkbenchState& state = context.state;
-    if (state.brush.tool != BrushTool::fill) {
+void PaintTool::press(PanelContext& context, const viewport::DrawnScene& scene, const Touch& touch) {
+    const commands::WorkbenchState& state = context.state;
+    if (state.brush.tool != commands::BrushTool::fill) {
         drop();
         ground_ = state.ground;
         muscle_ = state.muscle;
-        stroke_ = std::make_unique<Stroke>(ground_->places, make_brush(state.brush, *ground_, erases(state.brush)));
+        stroke_ = std::make_unique<fibre::Stroke>(ground_->places,
+                                                  commands::make_brush(state.brush, *ground_, erases(state.brush)));
         return;
     }
-    CellPaint paint = filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours, scene.body->faces.cell(touch.face),
-                             fixed_axis(state.brush.direction, *state.ground));
-    context.emit(command::Paint{state.muscle, std::make_shared<const CellPaint>(std::move(paint)), "fill"});
+    fibre::CellPaint paint = fibre::filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours,
+                                           scene.body->faces.cell(touch.face),
+                                           commands::fixed_axis(state.brush.direction, *state.ground));
+    context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(paint)), "fill"});
 }
 
-void PaintTool::go_on(const WorkbenchState& state, const Touch& touch) {
+void PaintTool::go_on(const commands::WorkbenchState& state, const Touch& touch) {
     if (live_ && (touch.rest_m - last_).norm() < closest_points * state.brush.radius_m) return;
     last_ = touch.rest_m;
     stroke_->add(touch.rest_m, touch.outward);
-    live_ = stroke_->over(*state.chosen_paint(), fixed_axis(state.brush.direction, *ground_));
+    live_ = stroke_->over(*state.chosen_paint(), commands::fixed_axis(state.brush.direction, *ground_));
     ++revision_;
 }
 
-void PaintTool::update(PanelContext& context, const DrawnScene& scene, const ViewportState& view) {
-    const WorkbenchState& state = context.state;
+void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
+    const commands::WorkbenchState& state = context.state;
     // What was handed over is in the state by now.
-    if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) drop();
+    if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) ||
+        ImGui::IsKeyPressed(ImGuiKey_Escape, false))
+        drop();
     const bool held = view.tool_held && can_paint(state), pressed = held && !was_held_;
     was_held_ = held;
     std::optional<Touch> touch;
     if (can_paint(state) && (view.hovered || held))
         if (const auto hit = hit_at(state, scene, view, view.mouse)) {
             const Eigen::Vector3d rest = hit->place(*scene.surface, state.body->mesh.nodes);
-            touch = Touch{*hit, hit->triangle / scene.surface->triangles_per_face(), rest, outward_at(*state.ground, rest)};
+            touch = Touch{*hit, hit->triangle / scene.surface->triangles_per_face(), rest,
+                          commands::outward_at(*state.ground, rest)};
         }
     if (touch) draw_ring(context, scene, view, *touch);
     if (pressed && touch) press(context, scene, *touch);
     if (!stroke_) return;
     if (held && touch) go_on(state, *touch);
     if (held) return;
-    context.emit(command::Paint{state.muscle, std::make_shared<const CellPaint>(*live_), "stroke"});
+    context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(*live_), "stroke"});
     stroke_.reset();
     handed_over_ = true;
 }
 
-void PaintTool::draw_ring(const PanelContext& context, const DrawnScene& scene, const ViewportState& view, const Touch& touch) const {
-    const WorkbenchState& state = context.state;
+void PaintTool::draw_ring(const PanelContext& context, const viewport::DrawnScene& scene,
+                          const viewport::ViewportState& view, const Touch& touch) const {
+    const commands::WorkbenchState& state = context.state;
     const Eigen::Matrix3d at_rest = frame_of(*scene.surface, state.body->mesh.nodes, touch.hit.triangle);
-    const Eigen::Matrix3d deformation = frame_of(*scene.surface, scene.positions, touch.hit.triangle) * at_rest.inverse();
+    const Eigen::Matrix3d deformation = frame_of(*scene.surface, scene.positions, touch.hit.triangle) *
+                                        at_rest.inverse();
     const Eigen::Vector3d middle = touch.hit.place(*scene.surface, scene.positions);
     const Eigen::Vector3d u = touch.outward.unitOrthogonal(), v = touch.outward.cross(u);
     constexpr int points = 48;
@@ -103,22 +120,26 @@ void PaintTool::draw_ring(const PanelContext& context, const DrawnScene& scene, 
         std::vector<ImVec2> pixels;
         for (int i = 0; i < points; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / points;
-            const auto seen = project(view.camera, view.size(), middle + deformation * (radius * (std::cos(angle) * u + std::sin(angle) * v)));
+            const auto seen = viewport::project(
+                view.camera, view.size(),
+                middle + deformation * (radius * (std::cos(angle) * u + std::sin(angle) * v)));
             if (!seen) return;
-            pixels.push_back({view.pixels.lowest.x + static_cast<float>(seen->x()), view.pixels.lowest.y + static_cast<float>(seen->y())});
+            pixels.push_back({view.pixels.lowest.x + static_cast<float>(seen->x()),
+                              view.pixels.lowest.y + static_cast<float>(seen->y())});
         }
-        const Theme& theme = context.theme;
+        const platform::Theme& theme = context.theme;
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        const ImVec4 color = erases(state.brush) && state.brush.tool != BrushTool::fill
+        const ImVec4 color = erases(state.brush) && state.brush.tool != commands::BrushTool::fill
                                  ? theme.failure
                                  : theme.muscle(state.chosen_muscle()->color);
         // Dark below light: seen on any ground.
         list.AddPolyline(pixels.data(), points, IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed, 3.5f * theme.scale);
-        list.AddPolyline(pixels.data(), points, packed(color), ImDrawFlags_Closed, 1.8f * theme.scale);
+        list.AddPolyline(pixels.data(), points, platform::packed(color), ImDrawFlags_Closed, 1.8f * theme.scale);
     };
-    if (state.brush.tool == BrushTool::fill) return ring(0.25 * state.ground->places.edge_m);
+    if (state.brush.tool == commands::BrushTool::fill) return ring(0.25 * state.ground->places.edge_m);
     ring(state.brush.radius_m);
-    if (state.brush.falloff > 0.0 && state.brush.falloff < 1.0) ring((1.0 - state.brush.falloff) * state.brush.radius_m);
+    if (state.brush.falloff > 0.0 && state.brush.falloff < 1.0)
+        ring((1.0 - state.brush.falloff) * state.brush.radius_m);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

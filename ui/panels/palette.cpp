@@ -12,7 +12,7 @@
 #include "panels/widgets.hpp"
 #include "platform/input_queue.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 std::vector<const Action*> matching_actions(const std::string& text, const std::vector<Action>& actions) {
     std::vector<std::string> words;
@@ -21,7 +21,8 @@ std::vector<const Action*> matching_actions(const std::string& text, const std::
     std::vector<const Action*> found;
     for (const Action& action : actions) {
         const std::string name = lower_case(action.menu + " " + action.label);
-        const bool all = std::all_of(words.begin(), words.end(), [&](const std::string& word) { return name.find(word) != std::string::npos; });
+        const bool all = std::all_of(words.begin(), words.end(),
+                                     [&](const std::string& word) { return name.find(word) != std::string::npos; });
         if (all) found.push_back(&action);
     }
     return found;
@@ -33,8 +34,9 @@ void Palette::open() {
     chosen_ = 0;
 }
 
-void Palette::draw(PanelContext& context, ViewportState& viewport, const std::vector<std::unique_ptr<Panel>>& panels) {
-    const Theme& theme = context.theme;
+void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
+                   const std::vector<std::unique_ptr<Panel>>& panels) {
+    const platform::Theme& theme = context.theme;
     const float s = theme.scale;
     if (wanted_) ImGui::OpenPopup("palette");
     wanted_ = false;
@@ -65,11 +67,14 @@ void Palette::draw(PanelContext& context, ViewportState& viewport, const std::ve
         if (ImGui::Selectable(elided(action.menu + ": " + action.label, room).c_str(), i == chosen_)) wanted = &action;
         ImGui::EndDisabled();
         context.items.mark("palette/" + action.id);
-        if (i == chosen_ && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow))) ImGui::SetScrollHereY();
+        if (i == chosen_ && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow)))
+            ImGui::SetScrollHereY();
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(action.shortcut.label).x);
         ImGui::TextColored(theme.muted, "%s", action.shortcut.label);
         ImGui::PopID();
-        if (i == chosen_ && enabled && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false))) wanted = &action;
+        if (i == chosen_ && enabled &&
+            (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false)))
+            wanted = &action;
     }
     ImGui::EndChild();
     if (wanted) wanted->perform(context, viewport);
@@ -77,4 +82,4 @@ void Palette::draw(PanelContext& context, ViewportState& viewport, const std::ve
     ImGui::EndPopup();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

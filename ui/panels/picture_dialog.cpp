@@ -8,7 +8,7 @@
 #include "panels/file_dialogs.hpp"
 #include "platform/film.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 constexpr int least_side = 64, greatest_side = 8192;
@@ -16,10 +16,10 @@ constexpr int most_pictures = 20000;
 
 }  // namespace
 
-void PictureDialog::open(const WorkbenchState& state, const ViewSize& view) {
+void PictureDialog::open(const commands::WorkbenchState& state, const viewport::ViewSize& view) {
     open_ = true;
     view_ = view;
-    const std::array<double, 2> span = time_span(state);
+    const std::array<double, 2> span = commands::time_span(state);
     request_.from_s = std::max(0.0, span[0]);
     request_.to_s = span[1];
     request_.speed = state.speed;
@@ -28,13 +28,21 @@ void PictureDialog::open(const WorkbenchState& state, const ViewSize& view) {
 }
 
 void PictureDialog::draw_size(PanelContext& context) {
-    const std::vector<Choice> sizes{{"view", "As the view is", ""}, {"1600x900", "1600 \xc3\x97 900", ""}, {"1920x1080", "1920 \xc3\x97 1080", ""}, {"3840x2160", "3840 \xc3\x97 2160", ""}, {"other", "Other", ""}};
-    if (choice_row(context, "Size", "picture/size", "In pixels. The view is drawn anew in this size, not stretched.", sizes, size_)) {
-        if (size_ == "view") request_.width = view_.width, request_.height = view_.height;
-        else if (size_ != "other") std::sscanf(size_.c_str(), "%dx%d", &request_.width, &request_.height);
+    const std::vector<commands::Choice> sizes{{"view", "As the view is", ""},
+                                              {"1600x900", "1600 \xc3\x97 900", ""},
+                                              {"1920x1080", "1920 \xc3\x97 1080", ""},
+                                              {"3840x2160", "3840 \xc3\x97 2160", ""},
+                                              {"other", "Other", ""}};
+    if (choice_row(context, "Size", "picture/size", "In pixels. The view is drawn anew in this size, not stretched.",
+                   sizes, size_)) {
+        if (size_ == "view")
+            request_.width = view_.width, request_.height = view_.height;
+        else if (size_ != "other")
+            std::sscanf(size_.c_str(), "%dx%d", &request_.width, &request_.height);
     }
     ImGui::BeginDisabled(size_ != "other");
-    for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width}, std::tuple{"Height", "picture/height", &request_.height}}) {
+    for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width},
+                                            std::tuple{"Height", "picture/height", &request_.height}}) {
         row_label(context.theme, label);
         ImGui::InputInt((std::string("##") + item).c_str(), side, 0, 0);
         context.items.mark(item);
@@ -44,36 +52,66 @@ void PictureDialog::draw_size(PanelContext& context) {
     row_label(context.theme, "Beside it");
     ImGui::Checkbox("Legend, scale and names", &request_.overlay);
     context.items.mark("picture/overlay");
-    tooltip(context.theme, "Draws what lies over the view into the pictures, too: the legend of the colours, the scale bar, axes, names of markers, distances, and the time. "
-                           "Letters and lines are as large against a picture as in the view.");
+    tooltip(context.theme,
+            "Draws what lies over the view into the pictures, too: the legend of the colours, the scale bar, axes, "
+            "names of markers, distances, and the time. "
+            "Letters and lines are as large against a picture as in the view.");
 }
 
 void PictureDialog::draw_time(PanelContext& context) {
-    const std::array<double, 2> span = time_span(context.state);
+    const std::array<double, 2> span = commands::time_span(context.state);
     bool goes_on = false;
-    if (span[1] > span[0]) number_row(context, {"Time", "picture/time", "s", "Time of the picture: that which was shown when you asked for it", 1.0, {span[0], span[1]}, 1e-2}, edit_, *request_.time_s, goes_on);
+    if (span[1] > span[0])
+        number_row(context,
+                   {"Time",
+                    "picture/time",
+                    "s",
+                    "Time of the picture: that which was shown when you asked for it",
+                    1.0,
+                    {span[0], span[1]},
+                    1e-2},
+                   edit_, *request_.time_s, goes_on);
 }
 
 void PictureDialog::draw_motion(PanelContext& context) {
-    const std::array<double, 2> span = time_span(context.state);
+    const std::array<double, 2> span = commands::time_span(context.state);
     bool goes_on = false;
-    number_row(context, {"From", "picture/from", "s", "Time of the first picture", 1.0, {span[0], span[1]}, 1e-2}, edit_, request_.from_s, goes_on);
-    number_row(context, {"To", "picture/to", "s", "Time of the last picture", 1.0, {request_.from_s, std::max(request_.from_s, span[1])}, 1e-2}, edit_, request_.to_s, goes_on);
+    number_row(context, {"From", "picture/from", "s", "Time of the first picture", 1.0, {span[0], span[1]}, 1e-2},
+               edit_, request_.from_s, goes_on);
+    number_row(context,
+               {"To",
+                "picture/to",
+                "s",
+                "Time of the last picture",
+                1.0,
+                {request_.from_s, std::max(request_.from_s, span[1])},
+                1e-2},
+               edit_, request_.to_s, goes_on);
     request_.to_s = std::max(request_.to_s, request_.from_s);
-    number_row(context, {"Rate", "picture/rate", "1/s", "Pictures in a second of the film", 1.0, {1.0, 240.0}, 1.0}, edit_, request_.rate_Hz, goes_on);
-    number_row(context, {"Speed", "picture/speed", "\xc3\x97", "Of the film against real time", 1.0, {0.01, 10.0}, 0.01}, edit_, request_.speed, goes_on);
+    number_row(context, {"Rate", "picture/rate", "1/s", "Pictures in a second of the film", 1.0, {1.0, 240.0}, 1.0},
+               edit_, request_.rate_Hz, goes_on);
+    number_row(context,
+               {"Speed", "picture/speed", "\xc3\x97", "Of the film against real time", 1.0, {0.01, 10.0}, 0.01}, edit_,
+               request_.speed, goes_on);
     PictureRequest moving = request_;
     moving.moves = true;
     const int count = picture_count(moving);
-    text_row(context.theme, "Pictures", with_separators(count) + (count > most_pictures ? ": too many" : ""), count > most_pictures ? &context.theme.failure : nullptr);
+    text_row(context.theme, "Pictures", with_separators(count) + (count > most_pictures ? ": too many" : ""),
+             count > most_pictures ? &context.theme.failure : nullptr);
 }
 
 void PictureDialog::draw(PanelContext& context) {
     if (!open_ || !context.state.scene) return;
     if (!begin_dialog(context.theme, "Save the 3D view", 420.0f)) return;
-    struct Tab { Kind kind; const char* label; const char* item; };
-    const bool films = can_write_films();
-    for (const Tab& t : {Tab{Kind::picture, "Picture", "picture/one"}, Tab{Kind::frames, "Numbered pictures", "picture/frames"}, Tab{Kind::film, "Film (MP4)", "picture/film"}}) {
+    struct Tab {
+        Kind kind;
+        const char* label;
+        const char* item;
+    };
+    const bool films = platform::can_write_films();
+    for (const Tab& t :
+         {Tab{Kind::picture, "Picture", "picture/one"}, Tab{Kind::frames, "Numbered pictures", "picture/frames"},
+          Tab{Kind::film, "Film (MP4)", "picture/film"}}) {
         if (t.kind != Kind::picture) ImGui::SameLine();
         ImGui::BeginDisabled(t.kind == Kind::film && !films);
         if (tab(context.theme, t.label, kind_ == t.kind)) kind_ = t.kind;
@@ -83,8 +121,10 @@ void PictureDialog::draw(PanelContext& context) {
     }
     ImGui::Spacing();
     draw_size(context);
-    if (kind_ == Kind::picture) draw_time(context);
-    else draw_motion(context);
+    if (kind_ == Kind::picture)
+        draw_time(context);
+    else
+        draw_motion(context);
     request_.moves = kind_ != Kind::picture;
     ImGui::Spacing();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
@@ -93,7 +133,9 @@ void PictureDialog::draw(PanelContext& context) {
         PictureRequest asked = request_;
         // H.264 wants even sides.
         if (kind_ == Kind::film) asked.width -= asked.width % 2, asked.height -= asked.height % 2;
-        context.window.file = picture_dialog(asked, kind_ == Kind::picture ? "picture.png" : kind_ == Kind::frames ? "frames" : "motion.mp4");
+        context.window.file = picture_dialog(asked, kind_ == Kind::picture  ? "picture.png"
+                                                    : kind_ == Kind::frames ? "frames"
+                                                                            : "motion.mp4");
         open_ = false;
         ImGui::CloseCurrentPopup();
     }
@@ -108,4 +150,4 @@ void PictureDialog::draw(PanelContext& context) {
     ImGui::EndPopup();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

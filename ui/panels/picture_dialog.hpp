@@ -1,15 +1,15 @@
 #pragma once
 
 #include "panels/panel.hpp"
-#include "viewport/camera.hpp"
 #include "panels/widgets.hpp"
+#include "viewport/camera.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// What is to be drawn into files, and how large; the file browser then asks where.
 class PictureDialog {
 public:
-    void open(const WorkbenchState& state, const ViewSize& view);
+    void open(const commands::WorkbenchState& state, const viewport::ViewSize& view);
     void draw(PanelContext& context);
 
 private:
@@ -22,9 +22,9 @@ private:
     bool open_ = false;
     Kind kind_ = Kind::picture;
     std::string size_ = "view";
-    ViewSize view_;
+    viewport::ViewSize view_;
     PictureRequest request_;
     OpenEdit edit_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -5,60 +5,65 @@
 #include "commands/picked_place.hpp"
 #include "panels/view_points.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// The next label that was not clicked yet, from `label` on and round; `label` itself when all were.
-int next_open(const ImportChoices& choices, int label, bool plain) {
+int next_open(const commands::ImportChoices& choices, int label, bool plain) {
     const int count = static_cast<int>(choices.markers.size());
     for (int step = 1; step < count; ++step) {
         const int other = (label + step) % count;
-        const ImportedMarker& marker = choices.markers[static_cast<std::size_t>(other)];
+        const commands::ImportedMarker& marker = choices.markers[static_cast<std::size_t>(other)];
         if (plain ? !marker.rest_m : marker.name.empty()) return other;
     }
     return label;
 }
 
 /// Makes the chosen label the declared marker under the mouse. False where there is none.
-bool assign_clicked(const PanelContext& context, const DrawnScene& scene, const ViewportState& view, ImportChoices& choices) {
-    const RecordingImport& import = *context.state.import;
+bool assign_clicked(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
+                    commands::ImportChoices& choices) {
+    const commands::RecordingImport& import = *context.state.import;
     std::vector<Eigen::Vector3d> places;
-    for (const SceneMarker& own : import.declared) places.push_back(own.rest_m);
-    const auto picked = pick_one(places, scene, view.camera, view.size(), view.mouse, static_cast<double>(marker_reach * context.theme.scale));
-    if (picked) assign_marker(choices, static_cast<std::size_t>(import.label), import.declared[*picked].name);
+    for (const commands::SceneMarker& own : import.declared) places.push_back(own.rest_m);
+    const auto picked = commands::pick_one(places, scene, view.camera, view.size(), view.mouse,
+                                           static_cast<double>(marker_reach * context.theme.scale));
+    if (picked) commands::assign_marker(choices, static_cast<std::size_t>(import.label), import.declared[*picked].name);
     return picked.has_value();
 }
 
 /// Puts the chosen label on the body under the mouse. False beside it.
-bool place_clicked(const PanelContext& context, const DrawnScene& scene, const ViewportState& view, ImportChoices& choices) {
-    const RecordingImport& import = *context.state.import;
-    const auto place = pick_place(context.state, scene, view.camera, view.size(), view.mouse, 0.0);
+bool place_clicked(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
+                   commands::ImportChoices& choices) {
+    const commands::RecordingImport& import = *context.state.import;
+    const auto place = commands::pick_place(context.state, scene, view.camera, view.size(), view.mouse, 0.0);
     if (!place || place->marker >= 0) return false;
     const auto label = static_cast<std::size_t>(import.label);
-    choices.markers[label].rest_m = place_at_rest(*place, context.state);
-    if (choices.markers[label].name.empty()) choices.markers[label].name = marker_name(import.file.recording->labels[label]);
+    choices.markers[label].rest_m = commands::place_at_rest(*place, context.state);
+    if (choices.markers[label].name.empty())
+        choices.markers[label].name = commands::marker_name(import.file.recording->labels[label]);
     return true;
 }
 
 }  // namespace
 
-bool update_placing(PanelContext& context, const DrawnScene& scene, const ViewportState& view) {
-    const WorkbenchState& state = context.state;
+bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
+    const commands::WorkbenchState& state = context.state;
     if (!state.import || !state.import->placing || !state.body) return false;
-    const RecordingImport& import = *state.import;
+    const commands::RecordingImport& import = *state.import;
     const std::string& label = import.file.recording->labels[static_cast<std::size_t>(import.label)];
     const bool plain = import.declared.empty();
-    if (escape_pressed()) context.emit(command::ChooseLabel{import.label, false});
+    if (escape_pressed()) context.emit(commands::ChooseLabel{import.label, false});
     if (view.clicked) {
-        ImportChoices choices = import.choices;
+        commands::ImportChoices choices = import.choices;
         if (plain ? place_clicked(context, scene, view, choices) : assign_clicked(context, scene, view, choices)) {
-            context.emit(command::ChangeImport{choices});
-            context.emit(command::ChooseLabel{next_open(choices, import.label, plain), true});
+            context.emit(commands::ChangeImport{choices});
+            context.emit(commands::ChooseLabel{next_open(choices, import.label, plain), true});
         }
     }
-    const std::string where = plain ? "Click where " + label + " sits on the body." : "Click on the ring of the marker that " + label + " is.";
+    const std::string where = plain ? "Click where " + label + " sits on the body."
+                                    : "Click on the ring of the marker that " + label + " is.";
     draw_hint(context, view, where + " Esc ends.", "view/placing_hint");
     return true;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

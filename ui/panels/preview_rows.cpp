@@ -2,28 +2,39 @@
 
 #include <imgui.h>
 
-namespace myo {
+namespace myo::ui::panels {
 
 void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!state.scene) return;
-    row_label(context.theme, "Live preview", "Every edit of a value is followed by a short run of the shown trial, beside the work: view and curves show it as soon as it is there. "
-                                             "It is no result; Run makes one.");
+    row_label(context.theme, "Live preview",
+              "Every edit of a value is followed by a short run of the shown trial, beside the work: view and curves "
+              "show it as soon as it is there. "
+              "It is no result; Run makes one.");
     bool on = state.preview.on;
     ImGui::PushID("live preview");
-    if (ImGui::Checkbox("##on", &on)) context.emit(command::ChangePreview{on, state.preview.length_s});
+    if (ImGui::Checkbox("##on", &on)) context.emit(commands::ChangePreview{on, state.preview.length_s});
     ImGui::PopID();
     context.items.mark("preview/on");
     if (!state.preview.on) return;
-    static const NumberField field{"Preview length", "preview/length", "s", "Seconds of the trial that are run, from t = 0 on: length / h steps. The shorter, the sooner it is there.", 1.0, {0.01, 1e3}, 0.01};
-    double length = preview_length_s(state);
+    static const NumberField field{
+        "Preview length",
+        "preview/length",
+        "s",
+        "Seconds of the trial that are run, from t = 0 on: length / h steps. The shorter, the sooner it is there.",
+        1.0,
+        {0.01, 1e3},
+        0.01};
+    double length = commands::preview_length_s(state);
     bool goes_on = false;
-    if (number_row(context, field, edit, length, goes_on)) context.emit(command::ChangePreview{true, length});
-    const LivePreview& preview = state.preview;
+    if (number_row(context, field, edit, length, goes_on)) context.emit(commands::ChangePreview{true, length});
+    const commands::LivePreview& preview = state.preview;
     const bool failed = !preview.problem.empty() || (preview.run && !preview.run->problem.empty());
-    if (failed) notice(context.theme, LogLevel::warning, preview_text(state));
-    else muted_text(context.theme, preview_text(state));
+    if (failed)
+        notice(context.theme, commands::LogLevel::warning, commands::preview_text(state));
+    else
+        muted_text(context.theme, commands::preview_text(state));
     context.items.mark("preview/state");
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -5,18 +5,22 @@
 #include "panels/widgets.hpp"
 #include "panels/wrapped_text.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// One of several buttons side by side.
 class ButtonRow {
 public:
-    ButtonRow(PanelContext& context, int count) : context_(context), width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) / static_cast<float>(count)) {}
+    ButtonRow(PanelContext& context, int count)
+        : context_(context),
+          width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
+                 static_cast<float>(count)) {}
 
     bool add(const char* label, const char* item, bool primary = false) {
         if (!first_) ImGui::SameLine();
         first_ = false;
-        const bool pressed = primary ? primary_button(context_.theme, label, {width_, 0.0f}) : ImGui::Button(label, {width_, 0.0f});
+        const bool pressed = primary ? primary_button(context_.theme, label, {width_, 0.0f})
+                                     : ImGui::Button(label, {width_, 0.0f});
         context_.items.mark(item);
         return pressed;
     }
@@ -29,13 +33,14 @@ private:
 
 void ask_unit(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unit of the file", 400.0f)) return;
-    wrapped_text(context.state.unit_question->filename().string() + " does not say in which unit its numbers are. Which one is it?");
+    wrapped_text(context.state.unit_question->filename().string() +
+                 " does not say in which unit its numbers are. Which one is it?");
     ImGui::Spacing();
-    std::optional<command::AnswerUnit> answer;
+    std::optional<commands::AnswerUnit> answer;
     ButtonRow row(context, 3);
-    if (row.add("Cancel", "unit/cancel")) answer = command::AnswerUnit{};
-    if (row.add("Metres", "unit/m")) answer = command::AnswerUnit{1.0};
-    if (row.add("Millimetres", "unit/mm", true)) answer = command::AnswerUnit{1e-3};
+    if (row.add("Cancel", "unit/cancel")) answer = commands::AnswerUnit{};
+    if (row.add("Metres", "unit/m")) answer = commands::AnswerUnit{1.0};
+    if (row.add("Millimetres", "unit/mm", true)) answer = commands::AnswerUnit{1e-3};
     if (answer) {
         context.emit(*answer);
         ImGui::CloseCurrentPopup();
@@ -45,16 +50,17 @@ void ask_unit(PanelContext& context) {
 
 void ask_unsaved(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved changes", 440.0f)) return;
-    const std::string name = context.state.project.empty() ? context.state.scene->name : context.state.project.filename().string();
+    const std::string name = context.state.project.empty() ? context.state.scene->name
+                                                           : context.state.project.filename().string();
     wrapped_text(name + " has changes that are not saved.");
     ImGui::Spacing();
-    std::optional<command::UnsavedAnswer> answer;
+    std::optional<commands::UnsavedAnswer> answer;
     ButtonRow row(context, 3);
-    if (row.add("Cancel", "unsaved/cancel")) answer = command::UnsavedAnswer::cancel;
-    if (row.add("Don't save", "unsaved/discard")) answer = command::UnsavedAnswer::discard;
-    if (row.add("Save", "unsaved/save", true)) answer = command::UnsavedAnswer::save;
+    if (row.add("Cancel", "unsaved/cancel")) answer = commands::UnsavedAnswer::cancel;
+    if (row.add("Don't save", "unsaved/discard")) answer = commands::UnsavedAnswer::discard;
+    if (row.add("Save", "unsaved/save", true)) answer = commands::UnsavedAnswer::save;
     if (answer) {
-        context.emit(command::AnswerUnsaved{*answer});
+        context.emit(commands::AnswerUnsaved{*answer});
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -65,13 +71,14 @@ constexpr const char* stop_title = "A job is still running";
 void ask_to_stop(PanelContext& context) {
     if (!begin_dialog(context.theme, stop_title, 440.0f)) return;
     const std::string name = context.state.job ? context.state.job->name : "A job";
-    wrapped_text(name + " has not ended" + (context.state.queue.empty() ? "." : ", and others wait.") + " What it has found so far is lost when the window closes.");
+    wrapped_text(name + " has not ended" + (context.state.queue.empty() ? "." : ", and others wait.") +
+                 " What it has found so far is lost when the window closes.");
     ImGui::Spacing();
     std::optional<bool> stops;
     ButtonRow row(context, 2);
     if (row.add("Stop it and quit", "stop/quit")) stops = true;
     if (row.add("Keep running", "stop/keep", true)) stops = false;
-    if (stops) context.emit(command::AnswerStop{*stops});
+    if (stops) context.emit(commands::AnswerStop{*stops});
     // It may have ended meanwhile.
     if (stops || !context.state.asks_to_stop) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
@@ -80,17 +87,21 @@ void ask_to_stop(PanelContext& context) {
 void ask_recovery(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved work was found", 480.0f)) return;
     const std::size_t count = context.state.recovered.size();
-    wrapped_text("Myoloop did not end well the last time. Work that was not saved can be taken up again." +
-                 (count > 1 ? " There are " + std::to_string(count) + " pieces of it; this is the newest. What is not thrown away is offered at the next start again." : ""));
+    wrapped_text(
+        "Myoloop did not end well the last time. Work that was not saved can be taken up again." +
+        (count > 1
+             ? " There are " + std::to_string(count) +
+                   " pieces of it; this is the newest. What is not thrown away is offered at the next start again."
+             : ""));
     ImGui::Spacing();
     bool decided = false;
     ButtonRow row(context, 2);
     if (row.add("Throw it away", "recovery/discard")) {
-        context.emit(command::DiscardRecovery{});
+        context.emit(commands::DiscardRecovery{});
         decided = true;
     }
     if (row.add("Take it up", "recovery/recover", true)) {
-        context.emit(command::Recover{context.state.recovered.back()});
+        context.emit(commands::Recover{context.state.recovered.back()});
         decided = true;
     }
     if (decided) ImGui::CloseCurrentPopup();
@@ -100,11 +111,15 @@ void ask_recovery(PanelContext& context) {
 }  // namespace
 
 void draw_questions(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    if (!state.recovered.empty()) ask_recovery(context);
-    else if (state.unit_question) ask_unit(context);
-    else if (state.pending && !state.asks_where_to_save) ask_unsaved(context);
-    else if (state.asks_to_stop || ImGui::IsPopupOpen(stop_title)) ask_to_stop(context);
+    const commands::WorkbenchState& state = context.state;
+    if (!state.recovered.empty())
+        ask_recovery(context);
+    else if (state.unit_question)
+        ask_unit(context);
+    else if (state.pending && !state.asks_where_to_save)
+        ask_unsaved(context);
+    else if (state.asks_to_stop || ImGui::IsPopupOpen(stop_title))
+        ask_to_stop(context);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -9,7 +9,7 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 std::vector<std::pair<double, double>> seen_spans(const Eigen::VectorXd& time_s, const Eigen::Matrix3Xd& track) {
@@ -27,13 +27,14 @@ std::vector<std::pair<double, double>> seen_spans(const Eigen::VectorXd& time_s,
 
 }  // namespace
 
-std::string RecordingPanel::title() const { return std::string(icon::camera) + "  Recording"; }
+std::string RecordingPanel::title() const { return std::string(platform::icon::camera) + "  Recording"; }
 
 void RecordingPanel::draw(PanelContext& context) {
-    if (!context.state.import) return muted_text(context.theme, "A recording that is being imported is looked at here.");
-    const RecordingImport& import = *context.state.import;
-    const Recording& recording = *import.file.recording;
-    const Theme& theme = context.theme;
+    if (!context.state.import)
+        return muted_text(context.theme, "A recording that is being imported is looked at here.");
+    const commands::RecordingImport& import = *context.state.import;
+    const measurement::Recording& recording = *import.file.recording;
+    const platform::Theme& theme = context.theme;
     if (recording_ != import.file.recording) {
         recording_ = import.file.recording;
         seen_.clear();
@@ -42,62 +43,79 @@ void RecordingPanel::draw(PanelContext& context) {
         plots_ = {};
     }
     const auto label = static_cast<std::size_t>(import.label);
-    const Eigen::Matrix3Xd track = 1e3 * ((import.view.rotation * recording.tracks[label]).colwise() + import.view.translation_m);
+    const Eigen::Matrix3Xd track = 1e3 * ((import.view.rotation * recording.tracks[label]).colwise() +
+                                          import.view.translation_m);
     const ImVec2 space = ImGui::GetContentRegionAvail();
     // In a low strip the curves keep most of the room.
     const float heading = theme.small->FontSize + 8.0f * theme.scale, rows = static_cast<float>(seen_.size());
-    const float gaps = std::floor(std::min(14.0f * theme.scale * rows + heading, 0.45f * space.y)), row = std::max(2.0f, (gaps - heading) / rows), third = std::floor(space.x / 3.0f);
-    PlotArea area;
+    const float gaps = std::floor(std::min(14.0f * theme.scale * rows + heading, 0.45f * space.y)),
+                row = std::max(2.0f, (gaps - heading) / rows), third = std::floor(space.x / 3.0f);
+    plot::PlotArea area;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) ImGui::SameLine(0.0f, 0.0f);
-        Plot plot;
+        plot::Plot plot;
         plot.id = std::string("recording/") + "xyz"[axis];
         plot.title = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * third) + " [mm]";
         plot.cursor = import.choices.start_s;
         plot.series.push_back({"recorded", recording.time_s, track.row(axis).transpose(), theme.measured, true});
-        const PlotResult drawn = draw_plot(plot, {third, space.y - gaps - ImGui::GetStyle().ItemSpacing.y}, theme, context.items, time_, plots_[static_cast<std::size_t>(axis)], hidden_);
+        const plot::PlotResult drawn = plot::draw_plot(plot, {third, space.y - gaps - ImGui::GetStyle().ItemSpacing.y},
+                                                       theme, context.items, time_,
+                                                       plots_[static_cast<std::size_t>(axis)], hidden_);
         if (axis == 0) area = drawn.area;
         if (!drawn.cursor) continue;
-        ImportChoices choices = import.choices;
+        commands::ImportChoices choices = import.choices;
         choices.start_s = std::clamp(*drawn.cursor, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
-        context.emit(command::ChangeImport{choices});
+        context.emit(commands::ChangeImport{choices});
     }
-    ImGui::BeginChild("gaps", {space.x, gaps}, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::BeginChild("gaps", {space.x, gaps}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_gaps(context, area, row);
     ImGui::EndChild();
 }
 
-void RecordingPanel::draw_gaps(PanelContext& context, const PlotArea& area, float height) {
-    const RecordingImport& import = *context.state.import;
-    const Theme& theme = context.theme;
+void RecordingPanel::draw_gaps(PanelContext& context, const plot::PlotArea& area, float height) {
+    const commands::RecordingImport& import = *context.state.import;
+    const platform::Theme& theme = context.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float names = std::min(0.25f * ImGui::GetContentRegionAvail().x, 180.0f * theme.scale), width = ImGui::GetContentRegionAvail().x - names - 12.0f * theme.scale;
+    const float names = std::min(0.25f * ImGui::GetContentRegionAvail().x, 180.0f * theme.scale),
+                width = ImGui::GetContentRegionAvail().x - names - 12.0f * theme.scale;
     const double first = area.x.lowest, span = std::max(1e-9, area.x.highest - area.x.lowest);
-    const auto pixel = [&](double t) { return corner.x + names + width * static_cast<float>(std::clamp((t - first) / span, 0.0, 1.0)); };
-    list.AddText(theme.small, theme.small->FontSize, corner, packed(theme.muted), "Seen by the cameras");
+    const auto pixel = [&](double t) {
+        return corner.x + names + width * static_cast<float>(std::clamp((t - first) / span, 0.0, 1.0));
+    };
+    list.AddText(theme.small, theme.small->FontSize, corner, platform::packed(theme.muted), "Seen by the cameras");
     float y = corner.y + theme.small->FontSize + 4.0f * theme.scale;
     ImGui::SetCursorScreenPos({corner.x, y});
     const float begin = y;
     for (std::size_t i = 0; i < seen_.size(); ++i, y += height) {
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::InvisibleButton("row", {names + width, height})) context.emit(command::ChooseLabel{static_cast<int>(i), import.placing});
+        if (ImGui::InvisibleButton("row", {names + width, height}))
+            context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
         ImGui::SetCursorScreenPos({corner.x, y + height});
         const std::string& label = import.file.recording->labels[i];
         context.items.mark("recording/seen/" + label);
-        tooltip(theme, label + ": seen in " + std::to_string(static_cast<int>(std::lround(100.0 * import.file.seen[i]))) + " % of the samples");
+        tooltip(theme, label + ": seen in " +
+                           std::to_string(static_cast<int>(std::lround(100.0 * import.file.seen[i]))) +
+                           " % of the samples");
         ImGui::PopID();
         const bool chosen = static_cast<int>(i) == import.label;
         // Where rows are lower than letters only the chosen one has its name.
         if (height >= 0.95f * theme.small->FontSize || chosen) {
             const std::string name = elided(label, names - 8.0f * theme.scale);
-            list.AddText(theme.small, theme.small->FontSize, {corner.x, y + 0.5f * (height - theme.small->FontSize)}, packed(chosen ? theme.text : theme.muted), name.c_str());
+            list.AddText(theme.small, theme.small->FontSize, {corner.x, y + 0.5f * (height - theme.small->FontSize)},
+                         platform::packed(chosen ? theme.text : theme.muted), name.c_str());
         }
-        list.AddRectFilled({corner.x + names, y + 0.15f * height}, {corner.x + names + width, y + 0.85f * height}, packed(theme.failure, 0.35f));
+        list.AddRectFilled({corner.x + names, y + 0.15f * height}, {corner.x + names + width, y + 0.85f * height},
+                           platform::packed(theme.failure, 0.35f));
         for (const auto& [from, to] : seen_[i])
-            if (to > first && from < first + span) list.AddRectFilled({pixel(from), y + 0.15f * height}, {pixel(to), y + 0.85f * height}, packed(chosen ? theme.accent : theme.measured));
+            if (to > first && from < first + span)
+                list.AddRectFilled({pixel(from), y + 0.15f * height}, {pixel(to), y + 0.85f * height},
+                                   platform::packed(chosen ? theme.accent : theme.measured));
     }
-    if (import.choices.start_s >= first && import.choices.start_s <= first + span) list.AddLine({pixel(import.choices.start_s), begin}, {pixel(import.choices.start_s), y}, packed(theme.text), std::max(1.0f, theme.scale));
+    if (import.choices.start_s >= first && import.choices.start_s <= first + span)
+        list.AddLine({pixel(import.choices.start_s), begin}, {pixel(import.choices.start_s), y},
+                     platform::packed(theme.text), std::max(1.0f, theme.scale));
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

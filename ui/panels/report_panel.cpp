@@ -8,13 +8,14 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// Beside the project, else below the working folder: results must not lie among measurements.
-std::string proposed_folder(const WorkbenchState& state) {
+std::string proposed_folder(const commands::WorkbenchState& state) {
     std::error_code ignored;
-    const std::filesystem::path home = state.project.empty() ? std::filesystem::current_path(ignored) / "out" : state.project.parent_path();
+    const std::filesystem::path home = state.project.empty() ? std::filesystem::current_path(ignored) / "out"
+                                                             : state.project.parent_path();
     const std::filesystem::path& named = state.project.empty() ? state.scene->path : state.project;
     const std::string name = named.stem().empty() ? named.parent_path().filename().string() : named.stem().string();
     return (home / (name + " report")).string();
@@ -23,9 +24,11 @@ std::string proposed_folder(const WorkbenchState& state) {
 }  // namespace
 
 void ReportPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    if (!state.scene || !state.run) return muted_text(theme, "Run, calibrate or diagnose first: then pages, tables and a picture of it can be written.");
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    if (!state.scene || !state.run)
+        return muted_text(theme,
+                          "Run, calibrate or diagnose first: then pages, tables and a picture of it can be written.");
     if (scene_ != state.scene) folder_ = proposed_folder(state);
     scene_ = state.scene;
     muted_text(theme, "Folder");
@@ -34,7 +37,7 @@ void ReportPanel::draw(PanelContext& context) {
     ImGui::InputText("##folder", &folder_);
     context.items.mark("report/folder");
     ImGui::SameLine();
-    if (ImGui::Button(icon::folder, {button, 0.0f})) {
+    if (ImGui::Button(platform::icon::folder, {button, 0.0f})) {
         FileDialog dialog;
         dialog.title = "Folder for the report";
         dialog.button = "Choose";
@@ -46,27 +49,30 @@ void ReportPanel::draw(PanelContext& context) {
     context.items.mark("report/browse");
     ImGui::Spacing();
     muted_text(theme, "What will be written");
-    const auto row = [&](bool there, const std::string& file, const std::string& what, const CheckRows& checks = {}) {
-        const CheckState worst = worst_state(checks);
-        const std::string doubts = worst == CheckState::green ? "" : ", checks: " + doubt_words(checks);
-        notice(theme, there ? log_level(worst) : LogLevel::information, file + ": " + what + doubts);
+    const auto row = [&](bool there, const std::string& file, const std::string& what,
+                         const commands::CheckRows& checks = {}) {
+        const commands::CheckState worst = commands::worst_state(checks);
+        const std::string doubts = worst == commands::CheckState::green ? ""
+                                                                        : ", checks: " + commands::doubt_words(checks);
+        notice(theme, there ? commands::log_level(worst) : commands::LogLevel::information,
+               file + ": " + what + doubts);
     };
     row(true, "<trial>.csv", "simulated markers of the shown run", state.run->checks);
     row(true, "picture.png", "the 3D view as it is now");
     row(state.found && state.found->page, "fit.html",
         state.found ? "the last calibration or optimisation" : "comes with a calibration or an optimisation",
-        state.found ? state.found->run.checks : CheckRows{});
+        state.found ? state.found->run.checks : commands::CheckRows{});
     row(state.diagnosis && state.diagnosis->page, "diagnosis.html",
         state.diagnosis ? "the last diagnosis" : "comes with a diagnosis",
-        state.diagnosis ? state.diagnosis->checks : CheckRows{});
+        state.diagnosis ? state.diagnosis->checks : commands::CheckRows{});
     ImGui::Spacing();
     ImGui::BeginDisabled(folder_.empty());
     if (primary_button(theme, "Write the report", {-1.0f, 0.0f})) {
-        context.emit(command::WriteReport{folder_});
+        context.emit(commands::WriteReport{folder_});
         context.window.picture = PictureRequest{std::filesystem::path(folder_) / "picture.png"};
     }
     context.items.mark("report/write");
     ImGui::EndDisabled();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -4,7 +4,7 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// Writes what was found into a folder: pages, tables, a picture.
 class ReportPanel : public Panel {
@@ -12,12 +12,12 @@ public:
     std::string name() const override { return "report"; }
     std::string title() const override { return "Report"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::report; }
+    std::optional<commands::Step> step() const override { return commands::Step::report; }
     void draw(PanelContext& context) override;
 
 private:
     std::string folder_;
-    std::shared_ptr<const Scene> scene_;   // for which the folder was proposed
+    std::shared_ptr<const commands::Scene> scene_;  // for which the folder was proposed
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

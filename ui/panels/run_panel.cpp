@@ -12,10 +12,10 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 void RunPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!state.run) {
         if (!state.scene) {
             muted_text(context.theme, "Nothing has been run.");
@@ -25,7 +25,9 @@ void RunPanel::draw(PanelContext& context) {
         return;
     }
     if (!state.run_is_current() && !state.busy()) {
-        notice(context.theme, LogLevel::information, state.previewing() ? "The settings changed since this run; the view shows their preview." : "The settings changed since this run.");
+        notice(context.theme, commands::LogLevel::information,
+               state.previewing() ? "The settings changed since this run; the view shows their preview."
+                                  : "The settings changed since this run.");
         context.items.mark("run/outdated");
     }
     draw_errors(context);
@@ -34,10 +36,10 @@ void RunPanel::draw(PanelContext& context) {
 namespace {
 
 void draw_progress(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const JobView& job = *state.job;
+    const commands::JobView& job = *state.job;
     std::string name = job.name;
     if (!state.queue.empty()) name += ", " + std::to_string(state.queue.size()) + " waiting";
     ImGui::TextUnformatted(name.c_str());
@@ -48,13 +50,20 @@ void draw_progress(PanelContext& context) {
     const std::string counted = counted_words(job);
     const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
     const std::string text = counted + between + job.progress.message;
-    muted_text(theme, text.empty() ? " " : elided_lines(text, ImGui::GetContentRegionAvail().x, 1));   // the buttons below stay where they are
+    muted_text(theme, text.empty() ? " "
+                                   : elided_lines(text, ImGui::GetContentRegionAvail().x,
+                                                  1));  // the buttons below stay where they are
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     ImGui::BeginDisabled(job.cancelling);
-    if (ImGui::Button((std::string(job.paused ? icon::play : icon::pause) + (job.paused ? "  Go on" : "  Pause")).c_str(), {width, 0.0f})) context.emit(command::Pause{!job.paused});
+    if (ImGui::Button((std::string(job.paused ? platform::icon::play : platform::icon::pause) +
+                       (job.paused ? "  Go on" : "  Pause"))
+                          .c_str(),
+                      {width, 0.0f}))
+        context.emit(commands::Pause{!job.paused});
     context.items.mark("run/pause");
     ImGui::SameLine();
-    if (ImGui::Button((std::string(icon::stop) + "  Cancel").c_str(), {width, 0.0f})) context.emit(command::Cancel{});
+    if (ImGui::Button((std::string(platform::icon::stop) + "  Cancel").c_str(), {width, 0.0f}))
+        context.emit(commands::Cancel{});
     context.items.mark("run/cancel");
     ImGui::EndDisabled();
 }
@@ -62,30 +71,34 @@ void draw_progress(PanelContext& context) {
 }  // namespace
 
 void draw_run_controls(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     if (state.job) draw_progress(context);
     if (state.is_unstable()) {
         const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
-        notice(theme, LogLevel::warning, "\xce\x9b = " + value_label(state.settings.velocity_force_1_s, 3) + " 1/s is above \xce\x9b_crit = " +
-                                             value_label(*state.critical_velocity_force_1_s, 3) + " 1/s of " + scheme + " at " +
-                                             value_label(state.damping_frequency_Hz, 3) + " Hz and h = " + value_label(1e3 * state.settings.time_step_s, 3) +
-                                             " ms: the motion will grow without end. Try a smaller \xce\x9b, or none with " + first + ".");
+        notice(theme, commands::LogLevel::warning,
+               "\xce\x9b = " + plot::value_label(state.settings.velocity_force_1_s, 3) +
+                   " 1/s is above \xce\x9b_crit = " + plot::value_label(*state.critical_velocity_force_1_s, 3) +
+                   " 1/s of " + scheme + " at " + plot::value_label(state.damping_frequency_Hz, 3) +
+                   " Hz and h = " + plot::value_label(1e3 * state.settings.time_step_s, 3) +
+                   " ms: the motion will grow without end. Try a smaller \xce\x9b, or none with " + first + ".");
         context.items.mark("run/unstable");
     }
     const bool can_calibrate = state.scene && !state.scene->calibrated.empty();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     const std::string later = state.job ? "Waits until " + state.job->name + " has ended." : "";
     ImGui::BeginDisabled(!state.scene);
-    const std::string run_label = std::string(icon::play) + "  Run";
-    if (state.job ? ImGui::Button(run_label.c_str(), {width, 0.0f}) : primary_button(theme, run_label, {width, 0.0f})) context.emit(command::Run{});
+    const std::string run_label = std::string(platform::icon::play) + "  Run";
+    if (state.job ? ImGui::Button(run_label.c_str(), {width, 0.0f}) : primary_button(theme, run_label, {width, 0.0f}))
+        context.emit(commands::Run{});
     context.items.mark("run/run");
     tooltip(theme, "Simulates every trial (Ctrl+R). " + later);
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!can_calibrate);
-    if (ImGui::Button((std::string(icon::target) + "  Calibrate").c_str(), {width, 0.0f})) context.emit(command::Calibrate{});
+    if (ImGui::Button((std::string(platform::icon::target) + "  Calibrate").c_str(), {width, 0.0f}))
+        context.emit(commands::Calibrate{});
     context.items.mark("run/calibrate");
     ImGui::EndDisabled();
     if (!can_calibrate) return;
@@ -95,10 +108,10 @@ void draw_run_controls(PanelContext& context) {
 }
 
 void RunPanel::draw_errors(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    if (!state.run->problem.empty()) notice(theme, LogLevel::warning, state.run->problem);
-    for (const std::string& warning : state.run->warnings) notice(theme, LogLevel::warning, warning);
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    if (!state.run->problem.empty()) notice(theme, commands::LogLevel::warning, state.run->problem);
+    for (const std::string& warning : state.run->warnings) notice(theme, commands::LogLevel::warning, warning);
     checks_line(context, state.run->checks, "run/checks");
     if (!std::isfinite(state.run->rms_m)) {
         text_row(theme, "Time taken", duration_label(state.run->seconds));
@@ -106,8 +119,8 @@ void RunPanel::draw_errors(PanelContext& context) {
     }
     heading(theme, "Error against the markers");
     draw_trial_errors(context, "run/trial/", state.previewing() ? state.run.get() : state.shown_run().get());
-    text_row(theme, "All trials", millimetres(state.run->rms_m) + " rms");
+    text_row(theme, "All trials", plot::millimetres(state.run->rms_m) + " rms");
     text_row(theme, "Time taken", duration_label(state.run->seconds));
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,7 +2,7 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// Shows what the last run gave.
 class RunPanel : public Panel {
@@ -10,7 +10,7 @@ public:
     std::string name() const override { return "run"; }
     std::string title() const override { return "Result"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::run; }
+    std::optional<commands::Step> step() const override { return commands::Step::run; }
     void draw(PanelContext& context) override;
 
 private:
@@ -20,4 +20,4 @@ private:
 /// Buttons that start and stop work, with its progress; always in sight at the foot of the side.
 void draw_run_controls(PanelContext& context);
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -11,7 +11,7 @@
 #include "panels/workbench_window.hpp"
 #include "platform/offscreen_context.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 template <class Named>
@@ -25,74 +25,82 @@ Result<int> index_of(const std::string& what, const std::string& name, const std
     return Error{"there is no " + what + " \"" + name + "\"; there is " + join(names), ""};
 }
 
-Result<void> choose(Workbench& workbench, const ScreenshotOptions& options) {
+Result<void> choose(commands::Workbench& workbench, const ScreenshotOptions& options) {
     if (!workbench.state().scene) return {};
-    const Scene& scene = *workbench.state().scene;
-    const DiagnosisView* const d = workbench.state().diagnosis.get();
+    const commands::Scene& scene = *workbench.state().scene;
+    const commands::DiagnosisView* const d = workbench.state().diagnosis.get();
     const auto trial = index_of("trial", options.trial, scene.trials, d ? d->worst_trial : 0);
     if (!trial) return trial.error();
-    if (const auto fields = field_kinds(workbench.backend()); !options.field.empty() && std::none_of(fields.begin(), fields.end(), [&](const FieldKind& f) { return f.id == options.field; })) {
+    if (const auto fields = commands::field_kinds(workbench.backend());
+        !options.field.empty() && std::none_of(fields.begin(), fields.end(),
+                                               [&](const commands::FieldKind& f) { return f.id == options.field; })) {
         std::vector<std::string> ids;
-        for (const FieldKind& field : fields) ids.push_back(field.id);
+        for (const commands::FieldKind& field : fields) ids.push_back(field.id);
         return Error{"there is no field \"" + options.field + "\"; there is " + join(ids), ""};
     }
     const auto marker = index_of("marker", options.marker, scene.markers, d ? d->worst_marker : 0);
     if (!marker) return marker.error();
-    workbench.execute(command::ChooseTrial{*trial});
-    workbench.execute(command::ChooseMarker{*marker});
-    workbench.execute(command::SetTime{options.time_s.value_or(std::numeric_limits<double>::max())});
-    ViewOptions view = workbench.state().view;
+    workbench.execute(commands::ChooseTrial{*trial});
+    workbench.execute(commands::ChooseMarker{*marker});
+    workbench.execute(commands::SetTime{options.time_s.value_or(std::numeric_limits<double>::max())});
+    commands::ViewOptions view = workbench.state().view;
     view.field = options.field;
-    workbench.execute(command::ChangeView{view});
+    workbench.execute(commands::ChangeView{view});
     return {};
 }
 
 }  // namespace
 
-Result<void> wait_for_jobs(Workbench& workbench, const Progress& progress) {
+Result<void> wait_for_jobs(commands::Workbench& workbench, const Progress& progress) {
     while (workbench.state().busy()) {
         workbench.advance(0.0);
         if (!workbench.state().job) break;
         progress.report(workbench.state().job->progress);
         if (progress.cancelled()) {
-            workbench.execute(command::Cancel{});
+            workbench.execute(commands::Cancel{});
             return Error{"stopped", ""};
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    for (const LogLine& line : workbench.state().log) {
-        if (line.level == LogLevel::failure) return Error{line.text, ""};
+    for (const commands::LogLine& line : workbench.state().log) {
+        if (line.level == commands::LogLevel::failure) return Error{line.text, ""};
     }
     return {};
 }
 
-Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const ScreenshotOptions& options, const Progress& progress) {
-    auto context = OffscreenContext::make(options.width, options.height);
+Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backend, const ScreenshotOptions& options,
+                                        const Progress& progress) {
+    auto context = platform::OffscreenContext::make(options.width, options.height);
     if (!context) return context.error();
-    Workbench workbench(std::move(backend));
-    workbench.execute(command::SetTheme{options.theme, options.scale});
+    commands::Workbench workbench(std::move(backend));
+    workbench.execute(commands::SetTheme{options.theme, options.scale});
     auto window = WorkbenchWindow::make(workbench);
     if (!window) return window.error();
     for (const std::string& panel : options.panels)
-        if (!window->show_panel(panel)) return Error{"there is no panel \"" + panel + "\"; there is " + join(window->panel_names()), ""};
+        if (!window->show_panel(panel))
+            return Error{"there is no panel \"" + panel + "\"; there is " + join(window->panel_names()), ""};
     if (!options.open.empty()) {
-        workbench.execute(command::Open{options.open, options.metres_per_unit});
+        workbench.execute(commands::Open{options.open, options.metres_per_unit});
         if (workbench.state().unit_question) {
-            return Error{"the file does not say in which unit its numbers are; give one (mm or m)", options.open.string()};
+            return Error{"the file does not say in which unit its numbers are; give one (mm or m)",
+                         options.open.string()};
         }
         if (const auto opened = wait_for_jobs(workbench, progress); !opened) return opened.error();
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     if (workbench.state().scene) {
-        if (options.calibrate) workbench.execute(command::Calibrate{});
-        else if (options.optimize) workbench.execute(command::Optimize{});
-        else if (options.run) workbench.execute(command::Run{});
+        if (options.calibrate)
+            workbench.execute(commands::Calibrate{});
+        else if (options.optimize)
+            workbench.execute(commands::Optimize{});
+        else if (options.run)
+            workbench.execute(commands::Run{});
         if (const auto ran = wait_for_jobs(workbench, progress); !ran) return ran.error();
-        if (options.diagnose) workbench.execute(command::Diagnose{});
+        if (options.diagnose) workbench.execute(commands::Diagnose{});
         if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
     }
     if (!options.import.empty()) {
-        workbench.execute(command::ReadRecording{options.import});
+        workbench.execute(commands::ReadRecording{options.import});
         if (const auto read = wait_for_jobs(workbench, progress); !read) return read.error();
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
@@ -100,7 +108,7 @@ Result<Image> draw_screenshot(std::shared_ptr<Backend> backend, const Screenshot
     // Sizes of texts are known from the second frame on, scrolling from the third.
     for (int frame = 0; frame < 5 || window->waits_for_field(); ++frame)
         if (const auto drawn = window->draw_frame(options.width, options.height, 0.02); !drawn) return drawn.error();
-    return read_frame(options.width, options.height);
+    return platform::read_frame(options.width, options.height);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

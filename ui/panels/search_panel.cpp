@@ -9,49 +9,56 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-std::string SearchPanel::title() const { return std::string(icon::line_chart) + "  Search"; }
+std::string SearchPanel::title() const { return std::string(platform::icon::line_chart) + "  Search"; }
 
 void SearchPanel::draw_values(PanelContext& context, bool starts) {
-    const SearchView& search = *context.state.search;
-    const Theme& theme = context.theme;
+    const commands::SearchView& search = *context.state.search;
+    const platform::Theme& theme = context.theme;
     const int runs = static_cast<int>(search.log.size());
     ImGui::PushFont(theme.strong);
     ImGui::TextUnformatted((std::to_string(runs) + (runs == 1 ? " evaluation" : " evaluations")).c_str());
     ImGui::PopFont();
     context.items.mark("search/evaluations");
-    std::vector<Heading> headings{{"Value", "What the search moves"}, {"Best so far", "Of the evaluation with the least loss", true}, {"Unit", ""}};
+    std::vector<Heading> headings{{"Value", "What the search moves"},
+                                  {"Best so far", "Of the evaluation with the least loss", true},
+                                  {"Unit", ""}};
     if (starts) headings.insert(headings.begin() + 1, {"Start", "Where the search began", true});
-    if (!ImGui::BeginTable("values", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY)) return;
+    if (!ImGui::BeginTable("values", static_cast<int>(headings.size()),
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY))
+        return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     for (std::size_t k = 1; k + 1 < headings.size(); ++k) number_column(theme, headings[k]);
     ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("kg/m3").x);
     heading_row(theme, headings);
-    for (const ParameterRow& row : search.parameters) {
+    for (const commands::ParameterRow& row : search.parameters) {
         ImGui::TableNextRow();
         text_cell(theme, row.name, theme.text);
-        if (starts) number_cell(theme, plain_label(row.start, 4));
-        number_cell(theme, plain_label(row.value, 4));
+        if (starts) number_cell(theme, plot::plain_label(row.start, 4));
+        number_cell(theme, plot::plain_label(row.value, 4));
         text_cell(theme, row.unit, theme.muted);
     }
     ImGui::EndTable();
 }
 
 void SearchPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     if (!state.search || state.search->log.empty()) {
-        muted_text(theme, state.searching() ? "The first evaluation is on its way." : "Calibrate and Optimise show here how the error falls, and with which values.");
+        muted_text(theme, state.searching()
+                              ? "The first evaluation is on its way."
+                              : "Calibrate and Optimise show here how the error falls, and with which values.");
         return;
     }
-    const SearchView& search = *state.search;
+    const commands::SearchView& search = *state.search;
     const ImVec2 space = ImGui::GetContentRegionAvail();
     // In a narrow strip the start values and the later curves give way.
     const float s = theme.scale;
     const bool wide = space.x > 620.0f * s;
-    const float values_width = std::floor(std::max(wide ? 280.0f * s : 220.0f * s, std::min(0.3f * space.x, 380.0f * s)));
+    const float values_width = std::floor(
+        std::max(wide ? 280.0f * s : 220.0f * s, std::min(0.3f * space.x, 380.0f * s)));
     const int curves = std::clamp(static_cast<int>((space.x - values_width) / (150.0f * s)), 1, 3);
     ImGui::BeginChild("values", {values_width, 0.0f});
     draw_values(context, wide);
@@ -62,34 +69,52 @@ void SearchPanel::draw(PanelContext& context) {
     const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count));
     Eigen::VectorXd rms(count), loss(count), gradient(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const SearchPoint& point = search.log[static_cast<std::size_t>(i)];
+        const commands::SearchPoint& point = search.log[static_cast<std::size_t>(i)];
         rms(i) = 1e3 * point.rms_m;
         loss(i) = point.loss > 0.0 ? std::log10(point.loss) : std::nan("");
         gradient(i) = point.gradient_norm > 0.0 ? std::log10(point.gradient_norm) : std::nan("");
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const ImVec2 size{std::floor((room.x - 4.0f * s * static_cast<float>(curves - 1)) / static_cast<float>(curves)), room.y};
-    const auto curve = [&](const char* id, const std::string& title, const std::string& tip, const Eigen::VectorXd& values, const ImVec4& color, PlotState& plot_state) {
-        Plot plot;
+    const ImVec2 size{std::floor((room.x - 4.0f * s * static_cast<float>(curves - 1)) / static_cast<float>(curves)),
+                      room.y};
+    const auto curve = [&](const char* id, const std::string& title, const std::string& tip,
+                           const Eigen::VectorXd& values, const ImVec4& color, plot::PlotState& plot_state) {
+        plot::Plot plot;
         plot.id = id;
         plot.title = title;
         plot.x_unit = "";
         plot.y_unit = "";
         plot.series.push_back({"line", number, values, color, false});
         plot.series.push_back({"dots", number, values, color, true});
-        const PlotResult drawn = draw_plot(plot, size, theme, context.items, evaluations_, plot_state, hidden_);
+        const plot::PlotResult drawn = plot::draw_plot(plot, size, theme, context.items, evaluations_, plot_state,
+                                                       hidden_);
         // Below the title the crosshair tells the values.
         if (ImGui::GetIO().MousePos.y < drawn.area.pixels.lowest.y) tooltip(theme, tip);
         const ImVec2 corner = ImGui::GetItemRectMin();
-        context.items.add(std::string(id) + "/title", {corner, {ImGui::GetItemRectMax().x, drawn.area.pixels.lowest.y}});
+        context.items.add(std::string(id) + "/title",
+                          {corner, {ImGui::GetItemRectMax().x, drawn.area.pixels.lowest.y}});
     };
     const bool calibrates = search.loss_unit.empty();
-    const std::string what = calibrates ? "the loss |r|² / 2, r = (simulated − measured) / noise" : "the loss [mm²], the markers' mean square distance plus a little for hasty signals";
+    const std::string what = calibrates
+                                 ? "the loss |r|² / 2, r = (simulated − measured) / noise"
+                                 : "the loss [mm²], the markers' mean square distance plus a little for hasty signals";
     const std::string unit = search.loss_unit.empty() ? "" : " [" + search.loss_unit + "]";
-    curve("search/rms", "rms error [mm]", "Root mean square distance of simulated and measured coordinates [mm], over the evaluations of the search", rms, theme.simulated, error_);
-    if (curves > 1) ImGui::SameLine(0.0f, 4.0f * s), curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit, "What the search makes small: " + what + ". One less on the scale is a tenth of it.", loss, theme.accent, loss_);
-    if (curves > 2) ImGui::SameLine(0.0f, 4.0f * s), curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit, "Length of the gradient of " + what + (calibrates ? ", each parameter in its scale" : ", of the part that the bounds do not stop") + ". It is 0 at the best.", gradient, theme.force, gradient_);
+    curve("search/rms", "rms error [mm]",
+          "Root mean square distance of simulated and measured coordinates [mm], over the evaluations of the search",
+          rms, theme.simulated, error_);
+    if (curves > 1)
+        ImGui::SameLine(0.0f, 4.0f * s),
+            curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit,
+                  "What the search makes small: " + what + ". One less on the scale is a tenth of it.", loss,
+                  theme.accent, loss_);
+    if (curves > 2)
+        ImGui::SameLine(0.0f, 4.0f * s),
+            curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit,
+                  "Length of the gradient of " + what +
+                      (calibrates ? ", each parameter in its scale" : ", of the part that the bounds do not stop") +
+                      ". It is 0 at the best.",
+                  gradient, theme.force, gradient_);
     ImGui::EndChild();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

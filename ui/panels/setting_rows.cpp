@@ -1,19 +1,21 @@
 #include "panels/setting_rows.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 void setting_rows(PanelContext& context, const std::vector<SettingField>& fields, OpenEdit& edit) {
     for (const SettingField& entry : fields) {
-        Settings settings = context.state.settings;
+        commands::Settings settings = context.state.settings;
         bool goes_on = false;
-        if (number_row(context, entry.field, edit, settings.*entry.value, goes_on)) context.emit(command::ChangeSettings{settings, entry.field.name, goes_on});
+        if (number_row(context, entry.field, edit, settings.*entry.value, goes_on))
+            context.emit(commands::ChangeSettings{settings, entry.field.name, goes_on});
     }
 }
 
-void setting_choice(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip, const std::vector<Choice>& choices,
-                    std::string Settings::* id) {
-    Settings settings = context.state.settings;
-    if (choice_row(context, label, name, tip, choices, settings.*id)) context.emit(command::ChangeSettings{settings, name, false});
+void setting_choice(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
+                    const std::vector<commands::Choice>& choices, std::string commands::Settings::*id) {
+    commands::Settings settings = context.state.settings;
+    if (choice_row(context, label, name, tip, choices, settings.*id))
+        context.emit(commands::ChangeSettings{settings, name, false});
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -8,74 +8,82 @@
 #include "panels/tables.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// How near to a knot the mouse has to be to take it [pixels at scale 1].
 constexpr float reach = 9.0f;
-constexpr Range least_range{0.9, 1.1};
+constexpr plot::Range least_range{0.9, 1.1};
 
-const std::vector<Choice>& shape_choices() {
-    static const std::vector<Choice> choices{{"constant", "Constant", "The same value at all times."},
-                                             {"step", "Step", "Passive, then the level, within a millisecond."},
-                                             {"ramp", "Ramp", "Passive, then evenly to the level, where it stays."},
-                                             {"sine", "Sine", "Swings between passive and the level."}};
+const std::vector<commands::Choice>& shape_choices() {
+    static const std::vector<commands::Choice> choices{
+        {"constant", "Constant", "The same value at all times."},
+        {"step", "Step", "Passive, then the level, within a millisecond."},
+        {"ramp", "Ramp", "Passive, then evenly to the level, where it stays."},
+        {"sine", "Sine", "Swings between passive and the level."}};
     return choices;
 }
 
-void give_signal(PanelContext& context, std::optional<Signal> signal, const std::string& what, bool goes_on) {
-    Settings settings = context.state.settings;
+void give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what, bool goes_on) {
+    commands::Settings settings = context.state.settings;
     settings.muscles[static_cast<std::size_t>(context.state.muscle)].signal = std::move(signal);
-    context.emit(command::ChangeSettings{std::move(settings), what, goes_on});
+    context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
 }
 
 /// The curve over a span of time, constant beyond its knots.
-PlotSeries series_of(const std::string& name, const Signal& signal, const Range& span, const ImVec4& color) {
+plot::PlotSeries series_of(const std::string& name, const fibre::Signal& signal, const plot::Range& span,
+                           const ImVec4& color) {
     std::vector<double> x = signal.times_s, y = signal.values;
     if (span.lowest < x.front()) x.insert(x.begin(), span.lowest), y.insert(y.begin(), y.front());
     if (span.highest > x.back()) x.push_back(span.highest), y.push_back(y.back());
     const auto count = static_cast<Eigen::Index>(x.size());
-    return {name, Eigen::Map<const Eigen::VectorXd>(x.data(), count), Eigen::Map<const Eigen::VectorXd>(y.data(), count), color, false};
+    return {name, Eigen::Map<const Eigen::VectorXd>(x.data(), count),
+            Eigen::Map<const Eigen::VectorXd>(y.data(), count), color, false};
 }
 
-ImVec2 pixel_of(const PlotArea& area, double time_s, double value) {
+ImVec2 pixel_of(const plot::PlotArea& area, double time_s, double value) {
     const auto wide = [](float v) { return static_cast<double>(v); };
-    return {static_cast<float>(to_pixel(area.x, time_s, wide(area.pixels.lowest.x), wide(area.pixels.highest.x))),
-            static_cast<float>(to_pixel(area.y, value, wide(area.pixels.highest.y), wide(area.pixels.lowest.y)))};
+    return {static_cast<float>(plot::to_pixel(area.x, time_s, wide(area.pixels.lowest.x), wide(area.pixels.highest.x))),
+            static_cast<float>(plot::to_pixel(area.y, value, wide(area.pixels.highest.y), wide(area.pixels.lowest.y)))};
 }
 
-std::filesystem::path folder_of(const Scene& scene) { return scene.path.has_extension() ? scene.path.parent_path() : scene.path; }
+std::filesystem::path folder_of(const commands::Scene& scene) {
+    return scene.path.has_extension() ? scene.path.parent_path() : scene.path;
+}
 
-FileDialog import_dialog(const WorkbenchState& state) {
+FileDialog import_dialog(const commands::WorkbenchState& state) {
     FileDialog dialog;
     dialog.title = "Import the signal of " + state.chosen_muscle()->name;
     dialog.button = "Import";
     dialog.endings = {".csv"};
     dialog.start = folder_of(*state.scene);
-    dialog.chosen = [muscle = state.muscle](PanelContext& context, const std::filesystem::path& path) { context.emit(command::ImportSignal{muscle, path}); };
+    dialog.chosen = [muscle = state.muscle](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::ImportSignal{muscle, path});
+    };
     return dialog;
 }
 
-FileDialog export_dialog(const WorkbenchState& state) {
-    const Muscle& muscle = *state.chosen_muscle();
+FileDialog export_dialog(const commands::WorkbenchState& state) {
+    const commands::Muscle& muscle = *state.chosen_muscle();
     FileDialog dialog;
     dialog.title = "Export the signal of " + muscle.name;
     dialog.button = "Export";
     dialog.endings = {".csv"};
     dialog.start = folder_of(*state.scene);
     dialog.new_name = muscle.name + ".csv";
-    dialog.chosen = [name = muscle.name, signal = signal_of(state, muscle)](PanelContext& context, const std::filesystem::path& path) {
-        context.emit(command::ExportSignal{name, signal, path});
+    dialog.chosen = [name = muscle.name, signal = commands::signal_of(state, muscle)](
+                        PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::ExportSignal{name, signal, path});
     };
     return dialog;
 }
 
 }  // namespace
 
-std::string SignalPanel::title() const { return std::string(icon::bolt) + "  Signals"; }
+std::string SignalPanel::title() const { return std::string(platform::icon::bolt) + "  Signals"; }
 
 void SignalPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!state.chosen_muscle()) {
         muted_text(context.theme, "Signals of muscles are drawn here. Add a muscle under Fibres to begin.");
         return;
@@ -90,8 +98,8 @@ void SignalPanel::draw(PanelContext& context) {
 }
 
 void SignalPanel::draw_head(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Muscle& muscle = *state.chosen_muscle();
+    const commands::WorkbenchState& state = context.state;
+    const commands::Muscle& muscle = *state.chosen_muscle();
     const float s = context.theme.scale;
     ImGui::SetNextItemWidth(std::min(200.0f * s, 0.26f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##muscle", muscle.name.c_str());
@@ -99,7 +107,7 @@ void SignalPanel::draw_head(PanelContext& context) {
     if (open) {
         for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
             const std::string& name = state.settings.muscles[static_cast<std::size_t>(m)].name;
-            if (ImGui::Selectable(name.c_str(), m == state.muscle)) context.emit(command::ChooseMuscle{m});
+            if (ImGui::Selectable(name.c_str(), m == state.muscle)) context.emit(commands::ChooseMuscle{m});
             context.items.mark("signals/muscle/" + name);
         }
         ImGui::EndCombo();
@@ -107,7 +115,8 @@ void SignalPanel::draw_head(PanelContext& context) {
     ImGui::SameLine();
     if (!muscle.follows.empty()) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(context.theme.muted, "follows %s: a \xe2\x88\x92 1 is %s times its own", muscle.follows.c_str(), plain_label(muscle.ratio, 3).c_str());
+        ImGui::TextColored(context.theme.muted, "follows %s: a \xe2\x88\x92 1 is %s times its own",
+                           muscle.follows.c_str(), plot::plain_label(muscle.ratio, 3).c_str());
         return;
     }
     draw_generator(context);
@@ -119,8 +128,10 @@ void SignalPanel::draw_head(PanelContext& context) {
         plot_ = {};
     }
     context.items.mark("signals/fit");
-    tooltip(context.theme, "Show the whole signal.\n\nIn the curve, a double click adds a knot, a drag moves it and a right click takes it away. The wheel zooms in time, with Shift in a; a drag beside the "
-                           "knots moves the view, one with the right button zooms to a box.");
+    tooltip(context.theme,
+            "Show the whole signal.\n\nIn the curve, a double click adds a knot, a drag moves it and a right click "
+            "takes it away. The wheel zooms in time, with Shift in a; a drag beside the "
+            "knots moves the view, one with the right button zooms to a box.");
     if (muscle.declared.empty()) return;
     ImGui::SameLine();
     if (muscle.signal) {
@@ -136,7 +147,7 @@ void SignalPanel::draw_head(PanelContext& context) {
 }
 
 void SignalPanel::draw_generator(PanelContext& context) {
-    const Muscle& muscle = *context.state.chosen_muscle();
+    const commands::Muscle& muscle = *context.state.chosen_muscle();
     if (ImGui::Button("Generate")) ImGui::OpenPopup("generate");
     context.items.mark("signals/generate");
     tooltip(context.theme, "A constant, a step, a ramp or a sine");
@@ -148,22 +159,61 @@ void SignalPanel::draw_generator(PanelContext& context) {
     std::string shape = shape_choices()[static_cast<std::size_t>(recipe_.shape)].id;
     if (choice_row(context, "Shape", "signals/shape", "Form of the signal.", shape_choices(), shape))
         for (std::size_t i = 0; i < shape_choices().size(); ++i)
-            if (shape_choices()[i].id == shape) recipe_.shape = static_cast<SignalShape>(i);
+            if (shape_choices()[i].id == shape) recipe_.shape = static_cast<commands::SignalShape>(i);
     bool ignored = false;
-    const auto number = [&](const NumberField& field, double& value) { number_row(context, field, edit_, value, ignored); };
-    number({"Level a", "signals/level", "", "Target stretch a, a plain number: the length that the fibres want over their length at rest, in the energy per rest volume w/2 (|F m| − a)². 1 is passive.", 1.0, {0.05, 5.0}, 0.005}, recipe_.level);
-    if (recipe_.shape != SignalShape::constant) number({"Start", "signals/start", "s", "Time t₀ [s] up to which the muscle is passive, a = 1.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.start_s);
-    if (recipe_.shape == SignalShape::ramp) number({"Rise", "signals/rise", "s", "Time [s] from passive to the level: a = 1 + (level − 1) (t − t₀) / rise.", 1.0, {1e-3, 1e3}, 0.01}, recipe_.rise_s);
-    if (recipe_.shape == SignalShape::sine) {
-        number({"Frequency", "signals/frequency", "Hz", "Swings per second f [Hz]: a = 1 + (level − 1) (1 − cos 2π f (t − t₀)) / 2.", 1.0, {0.01, 100.0}, 0.01}, recipe_.frequency_Hz);
-        number({"End", "signals/end", "s", "Time [s] at which it stops; from there on a stays.", 1.0, {-1e3, 1e3}, 0.01}, recipe_.end_s);
+    const auto number = [&](const NumberField& field, double& value) {
+        number_row(context, field, edit_, value, ignored);
+    };
+    number({"Level a",
+            "signals/level",
+            "",
+            "Target stretch a, a plain number: the length that the fibres want over their length at rest, in the "
+            "energy per rest volume w/2 (|F m| − a)². 1 is passive.",
+            1.0,
+            {0.05, 5.0},
+            0.005},
+           recipe_.level);
+    if (recipe_.shape != commands::SignalShape::constant)
+        number({"Start",
+                "signals/start",
+                "s",
+                "Time t₀ [s] up to which the muscle is passive, a = 1.",
+                1.0,
+                {-1e3, 1e3},
+                0.01},
+               recipe_.start_s);
+    if (recipe_.shape == commands::SignalShape::ramp)
+        number({"Rise",
+                "signals/rise",
+                "s",
+                "Time [s] from passive to the level: a = 1 + (level − 1) (t − t₀) / rise.",
+                1.0,
+                {1e-3, 1e3},
+                0.01},
+               recipe_.rise_s);
+    if (recipe_.shape == commands::SignalShape::sine) {
+        number({"Frequency",
+                "signals/frequency",
+                "Hz",
+                "Swings per second f [Hz]: a = 1 + (level − 1) (1 − cos 2π f (t − t₀)) / 2.",
+                1.0,
+                {0.01, 100.0},
+                0.01},
+               recipe_.frequency_Hz);
+        number(
+            {"End", "signals/end", "s", "Time [s] at which it stops; from there on a stays.", 1.0, {-1e3, 1e3}, 0.01},
+            recipe_.end_s);
     }
     // A sine of many thousand knots is no curve to edit.
-    const bool fits = recipe_.shape != SignalShape::sine || (recipe_.end_s > recipe_.start_s && (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
-    if (!fits) notice(context.theme, LogLevel::warning, "The end must come after the start, by no more than 200 swings.");
+    const bool fits = recipe_.shape != commands::SignalShape::sine ||
+                      (recipe_.end_s > recipe_.start_s &&
+                       (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
+    if (!fits)
+        notice(context.theme, commands::LogLevel::warning,
+               "The end must come after the start, by no more than 200 swings.");
     ImGui::BeginDisabled(!fits);
     if (primary_button(context.theme, "Use it", {-1.0f, 0.0f})) {
-        give_signal(context, make_signal(recipe_), "generated signal", false);
+        give_signal(context, commands::make_signal(recipe_), "generated signal", false);
         plot_ = {};
         ImGui::CloseCurrentPopup();
     }
@@ -178,7 +228,8 @@ void SignalPanel::draw_file(PanelContext& context) {
     context.items.mark("signals/file");
     tooltip(context.theme, "Read or write a table time_s," + name + ": linear between its rows, constant outside them");
     if (!begin_popup_above(context.theme, "signal file", 200.0f)) return;
-    const auto choice = [&](const char* label, const char* item, FileDialog (*dialog)(const WorkbenchState&)) {
+    const auto choice = [&](const char* label, const char* item,
+                            FileDialog (*dialog)(const commands::WorkbenchState&)) {
         const bool pressed = ImGui::Button(label, {-1.0f, 0.0f});
         context.items.mark(item);
         if (!pressed) return;
@@ -191,13 +242,14 @@ void SignalPanel::draw_file(PanelContext& context) {
 }
 
 void SignalPanel::draw_curve(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const Muscle& muscle = *state.chosen_muscle();
-    const Signal signal = signal_of(state, muscle);
-    const std::array<double, 2> trial = time_span(state);
-    const Range span{std::min(trial[0], signal.times_s.front()), std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
-    Plot plot;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::Muscle& muscle = *state.chosen_muscle();
+    const fibre::Signal signal = commands::signal_of(state, muscle);
+    const std::array<double, 2> trial = commands::time_span(state);
+    const plot::Range span{std::min(trial[0], signal.times_s.front()),
+                           std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
+    plot::Plot plot;
     plot.id = "plot/signal";
     plot.title = "target stretch a";
     plot.y_unit = "";
@@ -206,43 +258,47 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.y_least = least_range;
     plot.editable = muscle.follows.empty();
     plot.held = grabbed_.has_value();
-    for (const Muscle& other : state.settings.muscles) {
+    for (const commands::Muscle& other : state.settings.muscles) {
         if (other.name == muscle.name) continue;
         ImVec4 faint = theme.muscle(other.color);
         faint.w = 0.45f;
-        plot.series.push_back(series_of(other.name, signal_of(state, other), span, faint));
+        plot.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
     }
     plot.series.push_back(series_of(muscle.name, signal, span, theme.muscle(muscle.color)));
-    const PlotResult drawn = draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_, plot_, hidden_);
+    const plot::PlotResult drawn = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
+                                                   plot_, hidden_);
     if (!plot.editable) {
-        if (drawn.cursor) context.emit(command::SetTime{*drawn.cursor});
+        if (drawn.cursor) context.emit(commands::SetTime{*drawn.cursor});
         return;
     }
     edit_knots(context, signal, drawn);
 }
 
-void SignalPanel::edit_knots(PanelContext& context, const Signal& signal, const PlotResult& drawn) {
-    const PlotArea& area = drawn.area;
+void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& drawn) {
+    const plot::PlotArea& area = drawn.area;
     if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) return;
-    const Theme& theme = context.theme;
+    const platform::Theme& theme = context.theme;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::optional<std::size_t> near;
     float nearest = reach * theme.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    ImGui::PushClipRect({area.pixels.lowest.x - 6.0f, area.pixels.lowest.y - 6.0f}, {area.pixels.highest.x + 6.0f, area.pixels.highest.y + 6.0f}, true);
+    ImGui::PushClipRect({area.pixels.lowest.x - 6.0f, area.pixels.lowest.y - 6.0f},
+                        {area.pixels.highest.x + 6.0f, area.pixels.highest.y + 6.0f}, true);
     for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
         const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
         const float distance = std::hypot(p.x - mouse.x, p.y - mouse.y);
         if (drawn.hovered && distance < nearest) nearest = distance, near = k;
         const bool held = grabbed_ && *grabbed_ == k;
-        list.AddCircleFilled(p, (held ? 6.0f : 4.5f) * theme.scale, packed(theme.background), 20);
-        list.AddCircle(p, (held ? 6.0f : 4.5f) * theme.scale, packed(theme.text), 20, 1.6f * theme.scale);
+        list.AddCircleFilled(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.background), 20);
+        list.AddCircle(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.text), 20, 1.6f * theme.scale);
         context.items.add("signals/knot/" + std::to_string(k), {{p.x - 4.0f, p.y - 4.0f}, {p.x + 4.0f, p.y + 4.0f}});
     }
     ImGui::PopClipRect();
     const auto wide = [](float v) { return static_cast<double>(v); };
-    const double time = from_pixel(area.x, wide(mouse.x), wide(area.pixels.lowest.x), wide(area.pixels.highest.x));
-    const double value = from_pixel(area.y, wide(mouse.y), wide(area.pixels.highest.y), wide(area.pixels.lowest.y));
+    const double time = plot::from_pixel(area.x, wide(mouse.x), wide(area.pixels.lowest.x),
+                                         wide(area.pixels.highest.x));
+    const double value = plot::from_pixel(area.y, wide(mouse.y), wide(area.pixels.highest.y),
+                                          wide(area.pixels.lowest.y));
     if (!drawn.active) grabbed_.reset();
     if (drawn.hovered && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         grabbed_ = near;
@@ -250,14 +306,17 @@ void SignalPanel::edit_knots(PanelContext& context, const Signal& signal, const 
     }
     const ImVec2 by = ImGui::GetIO().MouseDelta;
     if (grabbed_ && *grabbed_ < signal.times_s.size() && (by.x != 0.0f || by.y != 0.0f)) {
-        give_signal(context, with_knot_moved(signal, *grabbed_, time, std::clamp(value, 0.05, 5.0)), "knot of a signal", moved_);
+        give_signal(context, commands::with_knot_moved(signal, *grabbed_, time, std::clamp(value, 0.05, 5.0)),
+                    "knot of a signal", moved_);
         moved_ = true;
     } else if (drawn.hovered && !near && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        give_signal(context, with_knot_added(signal, time, std::clamp(value, 0.05, 5.0)), "knot of a signal", false);
-    } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) && ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < 16.0f) {
+        give_signal(context, commands::with_knot_added(signal, time, std::clamp(value, 0.05, 5.0)), "knot of a signal",
+                    false);
+    } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
+               ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < 16.0f) {
         // A click, not the end of a box.
-        give_signal(context, with_knot_removed(signal, *near), "knot of a signal", false);
+        give_signal(context, commands::with_knot_removed(signal, *near), "knot of a signal", false);
     }
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

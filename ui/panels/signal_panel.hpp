@@ -5,15 +5,16 @@
 #include "panels/widgets.hpp"
 #include "plot/plot.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-/// The signal a(t) of the chosen muscle, as a curve whose knots are dragged: a double click adds one, a right click takes one away.
+/// The signal a(t) of the chosen muscle, as a curve whose knots are dragged: a double click adds one, a right click
+/// takes one away.
 class SignalPanel : public Panel {
 public:
     std::string name() const override { return "signals"; }
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
-    std::optional<Step> step() const override { return Step::fibres; }
+    std::optional<commands::Step> step() const override { return commands::Step::fibres; }
     void draw(PanelContext& context) override;
 
 private:
@@ -21,17 +22,17 @@ private:
     void draw_generator(PanelContext& context);
     void draw_file(PanelContext& context);
     void draw_curve(PanelContext& context);
-    void edit_knots(PanelContext& context, const Signal& signal, const PlotResult& plot);
+    void edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& plot);
 
-    SignalRecipe recipe_;
-    std::string recipe_muscle_;               // whose sense the recipe's level has
+    commands::SignalRecipe recipe_;
+    std::string recipe_muscle_;  // whose sense the recipe's level has
     OpenEdit edit_;
-    LinkedAxis time_;
-    PlotState plot_;
-    HiddenSeries hidden_;
-    std::optional<std::size_t> grabbed_;      // knot that is dragged
-    bool moved_ = false;                      // it was moved since it was grabbed
-    std::string followed_;                    // muscle that the zoom belongs to
+    plot::LinkedAxis time_;
+    plot::PlotState plot_;
+    plot::HiddenSeries hidden_;
+    std::optional<std::size_t> grabbed_;  // knot that is dragged
+    bool moved_ = false;                  // it was moved since it was grabbed
+    std::string followed_;                // muscle that the zoom belongs to
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -10,12 +10,13 @@
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// A large button with a sign, a title and some lines of text: below the sign, or beside it where the button is low.
-bool card(PanelContext& context, const std::string& item, const char* sign, const std::string& title, const std::string& text, const ImVec2& size) {
-    const Theme& theme = context.theme;
+bool card(PanelContext& context, const std::string& item, const char* sign, const std::string& title,
+          const std::string& text, const ImVec2& size) {
+    const platform::Theme& theme = context.theme;
     const float s = theme.scale, pad = 14.0f * s;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(item.c_str(), size);
@@ -23,31 +24,38 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     const bool hovered = ImGui::IsItemHovered();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + size.x, at.y + size.y};
-    list.AddRectFilled(at, end, packed(hovered ? theme.hovered : theme.raised), 6.0f * s);
-    list.AddRect(at, end, packed(hovered ? theme.accent : theme.border), 6.0f * s);
-    list.AddText(theme.large, theme.large->FontSize, {at.x + pad, at.y + pad}, packed(theme.accent), sign);
+    list.AddRectFilled(at, end, platform::packed(hovered ? theme.hovered : theme.raised), 6.0f * s);
+    list.AddRect(at, end, platform::packed(hovered ? theme.accent : theme.border), 6.0f * s);
+    list.AddText(theme.large, theme.large->FontSize, {at.x + pad, at.y + pad}, platform::packed(theme.accent), sign);
     const bool low = size.y < 4.0f * theme.large->FontSize;
     const float left = at.x + pad + (low ? 2.0f * theme.large->FontSize : 0.0f), wrap = end.x - pad - left;
-    const float text_top = at.y + pad + (low ? 0.0f : 1.35f * theme.large->FontSize), body_top = text_top + 1.5f * theme.strong->FontSize;
-    list.AddText(theme.strong, theme.strong->FontSize, {left, text_top}, packed(theme.text), elided(title, wrap).c_str());
+    const float text_top = at.y + pad + (low ? 0.0f : 1.35f * theme.large->FontSize),
+                body_top = text_top + 1.5f * theme.strong->FontSize;
+    list.AddText(theme.strong, theme.strong->FontSize, {left, text_top}, platform::packed(theme.text),
+                 elided(title, wrap).c_str());
     const int lines = std::max(1, static_cast<int>((end.y - pad - body_top) / theme.small->FontSize));
     ImGui::PushFont(theme.small);
     const std::string words = elided_lines(text, wrap, lines);
     ImGui::PopFont();
-    list.AddText(theme.small, theme.small->FontSize, {left, body_top}, packed(theme.muted), words.c_str(), nullptr, wrap);
+    list.AddText(theme.small, theme.small->FontSize, {left, body_top}, platform::packed(theme.muted), words.c_str(),
+                 nullptr, wrap);
     tooltip(theme, words != text ? text : "");
     return pressed;
 }
 
 void draw_examples(PanelContext& context, float room) {
-    const std::vector<Example>& examples = context.state.examples;
+    const std::vector<commands::Example>& examples = context.state.examples;
     const float s = context.theme.scale, gap = ImGui::GetStyle().ItemSpacing.x;
-    const int columns = card_columns(static_cast<int>(examples.size()), std::max(1, std::min(4, static_cast<int>(room / (200.0f * s)))));
-    const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), (columns > 1 ? 150.0f : 92.0f) * s};
+    const int columns = card_columns(static_cast<int>(examples.size()),
+                                     std::max(1, std::min(4, static_cast<int>(room / (200.0f * s)))));
+    const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)),
+                      (columns > 1 ? 150.0f : 92.0f) * s};
     int column = 0;
-    for (const Example& example : examples) {
+    for (const commands::Example& example : examples) {
         if (column++ % columns != 0) ImGui::SameLine();
-        if (card(context, "start/example/" + example.path.filename().string(), icon::cube, example.name, example.description, size)) context.emit(command::Open{example.path, std::nullopt});
+        if (card(context, "start/example/" + example.path.filename().string(), platform::icon::cube, example.name,
+                 example.description, size))
+            context.emit(commands::Open{example.path, std::nullopt});
     }
 }
 
@@ -62,14 +70,16 @@ int card_columns(int cards, int most) {
 }
 
 void draw_start_page(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const float s = theme.scale;
     const float width = std::min(900.0f * s, ImGui::GetWindowWidth() - 48.0f * s);
-    ImGui::SetCursorPos({0.5f * (ImGui::GetWindowWidth() - width), std::max(16.0f * s, 0.08f * ImGui::GetWindowHeight())});
+    ImGui::SetCursorPos(
+        {0.5f * (ImGui::GetWindowWidth() - width), std::max(16.0f * s, 0.08f * ImGui::GetWindowHeight())});
     ImGui::BeginChild("start page", {width, 0.0f}, false, ImGuiWindowFlags_NoBackground);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddText(theme.large, theme.large->FontSize, ImGui::GetCursorScreenPos(), packed(theme.text), "Myoloop");
+    list.AddText(theme.large, theme.large->FontSize, ImGui::GetCursorScreenPos(), platform::packed(theme.text),
+                 "Myoloop");
     ImGui::Dummy({0.0f, 1.2f * theme.large->FontSize});
     muted_text(theme, "Design, run and measure soft robots, and find out what the model lacks.");
     if (state.busy()) {
@@ -82,21 +92,26 @@ void draw_start_page(PanelContext& context) {
     const float room = width - ImGui::GetStyle().ScrollbarSize - ImGui::GetStyle().ItemSpacing.x;
     draw_examples(context, room);
     heading(theme, "Your own");
-    if (card(context, "start/open", icon::folder, "Open a file", "An experiment folder, a surface or volume mesh, or a project. A file or folder can also be dropped on this window.", {room, 80.0f * s}))
+    if (card(context, "start/open", platform::icon::folder, "Open a file",
+             "An experiment folder, a surface or volume mesh, or a project. A file or folder can also be dropped on "
+             "this window.",
+             {room, 80.0f * s}))
         context.window.file = open_dialog({});
     if (!state.preferences.recent.empty()) heading(theme, "Lately");
     for (std::size_t i = 0; i < state.preferences.recent.size(); ++i) {
         const std::filesystem::path& path = state.preferences.recent[i];
         ImGui::PushID(static_cast<int>(i));
-        ImGui::TextColored(theme.muted, "%s", is_project(path) ? icon::save : icon::cube);
+        ImGui::TextColored(theme.muted, "%s", commands::is_project(path) ? platform::icon::save : platform::icon::cube);
         ImGui::SameLine(28.0f * s);
-        if (ImGui::Selectable(path.filename().string().c_str(), false, 0, {0.32f * width, 0.0f})) context.emit(command::Open{path, std::nullopt});
+        if (ImGui::Selectable(path.filename().string().c_str(), false, 0, {0.32f * width, 0.0f}))
+            context.emit(commands::Open{path, std::nullopt});
         context.items.mark("start/recent/" + std::to_string(i));
         ImGui::SameLine();
-        ImGui::TextColored(theme.muted, "%s", elided(path.parent_path().string(), ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::TextColored(theme.muted, "%s",
+                           elided(path.parent_path().string(), ImGui::GetContentRegionAvail().x).c_str());
         ImGui::PopID();
     }
     ImGui::EndChild();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -7,7 +7,7 @@
 
 #include "panels/widgets.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// As much of a text as passes, with an ellipsis where some is left out.
@@ -15,14 +15,17 @@ template <class Fits>
 std::string shortened(const std::string& text, const Fits& fits) {
     if (text.empty() || fits(text)) return text;
     const auto cut = [&](std::size_t length) {
-        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80) --length;   // not within a character
+        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80)
+            --length;  // not within a character
         return text.substr(0, length) + "\xe2\x80\xa6";
     };
     std::size_t shortest = 0, longest = text.size() - 1;
     while (shortest < longest) {
         const std::size_t middle = (shortest + longest + 1) / 2;
-        if (fits(cut(middle))) shortest = middle;
-        else longest = middle - 1;
+        if (fits(cut(middle)))
+            shortest = middle;
+        else
+            longest = middle - 1;
     }
     return shortest > 0 ? cut(shortest) : std::string();
 }
@@ -35,33 +38,37 @@ std::string elided(const std::string& text, float width) {
 
 std::string elided_lines(const std::string& text, float width, int lines) {
     const float height = (static_cast<float>(lines) + 0.5f) * ImGui::GetTextLineHeight();
-    return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y <= height; });
+    return shortened(text, [&](const std::string& part) {
+        return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y <= height;
+    });
 }
 
-void number_cell(const Theme& theme, const std::string& text, const ImVec4* color) {
+void number_cell(const platform::Theme& theme, const std::string& text, const ImVec4* color) {
     ImGui::TableNextColumn();
     const float space = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     if (space > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + space);
     ImGui::TextColored(color ? *color : theme.text, "%s", text.c_str());
 }
 
-void text_cell(const Theme& theme, const std::string& text, const ImVec4& color) {
+void text_cell(const platform::Theme& theme, const std::string& text, const ImVec4& color) {
     ImGui::TableNextColumn();
     const std::string shown = elided(text, ImGui::GetContentRegionAvail().x);
     ImGui::TextColored(color, "%s", shown.c_str());
     if (shown != text) tooltip(theme, text);
 }
 
-void number_column(const Theme& theme, const Heading& heading, int flags) {
+void number_column(const platform::Theme& theme, const Heading& heading, int flags) {
     const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, heading.title.c_str()).x;
-    ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed | flags, std::ceil(std::max(width, 40.0f * theme.scale)) + 2.0f);
+    ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed | flags,
+                            std::ceil(std::max(width, 40.0f * theme.scale)) + 2.0f);
 }
 
-void heading_row(const Theme& theme, const std::vector<Heading>& headings) {
+void heading_row(const platform::Theme& theme, const std::vector<Heading>& headings) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushFont(theme.small);
     for (const Heading& heading : headings) {
-        if (heading.number) number_cell(theme, heading.title, &theme.muted);
+        if (heading.number)
+            number_cell(theme, heading.title, &theme.muted);
         else {
             ImGui::TableNextColumn();
             ImGui::TextColored(theme.muted, "%s", heading.title.c_str());
@@ -73,4 +80,4 @@ void heading_row(const Theme& theme, const std::vector<Heading>& headings) {
     ImGui::PopFont();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -11,37 +11,50 @@
 #include "panels/preview_rows.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 const std::vector<SettingField>& radius_fields() {
     static const std::vector<SettingField> fields{
-        {{"ρ∞", "model/spectral_radius", "", "Spectral radius ρ∞ of a step at ω h → ∞, a plain number: the part of a very fast vibration's amplitude that each step leaves. 0 takes it out at once, as "
-                                             "BDF2 does; 1 keeps it, as the trapezoidal rule does.",
-          1.0, spectral_radius_limits, 0.01}, &Settings::spectral_radius}};
+        {{"ρ∞", "model/spectral_radius", "",
+          "Spectral radius ρ∞ of a step at ω h → ∞, a plain number: the part of a very fast vibration's amplitude that "
+          "each step leaves. 0 takes it out at once, as "
+          "BDF2 does; 1 keeps it, as the trapezoidal rule does.",
+          1.0, commands::spectral_radius_limits, 0.01},
+         &commands::Settings::spectral_radius}};
     return fields;
 }
 
 const SettingField& step_field() {
-    static const SettingField field{{"Step h", "model/time_step", "ms", "Time step h [s]: states are computed at t = 0, h, 2 h and so on. The error of a run falls with h²; with implicit Euler only with h, which damps by ζ ≈ ω h / 2.", 1e-3, time_step_limits, 0.01}, &Settings::time_step_s};
+    static const SettingField field{{"Step h", "model/time_step", "ms",
+                                     "Time step h [s]: states are computed at t = 0, h, 2 h and so on. The error of a "
+                                     "run falls with h²; with implicit Euler only with h, which damps by ζ ≈ ω h / 2.",
+                                     1e-3, commands::time_step_limits, 0.01},
+                                    &commands::Settings::time_step_s};
     return field;
 }
 
 const SettingField& velocity_force_field() {
-    static const SettingField field{{"\xce\x9b", "model/velocity_force", "1/s", "Velocity force f = \xce\x9b M v [N], \xce\x9b in 1/s. A positive \xce\x9b feeds in the energy that a dissipative time "
-                                     "scheme takes out; 0 switches it off.", 1.0, velocity_force_limits, 0.01}, &Settings::velocity_force_1_s};
+    static const SettingField field{{"\xce\x9b", "model/velocity_force", "1/s",
+                                     "Velocity force f = \xce\x9b M v [N], \xce\x9b in 1/s. A positive \xce\x9b feeds "
+                                     "in the energy that a dissipative time "
+                                     "scheme takes out; 0 switches it off.",
+                                     1.0, commands::velocity_force_limits, 0.01},
+                                    &commands::Settings::velocity_force_1_s};
     return field;
 }
 
 /// Twice as far as the motion stays stable, so that the slider moves through what matters.
-Limits slider_range(const WorkbenchState& state) {
+commands::Limits slider_range(const commands::WorkbenchState& state) {
     const double critical = state.critical_velocity_force_1_s.value_or(0.0);
-    const double far = std::isfinite(critical) && critical > 0.0 ? std::clamp(2.0 * critical, 0.05, velocity_force_limits.highest) : velocity_force_limits.highest;
+    const double far = std::isfinite(critical) && critical > 0.0
+                           ? std::clamp(2.0 * critical, 0.05, commands::velocity_force_limits.highest)
+                           : commands::velocity_force_limits.highest;
     return {-far, far};
 }
 
 /// Where ImGui puts the middle of the grip of the slider that was submitted last.
-float grip_x(const Limits& range, double value) {
+float grip_x(const commands::Limits& range, double value) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float margin = 2.0f + 0.5f * style.GrabMinSize;
     const double part = std::clamp((value - range.lowest) / (range.highest - range.lowest), 0.0, 1.0);
@@ -52,53 +65,57 @@ float grip_x(const Limits& range, double value) {
 }  // namespace
 
 void TimePanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    setting_choice(context, "Time scheme", "model/integrator", "How the equations of motion are stepped in time.", state.integrators, &Settings::integrator);
-    const Choice* scheme = state.integrator();
+    const commands::WorkbenchState& state = context.state;
+    setting_choice(context, "Time scheme", "model/integrator", "How the equations of motion are stepped in time.",
+                   state.integrators, &commands::Settings::integrator);
+    const commands::Choice* scheme = state.integrator();
     if (scheme && scheme->has_spectral_radius) setting_rows(context, radius_fields(), edit_);
     setting_rows(context, {step_field()}, edit_);
-    draw_slider(context, step_field(), time_step_limits, true);
+    draw_slider(context, step_field(), commands::time_step_limits, true);
     draw_step_choice(context);
     draw_step_state(context);
     draw_numerical_damping(context);
     setting_rows(context, {velocity_force_field()}, edit_);
-    const Limits range = slider_range(state);
+    const commands::Limits range = slider_range(state);
     draw_slider(context, velocity_force_field(), range, false);
     if (state.critical_velocity_force_1_s) draw_stability(context, range);
     draw_preview_rows(context, preview_edit_);
 }
 
-void TimePanel::draw_slider(PanelContext& context, const SettingField& field, Limits range, bool logarithmic) {
-    Settings settings = context.state.settings;
+void TimePanel::draw_slider(PanelContext& context, const SettingField& field, commands::Limits range,
+                            bool logarithmic) {
+    commands::Settings settings = context.state.settings;
     const double unit = field.field.per_unit;
     double shown = settings.*field.value / unit;
     bool goes_on = false;
-    if (!slider_row(context, field.field.name + "/slider", {range.lowest / unit, range.highest / unit}, logarithmic, slide_, shown, goes_on)) return;
+    if (!slider_row(context, field.field.name + "/slider", {range.lowest / unit, range.highest / unit}, logarithmic,
+                    slide_, shown, goes_on))
+        return;
     settings.*field.value = shown * unit;
-    context.emit(command::ChangeSettings{settings, field.field.name, goes_on});
+    context.emit(commands::ChangeSettings{settings, field.field.name, goes_on});
 }
 
 void TimePanel::draw_step_choice(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     if (!state.scene) return;
     row_label(context.theme, "Automatic",
               "The program chooses the step: half the interval of the recording at first, and shorter after a run "
               "whose vibration asks for that; calibration and diagnosis choose theirs. A step that you set is kept.");
     bool automatic = !state.settings.own_step;
     if (ImGui::Checkbox("##automatic", &automatic)) {
-        Settings settings = state.settings;
+        commands::Settings settings = state.settings;
         settings.own_step = !automatic;
         if (automatic) settings.time_step_s = state.scene->settings.time_step_s;
-        context.emit(command::ChangeSettings{settings, "model/time_step"});
+        context.emit(commands::ChangeSettings{settings, "model/time_step"});
     }
     context.items.mark("model/automatic_step");
 }
 
 void TimePanel::draw_step_state(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    const Choice* const scheme = state.integrator();
-    const SceneTrial* const trial = state.scene_trial();
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::Choice* const scheme = state.integrator();
+    const commands::SceneTrial* const trial = state.scene_trial();
     if (!scheme || !scheme->step_quality || !trial) return;
     const auto row = [&](const char* label, const char* item, const std::string& words, const char* tip) {
         row_label(theme, label, tip);
@@ -106,89 +123,98 @@ void TimePanel::draw_step_state(PanelContext& context) {
         ImGui::TextUnformatted(words.c_str());
         context.items.mark(item);
     };
-    const double h = state.settings.time_step_s, interval = sample_interval_s(*trial);
+    const double h = state.settings.time_step_s, interval = commands::sample_interval_s(*trial);
     if (interval > 0.0)
         row("Recorded every", "model/interval",
-            value_label(1e3 * interval, 3) + " ms: " + plain_label(interval / h, 3) + " steps",
+            plot::value_label(1e3 * interval, 3) + " ms: " + plot::plain_label(interval / h, 3) + " steps",
             "Interval between the samples of the shown trial, and how many steps it takes.");
-    const SimulatedTrial* const run = state.trial_of(state.run.get());
+    const commands::SimulatedTrial* const run = state.trial_of(state.run.get());
     const double frequency_Hz = run && run->vibration_Hz > 0.0 ? run->vibration_Hz : state.scene->frequency_Hz;
     const bool swings = frequency_Hz > 0.0;
-    const std::string period = value_label(1.0 / (frequency_Hz * h), 2) + " steps";
-    row("Vibration", "model/vibration", swings ? value_label(frequency_Hz, 3) + " Hz: " + period : "none is seen",
+    const std::string period = plot::value_label(1.0 / (frequency_Hz * h), 2) + " steps";
+    row("Vibration", "model/vibration", swings ? plot::value_label(frequency_Hz, 3) + " Hz: " + period : "none is seen",
         "The vibration that moves the markers most, and how many steps its period takes: that of the run of the shown "
         "trial; before there is one, of the recordings.");
     if (!swings) return;
-    const StepQuality quality = scheme->step_quality(2.0 * std::numbers::pi * frequency_Hz, state.settings);
+    const commands::StepQuality quality = scheme->step_quality(2.0 * std::numbers::pi * frequency_Hz, state.settings);
     row_label(theme, "Frequency error",
               "How much slower the step makes this vibration. A modulus that is fitted on it errs by twice as much: "
               "see \"Is the time step short enough?\" in Checks.");
     ImGui::AlignTextToFramePadding();
-    const std::string share = value_label(100.0 * quality.frequency_error, 2) + " %";
-    check_text(theme, quality.state, share + ": " + check_word(quality.state));
+    const std::string share = plot::value_label(100.0 * quality.frequency_error, 2) + " %";
+    check_text(theme, quality.state, share + ": " + commands::check_word(quality.state));
     context.items.mark("model/frequency_error");
 }
 
-void TimePanel::draw_stability(PanelContext& context, Limits range) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const double critical = *state.critical_velocity_force_1_s;
     const float from = grip_x(range, range.lowest), limit = grip_x(range, critical), to = grip_x(range, range.highest);
-    const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y, strip = bottom - std::round(4.0f * theme.scale);
+    const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y,
+                strip = bottom - std::round(4.0f * theme.scale);
     ImDrawList& drawing = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemVisible()) {
-        drawing.AddRectFilled({from, strip}, {limit, bottom}, packed(theme.success));
+        drawing.AddRectFilled({from, strip}, {limit, bottom}, platform::packed(theme.success));
         context.items.add("model/velocity_force/stable", {{from, top}, {limit, bottom}});
         if (limit < to) {
-            drawing.AddRectFilled({limit, strip}, {to, bottom}, packed(theme.warning));
-            drawing.AddLine({limit, top}, {limit, bottom}, packed(theme.text), std::max(1.0f, theme.scale));
+            drawing.AddRectFilled({limit, strip}, {to, bottom}, platform::packed(theme.warning));
+            drawing.AddLine({limit, top}, {limit, bottom}, platform::packed(theme.text), std::max(1.0f, theme.scale));
             context.items.add("model/velocity_force/unstable", {{limit, top}, {to, bottom}});
         }
     }
-    tooltip(theme, "Green: a vibration of " + value_label(state.damping_frequency_Hz, 3) + " Hz decays. Orange: it grows without bound. The line is \xce\x9b_crit, where a step's largest "
-                   "eigenvalue has size 1.\n\nFor implicit Euler \xce\x9b_crit = h \xcf\x89\xc2\xb2 + 2 \xce\xb6 \xcf\x89 with the material's \xce\xb6 = \xcf\x84 \xcf\x89 / 2: "
-                   "the longer the step, the more energy it takes out, and the more can be fed in.");
+    tooltip(theme, "Green: a vibration of " + plot::value_label(state.damping_frequency_Hz, 3) +
+                       " Hz decays. Orange: it grows without bound. The line is \xce\x9b_crit, where a step's largest "
+                       "eigenvalue has size 1.\n\nFor implicit Euler \xce\x9b_crit = h \xcf\x89\xc2\xb2 + 2 \xce\xb6 "
+                       "\xcf\x89 with the material's \xce\xb6 = \xcf\x84 \xcf\x89 / 2: "
+                       "the longer the step, the more energy it takes out, and the more can be fed in.");
     row_label(theme, "\xce\x9b_crit", "Largest stable \xce\x9b of this scheme at this step and frequency.");
     ImGui::AlignTextToFramePadding();
-    const std::string text = std::isfinite(critical) ? value_label(critical, 3) + " 1/s" + (state.is_unstable() ? ": unstable" : "") : "stable for every \xce\x9b";
+    const std::string text = std::isfinite(critical)
+                                 ? plot::value_label(critical, 3) + " 1/s" + (state.is_unstable() ? ": unstable" : "")
+                                 : "stable for every \xce\x9b";
     ImGui::TextColored(state.is_unstable() ? theme.warning : theme.text, "%s", text.c_str());
     context.items.mark("model/critical_velocity_force");
 }
 
 void TimePanel::draw_numerical_damping(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Choice* const scheme = state.integrator();
+    const commands::WorkbenchState& state = context.state;
+    const commands::Choice* const scheme = state.integrator();
     if (!scheme || !scheme->numerical_damping_ratio) return;
     const double frequency = state.damping_frequency_Hz;
     const double ratio = scheme->numerical_damping_ratio(2.0 * std::numbers::pi * frequency, state.settings);
-    row_label(context.theme, "\xce\xb6(h)", "Damping ratio that the time scheme itself adds at this frequency and step.\n\nFor implicit Euler \xce\xb6 \xe2\x89\x88 \xcf\x89 h / 2: "
-                             "half the step, half the damping. Measured silicone has about 0.05.");
+    row_label(context.theme, "\xce\xb6(h)",
+              "Damping ratio that the time scheme itself adds at this frequency and step.\n\nFor implicit Euler "
+              "\xce\xb6 \xe2\x89\x88 \xcf\x89 h / 2: "
+              "half the step, half the damping. Measured silicone has about 0.05.");
     ImGui::AlignTextToFramePadding();
     // Comparable to a silicone's own damping: it would be calibrated into the material.
     const ImVec4 color = ratio > 0.02 ? context.theme.warning : context.theme.text;
-    ImGui::TextColored(color, "%s at", value_label(ratio, 3).c_str());
+    ImGui::TextColored(color, "%s at", plot::value_label(ratio, 3).c_str());
     context.items.mark("model/numerical_damping");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0f);
     double shown = frequency;
     if (ImGui::InputDouble("##frequency", &shown, 0.0, 0.0, "%.4g Hz") && shown > 0.0) {
-        context.emit(command::SetDampingFrequency{shown});
+        context.emit(commands::SetDampingFrequency{shown});
     }
     context.items.mark("model/damping_frequency");
     draw_damping_curve(context, *scheme);
 }
 
-void TimePanel::draw_damping_curve(PanelContext& context, const Choice& scheme) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice& scheme) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     constexpr double usual_longest_s = 0.02;
-    const CurveKey key{scheme.id, state.settings.spectral_radius, state.damping_frequency_Hz, state.settings.time_step_s <= usual_longest_s ? usual_longest_s : time_step_limits.highest};
+    const CurveKey key{
+        scheme.id, state.settings.spectral_radius, state.damping_frequency_Hz,
+        state.settings.time_step_s <= usual_longest_s ? usual_longest_s : commands::time_step_limits.highest};
     if (!(key == curve_key_)) {
         curve_key_ = key;
         step_ms_ = Eigen::VectorXd::LinSpaced(41, 0.0, 1e3 * key.longest_s);
-        step_ms_(0) = 1e3 * time_step_limits.lowest;
+        step_ms_(0) = 1e3 * commands::time_step_limits.lowest;
         ratio_.resize(step_ms_.size());
-        Settings settings = state.settings;
+        commands::Settings settings = state.settings;
         for (Eigen::Index i = 0; i < ratio_.size(); ++i) {
             settings.time_step_s = 1e-3 * step_ms_(i);
             ratio_(i) = scheme.numerical_damping_ratio(2.0 * std::numbers::pi * key.frequency_Hz, settings);
@@ -196,33 +222,38 @@ void TimePanel::draw_damping_curve(PanelContext& context, const Choice& scheme) 
         axis_ = {};
         plot_ = {};
     }
-    Plot plot;
+    plot::Plot plot;
     plot.id = "damping";
     plot.title = "\xce\xb6 over h [ms]";
     plot.x_unit = "ms";
     plot.y_unit = "";
     plot.legend = true;
-    plot.y_least = Range{0.0, 0.01};
+    plot.y_least = plot::Range{0.0, 0.01};
     plot.series.push_back({"scheme", step_ms_, ratio_, theme.simulated});
     // What the trace shows, at its own frequency.
     const double measured = state.scene ? state.scene->damping_ratio : std::numeric_limits<double>::quiet_NaN();
-    if (std::isfinite(measured)) plot.series.push_back({"measured " + value_label(measured, 2), step_ms_, Eigen::VectorXd::Constant(step_ms_.size(), measured), theme.measured});
+    if (std::isfinite(measured))
+        plot.series.push_back({"measured " + plot::value_label(measured, 2), step_ms_,
+                               Eigen::VectorXd::Constant(step_ms_.size(), measured), theme.measured});
     plot.cursor = 1e3 * state.settings.time_step_s;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 150.0f * theme.scale};
-    const PlotResult drawn = draw_plot(plot, size, theme, context.items, axis_, plot_, hidden_);
+    const plot::PlotResult drawn = plot::draw_plot(plot, size, theme, context.items, axis_, plot_, hidden_);
     context.items.add("model/damping_curve", {corner, {corner.x + size.x, corner.y + size.y}});
     if (std::isfinite(measured)) {
         context.items.add("model/measured_damping", drawn.area.pixels);
         if (drawn.hovered && !drawn.active)
-            tooltip(theme, "Measured: damping ratio of the free vibration of " + value_label(state.scene->frequency_Hz, 3) + " Hz, y = exp(−ζ ω t) cos(ω_d t) fitted to the largest trace.\n"
-                           "Where the curves meet, the scheme alone damps as the body does. Drag the line to set h.");
+            tooltip(theme,
+                    "Measured: damping ratio of the free vibration of " +
+                        plot::value_label(state.scene->frequency_Hz, 3) +
+                        " Hz, y = exp(−ζ ω t) cos(ω_d t) fitted to the largest trace.\n"
+                        "Where the curves meet, the scheme alone damps as the body does. Drag the line to set h.");
     }
     const bool goes_on = curve_edit_.goes_on("curve", drawn.cursor.has_value());
     if (!drawn.cursor) return;
-    Settings settings = state.settings;
+    commands::Settings settings = state.settings;
     settings.time_step_s = std::clamp(1e-5 * std::round(1e2 * *drawn.cursor), 1e-5, key.longest_s);
-    context.emit(command::ChangeSettings{settings, "model/time_step", goes_on});
+    context.emit(commands::ChangeSettings{settings, "model/time_step", goes_on});
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

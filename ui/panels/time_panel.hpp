@@ -3,7 +3,7 @@
 #include "panels/setting_rows.hpp"
 #include "plot/plot.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// How the motion is stepped in time, with the damping that this brings.
 class TimePanel : public Panel {
@@ -11,17 +11,17 @@ public:
     std::string name() const override { return "time"; }
     std::string title() const override { return "Time step"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::run; }
+    std::optional<commands::Step> step() const override { return commands::Step::run; }
     void draw(PanelContext& context) override;
 
 private:
     /// A slider below a number's row, for the same number.
-    void draw_slider(PanelContext& context, const SettingField& field, Limits range, bool logarithmic);
+    void draw_slider(PanelContext& context, const SettingField& field, commands::Limits range, bool logarithmic);
     void draw_step_state(PanelContext& context);
     void draw_step_choice(PanelContext& context);
-    void draw_stability(PanelContext& context, Limits range);
+    void draw_stability(PanelContext& context, commands::Limits range);
     void draw_numerical_damping(PanelContext& context);
-    void draw_damping_curve(PanelContext& context, const Choice& scheme);
+    void draw_damping_curve(PanelContext& context, const commands::Choice& scheme);
 
     OpenEdit edit_;
     OpenEdit slide_;
@@ -38,9 +38,9 @@ private:
     };
     CurveKey curve_key_;
     Eigen::VectorXd step_ms_, ratio_;
-    LinkedAxis axis_;
-    PlotState plot_;
-    HiddenSeries hidden_;
+    plot::LinkedAxis axis_;
+    plot::PlotState plot_;
+    plot::HiddenSeries hidden_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

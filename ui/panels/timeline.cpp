@@ -10,23 +10,23 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 void draw_trial_choice(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const SceneTrial* trial = state.scene_trial();
+    const commands::WorkbenchState& state = context.state;
+    const commands::SceneTrial* trial = state.scene_trial();
     // In a narrow window the track needs the room more than the name.
     const float width = std::min(200.0f * context.theme.scale, 0.24f * ImGui::GetContentRegionAvail().x);
-    const float room = width - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;   // beside the arrow
+    const float room = width - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;  // beside the arrow
     ImGui::SetNextItemWidth(width);
     const bool open = ImGui::BeginCombo("##trial", elided(trial ? trial->name : "no trial", room).c_str());
     context.items.mark("timeline/trial");
     if (!open) return;
     for (std::size_t t = 0; state.scene && t < state.scene->trials.size(); ++t) {
-        const SceneTrial& each = state.scene->trials[t];
+        const commands::SceneTrial& each = state.scene->trials[t];
         if (ImGui::Selectable((each.name + "  (" + each.role + ")").c_str(), static_cast<int>(t) == state.trial)) {
-            context.emit(command::ChooseTrial{static_cast<int>(t)});
+            context.emit(commands::ChooseTrial{static_cast<int>(t)});
         }
         context.items.mark("timeline/trial/" + each.name);
     }
@@ -34,8 +34,8 @@ void draw_trial_choice(PanelContext& context) {
 }
 
 void draw_track(PanelContext& context, const std::array<double, 2>& span, float width) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const float s = theme.scale;
     const float height = ImGui::GetFrameHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -44,56 +44,64 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     const float left = at.x + 8.0f * s;
     const float right = at.x + width - 8.0f * s;
     const float middle = at.y + 0.5f * height;
-    const Range range{span[0], span[1]};
-    const auto x_of = [&](double t) { return static_cast<float>(to_pixel(range, t, static_cast<double>(left), static_cast<double>(right))); };
+    const plot::Range range{span[0], span[1]};
+    const auto x_of = [&](double t) {
+        return static_cast<float>(plot::to_pixel(range, t, static_cast<double>(left), static_cast<double>(right)));
+    };
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({left, middle - 2.0f * s}, {right, middle + 2.0f * s}, packed(theme.raised), 2.0f * s);
+    list.AddRectFilled({left, middle - 2.0f * s}, {right, middle + 2.0f * s}, platform::packed(theme.raised), 2.0f * s);
     if (!(range.span() > 0.0)) return;
     if (ImGui::IsItemActive()) {
-        context.emit(command::Play{false});
-        context.emit(command::SetTime{from_pixel(range, static_cast<double>(ImGui::GetIO().MousePos.x), static_cast<double>(left),
-                                                 static_cast<double>(right))});
+        context.emit(commands::Play{false});
+        context.emit(commands::SetTime{plot::from_pixel(range, static_cast<double>(ImGui::GetIO().MousePos.x),
+                                                        static_cast<double>(left), static_cast<double>(right))});
     }
     const float x = x_of(std::clamp(state.time_s, span[0], span[1]));
-    list.AddRectFilled({left, middle - 2.0f * s}, {x, middle + 2.0f * s}, packed(theme.accent), 2.0f * s);
+    list.AddRectFilled({left, middle - 2.0f * s}, {x, middle + 2.0f * s}, platform::packed(theme.accent), 2.0f * s);
     // Start of motion, when the record begins before it.
     if (span[0] < 0.0 && span[1] > 0.0) {
         const float x0 = x_of(0.0);
-        list.AddLine({x0, middle - 9.0f * s}, {x0, middle + 9.0f * s}, packed(theme.measured), 2.0f * s);
-        if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x0) < 5.0f * s) ImGui::SetTooltip("Start of motion, t = 0");
+        list.AddLine({x0, middle - 9.0f * s}, {x0, middle + 9.0f * s}, platform::packed(theme.measured), 2.0f * s);
+        if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x0) < 5.0f * s)
+            ImGui::SetTooltip("Start of motion, t = 0");
     }
     if (state.previewing() && state.preview.end_s > 0.0) {
         const ImVec2 from{x_of(0.0), middle + 5.0f * s}, to{x_of(state.preview.end_s), middle + 8.0f * s};
-        list.AddRectFilled(from, to, packed(theme.simulated));
+        list.AddRectFilled(from, to, platform::packed(theme.simulated));
         context.items.add("timeline/preview", {from, to});
-        if (ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x >= from.x && ImGui::GetIO().MousePos.x <= to.x) ImGui::SetTooltip("%s", preview_text(state).c_str());
+        if (ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x >= from.x && ImGui::GetIO().MousePos.x <= to.x)
+            ImGui::SetTooltip("%s", commands::preview_text(state).c_str());
     }
-    list.AddCircleFilled({x, middle}, 7.0f * s, packed(theme.accent), 24);
+    list.AddCircleFilled({x, middle}, 7.0f * s, platform::packed(theme.accent), 24);
 }
 
 }  // namespace
 
 void draw_timeline(PanelContext& context) {
-    const WorkbenchState& state = context.state;
+    const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;
-    const auto span = time_span(state);
+    const auto span = commands::time_span(state);
     const bool movable = span[1] > span[0];
     draw_trial_choice(context);
     ImGui::SameLine();
     ImGui::BeginDisabled(!movable);
     const ImVec2 square{ImGui::GetFrameHeight() + 8.0f * s, 0.0f};
-    if (ImGui::Button(icon::to_start, square)) context.emit(command::SetTime{span[0]});
+    if (ImGui::Button(platform::icon::to_start, square)) context.emit(commands::SetTime{span[0]});
     context.items.mark("timeline/start");
     ImGui::SameLine();
-    if (ImGui::Button(state.playing ? icon::pause : icon::play, square)) context.emit(command::Play{!state.playing});
+    if (ImGui::Button(state.playing ? platform::icon::pause : platform::icon::play, square))
+        context.emit(commands::Play{!state.playing});
     context.items.mark("timeline/play");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Play or pause (space bar)");
     ImGui::SameLine();
 
     static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
-    const std::string time = tick_label(state.time_s, 0.001) + " s";
+    const std::string time = plot::tick_label(state.time_s, 0.001) + " s";
     const float speed_width = 72.0f * s;
-    const float time_width = ImGui::CalcTextSize("\xe2\x88\x92" "00.000 s").x;
+    const float time_width = ImGui::CalcTextSize(
+                                 "\xe2\x88\x92"
+                                 "00.000 s")
+                                 .x;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float width = ImGui::GetContentRegionAvail().x - speed_width - time_width - 2.0f * spacing;
     draw_track(context, span, std::max(40.0f, width));
@@ -104,9 +112,10 @@ void draw_timeline(PanelContext& context) {
     ImGui::TextUnformatted(time.c_str());
     ImGui::SameLine();
     ImGui::SetNextItemWidth(speed_width);
-    if (ImGui::BeginCombo("##speed", (value_label(state.speed, 2) + "\xc3\x97").c_str())) {
+    if (ImGui::BeginCombo("##speed", (plot::value_label(state.speed, 2) + "\xc3\x97").c_str())) {
         for (const double speed : speeds) {
-            if (ImGui::Selectable((value_label(speed, 2) + "\xc3\x97").c_str(), speed == state.speed)) context.emit(command::SetSpeed{speed});
+            if (ImGui::Selectable((plot::value_label(speed, 2) + "\xc3\x97").c_str(), speed == state.speed))
+                context.emit(commands::SetSpeed{speed});
         }
         ImGui::EndCombo();
     }
@@ -115,4 +124,4 @@ void draw_timeline(PanelContext& context) {
     ImGui::EndDisabled();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -9,39 +9,53 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 void VerdictPanel::draw(PanelContext& context) {
-    const WorkbenchState& state = context.state;
-    const Theme& theme = context.theme;
-    if (!state.scene || !can_be_diagnosed(*state.scene))
-        return muted_text(theme, "A diagnosis compares the simulation with measured markers and tries every known effect on what is left. It needs an experiment folder with a trial of role fit.");
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    if (!state.scene || !commands::can_be_diagnosed(*state.scene))
+        return muted_text(theme,
+                          "A diagnosis compares the simulation with measured markers and tries every known effect on "
+                          "what is left. It needs an experiment folder with a trial of role fit.");
     if (state.diagnosing()) return muted_text(theme, "The diagnosis is running; its ranking grows below the view.");
-    if (!state.diagnosis) return muted_text(theme, "Start it below the view. It fits the declared values first, tests whether more than noise is left, then tries every effect of the catalogue.");
-    const DiagnosisView& d = *state.diagnosis;
-    const LogLevel verdict = d.verdict == DiagnosisVerdict::none ? log_level(worst_state(d.checks)) : LogLevel::warning;
-    const LogLevel level = d.complete ? verdict : LogLevel::information;
-    notice(theme, level, d.complete ? d.headline + "." : "It was cancelled before a verdict; what was known by then is shown.");
+    if (!state.diagnosis)
+        return muted_text(theme,
+                          "Start it below the view. It fits the declared values first, tests whether more than noise "
+                          "is left, then tries every effect of the catalogue.");
+    const commands::DiagnosisView& d = *state.diagnosis;
+    const commands::LogLevel verdict = d.verdict == commands::DiagnosisVerdict::none
+                                           ? commands::log_level(commands::worst_state(d.checks))
+                                           : commands::LogLevel::warning;
+    const commands::LogLevel level = d.complete ? verdict : commands::LogLevel::information;
+    notice(theme, level,
+           d.complete ? d.headline + "." : "It was cancelled before a verdict; what was known by then is shown.");
     context.items.mark("verdict/headline");
     if (!d.complete) return;
     checks_line(context, d.checks, "verdict/checks");
-    text_row(theme, "Confidence", value_label(100.0 * d.confidence, 2) + " %");
-    tooltip(theme, "How credible the verdict is among all that was tried, the declared model and \"none of these\" included: its share of the evidence, less where the data say that the verdict may be off.");
+    text_row(theme, "Confidence", plot::value_label(100.0 * d.confidence, 2) + " %");
+    tooltip(theme,
+            "How credible the verdict is among all that was tried, the declared model and \"none of these\" included: "
+            "its share of the evidence, less where the data say that the verdict may be off.");
     context.items.mark("verdict/confidence");
-    text_row(theme, "Noise", millimetres(d.noise_m));
-    tooltip(theme, "Root mean square error [mm] that a right model would leave: the measurement's own. Errors \"times the noise\" are in units of it.");
+    text_row(theme, "Noise", plot::millimetres(d.noise_m));
+    tooltip(theme,
+            "Root mean square error [mm] that a right model would leave: the measurement's own. Errors \"times the "
+            "noise\" are in units of it.");
     context.items.mark("verdict/noise");
     if (!d.because.empty()) muted_text(theme, d.because);
     for (const std::vector<std::string>* const list : {&d.confounded, &d.alike, &d.notes})
-        for (const std::string& each : *list) notice(theme, LogLevel::information, each);
-    const DiagnosisRow* const row = state.diagnosis_row();
+        for (const std::string& each : *list) notice(theme, commands::LogLevel::information, each);
+    const commands::DiagnosisRow* const row = state.diagnosis_row();
     if (!row) return;
     heading(theme, "Errors with " + row->name);
     for (std::size_t t = 0; t < d.trials.size(); ++t) {
         const double after = t < row->after_m.size() ? row->after_m[t] : std::nan("");
-        text_row(theme, d.trials[t].name, millimetres(d.trials[t].before_m) + " \xe2\x86\x92 " + millimetres(after) + (d.trials[t].fitted ? "" : ", predicted"),
+        text_row(theme, d.trials[t].name,
+                 plot::millimetres(d.trials[t].before_m) + " \xe2\x86\x92 " + plot::millimetres(after) +
+                     (d.trials[t].fitted ? "" : ", predicted"),
                  after < d.trials[t].before_m ? &theme.success : nullptr);
     }
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -2,7 +2,7 @@
 
 #include "panels/panel.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// The verdict of the diagnosis in words; the ranking is below the view.
 class VerdictPanel : public Panel {
@@ -10,8 +10,8 @@ public:
     std::string name() const override { return "verdict"; }
     std::string title() const override { return "What the model lacks"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<Step> step() const override { return Step::diagnose; }
+    std::optional<commands::Step> step() const override { return commands::Step::diagnose; }
     void draw(PanelContext& context) override;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

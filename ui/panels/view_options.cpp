@@ -12,20 +12,24 @@
 #include "platform/fonts.hpp"
 #include "viewport/color_map.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 /// Least and greatest value of the colours, in the field's unit.
-void draw_field_range(PanelContext& context, const FieldKind& kind, ViewOptions& view) {
+void draw_field_range(PanelContext& context, const commands::FieldKind& kind, commands::ViewOptions& view) {
     const auto found = view.field_ranges.find(kind.id);
     bool fixed = found != view.field_ranges.end();
     const bool was_fixed = fixed;
     ImGui::Checkbox("Fixed range", &fixed);
     context.items.mark("view/field/fixed");
-    tooltip(context.theme, "Without it, the colours span what the whole trial reaches" + std::string(kind.signed_values ? ", evenly to both sides of zero." : "."));
+    tooltip(context.theme, "Without it, the colours span what the whole trial reaches" +
+                               std::string(kind.signed_values ? ", evenly to both sides of zero." : "."));
     if (fixed && !was_fixed) {
         const std::optional<std::array<double, 2>>& shown = context.field_range;
-        view.field_ranges[kind.id] = shown ? std::array<double, 2>{kind.per_unit * (*shown)[0], kind.per_unit * (*shown)[1]} : std::array<double, 2>{kind.signed_values ? -kind.per_unit : 0.0, kind.per_unit};
+        view.field_ranges[kind.id] = shown ? std::array<double, 2>{kind.per_unit * (*shown)[0],
+                                                                   kind.per_unit * (*shown)[1]}
+                                           : std::array<double, 2>{kind.signed_values ? -kind.per_unit : 0.0,
+                                                                   kind.per_unit};
     }
     if (!fixed && was_fixed) view.field_ranges.erase(kind.id);
     if (!fixed || !was_fixed) return;
@@ -33,13 +37,16 @@ void draw_field_range(PanelContext& context, const FieldKind& kind, ViewOptions&
     std::array<double, 2> typed{range[0] / kind.per_unit, range[1] / kind.per_unit};
     const std::string format = "%.4g " + kind.unit;
     ImGui::SetNextItemWidth(220.0f * context.theme.scale);
-    const bool changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, typed.data(), 2, nullptr, nullptr, format.c_str(), ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, typed.data(), 2, nullptr, nullptr,
+                                             format.c_str(), ImGuiInputTextFlags_EnterReturnsTrue);
     context.items.mark("view/field/range");
-    if (changed && std::isfinite(typed[0]) && std::isfinite(typed[1]) && typed[0] < typed[1]) range = {kind.per_unit * typed[0], kind.per_unit * typed[1]};
+    if (changed && std::isfinite(typed[0]) && std::isfinite(typed[1]) && typed[0] < typed[1])
+        range = {kind.per_unit * typed[0], kind.per_unit * typed[1]};
 }
 
-void draw_color_map_choice(PanelContext& context, ViewOptions& view) {
-    const ColorMap& shown = color_maps()[static_cast<std::size_t>(number_of_color_map(view.color_map))];
+void draw_color_map_choice(PanelContext& context, commands::ViewOptions& view) {
+    const viewport::ColorMap&
+        shown = viewport::color_maps()[static_cast<std::size_t>(viewport::number_of_color_map(view.color_map))];
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
     const bool open = ImGui::BeginCombo("Map", shown.label.c_str());
     context.items.mark("view/color_map");
@@ -47,7 +54,7 @@ void draw_color_map_choice(PanelContext& context, ViewOptions& view) {
         tooltip(context.theme, shown.explanation);
         return;
     }
-    for (const ColorMap& map : color_maps()) {
+    for (const viewport::ColorMap& map : viewport::color_maps()) {
         if (ImGui::Selectable(map.label.c_str(), map.id == shown.id)) view.color_map = map.id;
         context.items.mark("view/color_map/" + map.id);
         tooltip(context.theme, map.explanation);
@@ -55,23 +62,25 @@ void draw_color_map_choice(PanelContext& context, ViewOptions& view) {
     ImGui::EndCombo();
 }
 
-std::string words_about(const FieldKind& kind, const std::string& needed) {
-    return kind.explanation + (kind.unit.empty() ? "" : " In " + kind.unit + ".") + (needed.empty() ? "" : "\n\n" + needed);
+std::string words_about(const commands::FieldKind& kind, const std::string& needed) {
+    return kind.explanation + (kind.unit.empty() ? "" : " In " + kind.unit + ".") +
+           (needed.empty() ? "" : "\n\n" + needed);
 }
 
-void draw_field_choice(PanelContext& context, ViewOptions& view) {
-    const std::vector<FieldKind> kinds = field_kinds(context.backend);
-    const auto chosen = std::find_if(kinds.begin(), kinds.end(), [&](const FieldKind& kind) { return kind.id == view.field; });
+void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
+    const std::vector<commands::FieldKind> kinds = commands::field_kinds(context.backend);
+    const auto chosen = std::find_if(kinds.begin(), kinds.end(),
+                                     [&](const commands::FieldKind& kind) { return kind.id == view.field; });
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
     const bool open = ImGui::BeginCombo("Colours", chosen != kinds.end() ? chosen->label.c_str() : "None");
     context.items.mark("view/field");
     if (open) {
         if (ImGui::Selectable("None", view.field.empty())) view.field.clear();
         context.items.mark("view/field/none");
-        for (const FieldKind& kind : kinds) {
-            const std::string needed = needed_for(kind, context.state);
+        for (const commands::FieldKind& kind : kinds) {
+            const std::string needed = commands::needed_for(kind, context.state);
             // A run can follow; a diagnosis takes minutes, and is chosen for itself.
-            ImGui::BeginDisabled(of_diagnosis(kind) && !needed.empty());
+            ImGui::BeginDisabled(commands::of_diagnosis(kind) && !needed.empty());
             if (ImGui::Selectable(kind.label.c_str(), kind.id == view.field)) view.field = kind.id;
             ImGui::EndDisabled();
             context.items.mark("view/field/" + kind.id);
@@ -79,38 +88,53 @@ void draw_field_choice(PanelContext& context, ViewOptions& view) {
         }
         ImGui::EndCombo();
     } else {
-        tooltip(context.theme, chosen != kinds.end() ? words_about(*chosen, "") : "A quantity whose values colour the body");
+        tooltip(context.theme,
+                chosen != kinds.end() ? words_about(*chosen, "") : "A quantity whose values colour the body");
     }
     if (chosen == kinds.end() || chosen->id != view.field) return;
-    if (const std::string needed = needed_for(*chosen, context.state); !needed.empty()) ImGui::TextDisabled("%s", needed.c_str());
+    if (const std::string needed = commands::needed_for(*chosen, context.state); !needed.empty())
+        ImGui::TextDisabled("%s", needed.c_str());
     if (!chosen->signed_values) draw_color_map_choice(context, view);
     draw_field_range(context, *chosen, view);
 }
 
 }  // namespace
 
-void draw_view_options(PanelContext& context, const Camera& camera) {
-    if (ImGui::Button((std::string(icon::eye) + "  Show").c_str())) ImGui::OpenPopup("view options");
+void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
+    if (ImGui::Button((std::string(platform::icon::eye) + "  Show").c_str())) ImGui::OpenPopup("view options");
     context.items.mark("view/options");
     tooltip(context.theme, "What the view shows, in which colours, and a plane that cuts the body open");
     const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 4.0f * context.theme.scale};
     ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup("view options")) return;
     if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
-    struct Option { const char* label; const char* name; bool ViewOptions::* value; const char* tip; };
+    struct Option {
+        const char* label;
+        const char* name;
+        bool commands::ViewOptions::*value;
+        const char* tip;
+    };
     static constexpr Option options[] = {
-        {"Measured markers", "view/measured", &ViewOptions::measured, "Balls where the cameras saw the markers at the shown time"},
-        {"Simulated markers", "view/simulated", &ViewOptions::simulated, "Rings where the run, and those compared with it, have the markers at the shown time"},
-        {"Trails", "view/trails", &ViewOptions::trails, "Where measured and simulated markers were in the last half second"},
-        {"Error lines", "view/errors", &ViewOptions::errors, "From each measured marker to the simulated one: simulated \xe2\x88\x92 measured"},
-        {"Names", "view/labels", &ViewOptions::labels, "Beside the markers, where there is room; a click on a marker tells its name, too"},
-        {"Element edges", "view/edges", &ViewOptions::edges, "Edges of the elements on the body's surface"},
-        {"Muscles and fibres", "view/fibres", &ViewOptions::fibres, "Elements in the colour of their muscle, and their fibre directions F d"},
-        {"Force of the effect", "view/effect_force", &ViewOptions::effect_force,
-         "Arrows of the force that the chosen row of the diagnosis puts on each part of the body; the body is translucent then. Known after Diagnose."},
-        {"Clamp", "view/clamp", &ViewOptions::clamp, "The box in which the body is held"},
-        {"Ground grid", "view/grid", &ViewOptions::grid, "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
-    ViewOptions view = context.state.view;
+        {"Measured markers", "view/measured", &commands::ViewOptions::measured,
+         "Balls where the cameras saw the markers at the shown time"},
+        {"Simulated markers", "view/simulated", &commands::ViewOptions::simulated,
+         "Rings where the run, and those compared with it, have the markers at the shown time"},
+        {"Trails", "view/trails", &commands::ViewOptions::trails,
+         "Where measured and simulated markers were in the last half second"},
+        {"Error lines", "view/errors", &commands::ViewOptions::errors,
+         "From each measured marker to the simulated one: simulated \xe2\x88\x92 measured"},
+        {"Names", "view/labels", &commands::ViewOptions::labels,
+         "Beside the markers, where there is room; a click on a marker tells its name, too"},
+        {"Element edges", "view/edges", &commands::ViewOptions::edges, "Edges of the elements on the body's surface"},
+        {"Muscles and fibres", "view/fibres", &commands::ViewOptions::fibres,
+         "Elements in the colour of their muscle, and their fibre directions F d"},
+        {"Force of the effect", "view/effect_force", &commands::ViewOptions::effect_force,
+         "Arrows of the force that the chosen row of the diagnosis puts on each part of the body; the body is "
+         "translucent then. Known after Diagnose."},
+        {"Clamp", "view/clamp", &commands::ViewOptions::clamp, "The box in which the body is held"},
+        {"Ground grid", "view/grid", &commands::ViewOptions::grid,
+         "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
+    commands::ViewOptions view = context.state.view;
     for (const Option& option : options) {
         ImGui::Checkbox(option.label, &(view.*option.value));
         context.items.mark(option.name);
@@ -125,8 +149,8 @@ void draw_view_options(PanelContext& context, const Camera& camera) {
     tooltip(context.theme, "How opaque the body is. Ctrl and a click: type it.");
     draw_field_choice(context, view);
     draw_clip_options(context, camera, view);
-    if (!(view == context.state.view)) context.emit(command::ChangeView{view});
+    if (!(view == context.state.view)) context.emit(commands::ChangeView{view});
     ImGui::EndPopup();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -3,9 +3,9 @@
 #include "panels/panel.hpp"
 #include "viewport/camera.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
 /// The button in the view's corner with its list of what is shown. At ImGui's cursor.
-void draw_view_options(PanelContext& context, const Camera& camera);
+void draw_view_options(PanelContext& context, const viewport::Camera& camera);
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -9,14 +9,14 @@
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
 float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax().x); }
 
 }  // namespace
 
-void tooltip(const Theme& theme, const std::string& text, float width) {
+void tooltip(const platform::Theme& theme, const std::string& text, float width) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     // In a small window with large letters the words would reach beyond its edge.
@@ -24,7 +24,7 @@ void tooltip(const Theme& theme, const std::string& text, float width) {
     ImGui::EndTooltip();
 }
 
-bool tab(const Theme& theme, const char* label, bool chosen) {
+bool tab(const platform::Theme& theme, const char* label, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.raised : theme.panel);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.text : theme.muted);
     const bool pressed = ImGui::Button(label);
@@ -38,7 +38,7 @@ void right_aligned(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-void heading(const Theme& theme, const std::string& text) {
+void heading(const platform::Theme& theme, const std::string& text) {
     ImGui::Spacing();
     ImGui::PushFont(theme.strong);
     ImGui::TextUnformatted(text.c_str());
@@ -47,13 +47,13 @@ void heading(const Theme& theme, const std::string& text) {
 
 std::string duration_label(double seconds) {
     const long whole = std::lround(std::max(0.0, seconds));
-    if (seconds < 9.95) return value_label(std::max(0.0, seconds), 2) + " s";
+    if (seconds < 9.95) return plot::value_label(std::max(0.0, seconds), 2) + " s";
     if (whole < 60) return std::to_string(whole) + " s";
     if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
     return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
-void row_label(const Theme& theme, const std::string& label, const std::string& tip) {
+void row_label(const platform::Theme& theme, const std::string& label, const std::string& tip) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
     ImGui::TextUnformatted(label.c_str());
@@ -63,36 +63,41 @@ void row_label(const Theme& theme, const std::string& label, const std::string& 
     ImGui::SetNextItemWidth(-1.0f);
 }
 
-void text_row(const Theme& theme, const std::string& label, const std::string& value, const ImVec4* color) {
+void text_row(const platform::Theme& theme, const std::string& label, const std::string& value, const ImVec4* color) {
     const float left = ImGui::GetCursorPosX();
     ImGui::BeginGroup();
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
     wrapped_text(label, label_width() - 4.0f);
     ImGui::PopStyleColor();
-    ImGui::SameLine(label_width() - left);   // within a group it counts from there
+    ImGui::SameLine(label_width() - left);  // within a group it counts from there
     ImGui::PushStyleColor(ImGuiCol_Text, color != nullptr ? *color : theme.text);
     wrapped_text(value);
     ImGui::PopStyleColor();
     ImGui::EndGroup();
 }
 
-void muted_text(const Theme& theme, const std::string& text) {
+void muted_text(const platform::Theme& theme, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
     wrapped_text(text);
     ImGui::PopStyleColor();
 }
 
-void notice(const Theme& theme, LogLevel level, const std::string& text) {
-    struct Look { const char* icon; ImVec4 color; };
-    const Look looks[] = {{icon::information, theme.muted}, {icon::done, theme.success}, {icon::warning, theme.warning},
-                          {icon::failure, theme.failure}};
+void notice(const platform::Theme& theme, commands::LogLevel level, const std::string& text) {
+    struct Look {
+        const char* icon;
+        ImVec4 color;
+    };
+    const Look looks[] = {{platform::icon::information, theme.muted},
+                          {platform::icon::done, theme.success},
+                          {platform::icon::warning, theme.warning},
+                          {platform::icon::failure, theme.failure}};
     const Look& look = looks[static_cast<int>(level)];
     ImGui::TextColored(look.color, "%s", look.icon);
     ImGui::SameLine(0.0f, 8.0f * theme.scale);
     wrapped_text(text);
 }
 
-bool primary_button(const Theme& theme, const std::string& label, const ImVec2& size) {
+bool primary_button(const platform::Theme& theme, const std::string& label, const ImVec2& size) {
     const auto shade = [&](float f) {
         return ImVec4(theme.accent.x * f, theme.accent.y * f, theme.accent.z * f, 1.0f);
     };
@@ -122,42 +127,49 @@ bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit,
     const double highest = field.limits.highest / field.per_unit;
     const float speed = static_cast<float>(std::max(0.004 * std::abs(shown), field.smallest_step));
     const std::string format = "%.5g" + (field.unit.empty() ? "" : " " + (field.unit == "%" ? "%%" : field.unit));
-    bool changed = ImGui::DragScalar(("##" + field.name).c_str(), ImGuiDataType_Double, &shown, speed, &lowest, &highest,
-                                     format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    bool changed = ImGui::DragScalar(("##" + field.name).c_str(), ImGuiDataType_Double, &shown, speed, &lowest,
+                                     &highest, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     context.items.mark(field.name);
     // Typed text may hold anything that reads as a number.
     if (!std::isfinite(shown)) changed = false;
     goes_on = edit.goes_on(field.name, changed);
-    if (!ImGui::IsItemActive()) tooltip(context.theme, field.tip + "\n\nDrag, or double-click to type" + (field.unit.empty() ? "." : " a number in " + field.unit + "."));
+    if (!ImGui::IsItemActive())
+        tooltip(context.theme, field.tip + "\n\nDrag, or double-click to type" +
+                                   (field.unit.empty() ? "." : " a number in " + field.unit + "."));
     if (changed) value = std::clamp(shown * field.per_unit, field.limits.lowest, field.limits.highest);
     return changed;
 }
 
-bool slider_row(PanelContext& context, const std::string& name, Limits shown_limits, bool logarithmic, OpenEdit& edit, double& shown, bool& goes_on) {
+bool slider_row(PanelContext& context, const std::string& name, commands::Limits shown_limits, bool logarithmic,
+                OpenEdit& edit, double& shown, bool& goes_on) {
     row_label(context.theme, "");
-    const bool changed = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &shown, &shown_limits.lowest, &shown_limits.highest, "",
-                                             ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    const bool changed = ImGui::SliderScalar(
+        ("##" + name).c_str(), ImGuiDataType_Double, &shown, &shown_limits.lowest, &shown_limits.highest, "",
+        ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
     context.items.mark(name);
     goes_on = edit.goes_on(name, changed);
     if (!changed || !std::isfinite(shown)) return false;
     // Nobody needs a slider's sixteen digits.
-    const double digit = std::pow(10.0, std::floor(std::log10(std::max(std::abs(shown), 1e-3 * shown_limits.highest))) - 2.0);
+    const double digit = std::pow(10.0,
+                                  std::floor(std::log10(std::max(std::abs(shown), 1e-3 * shown_limits.highest))) - 2.0);
     shown = std::clamp(std::round(shown / digit) * digit, shown_limits.lowest, shown_limits.highest);
     return true;
 }
 
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
-                const std::vector<Choice>& choices, std::string& id) {
+                const std::vector<commands::Choice>& choices, std::string& id) {
     row_label(context.theme, label, tip);
-    const auto current = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.id == id; });
-    const bool open = ImGui::BeginCombo(("##" + name).c_str(), current != choices.end() ? current->label.c_str() : id.c_str());
+    const auto current = std::find_if(choices.begin(), choices.end(),
+                                      [&](const commands::Choice& c) { return c.id == id; });
+    const bool open = ImGui::BeginCombo(("##" + name).c_str(),
+                                        current != choices.end() ? current->label.c_str() : id.c_str());
     context.items.mark(name);
     if (!open) {
         tooltip(context.theme, current != choices.end() ? current->explanation : tip);
         return false;
     }
     bool changed = false;
-    for (const Choice& choice : choices) {
+    for (const commands::Choice& choice : choices) {
         if (ImGui::Selectable(choice.label.c_str(), choice.id == id) && choice.id != id) {
             id = choice.id;
             changed = true;
@@ -169,7 +181,7 @@ bool choice_row(PanelContext& context, const std::string& label, const std::stri
     return changed;
 }
 
-bool begin_dialog(const Theme& theme, const char* title, float width) {
+bool begin_dialog(const platform::Theme& theme, const char* title, float width) {
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -177,10 +189,12 @@ bool begin_dialog(const Theme& theme, const char* title, float width) {
     return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
 }
 
-bool begin_popup_above(const Theme& theme, const char* name, float width) {
+bool begin_popup_above(const platform::Theme& theme, const char* name, float width) {
     // Not over the right edge of the window.
-    const float furthest = ImGui::GetMainViewport()->Pos.x + ImGui::GetMainViewport()->Size.x - (width + 8.0f) * theme.scale;
-    const ImVec2 above{std::max(0.0f, std::min(ImGui::GetItemRectMin().x, furthest)), ImGui::GetItemRectMin().y - 4.0f * theme.scale};
+    const float furthest = ImGui::GetMainViewport()->Pos.x + ImGui::GetMainViewport()->Size.x -
+                           (width + 8.0f) * theme.scale;
+    const ImVec2 above{std::max(0.0f, std::min(ImGui::GetItemRectMin().x, furthest)),
+                       ImGui::GetItemRectMin().y - 4.0f * theme.scale};
     ImGui::SetNextWindowPos(above, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowSize({width * theme.scale, 0.0f});
     if (!ImGui::BeginPopup(name)) return false;
@@ -197,4 +211,4 @@ std::string with_separators(double count) {
     return digits;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -20,33 +20,35 @@
 #include "panels/widgets.hpp"
 #include "platform/image.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 namespace {
 
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-void begin_part(const char* name, const Rectangle& place, ImGuiWindowFlags flags = 0) {
+void begin_part(const char* name, const platform::Rectangle& place, ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos(place.lowest);
     ImGui::SetNextWindowSize({std::max(1.0f, place.width()), std::max(1.0f, place.height())});
     ImGui::Begin(name, nullptr, fixed_window | flags);
 }
 
-std::vector<int> muscle_looks(const std::vector<Muscle>& muscles) {
+std::vector<int> muscle_looks(const std::vector<commands::Muscle>& muscles) {
     std::vector<int> colors;
-    for (const Muscle& muscle : muscles) colors.push_back(muscle.color);
+    for (const commands::Muscle& muscle : muscles) colors.push_back(muscle.color);
     return colors;
 }
 
-std::string cannot_write(const PictureRequest& request) { return request.moves ? "Cannot write the pictures: " : "Cannot write the picture: "; }
+std::string cannot_write(const PictureRequest& request) {
+    return request.moves ? "Cannot write the pictures: " : "Cannot write the picture: ";
+}
 
 }  // namespace
 
-Result<WorkbenchWindow> WorkbenchWindow::make(Workbench& workbench) {
-    auto interface = Interface::make(workbench.state().preferences.theme, workbench.state().scale());
+Result<WorkbenchWindow> WorkbenchWindow::make(commands::Workbench& workbench) {
+    auto interface = platform::Interface::make(workbench.state().preferences.theme, workbench.state().scale());
     if (!interface) return interface.error();
-    auto renderer = SceneRenderer::make();
+    auto renderer = viewport::SceneRenderer::make();
     if (!renderer) return renderer.error();
     WorkbenchWindow window;
     window.workbench_ = &workbench;
@@ -59,7 +61,7 @@ Result<WorkbenchWindow> WorkbenchWindow::make(Workbench& workbench) {
     return window;
 }
 
-void WorkbenchWindow::show_step(Step step) {
+void WorkbenchWindow::show_step(commands::Step step) {
     step_ = step;
     for (const auto& panel : panels_)
         if (panel->place() == PanelPlace::strip && panel->step() == step) strip_panel_ = panel->name();
@@ -69,8 +71,10 @@ void WorkbenchWindow::show_step(Step step) {
 bool WorkbenchWindow::show_panel(const std::string& name) {
     for (const auto& panel : panels_) {
         if (panel->name() != name) continue;
-        if (panel->place() == PanelPlace::strip) strip_panel_ = name;
-        else step_ = *panel->step();
+        if (panel->place() == PanelPlace::strip)
+            strip_panel_ = name;
+        else
+            step_ = *panel->step();
         wake();
         return true;
     }
@@ -85,7 +89,8 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 
 bool WorkbenchWindow::must_draw() const {
     // After a movement one more frame draws the scene with smooth edges.
-    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || picture_ || part_);
+    return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || picture_ ||
+                            part_);
 }
 
 void WorkbenchWindow::draw_side(PanelContext& context) {
@@ -98,7 +103,8 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     // The buttons that start and stop work stay in sight at the foot; the rest scrolls above them.
-    ImGui::BeginChild((std::string("##scrolling ") + step_id(step_)).c_str(), {0.0f, -(foot_height_ + padding.y)});
+    ImGui::BeginChild((std::string("##scrolling ") + commands::step_id(step_)).c_str(),
+                      {0.0f, -(foot_height_ + padding.y)});
     draw_step_head(context, step_);
     bool first = true;
     for (const auto& panel : panels_) {
@@ -113,22 +119,30 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     }
     ImGui::EndChild();
     const float foot_top = ImGui::GetCursorPosY();
-    if (context.state.import && step_ == Step::measure && !context.state.busy()) draw_import_controls(context);
-    else draw_run_controls(context);
+    if (context.state.import && step_ == commands::Step::measure && !context.state.busy())
+        draw_import_controls(context);
+    else
+        draw_run_controls(context);
     foot_height_ = ImGui::GetCursorPosY() - foot_top;
     ImGui::End();
 }
 
 void WorkbenchWindow::draw_strip(PanelContext& context) {
     begin_part("##strip", layout_.strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    const auto width_of = [](const std::string& label) { return ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x; };
+    const auto width_of = [](const std::string& label) {
+        return ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x +
+               ImGui::GetStyle().ItemSpacing.x;
+    };
     float all = 0.0f;
     for (const auto& panel : panels_)
         if (panel->place() == PanelPlace::strip && panel->offered(context.state)) all += width_of(panel->title());
-    const bool icons = all > ImGui::GetContentRegionAvail().x;   // of all but the one in front, where there is no room for names
+    const bool icons = all > ImGui::GetContentRegionAvail()
+                                 .x;  // of all but the one in front, where there is no room for names
     bool first = true;
     Panel* front = nullptr;
-    const auto gone = [&](const auto& panel) { return panel->name() == strip_panel_ && !panel->offered(context.state); };
+    const auto gone = [&](const auto& panel) {
+        return panel->name() == strip_panel_ && !panel->offered(context.state);
+    };
     if (std::any_of(panels_.begin(), panels_.end(), gone)) strip_panel_ = "markers";
     for (const auto& panel : panels_) {
         if (panel->place() != PanelPlace::strip || !panel->offered(context.state)) continue;
@@ -153,15 +167,18 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     // Without a scene there is nothing to scrub and plot: the start page has all the room.
     if (!context.state.scene) layout_.view.highest = {layout_.view.highest.x, layout_.strip.highest.y};
-    begin_part("##view", layout_.view, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_part("##view", layout_.view,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     if (!context.state.scene) {
         draw_start_page(context);
         ImGui::End();
         return;
     }
-    const ToolTakes takes = [&](const Eigen::Vector2d& pixel) { return paint_.takes(context.state, scene_, viewport_, pixel); };
-    draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
+    const viewport::ToolTakes takes = [&](const Eigen::Vector2d& pixel) {
+        return paint_.takes(context.state, scene_, viewport_, pixel);
+    };
+    viewport::draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
     paint_.update(context, scene_, viewport_);
     context.live_paint = paint_.live();
     distances_.update(context, scene_, viewport_);
@@ -172,8 +189,9 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
 }
 
 void WorkbenchWindow::draw_edges(PanelContext& context) {
-    LayoutSizes sizes = context.state.preferences.layout;
-    const auto edge = [&](const char* name, const Rectangle& place, bool vertical, float& size, float direction) {
+    commands::LayoutSizes sizes = context.state.preferences.layout;
+    const auto edge = [&](const char* name, const platform::Rectangle& place, bool vertical, float& size,
+                          float direction) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
         begin_part(name, place, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
@@ -182,7 +200,8 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
         interface_.items().mark(std::string("edge/") + (name + 2));
         if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
             ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-            ImGui::GetWindowDrawList()->AddRectFilled(place.lowest, place.highest, packed(interface_.theme().accent));
+            ImGui::GetWindowDrawList()->AddRectFilled(place.lowest, place.highest,
+                                                      platform::packed(interface_.theme().accent));
         }
         if (ImGui::IsItemActive()) {
             const ImVec2 moved = ImGui::GetIO().MouseDelta;
@@ -194,42 +213,59 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
     if (context.state.scene) edge("##strip_edge", layout_.strip_edge, false, sizes.strip, -1.0f);
     sizes.rail = std::clamp(sizes.rail, 240.0f, 1200.0f);
     sizes.strip = std::clamp(sizes.strip, 80.0f, 1200.0f);
-    if (!(sizes == context.state.preferences.layout)) context.emit(command::SetLayout{sizes});
+    if (!(sizes == context.state.preferences.layout)) context.emit(commands::SetLayout{sizes});
 }
 
 void WorkbenchWindow::react_to_keys(PanelContext& context) {
     react_to_shortcuts(context, viewport_);
     if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
     const auto step = [&](double frames) {
-        const SceneTrial* trial = context.state.scene_trial();
+        const commands::SceneTrial* trial = context.state.scene_trial();
         if (!trial || trial->time_s.size() < 2) return;
-        context.emit(command::SetTime{context.state.time_s + frames * sample_interval_s(*trial)});
+        context.emit(commands::SetTime{context.state.time_s + frames * commands::sample_interval_s(*trial)});
     };
     if (ImGui::IsKeyPressed(ImGuiKey_LeftArrow)) step(-1.0);
     if (ImGui::IsKeyPressed(ImGuiKey_RightArrow)) step(1.0);
 }
 
 void WorkbenchWindow::update_scene() {
-    const WorkbenchState& state = workbench_->state();
-    const SceneKey key{state.scene, state.body, state.shown_run(), state.diagnosis, state.import, state.candidate, state.trial, state.time_s, state.view, fields_.update(state, workbench_->backend()), state.paint, muscle_looks(state.settings.muscles),
-                       state.muscle, paint_.revision(), interface_.theme().name, compared_records(state)};
+    const commands::WorkbenchState& state = workbench_->state();
+    const SceneKey key{state.scene,
+                       state.body,
+                       state.shown_run(),
+                       state.diagnosis,
+                       state.import,
+                       state.candidate,
+                       state.trial,
+                       state.time_s,
+                       state.view,
+                       fields_.update(state, workbench_->backend()),
+                       state.paint,
+                       muscle_looks(state.settings.muscles),
+                       state.muscle,
+                       paint_.revision(),
+                       interface_.theme().name,
+                       commands::compared_records(state)};
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
-        viewport_.camera = turn_to(viewport_.camera, StandardView::oblique);
+        viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
         viewport_.untouched = true;
     }
-    if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run || key.trial != scene_key_.trial) {
-        motion_ = summarize_motion(state);
-        // Until a person chooses another view, all of the motion stays in sight; but edits that are previewed are not to make it wander.
+    if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run ||
+        key.trial != scene_key_.trial) {
+        motion_ = commands::summarize_motion(state);
+        // Until a person chooses another view, all of the motion stays in sight; but edits that are previewed are not
+        // to make it wander.
         if (viewport_.untouched && !(state.previewing() && scene_key_.run)) viewport_.fit_requested = true;
     }
     if (key.import && !scene_key_.import) {
-        show_step(Step::measure);
+        show_step(commands::Step::measure);
         show_panel("recording");
     }
     cut_.apply(state, motion_);
-    const std::optional<FieldKind> kind = shown_field(state, workbench_->backend());
-    scene_ = scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind ? &*kind : nullptr, key.field.get());
+    const std::optional<commands::FieldKind> kind = commands::shown_field(state, workbench_->backend());
+    scene_ = commands::scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind ? &*kind : nullptr,
+                                     key.field.get());
     scene_key_ = key;
     ++revision_;
 }
@@ -250,7 +286,8 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
     }
     draw_edges(context);
     // Dialogs belong to no part.
-    begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}}, still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+    begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}},
+               still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
     draw_questions(context);
     browser_.draw(context);
     palette_.draw(context, viewport_, panels_);
@@ -258,14 +295,14 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
     picture_dialog_.draw(context);
     if (film_.runs() && film_.draw(context)) {
         film_.give_up();
-        context.emit(command::Tell{LogLevel::information, "No pictures were written."});
+        context.emit(commands::Tell{commands::LogLevel::information, "No pictures were written."});
     }
     ImGui::End();
     react_to_keys(context);
 }
 
 void WorkbenchWindow::follow(WindowRequests& requests) {
-    const WorkbenchState& state = workbench_->state();
+    const commands::WorkbenchState& state = workbench_->state();
     if (!requests.file && state.asks_where_to_save && !asked_where_) requests.file = save_dialog(state);
     asked_where_ = state.asks_where_to_save;
     if (requests.file) browser_.open(std::move(*requests.file));
@@ -282,37 +319,45 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
 void WorkbenchWindow::begin_pictures() {
     if (!picture_ || film_.runs()) return;
     const PictureRequest request = *std::exchange(picture_, std::nullopt);
-    const Result<void> begun = film_.begin(request, {workbench_->state(), motion_, viewport_, distances_.distances(), interface_.theme()});
-    if (!begun) workbench_->execute(command::Tell{LogLevel::failure, cannot_write(request) + begun.error().text()});
+    const Result<void> begun = film_.begin(
+        request, {workbench_->state(), motion_, viewport_, distances_.distances(), interface_.theme()});
+    if (!begun)
+        workbench_->execute(commands::Tell{commands::LogLevel::failure, cannot_write(request) + begun.error().text()});
 }
 
 void WorkbenchWindow::add_picture() {
     if (!film_.runs()) return;
     const PictureRequest request = film_.request();
     const Result<bool> last = film_.add(workbench_->backend());
-    const std::string written = request.moves ? std::to_string(film_.done()) + " pictures written to " : "Picture written to ";
-    if (!last) workbench_->execute(command::Tell{LogLevel::failure, cannot_write(request) + last.error().text()});
-    else if (*last) workbench_->execute(command::Tell{LogLevel::done, written + request.path.string() + "."});
+    const std::string written = request.moves ? std::to_string(film_.done()) + " pictures written to "
+                                              : "Picture written to ";
+    if (!last)
+        workbench_->execute(commands::Tell{commands::LogLevel::failure, cannot_write(request) + last.error().text()});
+    else if (*last)
+        workbench_->execute(commands::Tell{commands::LogLevel::done, written + request.path.string() + "."});
 }
 
 void WorkbenchWindow::write_part(int width, int height) {
     const WindowPart part = *std::exchange(part_, std::nullopt);
-    const Result<void> written = write_png(cropped(read_frame(width, height), part.pixels), part.path);
-    workbench_->execute(written ? command::Tell{LogLevel::done, "Picture written to " + part.path.string() + "."}
-                                : command::Tell{LogLevel::failure, "Cannot write the picture: " + written.error().text()});
+    const Result<void> written = platform::write_png(
+        platform::cropped(platform::read_frame(width, height), part.pixels), part.path);
+    workbench_->execute(
+        written ? commands::Tell{commands::LogLevel::done, "Picture written to " + part.path.string() + "."}
+                : commands::Tell{commands::LogLevel::failure, "Cannot write the picture: " + written.error().text()});
 }
 
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
     // After a pause without frames, playing must not jump.
     seconds = std::clamp(seconds, 0.0, 0.25);
     workbench_->advance(seconds);
-    const WorkbenchState& state = workbench_->state();
+    const commands::WorkbenchState& state = workbench_->state();
     interface_.set_theme(state.preferences.theme, state.scale());
     interface_.begin_frame(width, height, static_cast<float>(seconds));
     update_scene();
-    layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale, state.preferences.layout);
+    layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale,
+                          state.preferences.layout);
 
-    std::vector<Command> commands;
+    std::vector<commands::Command> commands;
     WindowRequests requests;
     PanelContext context{state, interface_.theme(), interface_.items(), commands, workbench_->backend(), requests};
     if (scene_.field) context.field_range = std::array<double, 2>{scene_.field->lowest, scene_.field->highest};
@@ -321,28 +366,30 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     interface_.end_frame();
 
     const ImVec4 clear = interface_.theme().background;
-    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl::Disable(GL_SCISSOR_TEST);
-    gl::ClearColor(clear.x, clear.y, clear.z, 1.0f);
-    gl::Clear(GL_COLOR_BUFFER_BIT);
+    platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    platform::gl::Disable(GL_SCISSOR_TEST);
+    platform::gl::ClearColor(clear.x, clear.y, clear.z, 1.0f);
+    platform::gl::Clear(GL_COLOR_BUFFER_BIT);
     const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
     if (state.scene && viewport_.size().width > 1 && viewport_.size().height > 1) {
-        const auto drawn = renderer_.update(scene_, revision_, view_colors(interface_.theme()), viewport_.camera, viewport_.size(),
-                                            moving ? 0 : 4, static_cast<double>(interface_.theme().scale));
+        const auto drawn = renderer_.update(scene_, revision_, viewport::view_colors(interface_.theme()),
+                                            viewport_.camera, viewport_.size(), moving ? 0 : 4,
+                                            static_cast<double>(interface_.theme().scale));
         if (!drawn) return drawn;
         begin_pictures();
         add_picture();
-        renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x), height - static_cast<int>(viewport_.pixels.highest.y));
+        renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x),
+                                 height - static_cast<int>(viewport_.pixels.highest.y));
     }
     interface_.draw();
     if (part_ && --part_waits_ < 0) write_part(width, height);
 
     // Commands are carried out after the frame, so that all panels saw one state; their effect shows in the next.
-    for (const Command& command : commands) workbench_->execute(command);
+    for (const commands::Command& command : commands) workbench_->execute(command);
     pacer_.frame_drawn();
     if (!commands.empty() || !interface_.input().empty()) pacer_.event_arrived();
     was_moving_ = moving;
     return {};
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

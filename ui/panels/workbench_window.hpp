@@ -8,9 +8,9 @@
 #include "commands/body_cut.hpp"
 #include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
+#include "panels/distance_tool.hpp"
 #include "panels/file_browser.hpp"
 #include "panels/film_job.hpp"
-#include "panels/distance_tool.hpp"
 #include "panels/inspect_tool.hpp"
 #include "panels/layout.hpp"
 #include "panels/paint_tool.hpp"
@@ -21,15 +21,15 @@
 #include "viewport/scene_renderer.hpp"
 #include "viewport/viewport.hpp"
 
-namespace myo {
+namespace myo::ui::panels {
 
-/// The whole window: lays out the panels, draws the view under them, and carries out what they ask for. The same for a real
-/// window, for pictures without a display, and for tests.
+/// The whole window: lays out the panels, draws the view under them, and carries out what they ask for. The same for a
+/// real window, for pictures without a display, and for tests.
 class WorkbenchWindow {
 public:
     /// Needs a current context with loaded functions.
     /// @param workbench  must outlive the window
-    static Result<WorkbenchWindow> make(Workbench& workbench);
+    static Result<WorkbenchWindow> make(commands::Workbench& workbench);
 
     /// One frame into the default framebuffer. The context has this size [pixels].
     /// @param seconds  since the last frame
@@ -41,19 +41,19 @@ public:
     /// An event came in, or a job reported.
     void wake() { pacer_.event_arrived(); }
 
-    void drop(const std::vector<std::filesystem::path>& files) { workbench_->execute(command::Drop{files}); }
-    void open(const std::filesystem::path& path) { workbench_->execute(command::Open{path, std::nullopt}); }
+    void drop(const std::vector<std::filesystem::path>& files) { workbench_->execute(commands::Drop{files}); }
+    void open(const std::filesystem::path& path) { workbench_->execute(commands::Open{path, std::nullopt}); }
     /// Shows a step at the side, and what belongs to it below the view.
-    void show_step(Step step);
-    Step step() const { return step_; }
+    void show_step(commands::Step step);
+    commands::Step step() const { return step_; }
     /// Brings a panel to the front, by its name; false when there is none.
     bool show_panel(const std::string& name);
     std::vector<std::string> panel_names() const;
 
-    InputQueue& input() { return interface_.input(); }
-    const ItemRectangles& items() { return interface_.items(); }
-    const ViewportState& viewport() const { return viewport_; }
-    const DrawnScene& scene() const { return scene_; }
+    platform::InputQueue& input() { return interface_.input(); }
+    const platform::ItemRectangles& items() { return interface_.items(); }
+    const viewport::ViewportState& viewport() const { return viewport_; }
+    const viewport::DrawnScene& scene() const { return scene_; }
     /// Whether values of the field that colours the body are still being computed.
     bool waits_for_field() const { return fields_.waits(); }
     const InspectTool& inspect_tool() const { return inspect_; }
@@ -78,54 +78,54 @@ private:
 
     // What the drawn scene was made from.
     struct SceneKey {
-        std::shared_ptr<const Scene> scene;
-        std::shared_ptr<const MeshedBody> body;
-        std::shared_ptr<const RunResult> run;
-        std::shared_ptr<const DiagnosisView> diagnosis;
-        std::shared_ptr<const RecordingImport> import;
+        std::shared_ptr<const commands::Scene> scene;
+        std::shared_ptr<const commands::MeshedBody> body;
+        std::shared_ptr<const commands::RunResult> run;
+        std::shared_ptr<const commands::DiagnosisView> diagnosis;
+        std::shared_ptr<const commands::RecordingImport> import;
         std::string candidate;
         int trial = 0;
         double time_s = 0.0;
-        ViewOptions view;
-        std::shared_ptr<const FieldFrame> field;
-        std::vector<std::shared_ptr<const CellPaint>> paint;
+        commands::ViewOptions view;
+        std::shared_ptr<const commands::FieldFrame> field;
+        std::vector<std::shared_ptr<const fibre::CellPaint>> paint;
         std::vector<int> muscle_colors;
         int muscle = 0;
         int stroke = 0;
-        ThemeName theme = ThemeName::dark;
-        std::vector<std::size_t> compared;   // in the history
+        platform::ThemeName theme = platform::ThemeName::dark;
+        std::vector<std::size_t> compared;  // in the history
         bool operator==(const SceneKey&) const = default;
     };
 
-    Workbench* workbench_ = nullptr;
-    Interface interface_;
-    SceneRenderer renderer_;
-    FramePacer pacer_;
+    commands::Workbench* workbench_ = nullptr;
+    platform::Interface interface_;
+    viewport::SceneRenderer renderer_;
+    platform::FramePacer pacer_;
     std::vector<std::unique_ptr<Panel>> panels_;
-    Step step_ = Step::body;
+    commands::Step step_ = commands::Step::body;
     FileBrowser browser_;
     Palette palette_;
     bool about_ = false;
-    bool asked_where_ = false;        // to save: the dialog was opened
-    std::optional<PictureRequest> picture_;   // to be begun after the next drawing of the view
-    std::optional<WindowPart> part_;          // likewise, once the dialog that asked for it is gone
-    int part_waits_ = 0;                      // frames until then
+    bool asked_where_ = false;               // to save: the dialog was opened
+    std::optional<PictureRequest> picture_;  // to be begun after the next drawing of the view
+    std::optional<WindowPart> part_;         // likewise, once the dialog that asked for it is gone
+    int part_waits_ = 0;                     // frames until then
     PictureDialog picture_dialog_;
     FilmJob film_;
-    float foot_height_ = 40.0f;     // of the rail's foot, as it was in the last frame
+    float foot_height_ = 40.0f;  // of the rail's foot, as it was in the last frame
     Layout layout_;
-    ViewportState viewport_;
+    viewport::ViewportState viewport_;
     PaintTool paint_;
     InspectTool inspect_;
     DistanceTool distances_;
-    BodyCut cut_;
-    DrawnScene scene_;
+    commands::BodyCut cut_;
+    viewport::DrawnScene scene_;
     SceneKey scene_key_;
-    MotionSummary motion_;
-    FieldStore fields_;
+    commands::MotionSummary motion_;
+    commands::FieldStore fields_;
     std::uint64_t revision_ = 1;
-    std::string strip_panel_;       // in front
+    std::string strip_panel_;  // in front
     bool was_moving_ = false;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::panels

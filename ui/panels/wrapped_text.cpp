@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
-namespace myo {
+namespace myo::ui::panels {
 
-std::string broken_at_spaces(const std::string& text, float width, const std::function<float(const std::string&)>& width_of) {
+std::string broken_at_spaces(const std::string& text, float width,
+                             const std::function<float(const std::string&)>& width_of) {
     std::string broken, line;
     std::size_t at = 0;
     while (at < text.size()) {
@@ -30,10 +31,11 @@ std::string broken_at_spaces(const std::string& text, float width, const std::fu
 
 void wrapped_text(const std::string& text, float right) {
     const float width = right > 0.0f ? right - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
-    const std::string broken = broken_at_spaces(text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
-    ImGui::PushTextWrapPos(right);   // for words that are wider than a line, as paths are
+    const std::string broken = broken_at_spaces(
+        text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
+    ImGui::PushTextWrapPos(right);  // for words that are wider than a line, as paths are
     ImGui::TextUnformatted(broken.c_str());
     ImGui::PopTextWrapPos();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::panels

@@ -10,7 +10,7 @@
 
 #include "base/files.hpp"
 
-namespace myo {
+namespace myo::ui::platform {
 
 namespace fs = std::filesystem;
 
@@ -58,10 +58,15 @@ class Mp4 : public FilmWriter {
 public:
     Mp4(const fs::path& file, int width, int height, double rate_Hz) : file_(file), part_(file.string() + ".part.mp4") {
         char format[160];
-        std::snprintf(format, sizeof format, "-f rawvideo -pix_fmt rgba -s %dx%d -r %.6g -i - -c:v libx264 -preset veryfast -crf 18 -pix_fmt yuv420p -movflags +faststart ", width, height, rate_Hz);
+        std::snprintf(format, sizeof format,
+                      "-f rawvideo -pix_fmt rgba -s %dx%d -r %.6g -i - -c:v libx264 -preset veryfast -crf 18 -pix_fmt "
+                      "yuv420p -movflags +faststart ",
+                      width, height, rate_Hz);
         // A pipe that ends early is told by a failed write, not by a signal.
         before_ = std::signal(SIGPIPE, SIG_IGN);
-        pipe_ = popen(("ffmpeg -y -loglevel error " + std::string(format) + quoted(part_.string()) + " >/dev/null 2>&1").c_str(), "w");
+        pipe_ = popen(
+            ("ffmpeg -y -loglevel error " + std::string(format) + quoted(part_.string()) + " >/dev/null 2>&1").c_str(),
+            "w");
     }
     ~Mp4() override {
         const bool finished = pipe_ == nullptr;
@@ -76,8 +81,10 @@ public:
     }
     Result<void> finish() override {
         std::error_code code;
-        if (close() == 0) fs::rename(part_, file_, code);
-        else code = std::make_error_code(std::errc::io_error);
+        if (close() == 0)
+            fs::rename(part_, file_, code);
+        else
+            code = std::make_error_code(std::errc::io_error);
         if (!code) return {};
         std::error_code ignored;
         fs::remove(part_, ignored);
@@ -86,7 +93,9 @@ public:
 
 private:
     int close() { return pipe_ ? pclose(std::exchange(pipe_, nullptr)) : -1; }
-    Error failed() const { return {"ffmpeg did not write the film; is there room, and does it know H.264?", file_.string()}; }
+    Error failed() const {
+        return {"ffmpeg did not write the film; is there room, and does it know H.264?", file_.string()};
+    }
 
     fs::path file_, part_;
     FILE* pipe_ = nullptr;
@@ -109,14 +118,17 @@ bool can_write_films() {
 Result<std::unique_ptr<FilmWriter>> FilmWriter::begin(const fs::path& path, int width, int height, double rate_Hz) {
     std::error_code code;
     if (path.extension() == ".mp4") {
-        if (!can_write_films()) return Error{"films need the program ffmpeg, which is not on the path; write numbered pictures instead", path.string()};
+        if (!can_write_films())
+            return Error{"films need the program ffmpeg, which is not on the path; write numbered pictures instead",
+                         path.string()};
         if (fs::exists(path, code) && !fs::is_regular_file(path, code))
             return Error{"is not a plain file; choose another name", path.string()};
-        if (!fs::is_directory(path.parent_path().empty() ? fs::path(".") : path.parent_path(), code)) return Error{"there is no such folder", path.parent_path().string()};
+        if (!fs::is_directory(path.parent_path().empty() ? fs::path(".") : path.parent_path(), code))
+            return Error{"there is no such folder", path.parent_path().string()};
         return std::unique_ptr<FilmWriter>(std::make_unique<Mp4>(behind_links(path), width, height, rate_Hz));
     }
     if (fs::exists(path, code)) return Error{"is there already; choose a new folder", path.string()};
     return std::unique_ptr<FilmWriter>(std::make_unique<NumberedFiles>(path));
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

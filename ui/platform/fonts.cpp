@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace myo {
+namespace myo::ui::platform {
 namespace {
 
 std::string first_existing(const std::vector<std::string>& files) {
@@ -18,11 +18,12 @@ std::string first_existing(const std::vector<std::string>& files) {
 }
 
 // Latin, Greek, super- and subscripts, dashes and quotes, arrows, the mathematics in use.
-const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x02ff, 0x0370, 0x03ff, 0x1d2c, 0x1d6a, 0x2010, 0x2027, 0x2030, 0x2033,
-                               0x2070, 0x209c, 0x2190, 0x2195, 0x2202, 0x2202, 0x2207, 0x2207, 0x2212, 0x2212, 0x221a, 0x221e, 0x223c, 0x223c,
-                               0x2248, 0x2248, 0x2260, 0x2265, 0x22c5, 0x22c5, 0};
+const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x02ff, 0x0370, 0x03ff, 0x1d2c, 0x1d6a, 0x2010, 0x2027, 0x2030,
+                               0x2033, 0x2070, 0x209c, 0x2190, 0x2195, 0x2202, 0x2202, 0x2207, 0x2207, 0x2212, 0x2212,
+                               0x221a, 0x221e, 0x223c, 0x223c, 0x2248, 0x2248, 0x2260, 0x2265, 0x22c5, 0x22c5, 0};
 // Glyphs of pictures are large: what names, units and numbers need.
-const ImWchar label_ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2070, 0x209c, 0x2190, 0x2195, 0x2212, 0x2212, 0};
+const ImWchar label_ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2070,
+                                0x209c, 0x2190, 0x2195, 0x2212, 0x2212, 0};
 const ImWchar latin_ranges[] = {0x0020, 0x007e, 0};
 const ImWchar icon_ranges[] = {0xf000, 0xf2e0, 0};
 
@@ -37,7 +38,8 @@ ImFontAtlas& empty_atlas() {
     return atlas;
 }
 
-ImFont* add_font(ImFontAtlas& atlas, const std::string& file, const std::string& fallback, const std::string& icons, float pixels, const ImWchar* ranges = text_ranges) {
+ImFont* add_font(ImFontAtlas& atlas, const std::string& file, const std::string& fallback, const std::string& icons,
+                 float pixels, const ImWchar* ranges = text_ranges) {
     if (file.empty() && fallback.empty()) {
         ImFontConfig built_in;
         built_in.SizePixels = pixels;
@@ -76,8 +78,9 @@ FontReport load_fonts(Theme& theme) {
 void load_label_font(Theme& theme) {
     ImFontAtlas& atlas = empty_atlas();
     theme.regular = theme.strong = theme.large = nullptr;
-    theme.small = add_font(atlas, first_existing({inter + "Regular.otf"}), first_existing({dejavu + ".ttf"}), "", std::round(13.0f * theme.scale), label_ranges);
+    theme.small = add_font(atlas, first_existing({inter + "Regular.otf"}), first_existing({dejavu + ".ttf"}), "",
+                           std::round(13.0f * theme.scale), label_ranges);
     ImGui::GetIO().FontDefault = theme.small;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -5,7 +5,7 @@
 
 #include "platform/theme.hpp"
 
-namespace myo {
+namespace myo::ui::platform {
 
 /// Icons of Font Awesome 4.7, as UTF-8.
 namespace icon {
@@ -38,21 +38,21 @@ inline constexpr const char* eraser = "\xef\x84\xad";         // f12d
 inline constexpr const char* drop = "\xef\x81\x83";           // f043
 inline constexpr const char* bolt = "\xef\x83\xa7";           // f0e7
 inline constexpr const char* hand = "\xef\x89\x95";           // f255
-inline constexpr const char* line_chart = "\xef\x88\x81";   // f201
-inline constexpr const char* clock = "\xef\x80\x97";        // f017
-inline constexpr const char* tasks = "\xef\x82\xae";        // f0ae
-inline constexpr const char* grid = "\xef\x80\x8a";         // f00a
-inline constexpr const char* flask = "\xef\x83\x83";        // f0c3
-inline constexpr const char* camera = "\xef\x80\xbd";       // f03d
-inline constexpr const char* report = "\xef\x85\x9c";       // f15c
-inline constexpr const char* check = "\xef\x80\x8c";        // f00c
-inline constexpr const char* stale = "\xef\x80\xa1";        // f021
-inline constexpr const char* save = "\xef\x83\x87";         // f0c7
-inline constexpr const char* star = "\xef\x80\x85";         // f005
-inline constexpr const char* empty_star = "\xef\x80\x86";   // f006
-inline constexpr const char* home = "\xef\x80\x95";         // f015
-inline constexpr const char* shield = "\xef\x84\xb2";       // f132
-inline constexpr const char* arrow = "\xef\x81\xa1";        // f061
+inline constexpr const char* line_chart = "\xef\x88\x81";     // f201
+inline constexpr const char* clock = "\xef\x80\x97";          // f017
+inline constexpr const char* tasks = "\xef\x82\xae";          // f0ae
+inline constexpr const char* grid = "\xef\x80\x8a";           // f00a
+inline constexpr const char* flask = "\xef\x83\x83";          // f0c3
+inline constexpr const char* camera = "\xef\x80\xbd";         // f03d
+inline constexpr const char* report = "\xef\x85\x9c";         // f15c
+inline constexpr const char* check = "\xef\x80\x8c";          // f00c
+inline constexpr const char* stale = "\xef\x80\xa1";          // f021
+inline constexpr const char* save = "\xef\x83\x87";           // f0c7
+inline constexpr const char* star = "\xef\x80\x85";           // f005
+inline constexpr const char* empty_star = "\xef\x80\x86";     // f006
+inline constexpr const char* home = "\xef\x80\x95";           // f015
+inline constexpr const char* shield = "\xef\x84\xb2";         // f132
+inline constexpr const char* arrow = "\xef\x81\xa1";          // f061
 inline constexpr const char* remove = "\xef\x80\x8d";         // f00d
 }  // namespace icon
 
@@ -70,4 +70,4 @@ FontReport load_fonts(Theme& theme);
 /// Builds an atlas of the theme's small font alone, for labels in large pictures. The other fonts become null.
 void load_label_font(Theme& theme);
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -5,7 +5,7 @@
 
 #include "platform/shader_sources.hpp"
 
-namespace myo::gl {
+namespace myo::ui::platform::gl {
 
 void delete_buffer(GLuint name) { DeleteBuffers(1, &name); }
 void delete_vertex_array(GLuint name) { DeleteVertexArrays(1, &name); }
@@ -94,8 +94,8 @@ void attribute(GLuint index, int size, int stride, int offset, GLuint divisor) {
     EnableVertexAttribArray(index);
     // OpenGL wants the byte offset dressed up as a pointer.
     const void* place = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset) * sizeof(float));
-    VertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(static_cast<std::size_t>(stride) * sizeof(float)),
-                        place);
+    VertexAttribPointer(index, size, GL_FLOAT, GL_FALSE,
+                        static_cast<GLsizei>(static_cast<std::size_t>(stride) * sizeof(float)), place);
     VertexAttribDivisor(index, divisor);
 }
 
@@ -121,14 +121,16 @@ Result<RenderTarget> make_render_target(int width, int height, int samples) {
     const bool complete = CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     BindFramebuffer(GL_FRAMEBUFFER, 0);
     if (complete) return target;
-    return Error{"the driver cannot draw off screen at " + std::to_string(width) + " x " + std::to_string(height), "OpenGL"};
+    return Error{"the driver cannot draw off screen at " + std::to_string(width) + " x " + std::to_string(height),
+                 "OpenGL"};
 }
 
 void blit(const RenderTarget& from, GLuint to, int x, int y) {
     BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.name());
     BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    BlitFramebuffer(0, 0, from.width, from.height, x, y, x + from.width, y + from.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    BlitFramebuffer(0, 0, from.width, from.height, x, y, x + from.width, y + from.height, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
     BindFramebuffer(GL_FRAMEBUFFER, to);
 }
 
-}  // namespace myo::gl
+}  // namespace myo::ui::platform::gl

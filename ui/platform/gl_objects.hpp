@@ -7,7 +7,7 @@
 #include "base/result.hpp"
 #include "platform/gl.hpp"
 
-namespace myo::gl {
+namespace myo::ui::platform::gl {
 
 /// Owner of one OpenGL name; frees it when destroyed. The context must still be current then.
 template <void (*Delete)(GLuint)>
@@ -67,11 +67,11 @@ struct RenderTarget {
     Renderbuffer depth;
     int width = 0;
     int height = 0;
-    int samples = 0;   // 0 = no multisampling
+    int samples = 0;  // 0 = no multisampling
 };
 Result<RenderTarget> make_render_target(int width, int height, int samples);
 
 /// Copies all of `from` (resolving its samples) into framebuffer `to` with the lower left corner at (x, y).
 void blit(const RenderTarget& from, GLuint to, int x, int y);
 
-}  // namespace myo::gl
+}  // namespace myo::ui::platform::gl

@@ -8,7 +8,7 @@
 #include "base/files.hpp"
 #include "platform/gl.hpp"
 
-namespace myo {
+namespace myo::ui::platform {
 
 Image read_frame(int width, int height, unsigned framebuffer) {
     Image image{width, height, {}};
@@ -28,8 +28,11 @@ Image read_frame(int width, int height, unsigned framebuffer) {
 }
 
 Image cropped(const Image& image, const Rectangle& part) {
-    const int left = std::clamp(static_cast<int>(part.lowest.x), 0, image.width), top = std::clamp(static_cast<int>(part.lowest.y), 0, image.height);
-    Image inner{std::clamp(static_cast<int>(part.highest.x), left, image.width) - left, std::clamp(static_cast<int>(part.highest.y), top, image.height) - top, {}};
+    const int left = std::clamp(static_cast<int>(part.lowest.x), 0, image.width),
+              top = std::clamp(static_cast<int>(part.lowest.y), 0, image.height);
+    Image inner{std::clamp(static_cast<int>(part.highest.x), left, image.width) - left,
+                std::clamp(static_cast<int>(part.highest.y), top, image.height) - top,
+                {}};
     for (int y = top; y < top + inner.height; ++y) {
         const auto row = image.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + left);
         inner.rgba.insert(inner.rgba.end(), row, row + 4 * static_cast<std::ptrdiff_t>(inner.width));
@@ -48,4 +51,4 @@ Result<void> write_png(const Image& image, const std::filesystem::path& path) {
     return write_file(path, bytes);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -9,7 +9,7 @@
 #include "base/result.hpp"
 #include "platform/item_rectangles.hpp"
 
-namespace myo {
+namespace myo::ui::platform {
 
 /// Pixels, 8-bit RGBA, row by row from the top.
 struct Image {
@@ -18,7 +18,8 @@ struct Image {
     std::vector<std::uint8_t> rgba;
 
     std::array<int, 3> color(int x, int y) const {
-        const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+        const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                   static_cast<std::size_t>(x));
         return {rgba[i], rgba[i + 1], rgba[i + 2]};
     }
 };
@@ -32,4 +33,4 @@ Image cropped(const Image& image, const Rectangle& part);
 /// Error: cannot be written.
 Result<void> write_png(const Image& image, const std::filesystem::path& path);
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace myo {
+namespace myo::ui::platform {
 namespace {
 
 ImTextureID to_texture_id(GLuint name) { return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name)); }
@@ -86,4 +86,4 @@ void ImguiRenderer::draw(const ImDrawData& data, GLuint framebuffer) const {
     gl::Disable(GL_BLEND);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

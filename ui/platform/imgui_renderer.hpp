@@ -6,7 +6,7 @@
 struct ImDrawData;
 struct ImFontAtlas;
 
-namespace myo {
+namespace myo::ui::platform {
 
 /// Draws what Dear ImGui hands over. Its own OpenGL back end looks for libGL and so fails under OSMesa.
 class ImguiRenderer {
@@ -29,4 +29,4 @@ private:
     GLint display_ = -1;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::platform

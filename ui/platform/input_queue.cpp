@@ -1,6 +1,6 @@
 #include "platform/input_queue.hpp"
 
-namespace myo {
+namespace myo::ui::platform {
 namespace {
 
 void set_modifiers(ImGuiIO& io, const Modifiers& modifiers) {
@@ -57,4 +57,4 @@ void InputQueue::apply_to_next_frame(ImGuiIO& io) {
     }
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

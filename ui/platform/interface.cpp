@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace myo {
+namespace myo::ui::platform {
 
 void Interface::DestroyContext::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 
@@ -53,4 +53,4 @@ void Interface::set_theme(ThemeName name, float scale) {
     rebuild_ = true;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -12,7 +12,7 @@
 
 struct ImGuiContext;
 
-namespace myo {
+namespace myo::ui::platform {
 
 /// Dear ImGui with its fonts, theme, input and renderer. One per process and OpenGL context.
 class Interface {
@@ -48,4 +48,4 @@ private:
     std::unique_ptr<ItemRectangles> items_ = std::make_unique<ItemRectangles>();
 };
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -6,16 +6,18 @@
 #include <optional>
 #include <string>
 
-namespace myo {
+namespace myo::ui::platform {
 
 struct Rectangle {
-    ImVec2 lowest;    // upper left [pixels]
-    ImVec2 highest;   // lower right
+    ImVec2 lowest;   // upper left [pixels]
+    ImVec2 highest;  // lower right
 
     ImVec2 center() const { return {0.5f * (lowest.x + highest.x), 0.5f * (lowest.y + highest.y)}; }
     float width() const { return highest.x - lowest.x; }
     float height() const { return highest.y - lowest.y; }
-    bool contains(const ImVec2& p) const { return p.x >= lowest.x && p.x < highest.x && p.y >= lowest.y && p.y < highest.y; }
+    bool contains(const ImVec2& p) const {
+        return p.x >= lowest.x && p.x < highest.x && p.y >= lowest.y && p.y < highest.y;
+    }
 };
 
 /// Where the named items of the last frame are: how tests, and only they, find what to click.
@@ -39,4 +41,4 @@ private:
     std::map<std::string, Rectangle> items_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::platform

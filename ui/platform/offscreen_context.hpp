@@ -4,7 +4,7 @@
 
 #include "base/result.hpp"
 
-namespace myo {
+namespace myo::ui::platform {
 
 /// An OpenGL context without a display (OSMesa, software), current from its making until its end.
 class OffscreenContext {
@@ -27,4 +27,4 @@ private:
     std::unique_ptr<Content, Destroy> content_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -6,13 +6,15 @@
 
 #include "platform/fonts.hpp"
 
-namespace myo {
+namespace myo::ui::platform {
 namespace {
 
 /// Makes a context the current one as long as it lives.
 class CurrentContext {
 public:
-    explicit CurrentContext(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) { ImGui::SetCurrentContext(context); }
+    explicit CurrentContext(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
+        ImGui::SetCurrentContext(context);
+    }
     CurrentContext(const CurrentContext&) = delete;
     CurrentContext& operator=(const CurrentContext&) = delete;
     ~CurrentContext() { ImGui::SetCurrentContext(before_); }
@@ -54,4 +56,4 @@ void PictureCanvas::draw(GLuint framebuffer, int width, int height, const Drawin
     gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -9,7 +9,7 @@
 
 struct ImGuiContext;
 
-namespace myo {
+namespace myo::ui::platform {
 
 /// Draws lines and labels over pictures that are not the window, with letters made for their size.
 class PictureCanvas {
@@ -27,9 +27,9 @@ private:
         void operator()(ImGuiContext* context) const;
     };
 
-    std::unique_ptr<ImGuiContext, DestroyContext> context_;   // of its own: the window's may be in the middle of a frame
+    std::unique_ptr<ImGuiContext, DestroyContext> context_;  // of its own: the window's may be in the middle of a frame
     ImguiRenderer renderer_;
     Theme theme_;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-namespace myo {
+namespace myo::ui::platform {
 
 /// Text of a file in shaders/, embedded when the program was built; empty when there is none of that name.
 std::string_view shader_source(std::string_view name);
 
-}  // namespace myo
+}  // namespace myo::ui::platform

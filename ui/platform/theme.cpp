@@ -2,7 +2,7 @@
 
 #include <initializer_list>
 
-namespace myo {
+namespace myo::ui::platform {
 namespace {
 
 ImVec4 rgb(unsigned hex) {
@@ -16,35 +16,25 @@ struct Swatch {
     unsigned dark, light;
 };
 constexpr Swatch palette[] = {
-    {&Theme::background, 0x121418, 0xdfe3e9},
-    {&Theme::panel, 0x1a1d23, 0xf6f7f9},
-    {&Theme::raised, 0x262b34, 0xffffff},
-    {&Theme::popup, 0x1e2229, 0xf6f7f9},
-    {&Theme::plot, 0x121418, 0xffffff},
-    {&Theme::hovered, 0x323946, 0xe3ebf7},
-    {&Theme::border, 0x2e343f, 0xc4cbd6},
-    {&Theme::text, 0xe9ecf1, 0x171b22},
-    {&Theme::muted, 0xa0a9b8, 0x556070},
-    {&Theme::accent, 0x4c9dff, 0x1a66d6},
-    {&Theme::on_accent, 0x08121f, 0xffffff},
-    {&Theme::measured, 0xffb347, 0xc96a00},
-    {&Theme::simulated, 0x59b4ff, 0x1a66d6},
-    {&Theme::force, 0xd9a0ff, 0x7a2fd0},
-    {&Theme::warning, 0xf2c14e, 0x8f6400},
-    {&Theme::failure, 0xff7b72, 0xc0342b},
-    {&Theme::success, 0x6fd08c, 0x1c7a3c},
-    {&Theme::view_top, 0x2a303a, 0xffffff},
-    {&Theme::view_bottom, 0x171a20, 0xdde2ea},
-    {&Theme::grid, 0x4a5362, 0xa9b2c0},
-    {&Theme::body, 0xb9c1cc, 0xcfd6e0},
-    {&Theme::axis_x, 0xff6b6b, 0xc92a2a},
-    {&Theme::axis_y, 0x7bd88f, 0x2b8a3e},
-    {&Theme::axis_z, 0x6aa9ff, 0x1864ab},
+    {&Theme::background, 0x121418, 0xdfe3e9},  {&Theme::panel, 0x1a1d23, 0xf6f7f9},
+    {&Theme::raised, 0x262b34, 0xffffff},      {&Theme::popup, 0x1e2229, 0xf6f7f9},
+    {&Theme::plot, 0x121418, 0xffffff},        {&Theme::hovered, 0x323946, 0xe3ebf7},
+    {&Theme::border, 0x2e343f, 0xc4cbd6},      {&Theme::text, 0xe9ecf1, 0x171b22},
+    {&Theme::muted, 0xa0a9b8, 0x556070},       {&Theme::accent, 0x4c9dff, 0x1a66d6},
+    {&Theme::on_accent, 0x08121f, 0xffffff},   {&Theme::measured, 0xffb347, 0xc96a00},
+    {&Theme::simulated, 0x59b4ff, 0x1a66d6},   {&Theme::force, 0xd9a0ff, 0x7a2fd0},
+    {&Theme::warning, 0xf2c14e, 0x8f6400},     {&Theme::failure, 0xff7b72, 0xc0342b},
+    {&Theme::success, 0x6fd08c, 0x1c7a3c},     {&Theme::view_top, 0x2a303a, 0xffffff},
+    {&Theme::view_bottom, 0x171a20, 0xdde2ea}, {&Theme::grid, 0x4a5362, 0xa9b2c0},
+    {&Theme::body, 0xb9c1cc, 0xcfd6e0},        {&Theme::axis_x, 0xff6b6b, 0xc92a2a},
+    {&Theme::axis_y, 0x7bd88f, 0x2b8a3e},      {&Theme::axis_z, 0x6aa9ff, 0x1864ab},
 };
 
 /// Okabe and Ito 2008, darker for a light ground; the last is between their yellow and green.
-constexpr unsigned muscle_colors_dark[] = {0xe8663c, 0x56b4e9, 0x1fb58a, 0xcc79a7, 0xe69f00, 0x5b8def, 0xf0e442, 0x9bc53d};
-constexpr unsigned muscle_colors_light[] = {0xd04a14, 0x2a8fca, 0x008f66, 0xb0578a, 0xc98600, 0x1f5fc4, 0xb8a800, 0x6f9420};
+constexpr unsigned muscle_colors_dark[] = {0xe8663c, 0x56b4e9, 0x1fb58a, 0xcc79a7,
+                                           0xe69f00, 0x5b8def, 0xf0e442, 0x9bc53d};
+constexpr unsigned muscle_colors_light[] = {0xd04a14, 0x2a8fca, 0x008f66, 0xb0578a,
+                                            0xc98600, 0x1f5fc4, 0xb8a800, 0x6f9420};
 
 }  // namespace
 
@@ -55,7 +45,8 @@ Theme make_theme(ThemeName name, float scale) {
     theme.scale = scale;
     theme.edge_strength = light ? 0.38f : 0.55f;
     for (const Swatch& swatch : palette) theme.*swatch.color = rgb(light ? swatch.light : swatch.dark);
-    for (std::size_t i = 0; i < theme.muscles.size(); ++i) theme.muscles[i] = rgb(light ? muscle_colors_light[i] : muscle_colors_dark[i]);
+    for (std::size_t i = 0; i < theme.muscles.size(); ++i)
+        theme.muscles[i] = rgb(light ? muscle_colors_light[i] : muscle_colors_dark[i]);
     return theme;
 }
 
@@ -92,8 +83,8 @@ void apply_theme(const Theme& t, ImGuiStyle& style) {
     use(t.panel, {ImGuiCol_WindowBg, ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TableHeaderBg});
     use(faint(t.panel, 0.0f), {ImGuiCol_ChildBg, ImGuiCol_ScrollbarBg});
     use(t.popup, {ImGuiCol_PopupBg});
-    use(t.hovered, {ImGuiCol_Border, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered,
-                    ImGuiCol_HeaderActive});
+    use(t.hovered, {ImGuiCol_Border, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_ButtonHovered,
+                    ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive});
     use(t.raised, {ImGuiCol_FrameBg, ImGuiCol_Button});
     use(t.name == ThemeName::dark ? t.hovered : t.border, {ImGuiCol_ScrollbarGrab});
     use(t.accent, {ImGuiCol_CheckMark, ImGuiCol_SliderGrabActive, ImGuiCol_SeparatorHovered, ImGuiCol_SeparatorActive,
@@ -110,4 +101,4 @@ ImU32 packed(const ImVec4& color, float alpha) {
     return ImGui::ColorConvertFloat4ToU32({color.x, color.y, color.z, color.w * alpha});
 }
 
-}  // namespace myo
+}  // namespace myo::ui::platform

@@ -5,7 +5,7 @@
 
 #include "plot/plot_frame.hpp"
 
-namespace myo {
+namespace myo::ui::plot {
 namespace {
 
 double wide(float v) { return static_cast<double>(v); }
@@ -77,14 +77,15 @@ void react_to_middle_button(const PlotArea& area, bool hovered, LinkedAxis& x_ax
     if (state.panning) react_to_pan(area, x_axis, state);
 }
 
-void react_to_box(ImDrawList& list, const PlotArea& area, const Theme& theme, bool hovered, LinkedAxis& x_axis, PlotState& state) {
+void react_to_box(ImDrawList& list, const PlotArea& area, const platform::Theme& theme, bool hovered,
+                  LinkedAxis& x_axis, PlotState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) state.box_start = mouse;
     if (!state.box_start) return;
     const ImVec2 lowest{std::min(state.box_start->x, mouse.x), std::min(state.box_start->y, mouse.y)};
     const ImVec2 highest{std::max(state.box_start->x, mouse.x), std::max(state.box_start->y, mouse.y)};
-    list.AddRectFilled(lowest, highest, packed(theme.accent, 0.18f));
-    list.AddRect(lowest, highest, packed(theme.accent));
+    list.AddRectFilled(lowest, highest, platform::packed(theme.accent, 0.18f));
+    list.AddRect(lowest, highest, platform::packed(theme.accent));
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return;
     if (highest.x - lowest.x > 4.0f && highest.y - lowest.y > 4.0f) {
         x_axis.range = Range{x_at(area, lowest.x), x_at(area, highest.x)};
@@ -97,7 +98,8 @@ void react_to_choice(const PlotArea& area, LinkedAxis& x_axis, PlotState& state)
     const double x = std::clamp(x_at(area, ImGui::GetIO().MousePos.x), area.x.lowest, area.x.highest);
     const Range range{std::min(*state.chosen_from, x), std::max(*state.chosen_from, x)};
     // A click without a drag ends the choice.
-    x_axis.chosen = range.span() * wide(area.pixels.width()) > 4.0 * area.x.span() ? std::optional(range) : std::nullopt;
+    x_axis.chosen = range.span() * wide(area.pixels.width()) > 4.0 * area.x.span() ? std::optional(range)
+                                                                                   : std::nullopt;
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.chosen_from.reset();
 }
 
@@ -107,16 +109,18 @@ bool dragged_left() {
 }
 
 // Dragging or clicking; returns where the cursor line shall go.
-std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& area, bool active, float grab_width, LinkedAxis& x_axis,
-                                           PlotState& state) {
+std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& area, bool active, float grab_width,
+                                           LinkedAxis& x_axis, PlotState& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (ImGui::IsItemActivated() && plot.selectable && ImGui::GetIO().KeyShift) state.chosen_from = std::clamp(x_at(area, mouse.x), area.x.lowest, area.x.highest);
+    if (ImGui::IsItemActivated() && plot.selectable && ImGui::GetIO().KeyShift)
+        state.chosen_from = std::clamp(x_at(area, mouse.x), area.x.lowest, area.x.highest);
     if (state.chosen_from) {
         react_to_choice(area, x_axis, state);
         return std::nullopt;
     }
     if (ImGui::IsItemActivated() && plot.cursor) {
-        const float at = static_cast<float>(to_pixel(area.x, *plot.cursor, wide(area.pixels.lowest.x), wide(area.pixels.highest.x)));
+        const float at = static_cast<float>(
+            to_pixel(area.x, *plot.cursor, wide(area.pixels.lowest.x), wide(area.pixels.highest.x)));
         state.dragging_cursor = std::abs(at - mouse.x) <= grab_width;
     }
     const auto clamped_x = [&] { return std::clamp(x_at(area, mouse.x), area.x.lowest, area.x.highest); };
@@ -133,10 +137,10 @@ std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& are
 
 }  // namespace
 
-float plot_margin_left(const Theme& theme) { return 52.0f * theme.scale; }
+float plot_margin_left(const platform::Theme& theme) { return 52.0f * theme.scale; }
 
-PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, ItemRectangles& items, LinkedAxis& x_axis,
-                     PlotState& state, HiddenSeries& hidden) {
+PlotResult draw_plot(const Plot& plot, const ImVec2& size, const platform::Theme& theme,
+                     platform::ItemRectangles& items, LinkedAxis& x_axis, PlotState& state, HiddenSeries& hidden) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = theme.small->FontSize;
     const bool heading = plot.legend || !plot.title.empty();
@@ -144,7 +148,8 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
     const float bottom = plot.x_axis ? line + 6.0f * theme.scale : 4.0f * theme.scale;
     PlotResult result;
     PlotArea& area = result.area;
-    area.pixels = {{at.x + plot_margin_left(theme), at.y + top}, {at.x + size.x - 8.0f * theme.scale, at.y + size.y - bottom}};
+    area.pixels = {{at.x + plot_margin_left(theme), at.y + top},
+                   {at.x + size.x - 8.0f * theme.scale, at.y + size.y - bottom}};
     if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) {
         ImGui::Dummy(size);
         return result;
@@ -154,25 +159,28 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_plot_frame(list, plot, area, theme);
-    list.AddText(theme.small, line, {at.x + 8.0f * theme.scale, at.y + 3.0f * theme.scale}, packed(theme.text), plot.title.c_str());
+    list.AddText(theme.small, line, {at.x + 8.0f * theme.scale, at.y + 3.0f * theme.scale},
+                 platform::packed(theme.text), plot.title.c_str());
     ImGui::PushClipRect(area.pixels.lowest, area.pixels.highest, true);
     const auto vertical = [&](double x, ImU32 color, float width) {
-        const float p = static_cast<float>(to_pixel(area.x, x, wide(area.pixels.lowest.x), wide(area.pixels.highest.x)));
+        const float p = static_cast<float>(
+            to_pixel(area.x, x, wide(area.pixels.lowest.x), wide(area.pixels.highest.x)));
         list.AddLine({p, area.pixels.lowest.y}, {p, area.pixels.highest.y}, color, width);
         return p;
     };
     if (plot.selectable && x_axis.chosen) {
-        const float from = vertical(x_axis.chosen->lowest, packed(theme.accent, 0.7f), 1.0f);
-        const float to = vertical(x_axis.chosen->highest, packed(theme.accent, 0.7f), 1.0f);
-        list.AddRectFilled({from, area.pixels.lowest.y}, {to, area.pixels.highest.y}, packed(theme.accent, 0.14f));
+        const float from = vertical(x_axis.chosen->lowest, platform::packed(theme.accent, 0.7f), 1.0f);
+        const float to = vertical(x_axis.chosen->highest, platform::packed(theme.accent, 0.7f), 1.0f);
+        list.AddRectFilled({from, area.pixels.lowest.y}, {to, area.pixels.highest.y},
+                           platform::packed(theme.accent, 0.14f));
         items.add(plot.id + "/chosen", {{from, area.pixels.lowest.y}, {to, area.pixels.highest.y}});
     }
-    if (plot.mark) vertical(*plot.mark, packed(theme.muted, 0.8f), 1.0f);
+    if (plot.mark) vertical(*plot.mark, platform::packed(theme.muted, 0.8f), 1.0f);
     for (const PlotSeries& series : plot.series) {
         if (hidden.count(series.name) == 0) draw_plot_series(list, series, area, theme);
     }
     if (plot.cursor) {
-        const float p = vertical(*plot.cursor, packed(theme.accent), 1.5f * theme.scale);
+        const float p = vertical(*plot.cursor, platform::packed(theme.accent), 1.5f * theme.scale);
         items.add(plot.id + "/cursor", {{p - 3.0f, area.pixels.lowest.y}, {p + 3.0f, area.pixels.highest.y}});
     }
     ImGui::PopClipRect();
@@ -184,8 +192,10 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
     const bool active = ImGui::IsItemActive();
     result.hovered = hovered;
     result.active = active;
-    if (!plot.editable) result.cursor = react_to_left_button(plot, area, active, 6.0f * theme.scale, x_axis, state);
-    else if (active && !plot.held && dragged_left()) react_to_pan(area, x_axis, state);
+    if (!plot.editable)
+        result.cursor = react_to_left_button(plot, area, active, 6.0f * theme.scale, x_axis, state);
+    else if (active && !plot.held && dragged_left())
+        react_to_pan(area, x_axis, state);
     react_to_middle_button(area, hovered, x_axis, state);
     react_to_box(list, area, theme, hovered, x_axis, state);
     if (hovered) {
@@ -202,4 +212,4 @@ PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, I
     return result;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::plot

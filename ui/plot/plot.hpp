@@ -13,7 +13,7 @@
 #include "platform/theme.hpp"
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::plot {
 
 /// One curve; x ascending, NaN in y leaves a gap.
 struct PlotSeries {
@@ -21,16 +21,16 @@ struct PlotSeries {
     Eigen::VectorXd x;
     Eigen::VectorXd y;
     ImVec4 color;
-    bool dots = false;             // dots at the samples instead of a line
+    bool dots = false;  // dots at the samples instead of a line
 };
 
 /// What a plot shows this frame.
 struct Plot {
     std::string id;
-    std::string title;             // upper left, with unit: "x [mm]"
-    std::string x_unit = "s";      // for the values at the mouse
+    std::string title;         // upper left, with unit: "x [mm]"
+    std::string x_unit = "s";  // for the values at the mouse
     std::string y_unit = "mm";
-    bool x_axis = true;            // labels below; false when the plot below shows them
+    bool x_axis = true;  // labels below; false when the plot below shows them
     std::vector<PlotSeries> series;
     std::optional<double> cursor;  // vertical line that can be dragged
     std::optional<double> mark;    // vertical line that stays, as the start of motion
@@ -45,16 +45,16 @@ struct Plot {
 /// The x range of plots that belong together; empty = all data.
 struct LinkedAxis {
     std::optional<Range> range;
-    std::optional<Range> chosen;   // by the person, to be judged by itself
+    std::optional<Range> chosen;  // by the person, to be judged by itself
 };
 
 /// What the person did to one plot.
 struct PlotState {
-    std::optional<Range> y;                   // empty = all data
-    std::optional<ImVec2> box_start;          // corner of a box being drawn [pixels]
-    std::optional<double> chosen_from;        // where a range of x being chosen began
+    std::optional<Range> y;             // empty = all data
+    std::optional<ImVec2> box_start;    // corner of a box being drawn [pixels]
+    std::optional<double> chosen_from;  // where a range of x being chosen began
     bool dragging_cursor = false;
-    bool panning = false;                     // with the middle button
+    bool panning = false;  // with the middle button
 };
 
 /// Shared by all plots of a panel: names switched off in the legend.
@@ -62,7 +62,7 @@ using HiddenSeries = std::set<std::string>;
 
 /// Pixels and data of the drawing area, for tests and for what is drawn over it.
 struct PlotArea {
-    Rectangle pixels;
+    platform::Rectangle pixels;
     Range x;
     Range y;
 };
@@ -75,14 +75,14 @@ struct PlotResult {
 };
 
 /// Space between a plot's left edge and its drawing area [pixels]: equal for all, so that linked plots align.
-float plot_margin_left(const Theme& theme);
+float plot_margin_left(const platform::Theme& theme);
 
 /// Draws a plot of the given size at ImGui's cursor and reacts to the mouse.
 ///
-/// Wheel: zoom in x about the mouse (with Shift in y); left drag: pan, or move the cursor line when it is grabbed; click: cursor
-/// goes there; middle drag: pan; right drag: zoom to a box; Shift and left drag in a selectable one: a range of x (Shift and click: none); double click: all data again. Clicks do nothing in an
-/// editable one.
-PlotResult draw_plot(const Plot& plot, const ImVec2& size, const Theme& theme, ItemRectangles& items, LinkedAxis& x_axis,
-                     PlotState& state, HiddenSeries& hidden);
+/// Wheel: zoom in x about the mouse (with Shift in y); left drag: pan, or move the cursor line when it is grabbed;
+/// click: cursor goes there; middle drag: pan; right drag: zoom to a box; Shift and left drag in a selectable one: a
+/// range of x (Shift and click: none); double click: all data again. Clicks do nothing in an editable one.
+PlotResult draw_plot(const Plot& plot, const ImVec2& size, const platform::Theme& theme,
+                     platform::ItemRectangles& items, LinkedAxis& x_axis, PlotState& state, HiddenSeries& hidden);
 
-}  // namespace myo
+}  // namespace myo::ui::plot

@@ -5,22 +5,26 @@
 
 #include "plot/legend.hpp"
 
-namespace myo {
+namespace myo::ui::plot {
 namespace {
 
 float px(const PlotArea& area, double x) {
-    return static_cast<float>(to_pixel(area.x, x, static_cast<double>(area.pixels.lowest.x), static_cast<double>(area.pixels.highest.x)));
+    return static_cast<float>(
+        to_pixel(area.x, x, static_cast<double>(area.pixels.lowest.x), static_cast<double>(area.pixels.highest.x)));
 }
 
 float py(const PlotArea& area, double y) {
-    return static_cast<float>(to_pixel(area.y, y, static_cast<double>(area.pixels.highest.y), static_cast<double>(area.pixels.lowest.y)));
+    return static_cast<float>(
+        to_pixel(area.y, y, static_cast<double>(area.pixels.highest.y), static_cast<double>(area.pixels.lowest.y)));
 }
 
 void text(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, const std::string& what) {
     list.AddText(font, font->FontSize, at, color, what.c_str());
 }
 
-ImVec2 extent(ImFont* font, const std::string& what) { return font->CalcTextSizeA(font->FontSize, 1e6f, 0.0f, what.c_str()); }
+ImVec2 extent(ImFont* font, const std::string& what) {
+    return font->CalcTextSizeA(font->FontSize, 1e6f, 0.0f, what.c_str());
+}
 
 }  // namespace
 
@@ -34,12 +38,12 @@ Eigen::Index nearest_sample(const Eigen::VectorXd& x, double value) {
     return above - first;
 }
 
-void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme) {
-    const Rectangle& r = area.pixels;
-    list.AddRectFilled(r.lowest, r.highest, packed(theme.plot));
+void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, const platform::Theme& theme) {
+    const platform::Rectangle& r = area.pixels;
+    list.AddRectFilled(r.lowest, r.highest, platform::packed(theme.plot));
     ImFont* font = theme.small;
-    const ImU32 line = packed(theme.border);
-    const ImU32 muted = packed(theme.muted);
+    const ImU32 line = platform::packed(theme.border);
+    const ImU32 muted = platform::packed(theme.muted);
     const Ticks x_ticks = make_ticks(area.x, std::max(2, static_cast<int>(r.width() / (64.0f * theme.scale))));
     for (const double v : x_ticks.values) {
         const float x = std::round(px(area, v));
@@ -66,17 +70,18 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
         if (enough ? !regular(v) : !ends(v)) continue;
         const std::string label = tick_label(v, y_ticks.step);
         const ImVec2 size = extent(font, label);
-        const float top = std::clamp(y - 0.5f * size.y, r.lowest.y - 3.0f * theme.scale, r.highest.y - size.y + 3.0f * theme.scale);
+        const float top = std::clamp(y - 0.5f * size.y, r.lowest.y - 3.0f * theme.scale,
+                                     r.highest.y - size.y + 3.0f * theme.scale);
         text(list, font, {r.lowest.x - size.x - 6.0f * theme.scale, top}, muted, label);
     }
     if (plot.zero_line && area.y.lowest < 0.0 && area.y.highest > 0.0) {
         const float y = std::round(py(area, 0.0));
-        list.AddLine({r.lowest.x, y}, {r.highest.x, y}, packed(theme.muted, 0.6f));
+        list.AddLine({r.lowest.x, y}, {r.highest.x, y}, platform::packed(theme.muted, 0.6f));
     }
 }
 
-void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea& area, const Theme& theme) {
-    const ImU32 color = packed(series.color);
+void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea& area, const platform::Theme& theme) {
+    const ImU32 color = platform::packed(series.color);
     const float radius = 1.7f * theme.scale;
     const Eigen::Index count = std::min(series.x.size(), series.y.size());
     ImVec2 last{};
@@ -106,8 +111,8 @@ void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea
     }
 }
 
-void draw_plot_legend(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme, ItemRectangles& items,
-                      HiddenSeries& hidden) {
+void draw_plot_legend(ImDrawList& list, const Plot& plot, const PlotArea& area, const platform::Theme& theme,
+                      platform::ItemRectangles& items, HiddenSeries& hidden) {
     const float row = theme.small->FontSize + 6.0f * theme.scale;
     float right = area.pixels.highest.x;
     for (std::size_t i = plot.series.size(); i-- > 0;) {
@@ -115,20 +120,25 @@ void draw_plot_legend(ImDrawList& list, const Plot& plot, const PlotArea& area, 
         const LegendEntry entry{series.name, series.color, series.dots};
         const float left = right - legend_width(entry, theme);
         if (left < area.pixels.lowest.x) break;
-        const Rectangle box{{left, area.pixels.lowest.y - row}, {right, area.pixels.lowest.y}};
+        const platform::Rectangle box{{left, area.pixels.lowest.y - row}, {right, area.pixels.lowest.y}};
         right = left - 10.0f * theme.scale;
         items.add(plot.id + "/legend/" + series.name, box);
         const bool hovered = ImGui::IsWindowHovered() && box.contains(ImGui::GetIO().MousePos);
-        draw_legend_entry(list, entry, box, hovered, hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left), theme, hidden);
+        draw_legend_entry(list, entry, box, hovered, hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left), theme,
+                          hidden);
     }
 }
 
-void draw_plot_crosshair(ImDrawList& list, const Plot& plot, const PlotArea& area, const Theme& theme, const HiddenSeries& hidden) {
+void draw_plot_crosshair(ImDrawList& list, const Plot& plot, const PlotArea& area, const platform::Theme& theme,
+                         const HiddenSeries& hidden) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const Rectangle& r = area.pixels;
-    list.AddLine({std::round(mouse.x), r.lowest.y}, {std::round(mouse.x), r.highest.y}, packed(theme.muted, 0.5f));
-    list.AddLine({r.lowest.x, std::round(mouse.y)}, {r.highest.x, std::round(mouse.y)}, packed(theme.muted, 0.5f));
-    const double x = from_pixel(area.x, static_cast<double>(mouse.x), static_cast<double>(r.lowest.x), static_cast<double>(r.highest.x));
+    const platform::Rectangle& r = area.pixels;
+    list.AddLine({std::round(mouse.x), r.lowest.y}, {std::round(mouse.x), r.highest.y},
+                 platform::packed(theme.muted, 0.5f));
+    list.AddLine({r.lowest.x, std::round(mouse.y)}, {r.highest.x, std::round(mouse.y)},
+                 platform::packed(theme.muted, 0.5f));
+    const double x = from_pixel(area.x, static_cast<double>(mouse.x), static_cast<double>(r.lowest.x),
+                                static_cast<double>(r.highest.x));
     ImGui::BeginTooltip();
     ImGui::PushFont(theme.small);
     ImGui::Text("%s %s", value_label(x, 4).c_str(), plot.x_unit.c_str());
@@ -136,10 +146,11 @@ void draw_plot_crosshair(ImDrawList& list, const Plot& plot, const PlotArea& are
         if (hidden.count(series.name) > 0) continue;
         const Eigen::Index i = nearest_sample(series.x, x);
         if (i < 0 || i >= series.y.size()) continue;
-        ImGui::TextColored(series.color, "%s  %s %s", series.name.c_str(), value_label(series.y[i], 4).c_str(), plot.y_unit.c_str());
+        ImGui::TextColored(series.color, "%s  %s %s", series.name.c_str(), value_label(series.y[i], 4).c_str(),
+                           plot.y_unit.c_str());
     }
     ImGui::PopFont();
     ImGui::EndTooltip();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::plot

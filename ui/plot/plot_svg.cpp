@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace myo {
+namespace myo::ui::plot {
 namespace {
 
 // Of one plot [SVG pixels]; wide enough for a column of a page.
@@ -17,7 +17,9 @@ std::string number(double value) {
 }
 
 std::string hex(const ImVec4& color) {
-    const auto byte = [](float part) { return static_cast<unsigned>(std::lround(255.0f * std::clamp(part, 0.0f, 1.0f))); };
+    const auto byte = [](float part) {
+        return static_cast<unsigned>(std::lround(255.0f * std::clamp(part, 0.0f, 1.0f)));
+    };
     char text[16];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.x), byte(color.y), byte(color.z));
     return text;
@@ -30,12 +32,13 @@ std::string escaped(const std::string& text) {
 }
 
 std::string label(double x, double y, const char* anchor, const ImVec4& color, const std::string& text) {
-    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\" fill=\"" + hex(color) + "\">" + escaped(text) + "</text>\n";
+    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\" fill=\"" + hex(color) +
+           "\">" + escaped(text) + "</text>\n";
 }
 
 std::string straight(double x0, double y0, double x1, double y1, const ImVec4& color, double thickness) {
-    return "<line x1=\"" + number(x0) + "\" y1=\"" + number(y0) + "\" x2=\"" + number(x1) + "\" y2=\"" + number(y1) + "\" stroke=\"" + hex(color) +
-           "\" stroke-width=\"" + number(thickness) + "\"/>\n";
+    return "<line x1=\"" + number(x0) + "\" y1=\"" + number(y0) + "\" x2=\"" + number(x1) + "\" y2=\"" + number(y1) +
+           "\" stroke=\"" + hex(color) + "\" stroke-width=\"" + number(thickness) + "\"/>\n";
 }
 
 std::string circle(double x, double y, double radius) {
@@ -54,7 +57,7 @@ std::string dots(const SeenPlot& seen, const PlotSeries& series) {
 
 std::string curve(const SeenPlot& seen, const PlotSeries& series) {
     std::string path;
-    double end = NAN;   // x where the path stands
+    double end = NAN;  // x where the path stands
     for (Eigen::Index i = 1; i < std::min(series.x.size(), series.y.size()); ++i) {
         const double x0 = series.x[i - 1], x1 = series.x[i], y0 = series.y[i - 1], y1 = series.y[i];
         const double from = std::max(x0, seen.x.lowest), to = std::min(x1, seen.x.highest);
@@ -67,25 +70,29 @@ std::string curve(const SeenPlot& seen, const PlotSeries& series) {
         path += " L" + point(to);
         end = to;
     }
-    return path.empty() ? path : "<path fill=\"none\" stroke=\"" + hex(series.color) + "\" stroke-width=\"1.6\" d=\"" + path + "\"/>\n";
+    return path.empty()
+               ? path
+               : "<path fill=\"none\" stroke=\"" + hex(series.color) + "\" stroke-width=\"1.6\" d=\"" + path + "\"/>\n";
 }
 
-std::string frame(const SeenPlot& seen, const Theme& theme) {
-    std::string svg = "<rect x=\"" + number(left) + "\" y=\"" + number(top) + "\" width=\"" + number(right - left) + "\" height=\"" + number(bottom - top) +
-                      "\" fill=\"" + hex(theme.plot) + "\"/>\n";
+std::string frame(const SeenPlot& seen, const platform::Theme& theme) {
+    std::string svg = "<rect x=\"" + number(left) + "\" y=\"" + number(top) + "\" width=\"" + number(right - left) +
+                      "\" height=\"" + number(bottom - top) + "\" fill=\"" + hex(theme.plot) + "\"/>\n";
     const Ticks x_ticks = make_ticks(seen.x, 10), y_ticks = make_ticks(seen.y, 8);
     for (const double v : x_ticks.values) {
         const double x = to_pixel(seen.x, v, left, right);
-        svg += straight(x, top, x, bottom, theme.border, 1.0) + label(x, bottom + 16.0, "middle", theme.muted, tick_label(v, x_ticks.step) + " " + seen.plot.x_unit);
+        svg += straight(x, top, x, bottom, theme.border, 1.0) +
+               label(x, bottom + 16.0, "middle", theme.muted, tick_label(v, x_ticks.step) + " " + seen.plot.x_unit);
     }
     for (const double v : y_ticks.values) {
         const double y = to_pixel(seen.y, v, bottom, top);
-        svg += straight(left, y, right, y, theme.border, 1.0) + label(left - 6.0, y + 4.0, "end", theme.muted, tick_label(v, y_ticks.step));
+        svg += straight(left, y, right, y, theme.border, 1.0) +
+               label(left - 6.0, y + 4.0, "end", theme.muted, tick_label(v, y_ticks.step));
     }
     return svg + label(left, top - 10.0, "start", theme.text, seen.plot.title);
 }
 
-std::string legend(const SeenPlot& seen, const Theme& theme) {
+std::string legend(const SeenPlot& seen, const platform::Theme& theme) {
     std::string svg;
     double end = right;
     for (std::size_t i = seen.plot.series.size(); i-- > 0;) {
@@ -102,20 +109,24 @@ std::string legend(const SeenPlot& seen, const Theme& theme) {
 
 }  // namespace
 
-std::string plots_svg(const std::vector<SeenPlot>& plots, const Theme& theme) {
+std::string plots_svg(const std::vector<SeenPlot>& plots, const platform::Theme& theme) {
     const std::string total = number(height * static_cast<double>(plots.size()));
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" + total + "\" viewBox=\"0 0 " + number(width) + " " +
-                      total + "\" font-family=\"sans-serif\" font-size=\"12\">\n<clipPath id=\"inside\"><rect x=\"" + number(left) + "\" y=\"" + number(top) +
-                      "\" width=\"" + number(right - left) + "\" height=\"" + number(bottom - top) + "\"/></clipPath>\n<rect width=\"" + number(width) +
-                      "\" height=\"" + total + "\" fill=\"" + hex(theme.plot) + "\"/>\n";
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" + total +
+                      "\" viewBox=\"0 0 " + number(width) + " " + total +
+                      "\" font-family=\"sans-serif\" font-size=\"12\">\n<clipPath id=\"inside\"><rect x=\"" +
+                      number(left) + "\" y=\"" + number(top) + "\" width=\"" + number(right - left) + "\" height=\"" +
+                      number(bottom - top) + "\"/></clipPath>\n<rect width=\"" + number(width) + "\" height=\"" +
+                      total + "\" fill=\"" + hex(theme.plot) + "\"/>\n";
     for (std::size_t p = 0; p < plots.size(); ++p) {
-        svg += "<g transform=\"translate(0 " + number(height * static_cast<double>(p)) + ")\">\n" + frame(plots[p], theme);
+        svg += "<g transform=\"translate(0 " + number(height * static_cast<double>(p)) + ")\">\n" +
+               frame(plots[p], theme);
         if (plots[p].plot.legend) svg += legend(plots[p], theme);
         svg += "<g clip-path=\"url(#inside)\">\n";
-        for (const PlotSeries& series : plots[p].plot.series) svg += series.dots ? dots(plots[p], series) : curve(plots[p], series);
+        for (const PlotSeries& series : plots[p].plot.series)
+            svg += series.dots ? dots(plots[p], series) : curve(plots[p], series);
         svg += "</g>\n</g>\n";
     }
     return svg + "</svg>\n";
 }
 
-}  // namespace myo
+}  // namespace myo::ui::plot

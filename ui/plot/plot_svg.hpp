@@ -5,7 +5,7 @@
 
 #include "plot/plot.hpp"
 
-namespace myo {
+namespace myo::ui::plot {
 
 /// A plot with the part of it that is seen; its series are those that are shown.
 struct SeenPlot {
@@ -14,8 +14,9 @@ struct SeenPlot {
     Range y;
 };
 
-/// The plots below each other as a vector drawing (SVG 1.1) in the colours of the theme: axes, ticks with units, legend and curves.
-/// Curves end at the edges of the x range, interpolated there; a dot for each sample inside both ranges; a gap where y is NaN.
-std::string plots_svg(const std::vector<SeenPlot>& plots, const Theme& theme);
+/// The plots below each other as a vector drawing (SVG 1.1) in the colours of the theme: axes, ticks with units, legend
+/// and curves. Curves end at the edges of the x range, interpolated there; a dot for each sample inside both ranges; a
+/// gap where y is NaN.
+std::string plots_svg(const std::vector<SeenPlot>& plots, const platform::Theme& theme);
 
-}  // namespace myo
+}  // namespace myo::ui::plot

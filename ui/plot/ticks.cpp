@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace myo {
+namespace myo::ui::plot {
 namespace {
 
 std::string with_true_minus(std::string text) {
@@ -35,7 +35,8 @@ double nice_step(double step) {
 
 Ticks make_ticks(const Range& range, int most) {
     Ticks ticks;
-    if (!std::isfinite(range.lowest) || !std::isfinite(range.highest) || !(range.span() > 0.0) || most < 1) return ticks;
+    if (!std::isfinite(range.lowest) || !std::isfinite(range.highest) || !(range.span() > 0.0) || most < 1)
+        return ticks;
     // Below the resolution of the numbers themselves there is nothing to label.
     const double largest = std::max(std::abs(range.lowest), std::abs(range.highest));
     if (range.span() < 1e-12 * largest) return ticks;
@@ -112,4 +113,4 @@ double from_pixel(const Range& range, double pixel, double from, double to) {
     return range.lowest + (pixel - from) / (to - from) * range.span();
 }
 
-}  // namespace myo
+}  // namespace myo::ui::plot

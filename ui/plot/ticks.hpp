@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::ui::plot {
 
 struct Range {
     double lowest = 0.0;
@@ -18,7 +18,7 @@ double nice_step(double step);
 
 struct Ticks {
     double step = 1.0;
-    std::vector<double> values;   // ascending multiples of step inside the range
+    std::vector<double> values;  // ascending multiples of step inside the range
 };
 
 /// At most `most` ticks at nice multiples; none for an empty or non-finite range.
@@ -52,4 +52,4 @@ Range zoomed(const Range& range, double fixed, double factor);
 double to_pixel(const Range& range, double value, double from, double to);
 double from_pixel(const Range& range, double pixel, double from, double to);
 
-}  // namespace myo
+}  // namespace myo::ui::plot

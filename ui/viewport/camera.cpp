@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace myo {
+namespace myo::ui::viewport {
 
 CameraAxes camera_axes(const Camera& c) {
     CameraAxes axes;
@@ -35,7 +35,7 @@ Eigen::Matrix4d projection_matrix(const Camera& c, const ViewSize& size) {
     const double f = 1.0 / std::tan(0.5 * c.field_of_view);
     Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
     if (c.orthographic) {
-        const double depth = eye_distance(c) + 6.0 * c.scene_radius;   // from the eye on
+        const double depth = eye_distance(c) + 6.0 * c.scene_radius;  // from the eye on
         projection(1, 1) = f / c.distance;
         projection(0, 0) = projection(1, 1) / size.aspect();
         projection(2, 2) = -2.0 / depth;
@@ -55,8 +55,8 @@ std::optional<Eigen::Vector3d> project(const Camera& c, const ViewSize& size, co
     const Eigen::Vector4d seen = view_matrix(c) * point.homogeneous();
     if (seen.z() >= -1e-9) return std::nullopt;
     const Eigen::Vector4d clip = projection_matrix(c, size) * seen;
-    return Eigen::Vector3d(0.5 * (1.0 + clip.x() / clip.w()) * size.width, 0.5 * (1.0 - clip.y() / clip.w()) * size.height,
-                           -seen.z());
+    return Eigen::Vector3d(0.5 * (1.0 + clip.x() / clip.w()) * size.width,
+                           0.5 * (1.0 - clip.y() / clip.w()) * size.height, -seen.z());
 }
 
 double metres_per_pixel(const Camera& c, const ViewSize& size) {
@@ -97,7 +97,8 @@ Camera fit(Camera c, const ViewSize& size, const Box& box) {
     const double tan_x = tan_y * size.aspect();
     double distance = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d p(corner & 1 ? box.highest.x() : box.lowest.x(), corner & 2 ? box.highest.y() : box.lowest.y(),
+        const Eigen::Vector3d p(corner & 1 ? box.highest.x() : box.lowest.x(),
+                                corner & 2 ? box.highest.y() : box.lowest.y(),
                                 corner & 4 ? box.highest.z() : box.lowest.z());
         const Eigen::Vector3d d = p - c.target;
         const double towards_eye = d.dot(axes.back);
@@ -111,10 +112,22 @@ Camera fit(Camera c, const ViewSize& size, const Box& box) {
 Camera turn_to(Camera c, StandardView view) {
     constexpr double quarter = 0.5 * std::numbers::pi;
     switch (view) {
-        case StandardView::oblique: c.yaw = -1.0; c.pitch = 0.4; break;
-        case StandardView::from_x: c.yaw = 0.0; c.pitch = 0.0; break;
-        case StandardView::from_y: c.yaw = -quarter; c.pitch = 0.0; break;
-        case StandardView::from_z: c.yaw = -quarter; c.pitch = quarter - 1e-3; break;
+        case StandardView::oblique:
+            c.yaw = -1.0;
+            c.pitch = 0.4;
+            break;
+        case StandardView::from_x:
+            c.yaw = 0.0;
+            c.pitch = 0.0;
+            break;
+        case StandardView::from_y:
+            c.yaw = -quarter;
+            c.pitch = 0.0;
+            break;
+        case StandardView::from_z:
+            c.yaw = -quarter;
+            c.pitch = quarter - 1e-3;
+            break;
     }
     return c;
 }
@@ -122,9 +135,11 @@ Camera turn_to(Camera c, StandardView view) {
 Camera turn_to_or_round(const Camera& camera, StandardView view) {
     Camera turned = turn_to(camera, view);
     if (!(turned == camera)) return turned;
-    if (view == StandardView::from_z) turned.pitch = -turned.pitch;
-    else turned.yaw += std::numbers::pi;
+    if (view == StandardView::from_z)
+        turned.pitch = -turned.pitch;
+    else
+        turned.yaw += std::numbers::pi;
     return turned;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

@@ -6,17 +6,17 @@
 
 #include "mesh/surface_mesh.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 
 /// Turntable camera: z stays up. Lengths in metres, angles in radians.
 struct Camera {
     Eigen::Vector3d target = Eigen::Vector3d::Zero();
-    double distance = 1.0;           // from eye to target
-    double yaw = -1.0;               // of the eye around z; 0 = looking from +x
-    double pitch = 0.4;              // of the eye above the horizon
-    double field_of_view = 0.5;      // vertical
-    double scene_radius = 1.0;       // sets the clipping planes
-    bool orthographic = false;       // parallel projection; lengths at the target as in the perspective one
+    double distance = 1.0;       // from eye to target
+    double yaw = -1.0;           // of the eye around z; 0 = looking from +x
+    double pitch = 0.4;          // of the eye above the horizon
+    double field_of_view = 0.5;  // vertical
+    double scene_radius = 1.0;   // sets the clipping planes
+    bool orthographic = false;   // parallel projection; lengths at the target as in the perspective one
 
     bool operator==(const Camera&) const = default;
 };
@@ -34,7 +34,7 @@ struct ViewSize {
 struct CameraAxes {
     Eigen::Vector3d right;
     Eigen::Vector3d up;
-    Eigen::Vector3d back;            // from the target to the eye
+    Eigen::Vector3d back;  // from the target to the eye
 };
 CameraAxes camera_axes(const Camera& camera);
 
@@ -45,8 +45,8 @@ Eigen::Matrix4d view_matrix(const Camera& camera);
 /// OpenGL's, depth -1 to 1.
 Eigen::Matrix4d projection_matrix(const Camera& camera, const ViewSize& size);
 
-/// Where a world point falls: x, y in pixels from the upper left corner of the view, z the distance before the eye [m]. Empty
-/// when the point is behind the eye.
+/// Where a world point falls: x, y in pixels from the upper left corner of the view, z the distance before the eye [m].
+/// Empty when the point is behind the eye.
 std::optional<Eigen::Vector3d> project(const Camera& camera, const ViewSize& size, const Eigen::Vector3d& point);
 
 /// Metres per pixel at the target.
@@ -67,4 +67,4 @@ Camera turn_to(Camera camera, StandardView view);
 /// The same, and from the other side when it is seen so already.
 Camera turn_to_or_round(const Camera& camera, StandardView view);
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace myo {
+namespace myo::ui::viewport {
 namespace {
 
 // CIE LCh (D65) to sRGB.
@@ -17,16 +17,20 @@ Eigen::Vector3f srgb_from_lch(double L, double C, double hue_deg) {
     Eigen::Vector3d xyz;
     for (int i = 0; i < 3; ++i) {
         const double t = f[static_cast<std::size_t>(i)];
-        xyz[i] = white[static_cast<std::size_t>(i)] * (t > 6.0 / 29.0 ? t * t * t : 3.0 * 36.0 / 841.0 * (t - 4.0 / 29.0));
+        xyz[i] = white[static_cast<std::size_t>(i)] *
+                 (t > 6.0 / 29.0 ? t * t * t : 3.0 * 36.0 / 841.0 * (t - 4.0 / 29.0));
     }
     Eigen::Matrix3d to_rgb;
     to_rgb << 3.2406, -1.5372, -0.4986, -0.9689, 1.8758, 0.0415, 0.0557, -0.2040, 1.0570;
     const Eigen::Vector3d linear = (to_rgb * xyz).cwiseMax(0.0).cwiseMin(1.0);
-    return linear.unaryExpr([](double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055; })
+    return linear
+        .unaryExpr([](double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055; })
         .cast<float>();
 }
 
-struct Control { double L, C, hue; };   // lightness, chroma, hue [degrees]
+struct Control {
+    double L, C, hue;
+};  // lightness, chroma, hue [degrees]
 
 /// Between control points at even distances.
 template <std::size_t n>
@@ -41,16 +45,20 @@ Eigen::Vector3f between(const std::array<Control, n>& controls, double level) {
 
 // Linear lightness through the hues of glowing iron.
 Eigen::Vector3f heat_color_map(double level) {
-    return between(std::array<Control, 5>{{{6, 8, -20}, {28, 55, 25}, {50, 78, 44}, {72, 72, 72}, {95, 22, 98}}}, level);
+    return between(std::array<Control, 5>{{{6, 8, -20}, {28, 55, 25}, {50, 78, 44}, {72, 72, 72}, {95, 22, 98}}},
+                   level);
 }
 
-Eigen::Vector3f grey_color_map(double level) { return between(std::array<Control, 2>{{{10, 0, 0}, {95, 0, 0}}}, level); }
+Eigen::Vector3f grey_color_map(double level) {
+    return between(std::array<Control, 2>{{{10, 0, 0}, {95, 0, 0}}}, level);
+}
 
 }  // namespace
 
 Eigen::Vector3f color_map(double level) {
     // Linear lightness, hue turning from violet to yellow.
-    return between(std::array<Control, 5>{{{18, 42, 305}, {37, 40, 270}, {55, 34, 200}, {73, 52, 140}, {91, 80, 102}}}, level);
+    return between(std::array<Control, 5>{{{18, 42, 305}, {37, 40, 270}, {55, 34, 200}, {73, 52, 140}, {91, 80, 102}}},
+                   level);
 }
 
 Eigen::Vector3f diverging_color_map(double level) {
@@ -61,15 +69,22 @@ Eigen::Vector3f diverging_color_map(double level) {
 
 const std::vector<ColorMap>& color_maps() {
     static const std::vector<ColorMap> all{
-        {"violet_yellow", "Violet to yellow", "From dark to light as the value grows, evenly in lightness; told apart by people who do not see all colours, too.", color_map},
-        {"heat", "Glowing iron", "Black, red, yellow, white: evenly lighter as the value grows, over a wider range of lightness.", heat_color_map},
-        {"grey", "Grey, for print", "Evenly from black to white; leaves the hues to the muscles and markers.", grey_color_map}};
+        {"violet_yellow", "Violet to yellow",
+         "From dark to light as the value grows, evenly in lightness; told apart by people who do not see all colours, "
+         "too.",
+         color_map},
+        {"heat", "Glowing iron",
+         "Black, red, yellow, white: evenly lighter as the value grows, over a wider range of lightness.",
+         heat_color_map},
+        {"grey", "Grey, for print", "Evenly from black to white; leaves the hues to the muscles and markers.",
+         grey_color_map}};
     return all;
 }
 
 int number_of_color_map(const std::string& id) {
-    const auto found = std::find_if(color_maps().begin(), color_maps().end(), [&](const ColorMap& map) { return map.id == id; });
+    const auto found = std::find_if(color_maps().begin(), color_maps().end(),
+                                    [&](const ColorMap& map) { return map.id == id; });
     return found == color_maps().end() ? 0 : static_cast<int>(found - color_maps().begin());
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace myo {
+namespace myo::ui::viewport {
 
 /// Perceptual colour map from dark blue through green to yellow: lightness rises evenly, so it reads in grey too.
 /// @param level  0 to 1, clamped   @return red, green, blue, 0 to 1
@@ -26,4 +26,4 @@ const std::vector<ColorMap>& color_maps();
 /// Place of a map in color_maps(); 0 for an id that is not there.
 int number_of_color_map(const std::string& id);
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

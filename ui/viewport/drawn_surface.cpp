@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cmath>
 
-namespace myo {
+namespace myo::ui::viewport {
 
-DrawnSurface drawn_surface(const BoundaryFaces& faces) {
+DrawnSurface drawn_surface(const mesh::BoundaryFaces& faces) {
     static constexpr std::array<int, 3> triangle{0, 1, 2};
     static constexpr std::array<int, 6> quadrilateral{0, 1, 2, 2, 3, 0};
     static constexpr std::array<int, 12> quadratic{5, 0, 3, 3, 1, 4, 4, 2, 5, 3, 4, 5};
@@ -25,14 +25,15 @@ DrawnSurface drawn_surface(const BoundaryFaces& faces) {
     return surface;
 }
 
-DrawnSurface drawn_surface(const SurfaceMesh& mesh) {
+DrawnSurface drawn_surface(const mesh::SurfaceMesh& mesh) {
     DrawnSurface surface;
     surface.closed = false;
     surface.corners.assign(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size());
     return surface;
 }
 
-std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions, const Eigen::VectorXd& values, const Eigen::Matrix4Xf& tints) {
+std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions,
+                                    const Eigen::VectorXd& values, const Eigen::Matrix4Xf& tints) {
     assert(values.size() == 0 || values.size() == positions.cols());
     const auto corners_per_face = static_cast<std::size_t>(3 * surface.triangles_per_face());
     assert(tints.cols() == 0 || static_cast<std::size_t>(tints.cols()) * corners_per_face == surface.corners.size());
@@ -43,9 +44,10 @@ std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Ma
         float* const vertex = &data[surface_floats * i];
         for (int k = 0; k < 3; ++k) vertex[k] = static_cast<float>(positions(k, node));
         if (values.size() > 0) vertex[3] = static_cast<float>(values[node]);
-        if (tints.cols() > 0) Eigen::Map<Eigen::Vector4f>(vertex + 4) = tints.col(static_cast<Eigen::Index>(i / corners_per_face));
+        if (tints.cols() > 0)
+            Eigen::Map<Eigen::Vector4f>(vertex + 4) = tints.col(static_cast<Eigen::Index>(i / corners_per_face));
     }
     return data;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

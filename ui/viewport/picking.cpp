@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace myo {
+namespace myo::ui::viewport {
 
 using Eigen::Vector3d;
 
@@ -21,19 +21,22 @@ Ray ray_through(const Camera& camera, const ViewSize& size, const Eigen::Vector2
 
 Vector3d SurfaceHit::place(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions_m) const {
     Vector3d sum = Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) sum += weights[k] * positions_m.col(surface.corners[static_cast<std::size_t>(3 * triangle + k)]);
+    for (int k = 0; k < 3; ++k)
+        sum += weights[k] * positions_m.col(surface.corners[static_cast<std::size_t>(3 * triangle + k)]);
     return sum;
 }
 
-std::optional<SurfaceHit> pick_surface(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions_m, const Ray& ray) {
+std::optional<SurfaceHit> pick_surface(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions_m,
+                                       const Ray& ray) {
     std::optional<SurfaceHit> best;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < surface.triangle_count(); ++t) {
         const Vector3d a = positions_m.col(surface.corners[3 * t]);
-        const Vector3d ab = positions_m.col(surface.corners[3 * t + 1]) - a, ac = positions_m.col(surface.corners[3 * t + 2]) - a;
+        const Vector3d ab = positions_m.col(surface.corners[3 * t + 1]) - a,
+                       ac = positions_m.col(surface.corners[3 * t + 2]) - a;
         // Moeller and Trumbore 1997: the ray's parameter and two barycentric coordinates by Cramer's rule.
         const Vector3d p = ray.direction.cross(ac);
-        const double determinant = ab.dot(p);   // positive where the outside is seen
+        const double determinant = ab.dot(p);  // positive where the outside is seen
         if (surface.closed ? !(determinant > 0.0) : determinant == 0.0) continue;
         const Vector3d s = ray.origin_m - a, q = s.cross(ab);
         const double u = s.dot(p) / determinant, v = ray.direction.dot(q) / determinant;
@@ -46,4 +49,4 @@ std::optional<SurfaceHit> pick_surface(const DrawnSurface& surface, const Eigen:
     return best;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

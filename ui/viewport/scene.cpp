@@ -1,8 +1,8 @@
 #include "viewport/scene.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 
-ViewColors view_colors(const Theme& theme) {
+ViewColors view_colors(const platform::Theme& theme) {
     ViewColors colors;
     colors.top = color_of(theme.view_top);
     colors.bottom = color_of(theme.view_bottom);
@@ -12,4 +12,4 @@ ViewColors view_colors(const Theme& theme) {
     return colors;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

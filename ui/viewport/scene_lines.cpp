@@ -5,7 +5,7 @@
 
 #include "plot/ticks.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 namespace {
 
 void append(std::vector<float>& segments, const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Color& color) {
@@ -27,7 +27,7 @@ std::vector<float> grid_segments(const Box& extent, const Color& color) {
     std::vector<float> segments;
     const double reach = extent.size().maxCoeff();
     if (!(reach > 0.0)) return segments;
-    const double cell = nice_step(reach / 5.0);
+    const double cell = plot::nice_step(reach / 5.0);
     const Eigen::Vector3d center = 0.5 * (extent.lowest + extent.highest);
     const double x0 = std::round(center.x() / cell) * cell;
     const double y0 = std::round(center.y() / cell) * cell;
@@ -71,4 +71,4 @@ std::vector<DrawnLine> box_lines(const Box& box, const Color& color, double widt
     return lines;
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

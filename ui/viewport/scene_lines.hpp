@@ -4,7 +4,7 @@
 
 #include "viewport/scene.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 
 /// Segments as the line shader takes them: from, to, colour; 10 floats each. Pieces with a non-finite end are left out.
 void append_segments(std::vector<float>& segments, const DrawnLine& line);
@@ -15,4 +15,4 @@ std::vector<float> grid_segments(const Box& extent, const Color& color);
 /// The 12 edges of a box as lines.
 std::vector<DrawnLine> box_lines(const Box& box, const Color& color, double width);
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

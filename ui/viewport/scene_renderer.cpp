@@ -8,12 +8,12 @@
 #include "viewport/color_map.hpp"
 #include "viewport/scene_lines.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 namespace {
 
 constexpr int segment_floats = 10;
 constexpr int marker_floats = 7;
-constexpr double least_through = 0.22;   // share that is seen of what an opaque body hides
+constexpr double least_through = 0.22;  // share that is seen of what an opaque body hides
 
 // Rows of the texture of colours: the maps of the choice, then that of values with a sign.
 int color_rows() { return static_cast<int>(color_maps().size()) + 1; }
@@ -37,31 +37,33 @@ std::vector<float> marker_data(const std::vector<DrawnMarker>& markers, bool rin
 
 Result<SceneRenderer> SceneRenderer::make() {
     SceneRenderer renderer;
-    const std::pair<const char*, Program*> programs[] = {
-        {"surface", &renderer.surface_}, {"line", &renderer.line_}, {"marker", &renderer.marker_}, {"backdrop", &renderer.backdrop_}};
+    const std::pair<const char*, Program*> programs[] = {{"surface", &renderer.surface_},
+                                                         {"line", &renderer.line_},
+                                                         {"marker", &renderer.marker_},
+                                                         {"backdrop", &renderer.backdrop_}};
     for (const auto& [name, slot] : programs) {
-        auto program = gl::make_program(name);
+        auto program = platform::gl::make_program(name);
         if (!program) return program.error();
         slot->program = std::move(*program);
-        slot->vertex_array = gl::make_vertex_array();
-        slot->buffer = gl::make_buffer();
+        slot->vertex_array = platform::gl::make_vertex_array();
+        slot->buffer = platform::gl::make_buffer();
     }
     const auto bind = [](const Program& p) {
-        gl::BindVertexArray(p.vertex_array.name());
-        gl::BindBuffer(GL_ARRAY_BUFFER, p.buffer.name());
+        platform::gl::BindVertexArray(p.vertex_array.name());
+        platform::gl::BindBuffer(GL_ARRAY_BUFFER, p.buffer.name());
     };
     bind(renderer.surface_);
-    gl::attribute(0, 3, surface_floats, 0);
-    gl::attribute(1, 1, surface_floats, 3);
-    gl::attribute(2, 4, surface_floats, 4);
+    platform::gl::attribute(0, 3, surface_floats, 0);
+    platform::gl::attribute(1, 1, surface_floats, 3);
+    platform::gl::attribute(2, 4, surface_floats, 4);
     bind(renderer.line_);
-    gl::attribute(0, 3, segment_floats, 0, 1);
-    gl::attribute(1, 3, segment_floats, 3, 1);
-    gl::attribute(2, 4, segment_floats, 6, 1);
+    platform::gl::attribute(0, 3, segment_floats, 0, 1);
+    platform::gl::attribute(1, 3, segment_floats, 3, 1);
+    platform::gl::attribute(2, 4, segment_floats, 6, 1);
     bind(renderer.marker_);
-    gl::attribute(0, 3, marker_floats, 0);
-    gl::attribute(1, 4, marker_floats, 3);
-    gl::BindVertexArray(0);
+    platform::gl::attribute(0, 3, marker_floats, 0);
+    platform::gl::attribute(1, 4, marker_floats, 3);
+    platform::gl::BindVertexArray(0);
 
     std::vector<unsigned char> pixels;
     const auto append_row = [&](Eigen::Vector3f (*color)(double)) {
@@ -73,49 +75,52 @@ Result<SceneRenderer> SceneRenderer::make() {
     };
     for (const ColorMap& map : color_maps()) append_row(map.color);
     append_row(diverging_color_map);
-    renderer.color_map_ = gl::make_texture(256, color_rows(), pixels.data());
+    renderer.color_map_ = platform::gl::make_texture(256, color_rows(), pixels.data());
     return renderer;
 }
 
 Result<void> SceneRenderer::resize(const ViewSize& size, int samples) {
     if (picture_.width != size.width || picture_.height != size.height) {
-        auto picture = gl::make_render_target(size.width, size.height, 0);
+        auto picture = platform::gl::make_render_target(size.width, size.height, 0);
         if (!picture) return picture.error();
         picture_ = std::move(*picture);
     }
     if (samples > 0 && (target_.width != size.width || target_.height != size.height || target_.samples != samples)) {
-        auto target = gl::make_render_target(size.width, size.height, samples);
+        auto target = platform::gl::make_render_target(size.width, size.height, samples);
         if (!target) return target.error();
         target_ = std::move(*target);
     }
     return {};
 }
 
-void SceneRenderer::set_camera(const gl::Program& program) const {
-    gl::UseProgram(program.name());
-    gl::UniformMatrix4fv(gl::uniform(program, "view"), 1, GL_FALSE, view_.data());
-    gl::UniformMatrix4fv(gl::uniform(program, "projection"), 1, GL_FALSE, projection_.data());
+void SceneRenderer::set_camera(const platform::gl::Program& program) const {
+    platform::gl::UseProgram(program.name());
+    platform::gl::UniformMatrix4fv(platform::gl::uniform(program, "view"), 1, GL_FALSE, view_.data());
+    platform::gl::UniformMatrix4fv(platform::gl::uniform(program, "projection"), 1, GL_FALSE, projection_.data());
 }
 
 void SceneRenderer::draw_backdrop(const ViewColors& colors) const {
-    gl::Disable(GL_DEPTH_TEST);
-    gl::UseProgram(backdrop_.program.name());
-    gl::Uniform3f(gl::uniform(backdrop_.program, "top"), colors.top[0], colors.top[1], colors.top[2]);
-    gl::Uniform3f(gl::uniform(backdrop_.program, "bottom"), colors.bottom[0], colors.bottom[1], colors.bottom[2]);
-    gl::BindVertexArray(backdrop_.vertex_array.name());
-    gl::DrawArrays(GL_TRIANGLES, 0, 3);
-    gl::Enable(GL_DEPTH_TEST);
+    platform::gl::Disable(GL_DEPTH_TEST);
+    platform::gl::UseProgram(backdrop_.program.name());
+    platform::gl::Uniform3f(platform::gl::uniform(backdrop_.program, "top"), colors.top[0], colors.top[1],
+                            colors.top[2]);
+    platform::gl::Uniform3f(platform::gl::uniform(backdrop_.program, "bottom"), colors.bottom[0], colors.bottom[1],
+                            colors.bottom[2]);
+    platform::gl::BindVertexArray(backdrop_.vertex_array.name());
+    platform::gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    platform::gl::Enable(GL_DEPTH_TEST);
 }
 
 void SceneRenderer::draw_lines(const std::vector<float>& segments, double width, double opacity) const {
     if (segments.empty()) return;
     set_camera(line_.program);
-    gl::Uniform2f(gl::uniform(line_.program, "size"), static_cast<float>(size_.width), static_cast<float>(size_.height));
-    gl::Uniform1f(gl::uniform(line_.program, "width"), scale_ * static_cast<float>(width));
-    gl::Uniform1f(gl::uniform(line_.program, "opacity"), static_cast<float>(opacity));
-    gl::BindVertexArray(line_.vertex_array.name());
-    gl::upload(line_.buffer, segments);
-    gl::DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(segments.size() / segment_floats));
+    platform::gl::Uniform2f(platform::gl::uniform(line_.program, "size"), static_cast<float>(size_.width),
+                            static_cast<float>(size_.height));
+    platform::gl::Uniform1f(platform::gl::uniform(line_.program, "width"), scale_ * static_cast<float>(width));
+    platform::gl::Uniform1f(platform::gl::uniform(line_.program, "opacity"), static_cast<float>(opacity));
+    platform::gl::BindVertexArray(line_.vertex_array.name());
+    platform::gl::upload(line_.buffer, segments);
+    platform::gl::DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(segments.size() / segment_floats));
 }
 
 void SceneRenderer::upload_scene(const DrawnScene& scene) {
@@ -125,48 +130,51 @@ void SceneRenderer::upload_scene(const DrawnScene& scene) {
         const double span = scene.field->highest - scene.field->lowest;
         levels = (scene.field->values.array() - scene.field->lowest) / (span > 0.0 ? span : 1.0);
     }
-    gl::upload(surface_.buffer, surface_vertices(*scene.surface, scene.positions, levels, scene.tints));
+    platform::gl::upload(surface_.buffer, surface_vertices(*scene.surface, scene.positions, levels, scene.tints));
 }
 
 void SceneRenderer::draw_surface(const DrawnScene& scene, const ViewColors& colors) const {
     if (!scene.surface || scene.surface->corners.empty()) return;
-    const gl::Program& p = surface_.program;
+    const platform::gl::Program& p = surface_.program;
     set_camera(p);
-    gl::Uniform1i(gl::uniform(p, "face_nodes"), scene.surface->face_nodes);
-    gl::Uniform3f(gl::uniform(p, "base_color"), colors.body[0], colors.body[1], colors.body[2]);
-    gl::Uniform4f(gl::uniform(p, "edge_color"), colors.edge[0], colors.edge[1], colors.edge[2], colors.edge[3]);
-    gl::Uniform1f(gl::uniform(p, "edge_width"), scene.edges ? 0.8f : 0.0f);
-    gl::Uniform1f(gl::uniform(p, "scale"), scale_);
-    gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(scene.body_opacity));
-    gl::Uniform1i(gl::uniform(p, "use_field"), scene.field ? 1 : 0);
-    gl::Uniform1f(gl::uniform(p, "color_row"), color_row(scene.field));
-    gl::Uniform1i(gl::uniform(p, "color_map"), 0);
-    gl::ActiveTexture(GL_TEXTURE0);
-    gl::BindTexture(GL_TEXTURE_2D, color_map_.name());
-    if (scene.surface->closed) gl::Enable(GL_CULL_FACE);
-    gl::CullFace(GL_BACK);
-    gl::BindVertexArray(surface_.vertex_array.name());
-    gl::DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.surface->corners.size()));
-    gl::Disable(GL_CULL_FACE);
+    platform::gl::Uniform1i(platform::gl::uniform(p, "face_nodes"), scene.surface->face_nodes);
+    platform::gl::Uniform3f(platform::gl::uniform(p, "base_color"), colors.body[0], colors.body[1], colors.body[2]);
+    platform::gl::Uniform4f(platform::gl::uniform(p, "edge_color"), colors.edge[0], colors.edge[1], colors.edge[2],
+                            colors.edge[3]);
+    platform::gl::Uniform1f(platform::gl::uniform(p, "edge_width"), scene.edges ? 0.8f : 0.0f);
+    platform::gl::Uniform1f(platform::gl::uniform(p, "scale"), scale_);
+    platform::gl::Uniform1f(platform::gl::uniform(p, "opacity"), static_cast<float>(scene.body_opacity));
+    platform::gl::Uniform1i(platform::gl::uniform(p, "use_field"), scene.field ? 1 : 0);
+    platform::gl::Uniform1f(platform::gl::uniform(p, "color_row"), color_row(scene.field));
+    platform::gl::Uniform1i(platform::gl::uniform(p, "color_map"), 0);
+    platform::gl::ActiveTexture(GL_TEXTURE0);
+    platform::gl::BindTexture(GL_TEXTURE_2D, color_map_.name());
+    if (scene.surface->closed) platform::gl::Enable(GL_CULL_FACE);
+    platform::gl::CullFace(GL_BACK);
+    platform::gl::BindVertexArray(surface_.vertex_array.name());
+    platform::gl::DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.surface->corners.size()));
+    platform::gl::Disable(GL_CULL_FACE);
 }
 
 void SceneRenderer::draw_markers(const DrawnScene& scene, bool ring, double opacity) const {
     const std::vector<float> data = marker_data(scene.markers, ring);
     if (data.empty()) return;
-    const gl::Program& p = marker_.program;
+    const platform::gl::Program& p = marker_.program;
     set_camera(p);
-    gl::Uniform1f(gl::uniform(p, "radius"), static_cast<float>(scene.marker_radius * (ring ? 1.55 : 1.0)));
-    gl::Uniform2f(gl::uniform(p, "pixel_limits"), scale_ * (ring ? 6.5f : 4.0f), scale_ * (ring ? 40.0f : 30.0f));
-    gl::Uniform1f(gl::uniform(p, "view_height"), static_cast<float>(size_.height));
-    gl::Uniform1f(gl::uniform(p, "opacity"), static_cast<float>(opacity));
-    gl::Uniform1i(gl::uniform(p, "ring"), ring ? 1 : 0);
-    gl::BindVertexArray(marker_.vertex_array.name());
-    gl::upload(marker_.buffer, data);
-    gl::DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(data.size() / marker_floats));
+    platform::gl::Uniform1f(platform::gl::uniform(p, "radius"),
+                            static_cast<float>(scene.marker_radius * (ring ? 1.55 : 1.0)));
+    platform::gl::Uniform2f(platform::gl::uniform(p, "pixel_limits"), scale_ * (ring ? 6.5f : 4.0f),
+                            scale_ * (ring ? 40.0f : 30.0f));
+    platform::gl::Uniform1f(platform::gl::uniform(p, "view_height"), static_cast<float>(size_.height));
+    platform::gl::Uniform1f(platform::gl::uniform(p, "opacity"), static_cast<float>(opacity));
+    platform::gl::Uniform1i(platform::gl::uniform(p, "ring"), ring ? 1 : 0);
+    platform::gl::BindVertexArray(marker_.vertex_array.name());
+    platform::gl::upload(marker_.buffer, data);
+    platform::gl::DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(data.size() / marker_floats));
 }
 
-Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors, const Camera& camera,
-                                   const ViewSize& size, int samples, double scale) {
+Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors,
+                                   const Camera& camera, const ViewSize& size, int samples, double scale) {
     const Key key{revision, camera, size, samples, scale};
     if (drawn_ && *drawn_ == key) return {};
     if (const auto sized = resize(size, samples); !sized) return sized;
@@ -177,21 +185,21 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     view_ = view_matrix(camera).cast<float>();
     projection_ = projection_matrix(camera, size).cast<float>();
 
-    const gl::RenderTarget& target = samples > 0 ? target_ : picture_;
-    gl::BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-    gl::Viewport(0, 0, size.width, size.height);
-    gl::Disable(GL_SCISSOR_TEST);
-    gl::Enable(GL_BLEND);
-    gl::Enable(GL_PROGRAM_POINT_SIZE);
-    gl::BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl::DepthMask(GL_TRUE);
-    gl::DepthFunc(GL_LEQUAL);
-    gl::Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+    const platform::gl::RenderTarget& target = samples > 0 ? target_ : picture_;
+    platform::gl::BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    platform::gl::Viewport(0, 0, size.width, size.height);
+    platform::gl::Disable(GL_SCISSOR_TEST);
+    platform::gl::Enable(GL_BLEND);
+    platform::gl::Enable(GL_PROGRAM_POINT_SIZE);
+    platform::gl::BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    platform::gl::DepthMask(GL_TRUE);
+    platform::gl::DepthFunc(GL_LEQUAL);
+    platform::gl::Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
     draw_backdrop(colors);
     if (scene.grid) {
-        gl::DepthMask(GL_FALSE);
+        platform::gl::DepthMask(GL_FALSE);
         draw_lines(grid_segments(scene.extent, colors.grid), 1.0, 1.0);
-        gl::DepthMask(GL_TRUE);
+        platform::gl::DepthMask(GL_TRUE);
     }
     draw_surface(scene, colors);
 
@@ -199,35 +207,35 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     for (const DrawnLine& line : scene.lines) append_segments(by_width[line.width], line);
     // What the body hides shows through, faintly at least, so that no marker gets lost; then what is in front.
     const double through = std::max(least_through, 1.0 - scene.body_opacity);
-    gl::DepthMask(GL_FALSE);
+    platform::gl::DepthMask(GL_FALSE);
     for (const bool hidden : {true, false}) {
-        gl::DepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+        platform::gl::DepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
         const double opacity = hidden ? through : 1.0;
         for (const auto& [width, segments] : by_width) draw_lines(segments, width, opacity);
-        if (!hidden) gl::DepthMask(GL_TRUE);
+        if (!hidden) platform::gl::DepthMask(GL_TRUE);
         draw_markers(scene, false, opacity);
         draw_markers(scene, true, opacity);
     }
-    gl::DepthMask(GL_TRUE);
-    gl::DepthFunc(GL_LEQUAL);
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_BLEND);
-    gl::BindVertexArray(0);
-    if (samples > 0) gl::blit(target_, picture_.framebuffer.name(), 0, 0);
-    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    platform::gl::DepthMask(GL_TRUE);
+    platform::gl::DepthFunc(GL_LEQUAL);
+    platform::gl::Disable(GL_DEPTH_TEST);
+    platform::gl::Disable(GL_BLEND);
+    platform::gl::BindVertexArray(0);
+    if (samples > 0) platform::gl::blit(target_, picture_.framebuffer.name(), 0, 0);
+    platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
     drawn_ = key;
     ++draw_count_;
     return {};
 }
 
-Image SceneRenderer::read() const {
-    Image image = read_frame(picture_.width, picture_.height, picture_.framebuffer.name());
-    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+platform::Image SceneRenderer::read() const {
+    platform::Image image = platform::read_frame(picture_.width, picture_.height, picture_.framebuffer.name());
+    platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
     return image;
 }
 
 void SceneRenderer::blit_to_window(int x, int y) const {
-    if (picture_.width > 0) gl::blit(picture_, 0, x, y);
+    if (picture_.width > 0) platform::gl::blit(picture_, 0, x, y);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

@@ -8,14 +8,15 @@
 #include "viewport/camera.hpp"
 #include "viewport/scene.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 
 /// Draws a scene off screen and keeps the picture, so that frames in which only the interface changed cost a copy.
 class SceneRenderer {
 public:
     static Result<SceneRenderer> make();
 
-    /// Draws if anything differs from last time. `revision` stands for the scene and the colours: same number, same content.
+    /// Draws if anything differs from last time. `revision` stands for the scene and the colours: same number, same
+    /// content.
     /// @param samples  0 while something moves, 4 at rest
     /// @param scale    of the widths of lines and edges and the least sizes of markers
     /// Error: the driver refuses the size.
@@ -24,7 +25,7 @@ public:
 
     /// Where the picture was drawn last, to draw over it.
     GLuint framebuffer() const { return picture_.framebuffer.name(); }
-    Image read() const;
+    platform::Image read() const;
 
     /// Copies the picture into the default framebuffer, lower left corner at (x, y).
     void blit_to_window(int x, int y) const;
@@ -34,9 +35,9 @@ public:
 
 private:
     struct Program {
-        gl::Program program;
-        gl::VertexArray vertex_array;
-        gl::Buffer buffer;
+        platform::gl::Program program;
+        platform::gl::VertexArray vertex_array;
+        platform::gl::Buffer buffer;
     };
     struct Key {
         std::uint64_t revision = 0;
@@ -52,12 +53,12 @@ private:
     void draw_lines(const std::vector<float>& segments, double width, double opacity) const;
     void draw_surface(const DrawnScene& scene, const ViewColors& colors) const;
     void draw_markers(const DrawnScene& scene, bool ring, double opacity) const;
-    void set_camera(const gl::Program& program) const;
+    void set_camera(const platform::gl::Program& program) const;
 
     Program surface_, line_, marker_, backdrop_;
-    gl::Texture color_map_;
-    gl::RenderTarget target_;      // multisampled
-    gl::RenderTarget picture_;     // resolved
+    platform::gl::Texture color_map_;
+    platform::gl::RenderTarget target_;   // multisampled
+    platform::gl::RenderTarget picture_;  // resolved
     std::optional<Key> drawn_;
     std::optional<std::uint64_t> uploaded_;
     Eigen::Matrix4f view_ = Eigen::Matrix4f::Identity();
@@ -67,4 +68,4 @@ private:
     int draw_count_ = 0;
 };
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

@@ -11,13 +11,16 @@
 #include "plot/ticks.hpp"
 #include "viewport/color_map.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 namespace {
 
-ViewSize size_of(const Rectangle& view) { return {static_cast<int>(view.width()), static_cast<int>(view.height())}; }
+ViewSize size_of(const platform::Rectangle& view) {
+    return {static_cast<int>(view.width()), static_cast<int>(view.height())};
+}
 
 // Small text with a thin halo, legible over any picture.
-void outlined(ImDrawList& list, const Theme& theme, const ImVec2& at, ImU32 color, ImU32 halo, const char* text) {
+void outlined(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, ImU32 color, ImU32 halo,
+              const char* text) {
     ImFont* const font = theme.small;
     const float d = std::max(1.0f, std::round(theme.scale));
     for (const ImVec2 side : {ImVec2(-d, 0), ImVec2(d, 0), ImVec2(0, -d), ImVec2(0, d)}) {
@@ -27,89 +30,113 @@ void outlined(ImDrawList& list, const Theme& theme, const ImVec2& at, ImU32 colo
 }
 
 std::string with_unit(double value, const std::string& unit) {
-    if (value >= 1.0 - 1e-9) return value_label(value, 1) + " " + unit;
-    if (value >= 1e-3 * (1.0 - 1e-9)) return value_label(value * 1e3, 1) + " m" + unit;
-    return value_label(value * 1e6, 1) + " \xc2\xb5" + unit;
+    if (value >= 1.0 - 1e-9) return plot::value_label(value, 1) + " " + unit;
+    if (value >= 1e-3 * (1.0 - 1e-9)) return plot::value_label(value * 1e3, 1) + " m" + unit;
+    return plot::value_label(value * 1e6, 1) + " \xc2\xb5" + unit;
 }
 
 // The bar ends at the given place; its label is centred above, as far as the place's margin allows.
-void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& bar, ImU32 color, const Theme& theme) {
+void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& bar, ImU32 color,
+                         const platform::Theme& theme) {
     const float s = theme.scale;
     const float left = end.x - static_cast<float>(bar.pixels);
     list.AddLine({left, end.y}, end, color, 2.0f * s);
     for (const float x : {left, end.x}) list.AddLine({x, end.y - 5.0f * s}, {x, end.y + s}, color, 2.0f * s);
     const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, bar.label.c_str()).x;
-    const float from = std::min(0.5f * (left + end.x - width), end.x - width);   // centred, or flush right where it is longer
-    outlined(list, theme, {from, end.y - theme.small->FontSize - 6.0f * s}, color, packed(theme.view_bottom, 0.6f), bar.label.c_str());
+    const float from = std::min(0.5f * (left + end.x - width),
+                                end.x - width);  // centred, or flush right where it is longer
+    outlined(list, theme, {from, end.y - theme.small->FontSize - 6.0f * s}, color,
+             platform::packed(theme.view_bottom, 0.6f), bar.label.c_str());
 }
 
 /// A place beside a point where a label covers nothing, the nearest first: right or left of it, level, below or above.
-std::optional<Rectangle> room_beside(const ImVec2& p, const ImVec2& extent, float gap, const Rectangle& view, const std::vector<Rectangle>& taken) {
+std::optional<platform::Rectangle> room_beside(const ImVec2& p, const ImVec2& extent, float gap,
+                                               const platform::Rectangle& view,
+                                               const std::vector<platform::Rectangle>& taken) {
     for (const float line : {0.0f, 1.0f, -1.0f, 2.0f})
         for (const float left : {p.x + gap, p.x - gap - extent.x}) {
             const float top = p.y + (line - 0.5f) * extent.y;
-            const Rectangle box{{left, top}, {left + extent.x, top + extent.y}};
-            const auto overlaps = [&](const Rectangle& other) {
-                return box.lowest.x < other.highest.x && other.lowest.x < box.highest.x && box.lowest.y < other.highest.y && other.lowest.y < box.highest.y;
+            const platform::Rectangle box{{left, top}, {left + extent.x, top + extent.y}};
+            const auto overlaps = [&](const platform::Rectangle& other) {
+                return box.lowest.x < other.highest.x && other.lowest.x < box.highest.x &&
+                       box.lowest.y < other.highest.y && other.lowest.y < box.highest.y;
             };
-            if (view.contains(box.lowest) && view.contains(box.highest) && std::none_of(taken.begin(), taken.end(), overlaps)) return box;
+            if (view.contains(box.lowest) && view.contains(box.highest) &&
+                std::none_of(taken.begin(), taken.end(), overlaps))
+                return box;
         }
     return std::nullopt;
 }
 
-void draw_scale_bar(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {
+void draw_scale_bar(ImDrawList& list, const platform::Rectangle& view, const Camera& camera,
+                    const platform::Theme& theme) {
     const float s = theme.scale;
     const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)), 120.0 * static_cast<double>(s), "m");
-    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 16.0f * s}, bar, packed(theme.text), theme);
+    draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 16.0f * s}, bar,
+                        platform::packed(theme.text), theme);
 }
 
 /// The same for arrows of a force, above it.
-void draw_arrow_scale(ImDrawList& list, const Rectangle& view, const Camera& camera, const ArrowScale& arrows, const Theme& theme) {
+void draw_arrow_scale(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const ArrowScale& arrows,
+                      const platform::Theme& theme) {
     const float s = theme.scale;
-    const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)) / arrows.metres_per_N, 120.0 * static_cast<double>(s), "N");
-    const ImU32 color = packed({arrows.color[0], arrows.color[1], arrows.color[2], 1.0f});
+    const ScaleBar bar = make_scale_bar(metres_per_pixel(camera, size_of(view)) / arrows.metres_per_N,
+                                        120.0 * static_cast<double>(s), "N");
+    const ImU32 color = platform::packed({arrows.color[0], arrows.color[1], arrows.color[2], 1.0f});
     draw_bar_with_label(list, {view.highest.x - 16.0f * s, view.highest.y - 56.0f * s}, bar, color, theme);
-    const auto width_of = [&](const std::string& text) { return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text.c_str()).x; };
+    const auto width_of = [&](const std::string& text) {
+        return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text.c_str()).x;
+    };
     const std::string whole = arrows.name + " on each part of the body";
     const std::string& title = width_of(whole) < 0.4f * view.width() ? whole : arrows.name;
     const float width = width_of(title);
-    outlined(list, theme, {view.highest.x - 16.0f * s - width, view.highest.y - 64.0f * s - 2.0f * theme.small->FontSize}, color, packed(theme.view_bottom, 0.6f), title.c_str());
+    outlined(list, theme,
+             {view.highest.x - 16.0f * s - width, view.highest.y - 64.0f * s - 2.0f * theme.small->FontSize}, color,
+             platform::packed(theme.view_bottom, 0.6f), title.c_str());
 }
 
-void draw_axes(ImDrawList& list, const Rectangle& view, const Camera& camera, const Theme& theme) {
+void draw_axes(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const platform::Theme& theme) {
     const float s = theme.scale;
     const ImVec2 origin{view.lowest.x + 44.0f * s, view.highest.y - 44.0f * s};
     const CameraAxes axes = camera_axes(camera);
-    struct Axis { Eigen::Vector3d direction; ImVec4 color; const char* name; };
+    struct Axis {
+        Eigen::Vector3d direction;
+        ImVec4 color;
+        const char* name;
+    };
     std::vector<Axis> all{{Eigen::Vector3d::UnitX(), theme.axis_x, "x"},
                           {Eigen::Vector3d::UnitY(), theme.axis_y, "y"},
                           {Eigen::Vector3d::UnitZ(), theme.axis_z, "z"}};
     // Far axes first, so that the one towards the eye covers them.
-    std::sort(all.begin(), all.end(), [&](const Axis& a, const Axis& b) { return a.direction.dot(axes.back) < b.direction.dot(axes.back); });
+    std::sort(all.begin(), all.end(),
+              [&](const Axis& a, const Axis& b) { return a.direction.dot(axes.back) < b.direction.dot(axes.back); });
     for (const Axis& axis : all) {
         const float x = static_cast<float>(axis.direction.dot(axes.right));
         const float y = static_cast<float>(-axis.direction.dot(axes.up));
         const ImVec2 tip{origin.x + 26.0f * s * x, origin.y + 26.0f * s * y};
-        list.AddLine(origin, tip, packed(axis.color), 2.0f * s);
+        list.AddLine(origin, tip, platform::packed(axis.color), 2.0f * s);
         const float length = std::hypot(x, y);
         // An axis that points at the eye has no room for its letter at the tip.
         const float out = length > 0.2f ? 10.0f * s / length : 0.0f;
         const ImVec2 center{tip.x + out * x, tip.y + out * y};
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, axis.name);
         if (length > 0.2f) {
-            outlined(list, theme, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y}, packed(axis.color),
-                     packed(theme.view_bottom, 0.6f), axis.name);
+            outlined(list, theme, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y},
+                     platform::packed(axis.color), platform::packed(theme.view_bottom, 0.6f), axis.name);
         }
     }
 }
 
-void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& camera, const DrawnScene& scene, const Theme& theme) {
+void draw_marker_labels(ImDrawList& list, const platform::Rectangle& view, const Camera& camera,
+                        const DrawnScene& scene, const platform::Theme& theme) {
     const float s = theme.scale;
     // The scale bar, that of forces above it, the axes and the legend keep their corners.
     const float corner = (scene.arrows ? 96.0f : 40.0f) * s + theme.small->FontSize;
-    std::vector<Rectangle> taken{{{view.highest.x - 150.0f * s, view.highest.y - corner}, view.highest},
-                                 {{view.lowest.x, view.highest.y - 88.0f * s}, {view.lowest.x + 88.0f * s, view.highest.y}}};
-    if (scene.field) taken.push_back({{view.highest.x - 80.0f * s, view.lowest.y}, {view.highest.x, view.lowest.y + 210.0f * s}});
+    std::vector<platform::Rectangle> taken{
+        {{view.highest.x - 150.0f * s, view.highest.y - corner}, view.highest},
+        {{view.lowest.x, view.highest.y - 88.0f * s}, {view.lowest.x + 88.0f * s, view.highest.y}}};
+    if (scene.field)
+        taken.push_back({{view.highest.x - 80.0f * s, view.lowest.y}, {view.highest.x, view.lowest.y + 210.0f * s}});
     for (const DrawnMarker& marker : scene.markers) {
         if (marker.label.empty() || !marker.position.allFinite()) continue;
         const auto place = project(camera, size_of(view), marker.position);
@@ -117,14 +144,16 @@ void draw_marker_labels(ImDrawList& list, const Rectangle& view, const Camera& c
         const ImVec2 p{view.lowest.x + static_cast<float>(place->x()), view.lowest.y + static_cast<float>(place->y())};
         if (!view.contains(p)) continue;
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, marker.label.c_str());
-        const std::optional<Rectangle> box = room_beside(p, extent, 16.0f * s, view, taken);
-        if (!box) continue;   // a click on the marker tells its name
+        const std::optional<platform::Rectangle> box = room_beside(p, extent, 16.0f * s, view, taken);
+        if (!box) continue;  // a click on the marker tells its name
         taken.push_back(*box);
-        outlined(list, theme, box->lowest, packed(theme.text), packed(theme.view_bottom, 0.8f), marker.label.c_str());
+        outlined(list, theme, box->lowest, platform::packed(theme.text), platform::packed(theme.view_bottom, 0.8f),
+                 marker.label.c_str());
     }
 }
 
-void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField& field, const Theme& theme) {
+void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const DrawnField& field,
+                       const platform::Theme& theme) {
     const float s = theme.scale;
     const float height = std::min(160.0f * s, view.height() - 150.0f * s);
     if (height < 40.0f) return;
@@ -132,25 +161,31 @@ void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField
     const float title_width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, title.c_str()).x;
     const float right = view.highest.x - 16.0f * s;
     const float top = view.lowest.y + 40.0f * s;
-    const ImU32 halo = packed(theme.view_top, 0.8f);
-    outlined(list, theme, {right - title_width, top - theme.small->FontSize - 8.0f * s}, packed(theme.text), halo, title.c_str());
+    const ImU32 halo = platform::packed(theme.view_top, 0.8f);
+    outlined(list, theme, {right - title_width, top - theme.small->FontSize - 8.0f * s}, platform::packed(theme.text),
+             halo, title.c_str());
     const float left = right - 14.0f * s;
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i) {
         const double level = 1.0 - (i + 0.5) / steps;
-        const Eigen::Vector3f c = field.diverging ? diverging_color_map(level) : color_maps()[static_cast<std::size_t>(field.color_map)].color(level);
+        const Eigen::Vector3f c = field.diverging
+                                      ? diverging_color_map(level)
+                                      : color_maps()[static_cast<std::size_t>(field.color_map)].color(level);
         const float y0 = top + height * static_cast<float>(i) / steps;
         const float y1 = top + height * static_cast<float>(i + 1) / steps;
-        list.AddRectFilled({left, y0}, {right, y1}, packed({c[0], c[1], c[2], 1.0f}));
+        list.AddRectFilled({left, y0}, {right, y1}, platform::packed({c[0], c[1], c[2], 1.0f}));
     }
-    list.AddRect({left, top}, {right, top + height}, packed(theme.muted), 0.0f, 0, s);
-    const Ticks ticks = make_ticks({field.lowest, field.highest}, std::max(2, static_cast<int>(height / (28.0f * s))));
+    list.AddRect({left, top}, {right, top + height}, platform::packed(theme.muted), 0.0f, 0, s);
+    const plot::Ticks ticks = plot::make_ticks({field.lowest, field.highest},
+                                               std::max(2, static_cast<int>(height / (28.0f * s))));
     for (const double v : ticks.values) {
-        const float y = static_cast<float>(to_pixel({field.lowest, field.highest}, v, static_cast<double>(top + height), static_cast<double>(top)));
-        const std::string label = tick_label(v, ticks.step);
+        const float y = static_cast<float>(plot::to_pixel({field.lowest, field.highest}, v,
+                                                          static_cast<double>(top + height), static_cast<double>(top)));
+        const std::string label = plot::tick_label(v, ticks.step);
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str());
-        list.AddLine({left - 4.0f * s, y}, {left, y}, packed(theme.muted), s);
-        outlined(list, theme, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, packed(theme.text), halo, label.c_str());
+        list.AddLine({left - 4.0f * s, y}, {left, y}, platform::packed(theme.muted), s);
+        outlined(list, theme, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, platform::packed(theme.text), halo,
+                 label.c_str());
     }
 }
 
@@ -158,15 +193,16 @@ void draw_field_legend(ImDrawList& list, const Rectangle& view, const DrawnField
 
 ScaleBar make_scale_bar(double per_pixel, double longest, const std::string& unit) {
     ScaleBar bar;
-    bar.length = nice_step(per_pixel * longest);
+    bar.length = plot::nice_step(per_pixel * longest);
     // The smallest nice step above may be too long; the one below it fits.
-    if (bar.length > per_pixel * longest) bar.length = nice_step(bar.length / 2.6);
+    if (bar.length > per_pixel * longest) bar.length = plot::nice_step(bar.length / 2.6);
     bar.pixels = bar.length / per_pixel;
     bar.label = with_unit(bar.length, unit);
     return bar;
 }
 
-void draw_view_overlay(ImDrawList& list, const Rectangle& view, const Camera& camera, const DrawnScene& scene, const Theme& theme, bool names) {
+void draw_view_overlay(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const DrawnScene& scene,
+                       const platform::Theme& theme, bool names) {
     if (names) draw_marker_labels(list, view, camera, scene, theme);
     draw_axes(list, view, camera, theme);
     draw_scale_bar(list, view, camera, theme);
@@ -174,9 +210,11 @@ void draw_view_overlay(ImDrawList& list, const Rectangle& view, const Camera& ca
     if (scene.field) draw_field_legend(list, view, *scene.field, theme);
 }
 
-void draw_view_title(ImDrawList& list, const Rectangle& view, const std::string& title, const Theme& theme) {
+void draw_view_title(ImDrawList& list, const platform::Rectangle& view, const std::string& title,
+                     const platform::Theme& theme) {
     const float margin = 16.0f * theme.scale;
-    outlined(list, theme, {view.lowest.x + margin, view.lowest.y + margin}, packed(theme.text), packed(theme.view_top, 0.8f), title.c_str());
+    outlined(list, theme, {view.lowest.x + margin, view.lowest.y + margin}, platform::packed(theme.text),
+             platform::packed(theme.view_top, 0.8f), title.c_str());
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

@@ -8,16 +8,19 @@
 #include "platform/fonts.hpp"
 #include "viewport/view_overlay.hpp"
 
-namespace myo {
+namespace myo::ui::viewport {
 namespace {
 
 void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolTakes& takes) {
     const ImGuiIO& io = ImGui::GetIO();
     state.hovered = hovered;
-    state.mouse = {static_cast<double>(io.MousePos.x - state.pixels.lowest.x), static_cast<double>(io.MousePos.y - state.pixels.lowest.y)};
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.tool_held = takes && takes(state.mouse);
+    state.mouse = {static_cast<double>(io.MousePos.x - state.pixels.lowest.x),
+                   static_cast<double>(io.MousePos.y - state.pixels.lowest.y)};
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        state.tool_held = takes && takes(state.mouse);
     state.tool_held = state.tool_held && active && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    const bool in_place = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < io.MouseDragThreshold * io.MouseDragThreshold;
+    const bool in_place = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <
+                          io.MouseDragThreshold * io.MouseDragThreshold;
     state.clicked = ImGui::IsItemDeactivated() && hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && in_place;
     const ViewSize size = state.size();
     const double dx = static_cast<double>(io.MouseDelta.x);
@@ -34,19 +37,25 @@ void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolT
     state.untouched = state.untouched && !state.moving;
 }
 
-void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& state) {
-    struct ViewButton { const char* label; const char* name; StandardView view; const char* tip; };
-    static constexpr std::array<ViewButton, 4> buttons{{{"3D", "view/oblique", StandardView::oblique, "Look from the side and above (0)"},
-                                                        {"X", "view/x", StandardView::from_x, "Look along the x axis (1); again: from the other side"},
-                                                        {"Y", "view/y", StandardView::from_y, "Look along the y axis (2); again: from the other side"},
-                                                        {"Z", "view/z", StandardView::from_z, "Look along the z axis, from above (3); again: from below"}}};
+void draw_buttons(const platform::Theme& theme, platform::ItemRectangles& items, ViewportState& state) {
+    struct ViewButton {
+        const char* label;
+        const char* name;
+        StandardView view;
+        const char* tip;
+    };
+    static constexpr std::array<ViewButton, 4> buttons{
+        {{"3D", "view/oblique", StandardView::oblique, "Look from the side and above (0)"},
+         {"X", "view/x", StandardView::from_x, "Look along the x axis (1); again: from the other side"},
+         {"Y", "view/y", StandardView::from_y, "Look along the y axis (2); again: from the other side"},
+         {"Z", "view/z", StandardView::from_z, "Look along the z axis, from above (3); again: from below"}}};
     const float s = theme.scale;
     ImGui::SetCursorScreenPos({state.pixels.lowest.x + 12.0f * s, state.pixels.lowest.y + 12.0f * s});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(4.0f * s, 4.0f * s));
     const auto tip = [](const char* text) {
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
     };
-    if (ImGui::Button(icon::expand)) {
+    if (ImGui::Button(platform::icon::expand)) {
         state.fit_requested = true;
         state.untouched = true;
     }
@@ -66,7 +75,7 @@ void draw_buttons(const Theme& theme, ItemRectangles& items, ViewportState& stat
 
 }  // namespace
 
-void draw_viewport(const DrawnScene& scene, const Theme& theme, ItemRectangles& items,
+void draw_viewport(const DrawnScene& scene, const platform::Theme& theme, platform::ItemRectangles& items,
                    ViewportState& state, bool labels, const ToolTakes& takes) {
     const ImVec2 lowest = ImGui::GetWindowPos();
     const ImVec2 extent = ImGui::GetWindowSize();
@@ -80,8 +89,9 @@ void draw_viewport(const DrawnScene& scene, const Theme& theme, ItemRectangles& 
     if (nothing) return;
     ImGui::SetCursorScreenPos(state.pixels.lowest);
     ImGui::SetItemAllowOverlap();
-    ImGui::InvisibleButton("view", extent,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::InvisibleButton(
+        "view", extent,
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     react_to_mouse(state, ImGui::IsItemHovered(), ImGui::IsItemActive(), takes);
     draw_buttons(theme, items, state);
@@ -92,4 +102,4 @@ void draw_viewport(const DrawnScene& scene, const Theme& theme, ItemRectangles& 
     draw_view_overlay(list, state.pixels, state.camera, scene, theme, labels);
 }
 
-}  // namespace myo
+}  // namespace myo::ui::viewport

@@ -1,0 +1,83 @@
+#include "bench/arm_model.hpp"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "material/catalogue.hpp"
+#include "mesh/box_mesh.hpp"
+#include "mesh/region.hpp"
+
+namespace myo::bench {
+namespace {
+
+constexpr double edge_m = 3.571e-3;
+constexpr int across = 12, along = 27;
+
+/// The cells of a mesh for which `keep` holds at their middle, with the nodes that they use.
+template <class Keep>
+mesh::VolumeMesh cells_where(const mesh::VolumeMesh& mesh, const Keep& keep) {
+    mesh::VolumeMesh kept;
+    kept.type = mesh.type;
+    std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1), nodes;
+    std::vector<Eigen::VectorXi> cells;
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        const Eigen::Matrix3Xd corners = mesh.nodes(Eigen::all, mesh.cells.col(c));
+        if (!keep(Eigen::Vector3d(corners.rowwise().mean()))) continue;
+        Eigen::VectorXi cell = mesh.cells.col(c);
+        for (int& node : cell) {
+            int& renumbered = number[static_cast<std::size_t>(node)];
+            if (renumbered < 0) {
+                renumbered = static_cast<int>(nodes.size());
+                nodes.push_back(node);
+            }
+            node = renumbered;
+        }
+        cells.push_back(cell);
+    }
+    kept.nodes = mesh.nodes(Eigen::all, nodes);
+    kept.cells.resize(mesh.cells.rows(), static_cast<Eigen::Index>(cells.size()));
+    for (std::size_t c = 0; c < cells.size(); ++c) kept.cells.col(static_cast<Eigen::Index>(c)) = cells[c];
+    return kept;
+}
+
+}  // namespace
+
+model::Model arm_model() {
+    const Eigen::Vector3d size(across * edge_m, across * edge_m, along * edge_m);
+    mesh::VolumeMesh mesh = cells_where(
+        mesh::box_hex_mesh({Eigen::Vector3d::Zero(), size}, {across, across, along}),
+        [&](const Eigen::Vector3d& middle) {
+            const double radius = std::hypot(middle(0) - 0.5 * size(0), middle(1) - 0.5 * size(1)) / edge_m;
+            return radius < 6.0 && radius > 2.4;
+        });
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1e-6);
+    model::Model model;
+    auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
+    const Eigen::Vector3d upwards = Eigen::Vector3d::UnitZ();
+    fibres->push_back(
+        fibre::fibres_in_box(mesh, {Eigen::Vector3d(10 * edge_m, 0.0, 0.0), size}, upwards, 2e5, "muscle 1"));
+    fibres->push_back(fibre::fibres_in_box(
+        mesh, {Eigen::Vector3d::Zero(), Eigen::Vector3d(2 * edge_m, size(1), size(2))}, upwards, 2e5, "muscle 2"));
+    fibre::Signal first{{}, {}}, second{{}, {}};
+    for (int k = 0; k <= 4; ++k)
+        for (const int level : {k - 1, k}) {
+            if (level < 0) continue;
+            first.times_s.push_back(0.05 * k);
+            second.times_s.push_back(0.05 * k);
+            first.values.push_back(1.0 + level);
+            second.values.push_back(1.0 - 0.5 * level);
+        }
+    model.fibres = std::move(fibres);
+    model.activation = {first, second};
+    const std::vector<int> clamped = mesh::nodes_in_box(mesh,
+                                                        {Eigen::Vector3d(0.0, 0.0, size(2)) - margin, size + margin});
+    model.body = model::make_body(std::move(mesh), fem::ElementKind::hex8_full, clamped);
+    model.material = material::find_material("projective_corotational");
+    model.moduli = model::uniform_moduli(model.body->cell_count(), 263824.0, 0.499);
+    model.density_kg_m3 = 1070.0;
+    model.gravity_m_s2 = Eigen::Vector3d(0.0, 0.0, -9.81);
+    return model;
+}
+
+}  // namespace myo::bench

@@ -1,0 +1,177 @@
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "base/files.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "effect/catalogue.hpp"
+#include "exit_status.hpp"
+#include "options.hpp"
+#include "validation/defaults_summary.hpp"
+#include "validation/defaults_validation.hpp"
+#include "validation/validation.hpp"
+#include "validation/validation_report.hpp"
+
+namespace myo::app {
+namespace {
+
+struct ValidateCall {
+    validation::ValidationOptions options;
+    bool defaults = false;
+    std::filesystem::path out;
+    WorkOptions work;
+};
+
+/// "  7  tail+  viscoelastic_creep      5.2 x  viscoelastic_creep  0.97  21 s"
+std::string record_line(const validation::CaseRecord& r) {
+    char line[256];
+    const std::string truth = r.kind == validation::CaseKind::deleted ? "(" + r.truth + ")" : r.truth;
+    const std::string answer = r.answered() ? join(r.answer, " + ") : "failed: " + r.failure;
+    std::snprintf(line, sizeof line, "%5d  %-6s %-24s %6.1f x  %s %-40.110s %5.2f  %5.0f s", r.number,
+                  (r.family + (r.muscles ? "+" : "")).c_str(), truth.c_str(), r.level,
+                  r.right()              ? "right"
+                  : r.right_or_grouped() ? "group"
+                                         : "WRONG",
+                  answer.c_str(), r.confidence, r.diagnose_s);
+    return line;
+}
+
+/// validation.json and validation.html of all cases that the folder holds.
+template <class Record, class Summary>
+int write_summary(const ValidateCall& call, const Summary& summary, const report::HtmlReport& report, Console& console,
+                  const std::vector<Record>& records) {
+    if (records.empty()) return status_done;
+    console.print("\n" + validation::summary_text(summary));
+    if (const Result<void> file = report::write_json(call.out / "validation.json", validation::summary_json(summary));
+        !file)
+        return console.fail(file.error());
+    if (const Result<void> page = report::write_html(call.out / "validation.html", report); !page)
+        return console.fail(page.error());
+    console.print("\nreport: " + (call.out / "validation.html").string());
+    return status_done;
+}
+
+int diagnosis_validation(const ValidateCall& call, const Progress& progress, Console& console) {
+    int finished = 0;
+    const Result<void> run = validation::run_validation(call.options, call.out, progress,
+                                                        [&](const validation::CaseRecord& record) {
+                                                            console.print(record_line(record));
+                                                            ++finished;
+                                                        });
+    // Once cases are finished, only their records can be at fault.
+    if (!run) return finished > 0 ? console.fail(run.error()) : console.refuse(run.error());
+    const Result<std::vector<validation::CaseRecord>> records = validation::validation_records(call.out);
+    if (!records) return console.refuse(records.error());
+    const validation::ValidationSummary summary = validation::validation_summary(*records);
+    if (!records->empty())
+        if (const Result<void> file = write_file(call.out / "reliability.svg", validation::reliability_figure(summary));
+            !file)
+            return console.fail(file.error());
+    return write_summary(call, summary, validation::validation_report(*records, join(command_line(), " ")), console,
+                         *records);
+}
+
+int defaults_validation(const ValidateCall& call, const Progress& progress, Console& console) {
+    int finished = 0;
+    const Result<void> run = validation::run_defaults_validation({call.options.choice.seed, call.options.range},
+                                                                 call.out, progress,
+                                                                 [&](const validation::DefaultsRecord& record) {
+                                                                     console.print(validation::record_line(record));
+                                                                     ++finished;
+                                                                 });
+    if (!run) return finished > 0 ? console.fail(run.error()) : console.refuse(run.error());
+    const Result<std::vector<validation::DefaultsRecord>> records = validation::defaults_records(call.out);
+    if (!records) return console.refuse(records.error());
+    return write_summary(call, validation::defaults_summary(*records),
+                         validation::defaults_report(*records, join(command_line(), " ")), console, *records);
+}
+
+int run_validate(ValidateCall call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
+    const validation::CaseChoice& choice = call.options.choice;
+    if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
+        return console.refuse(
+            {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
+    call.options.choice.seed = call.work.seed.value_or(1);
+    call.options.range.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
+    const Progress progress = console.progress();
+    const int status = call.defaults ? defaults_validation(call, progress, console)
+                                     : diagnosis_validation(call, progress, console);
+    if (status != status_done || !progress.cancelled()) return status;
+    console.complain("stopped; finished cases are kept in " + call.out.string() + ", the same call goes on from them");
+    return status_stopped;
+}
+
+/// "1/4": the first of four shares, as numbers 0 and 4.
+void read_share(const std::string& text, validation::CaseRange& range) {
+    const std::size_t slash = text.find('/');
+    double part = 0.0, parts = 0.0;
+    const bool numbers = slash != std::string::npos && parse_number(text.substr(0, slash), part) &&
+                         parse_number(text.substr(slash + 1), parts);
+    if (!numbers || part != std::floor(part) || parts != std::floor(parts) || part < 1.0 || parts < part || parts > 1e6)
+        throw CLI::ValidationError("--share", "'" + text + "' is not a share like 1/4, the first of four");
+    range.share = static_cast<int>(part) - 1;
+    range.shares = static_cast<int>(parts);
+}
+
+}  // namespace
+
+std::function<int()> declare_validate(CLI::App& app) {
+    const auto call = std::make_shared<ValidateCall>();
+    app.add_option("--out", call->out,
+                   "folder for cases and results, made when missing; finished cases in it are not repeated")
+        ->type_name("DIR");
+    app.add_flag(
+        "--defaults", call->defaults,
+        "calibrate random experiments with nothing but defaults instead: how often are numbers wrong without a word?");
+    add_count(app, "--cases", call->options.range.cases, "number of cases (default: 24)");
+    app.add_option_function<std::string>(
+           "--first",
+           [call](const std::string& text) {
+               int value = 0;
+               const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+               if (code != std::errc{} || end != text.data() + text.size() || value < 0)
+                   throw CLI::ValidationError("--first", "'" + text + "' is not a whole number from 0 on");
+               call->options.range.first = value;
+           },
+           "number of the first case (default: 0); case k is the same for any count")
+        ->type_name("K");
+    app.add_option_function<std::string>(
+           "--share", [call](const std::string& text) { read_share(text, call->options.range); },
+           "1/4: every fourth case, for four processes on one folder")
+        ->type_name("I/N");
+    app.add_option_function<std::string>(
+           "--geometry",
+           [call](const std::string& text) {
+               call->options.choice.families.clear();
+               for (const std::string& id : split_words(text)) {
+                   validation::BodyFamily family{};
+                   if (!validation::parse_body_family(id, family))
+                       throw CLI::ValidationError("--geometry", unknown_word(id, validation::body_family_ids()));
+                   call->options.choice.families.push_back(family);
+               }
+           },
+           "bodies: " + join(validation::body_family_ids()) + " (default: all)")
+        ->type_name("A,B");
+    app.add_option_function<std::string>(
+           "--effects",
+           [call](const std::string& text) {
+               call->options.choice.effects = split_words(text);
+               for (const std::string& id : call->options.choice.effects)
+                   if (!effect::find_effect(id))
+                       throw CLI::ValidationError("--effects", unknown_word(id, effect::effect_ids()));
+           },
+           "effects to draw from (default: all of the catalogue)")
+        ->type_name("A,B");
+    add_work_options(app, call->work);
+    return [call] { return run_validate(*call); };
+}
+
+}  // namespace myo::app

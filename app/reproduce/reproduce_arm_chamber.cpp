@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "dynamics/statics.hpp"
+#include "report/chart.hpp"
+#include "reproduce/arm_maps.hpp"
+#include "reproduce/chambered_arm.hpp"
+#include "reproduce/reproduction_cases.hpp"
+
+namespace myo::reproduce {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr double mbar = 100.0;  // Pa
+
+/// The chambered arm at rest under a pressure.
+struct ChamberPose {
+    double pressure_mbar = 0.0;
+    Matrix3Xd points_m;     // displacements of the lower face's points from where they rest without pressure
+    double bent_rad = 0.0;  // of the lower face, from its rest
+    double grown_m3 = 0.0;  // of the chambers
+    int iterations = 0;
+
+    Vector3d tip_m() const { return points_m.rowwise().mean(); }
+};
+
+Matrix3Xd points_at(const measurement::MarkerSet& markers, const Matrix3Xd& x) {
+    Matrix3Xd points(3, static_cast<Eigen::Index>(markers.bindings.size()));
+    for (std::size_t i = 0; i < markers.bindings.size(); ++i)
+        points.col(static_cast<Eigen::Index>(i)) = measurement::marker_position(
+            markers.bindings[i], x(Eigen::all, markers.bindings[i].nodes));
+    return points;
+}
+
+/// The poses up to where there is an equilibrium.
+struct Inflation {
+    std::vector<ChamberPose> poses;
+    double ballooned_mbar = 0.0;  // where there was none any more; 0: everywhere
+};
+
+/// Follows the pressure from zero. Error: no equilibrium at the first one; "stopped".
+Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>& pressures_mbar,
+                             const Progress& progress) {
+    Inflation result;
+    Matrix3Xd x = arm.model.body->mesh.nodes, origin;
+    double volume = 0.0, before = 0.0;
+    constexpr double most_at_once_mbar = 25.0;
+    std::vector<double> all{0.0};
+    all.insert(all.end(), pressures_mbar.begin(), pressures_mbar.end());
+    for (const double pressure : all) {
+        ChamberPose pose;
+        const int steps = std::max(1, static_cast<int>(std::ceil((pressure - before) / most_at_once_mbar)));
+        for (int k = 1; k <= steps; ++k) {
+            if (progress.cancelled()) return Error{"stopped", ""};
+            model::Model model = arm.model;
+            const double now = before + (pressure - before) * k / steps;
+            model.force_elements = {
+                model::cavity_pressure(*model.body, arm.walls, fibre::Signal::constant(now * mbar))};
+            dynamics::StageSolver solver(model);
+            const dynamics::StageReport report = dynamics::solve_equilibrium(solver, 0.0, x);
+            pose.iterations += report.newton_iterations;
+            if (report.ok()) continue;
+            if (result.poses.empty()) return Error{report.message, "chambers at " + format_number(now, 3) + " mbar"};
+            result.ballooned_mbar = now;
+            return result;
+        }
+        const Matrix3Xd points = points_at(arm.points, x);
+        if (origin.size() == 0) {
+            origin = points;
+            volume = model::cavity_volume(*arm.model.body, arm.walls, x);
+        }
+        pose.pressure_mbar = pressure;
+        pose.points_m = points - origin;
+        const Vector3d side = points.col(1) - points.col(0);
+        pose.bent_rad = std::atan2(-side(2), side(0));
+        pose.grown_m3 = model::cavity_volume(*arm.model.body, arm.walls, x) - volume;
+        if (pressure > 0.0) result.poses.push_back(pose);
+        before = pressure;
+        progress.report({"arm-chamber", pressure, all.back(), "mbar", {}});
+    }
+    return result;
+}
+
+struct MuscleFit {
+    std::string name;
+    std::vector<double> levels;
+    std::vector<Matrix3Xd> points_m;
+    std::vector<double> rms_m;  // of the points' coordinates to the chambers'
+};
+
+/// One level per pressure that brings the lower face nearest to where the chambers bring it.
+Result<MuscleFit> imitate(const std::vector<ChamberPose>& poses, MuscleConfiguration configuration, double edge,
+                          const Progress& progress) {
+    configuration.lower = 0.3;
+    configuration.upper = 4.0;
+    const TipResponse response(filled_arm(edge, static_cast<int>(configuration.muscles.size())), configuration);
+    if (!response.rest().ok) return Error{response.rest().message, configuration.name};
+    MuscleFit result{configuration.name, {}, {}, {}};
+    PoseFit last = unmoved(response);
+    for (const ChamberPose& pose : poses) {
+        const Result<PoseFit> fit = fit_pose(response, pose.points_m, last, progress);
+        if (!fit) return fit.error();
+        last = *fit;
+        result.levels.push_back(fit->signals(0));
+        result.points_m.push_back(fit->pose.displacement_m);
+        result.rms_m.push_back(std::sqrt((fit->pose.displacement_m - pose.points_m).squaredNorm() /
+                                         static_cast<double>(pose.points_m.size())));
+    }
+    return result;
+}
+
+/// Largest distance of values from their best straight line through (0, at_zero), over their range from there.
+double bend_of_curve(const std::vector<double>& x, const std::vector<double>& y, double at_zero) {
+    double xx = 0.0, xy = 0.0, off = 0.0, range = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += x[i] * x[i];
+        xy += x[i] * (y[i] - at_zero);
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        off = std::max(off, std::abs(y[i] - at_zero - xy / xx * x[i]));
+        range = std::max(range, std::abs(y[i] - at_zero));
+    }
+    return range > 0.0 ? off / range : 0.0;
+}
+
+report::Series path(const std::string& name, const std::vector<Vector3d>& tips, report::SeriesStyle style,
+                    int colour = report::automatic_colour) {
+    report::Series series{.name = name, .style = style, .colour = colour};
+    for (const Vector3d& tip : tips) {
+        series.x.push_back(-1e3 * tip(0));
+        series.y.push_back(1e3 * tip(2));
+    }
+    return series;
+}
+
+std::string mm(double m) { return format_number(1e3 * m, 3); }
+
+Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+    const double edge = settings.coarse ? 9e-3 : 5e-3;
+    const Result<ChamberedArm> arm = make_chambered_arm(settings, edge);
+    if (!arm) return arm.error();
+    const bool own_file = std::filesystem::exists(chamber_geometry_file(settings));
+    const Result<std::vector<RobotTrial>> trials = read_arm_sweep(settings);
+    if (!trials) return trials.error();
+    Reproduction result;
+    result.title = "Pneumatic arm: pressure in true chambers beside the muscle model";
+    if (!own_file)
+        result.warnings.push_back(
+            "the fine mesh of the paper's arm with its ribbed chambers is not public: a plain arm with chambers stands "
+            "in for it; a closed surface in mm at " +
+            chamber_geometry_file(settings).string() + " would be used instead");
+    if (trials->empty()) result.warnings.push_back(missing_data(settings, "arm_pressure_sweep"));
+    std::vector<double> pressures;
+    for (const RobotTrial& trial : *trials) pressures.push_back(trial.pressure_mbar);
+    if (pressures.empty()) pressures = {75.0, 125.0, 175.0, 225.0, 275.0, 325.0, 375.0};
+
+    const Result<Inflation> inflation = pressurise(*arm, pressures, progress);
+    if (!inflation) return inflation.error();
+    const std::vector<ChamberPose>& poses = inflation->poses;
+    pressures.resize(poses.size());
+    if (inflation->ballooned_mbar > 0.0)
+        result.warnings.push_back(
+            "at " + format_number(inflation->ballooned_mbar, 3) +
+            " mbar the walls of the chambers balloon: there is no equilibrium any more, and nothing is said beyond");
+    const Result<MuscleFit> single = imitate(poses, one_muscle(), edge, progress);
+    if (!single) return single.error();
+    const Result<MuscleFit> tied = imitate(poses, tied_muscles(), edge, progress);
+    if (!tied) return tied.error();
+
+    report::Table table;
+    table.caption = "Tip of the arm with its chambers at +x under pressure, and the muscle level that comes nearest";
+    table.columns = {{"pressure", "mbar"},        {"tip x", "mm"},      {"tip z", "mm"},      {"bent by", "deg"},
+                     {"chambers grown by", "ml"}, {"AC1 level"},        {"AC1 off by", "mm"}, {"AC2 level"},
+                     {"AC2 off by", "mm"},        {"real arm x", "mm"}, {"real arm z", "mm"}};
+    std::vector<Vector3d> chamber_tips, single_tips, tied_tips, real_tips;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const ChamberPose& pose = poses[i];
+        const Vector3d tip = pose.tip_m();
+        const Vector3d real = i < trials->size() ? Vector3d(pose_at((*trials)[i], Instant::end).col(0))
+                                                 : Vector3d::Constant(std::nan(""));
+        table.rows.push_back({pose.pressure_mbar, 1e3 * tip(0), 1e3 * tip(2), pose.bent_rad * 180.0 / std::numbers::pi,
+                              1e6 * pose.grown_m3, single->levels[i], 1e3 * single->rms_m[i], tied->levels[i],
+                              1e3 * tied->rms_m[i], 1e3 * real(0), 1e3 * real(2)});
+        chamber_tips.push_back(tip);
+        single_tips.emplace_back(single->points_m[i].rowwise().mean());
+        tied_tips.emplace_back(tied->points_m[i].rowwise().mean());
+        if (real.allFinite()) real_tips.push_back(real);
+    }
+    result.tables = {table};
+    report::LineChart chart;
+    chart.title = "Way of the tip as the pressure rises";
+    chart.x = {.label = "towards the unpressurised side", .unit = "mm", .include_zero = true};
+    report::ChartPanel panel;
+    panel.y = {.label = "up", .unit = "mm", .include_zero = true};
+    panel.series = {path("chambers", chamber_tips, report::SeriesStyle::line_and_dots),
+                    path("AC1", single_tips, report::SeriesStyle::dashed),
+                    path("AC2", tied_tips, report::SeriesStyle::line)};
+    if (!real_tips.empty())
+        panel.series.push_back(
+            path("real arm, other chambers", real_tips, report::SeriesStyle::dots, report::ink_colour));
+    chart.panels = {panel};
+    result.figures = {
+        {"", {report::svg(chart), "Tip centre of the lower face, from where it hangs without pressure."}}};
+
+    const ChamberPose& last = poses.back();
+    int iterations = 0;
+    for (const ChamberPose& pose : poses) iterations += pose.iterations;
+    result.findings = {
+        "At " + format_number(last.pressure_mbar, 3) + " mbar the chambers move the tip by " + mm(last.tip_m().norm()) +
+            " mm and bend it by " + format_number(last.bent_rad * 180.0 / std::numbers::pi, 3) +
+            " degrees; they grow by " + format_number(1e6 * last.grown_m3, 3) + " ml.",
+        "One muscle in their place comes within " + mm(single->rms_m.back()) +
+            " mm rms of the lower face then, two antagonists (AC2) within " + mm(tied->rms_m.back()) +
+            " mm: a muscle that lengthens carries no pressure on the end caps and the side walls.",
+        "The level of AC1 over pressure departs from a straight line by " +
+            format_number(100.0 * bend_of_curve(pressures, single->levels, 1.0), 2) +
+            " % of its range, that of AC2 by " + format_number(100.0 * bend_of_curve(pressures, tied->levels, 1.0), 2) +
+            " %: a muscle model needs a map from pressure to level.",
+        std::to_string(iterations) +
+            " iterations of the solver for all pressures; the pressure follows its walls, and its tangent is that of "
+            "the enclosed volume."};
+    result.values["chambers"] = arm->chambers;
+    result.values["dofs"] = arm->model.body->dofs();
+    result.values["geometry"] = own_file ? "file" : "plain";
+    return result;
+}
+
+}  // namespace
+
+ReproductionCase reproduce_arm_chamber() {
+    return {"arm-chamber", "pressure in true chambers of an arm beside the muscle model", run};
+}
+
+}  // namespace myo::reproduce

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "reproduce/reproduction.hpp"
+
+namespace myo::reproduce {
+
+ReproductionCase reproduce_beam_static();
+ReproductionCase reproduce_beam_modulus();
+ReproductionCase reproduce_numerical_damping();
+ReproductionCase reproduce_lambda();
+ReproductionCase reproduce_arm_static();
+ReproductionCase reproduce_arm_dynamic();
+ReproductionCase reproduce_arm_chamber();
+ReproductionCase reproduce_fish();
+
+}  // namespace myo::reproduce

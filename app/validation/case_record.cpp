@@ -1,0 +1,172 @@
+#include "validation/case_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/diagnosis_json.hpp"
+
+namespace myo::validation {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr std::size_t kept_places = 5;
+
+bool is_place(const std::string& name) { return name == "position_m" || name == "anchor_m" || name == "centre_m"; }
+
+/// A number or a vector as a vector; empty for names.
+VectorXd as_vector(const effect::EffectParameter& value) {
+    if (const auto* const number = std::get_if<double>(&value)) return VectorXd::Constant(1, *number);
+    if (const auto* const vector = std::get_if<VectorXd>(&value)) return *vector;
+    return {};
+}
+
+double number_or_nan(const report::Json& json) {
+    return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// An angle and an axis as one vector, for their sign is shared.
+effect::EffectParameters joined_tilt(const effect::EffectDeclaration& effect) {
+    if (effect.id != "gravity_tilt") return effect.parameters;
+    return {{"tilt_deg", VectorXd(effect::number(effect.parameters, "tilt_deg") *
+                                  effect::vector(effect.parameters, "axis").normalized())}};
+}
+
+}  // namespace
+
+std::string CaseRecord::expected() const { return kind == CaseKind::deleted ? "unknown" : truth; }
+
+bool CaseRecord::right_within(int places) const {
+    const auto last = ranking.begin() + std::min<std::ptrdiff_t>(places, static_cast<std::ptrdiff_t>(ranking.size()));
+    return answered() && std::find(ranking.begin(), last, expected()) != last;
+}
+
+bool CaseRecord::right_or_grouped() const {
+    return right() ||
+           (answered() && answer.size() == 1 && std::find(group.begin(), group.end(), answer.front()) != group.end());
+}
+
+std::vector<ParameterError> parameter_errors(const effect::EffectDeclaration& truth,
+                                             const effect::EffectDeclaration& found) {
+    std::vector<ParameterError> errors;
+    const effect::EffectParameters right = joined_tilt(truth), told = joined_tilt(found);
+    for (const auto& [name, value] : right) {
+        const auto other = told.find(name);
+        if (other == told.end() || name == "axis") continue;
+        const VectorXd a = as_vector(value), b = as_vector(other->second);
+        if (a.size() == 0 || a.size() != b.size()) continue;
+        const double distance = (b - a).norm();
+        errors.push_back(
+            {name, distance,
+             is_place(name) || a.norm() == 0.0 ? std::numeric_limits<double>::quiet_NaN() : distance / a.norm()});
+    }
+    return errors;
+}
+
+CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, const diagnosis::Diagnosis& d) {
+    CaseRecord record = failed_case(made.truth, d.failure);
+    record.level = made.level;
+    record.make_s = made.seconds;
+    record.attempts = made.attempts;
+    record.diagnose_s = d.seconds;
+    record.dofs = setup.body->dofs();
+    if (!d.complete()) return record;
+    if (d.verdict.kind == diagnosis::VerdictKind::none) record.answer = {"none"};
+    if (d.verdict.kind == diagnosis::VerdictKind::unknown) record.answer = {"unknown"};
+    for (const effect::EffectDeclaration& effect : d.verdict.effects) record.answer.push_back(effect.id);
+    if (!d.verdict.effects.empty())
+        record.answer_parameters = diagnosis::effect_parameters_json(d.verdict.effects.front().parameters);
+    record.ranking.assign(
+        d.verdict.ranking.begin(),
+        d.verdict.ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kept_places, d.verdict.ranking.size())));
+    record.confidence = d.verdict.confidence;
+    for (const diagnosis::Confusion& confusion : d.confusions) {
+        if (confusion.first == record.truth) record.group.push_back(confusion.second);
+        if (confusion.second == record.truth) record.group.push_back(confusion.first);
+    }
+    std::sort(record.group.begin(), record.group.end());
+    record.group.erase(std::unique(record.group.begin(), record.group.end()), record.group.end());
+    if (record.kind == CaseKind::named && !d.verdict.effects.empty() && d.verdict.effects.front().id == record.truth)
+        record.errors = parameter_errors(*made.truth.effect, d.verdict.effects.front());
+    record.before_over_noise = d.before.validation_rms_m / made.truth.noise_m;
+    record.after_over_noise = d.after.validation_rms_m / made.truth.noise_m;
+    record.fit_over_noise = d.augmented.rms_m / made.truth.noise_m;
+    return record;
+}
+
+CaseRecord failed_case(const SyntheticCase& drawn, const std::string& failure) {
+    CaseRecord record;
+    record.number = drawn.number;
+    record.kind = drawn.kind;
+    record.family = to_string(drawn.body.family);
+    record.muscles = !drawn.muscles.empty();
+    record.truth = drawn.effect ? drawn.effect->id : "none";
+    if (drawn.effect) record.truth_parameters = diagnosis::effect_parameters_json(drawn.effect->parameters);
+    record.failure = failure;
+    return record;
+}
+
+report::Json record_json(const CaseRecord& r) {
+    report::Json json{{"case", r.number},
+                      {"kind", to_string(r.kind)},
+                      {"family", r.family},
+                      {"muscles", r.muscles},
+                      {"truth", r.truth}};
+    json["level_over_noise"] = report::json_number(r.level);
+    json["truth_parameters"] = r.truth_parameters;
+    json["answer"] = r.answer;
+    json["right"] = r.right();
+    json["answer_parameters"] = r.answer_parameters;
+    json["ranking"] = r.ranking;
+    json["confidence"] = report::json_number(r.confidence);
+    json["group"] = r.group;
+    json["errors"] = report::Json::array();
+    for (const ParameterError& error : r.errors)
+        json["errors"].push_back({{"name", error.name},
+                                  {"absolute", report::json_number(error.absolute)},
+                                  {"relative", report::json_number(error.relative)}});
+    json["validation_before_over_noise"] = report::json_number(r.before_over_noise);
+    json["validation_after_over_noise"] = report::json_number(r.after_over_noise);
+    json["fit_over_noise"] = report::json_number(r.fit_over_noise);
+    json["make_s"] = report::json_number(r.make_s);
+    json["diagnose_s"] = report::json_number(r.diagnose_s);
+    json["dofs"] = r.dofs;
+    json["attempts"] = r.attempts;
+    json["failure"] = r.failure;
+    return json;
+}
+
+Result<CaseRecord> record_from_json(const report::Json& json) {
+    CaseRecord r;
+    try {
+        r.number = json.at("case").get<int>();
+        if (!parse_case_kind(json.at("kind").get<std::string>(), r.kind)) return Error{"not a kind of case", "kind"};
+        r.family = json.at("family").get<std::string>();
+        r.muscles = json.at("muscles").get<bool>();
+        r.truth = json.at("truth").get<std::string>();
+        r.level = number_or_nan(json.at("level_over_noise"));
+        r.truth_parameters = json.at("truth_parameters");
+        r.answer = json.at("answer").get<std::vector<std::string>>();
+        r.answer_parameters = json.at("answer_parameters");
+        r.ranking = json.at("ranking").get<std::vector<std::string>>();
+        r.confidence = number_or_nan(json.at("confidence"));
+        r.group = json.at("group").get<std::vector<std::string>>();
+        for (const report::Json& error : json.at("errors"))
+            r.errors.push_back({error.at("name").get<std::string>(), number_or_nan(error.at("absolute")),
+                                number_or_nan(error.at("relative"))});
+        r.before_over_noise = number_or_nan(json.at("validation_before_over_noise"));
+        r.after_over_noise = number_or_nan(json.at("validation_after_over_noise"));
+        r.fit_over_noise = number_or_nan(json.at("fit_over_noise"));
+        r.make_s = number_or_nan(json.at("make_s"));
+        r.diagnose_s = number_or_nan(json.at("diagnose_s"));
+        r.dofs = json.at("dofs").get<int>();
+        r.attempts = json.at("attempts").get<int>();
+        r.failure = json.at("failure").get<std::string>();
+    } catch (const nlohmann::json::exception& broken) {
+        return Error{broken.what(), ""};
+    }
+    return r;
+}
+
+}  // namespace myo::validation

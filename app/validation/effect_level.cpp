@@ -1,0 +1,111 @@
+#include "validation/effect_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "prediction/predict_trials.hpp"
+#include "validation/synthetic_effects.hpp"
+#include "validation/synthetic_experiment.hpp"
+#include "validation/truth_model.hpp"
+
+namespace myo::validation {
+namespace {
+
+constexpr int most_evaluations = 8, most_rounds = 8;
+
+double rms(const Eigen::VectorXd& residual) {
+    return std::sqrt(residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, residual.size())));
+}
+
+/// With a margin, as the truth is run on another mesh.
+bool is_visible(double level) { return level > 1.05 * least_level && level < 0.95 * most_level; }
+
+/// Recalibration by secants from derivatives without the effect.
+inverse::LeastSquaresOptions recalibration(int evaluations) {
+    inverse::LeastSquaresOptions options;
+    options.max_evaluations = evaluations;
+    options.relative_decrease = 0.03;
+    options.relative_step = 1e-4;
+    options.most_jacobians = 0;
+    return options;
+}
+
+}  // namespace
+
+EffectLevel::EffectLevel(const SyntheticCase& c, setup::Setup setup, const Progress& progress)
+    : setup_(std::move(setup)), progress_(progress.with_sink({})) {
+    setup_.noise_m.setConstant(c.noise_m);  // an estimate would be that of the traces, which are still to be made
+    data_ = diagnosis::fit_data(setup_, prediction::trials_with_role(setup_, experiment::TrialRole::fit));
+    without_ = true_values(c, setup_);
+    without_.effects.clear();
+    inverse::LeastSquaresOptions there = recalibration(1);
+    there.most_jacobians = 1;
+    const diagnosis::JointFit fit = diagnosis::joint_fit(setup_, data_, without_, diagnosis::EffectFreedom::all, there,
+                                                         {}, progress_);
+    if (!fit.usable()) return;
+    near_ = diagnosis::neighbourhood_of(fit);
+    recalibrated_.emplace(near_.columns);
+    without_effect_ = fit.residual;
+}
+
+std::optional<EffectLevel::Level> EffectLevel::of(const effect::EffectDeclaration& effect) const {
+    prediction::ParameterValues values = without_;
+    values.effects.push_back(effect);
+    std::vector<prediction::TrialPrediction> with = prediction::predict_trials_with(setup_, values, data_.trials,
+                                                                                    progress_);
+    if (!prediction::all_ok(with)) return {};
+    const Eigen::VectorXd outside = recalibrated_->outside(diagnosis::flat_residual(data_, with) - without_effect_);
+    if (!outside.allFinite()) return {};
+    return Level{rms(outside), std::move(with)};
+}
+
+double EffectLevel::fitted(const Level& level) const {
+    setup::Setup seen = setup_;
+    for (std::size_t i = 0; i < data_.trials.size(); ++i)
+        seen.trials[data_.trials[i]].measured.tracks = level.with[i].positions_m;
+    const diagnosis::JointFit fit = diagnosis::joint_fit(seen, data_, without_, diagnosis::EffectFreedom::all,
+                                                         recalibration(most_evaluations), near_, progress_);
+    return fit.usable() && fit.residual.allFinite() ? rms(fit.residual) : 0.0;
+}
+
+std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, const EffectLevel& levels,
+                                                        double& level) {
+    const EffectDraw& draw = *find_effect_draw(c.effect->id);
+    effect::EffectDeclaration effect = *c.effect;
+    std::optional<EffectLevel::Level> found = levels.of(effect);
+    if (draw.amount.empty()) {
+        level = found ? levels.fitted(*found) : 0.0;
+        return level > least_fitted ? std::optional(effect) : std::nullopt;
+    }
+    double power = draw.grows ? 1.0 : -1.0;  // level ~ amount^power, improved by the secant of logarithms
+    double last_amount = 0.0, last_level = 0.0;
+    double wanted = c.wanted_level;
+    for (int round = 0; round < most_rounds; ++round) {
+        const double amount = effect_amount(effect);
+        const double there = found ? found->first_order : 0.0;
+        if (is_visible(there) && (round > 1 || std::abs(std::log(there / wanted)) < 0.3)) {
+            level = levels.fitted(*found);
+            if (level > least_fitted) return effect;
+            wanted = std::min(1.6 * std::max(wanted, there), 0.9 * most_level);
+            if (there > 0.85 * most_level) return {};
+        }
+        // What does not run is too much.
+        double next = draw.grows ? amount / 5.0 : amount * 5.0;
+        if (found && found->first_order > 0.0) {
+            if (last_level > 0.0 && last_amount != amount) {
+                const double secant = std::log(found->first_order / last_level) / std::log(amount / last_amount);
+                if (secant * power > 0.2) power = std::copysign(std::min(std::abs(secant), 3.0), power);
+            }
+            last_amount = amount;
+            last_level = found->first_order;
+            next = amount * std::pow(wanted / found->first_order, 1.0 / power);
+        }
+        next = std::clamp(next, draw.lowest, most_amount(c));
+        if (next == amount) return {};
+        effect = with_amount(effect, next);
+        found = levels.of(effect);
+    }
+    return {};
+}
+
+}  // namespace myo::validation

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <vector>
+
+namespace myo::validation {
+
+/// Median of the finite values; NaN of none.
+double finite_median(std::vector<double> values);
+
+}  // namespace myo::validation

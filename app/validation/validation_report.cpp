@@ -1,0 +1,170 @@
+#include "validation/validation_report.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "base/text.hpp"
+#include "report/chart.hpp"
+
+namespace myo::validation {
+namespace {
+
+std::string percent(double share) {
+    if (!std::isfinite(share)) return "–";
+    char text[24];
+    std::snprintf(text, sizeof text, "%.1f", 100.0 * share);
+    return text;
+}
+
+report::KeyFigure key_figure(const std::string& label, const Proportion& p, bool from_below) {
+    return {label, percent(p.share()), "%",
+            std::to_string(p.count) + " of " + std::to_string(p.of) +
+                (from_below ? ", at least " + percent(p.lower()) : ", at most " + percent(p.upper())) + " %"};
+}
+
+report::Table rate_table(const ValidationSummary& s) {
+    report::Table table{"Bounds are one-sided at 95 % (Clopper and Pearson).",
+                        {{"What"}, {"Cases"}, {"Of"}, {"Share", "%", 3}, {"At least", "%", 3}, {"At most", "%", 3}},
+                        {}};
+    const auto add = [&](const char* name, const Proportion& p) {
+        table.rows.push_back({name, p.count, p.of, 100.0 * p.share(), 100.0 * p.lower(), 100.0 * p.upper()});
+    };
+    add("right first", s.top_1);
+    add("right among two", s.top_2);
+    add("right first, where no other effect is said to look alike", s.separable_top_1);
+    add("right among two, there", s.separable_top_2);
+    add("right, or said not to be told apart from the truth", s.in_group);
+    add("effect missed (answered none)", s.missed);
+    add("false alarm without an effect", s.false_alarms);
+    add("deleted effect answered unknown", s.unknown);
+    add("deleted effect mimicked by another, held-out trial within 1.3 noise levels", s.mimicked);
+    add("deleted effects answered unknown where not mimicked", s.unknown_unmimicked);
+    add("parameters within 10 %, places within 5 mm", s.parameters_good);
+    return table;
+}
+
+report::Table confusion_table(const ValidationSummary& s) {
+    std::set<std::string> answers;
+    for (const auto& [truth, row] : s.confusion)
+        for (const auto& [answer, count] : row) answers.insert(answer);
+    report::Table table{
+        "Rows: what is true, in brackets what the diagnosis was not told of. Columns: what it answered.",
+        {{"Truth"}},
+        {}};
+    for (const std::string& answer : answers) table.columns.push_back({answer});
+    for (const auto& [truth, row] : s.confusion) {
+        std::vector<report::Cell> cells{truth};
+        for (const std::string& answer : answers)
+            cells.push_back(row.count(answer) > 0 ? report::Cell(std::to_string(row.at(answer))) : report::Cell(""));
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+report::Table parameter_table(const ValidationSummary& s) {
+    report::Table table{
+        "Of effects named rightly.", {{"Effect"}, {"Parameter"}, {"Median error"}, {"Good"}, {"Of"}}, {}};
+    for (const ParameterQuality& q : s.parameters)
+        table.rows.push_back(
+            {q.effect, q.parameter,
+             q.is_place ? format_number(1e3 * q.median, 3) + " mm" : format_number(100.0 * q.median, 3) + " %",
+             q.good.count, q.good.of});
+    return table;
+}
+
+std::string case_name(const CaseRecord& record) {
+    char text[24];
+    std::snprintf(text, sizeof text, "case_%04d", record.number);
+    return text;
+}
+
+report::Table wrong_table(const std::vector<CaseRecord>& records) {
+    report::Table table{"",
+                        {{"Case"},
+                         {"Body"},
+                         {"Truth"},
+                         {"Size", "× noise", 3},
+                         {"Answer"},
+                         {"Confidence", "", 2},
+                         {"Like the truth"},
+                         {"Held out before", "× noise", 3},
+                         {"After", "× noise", 3}},
+                        {}};
+    for (const CaseRecord& r : records) {
+        if (r.right()) continue;
+        table.rows.push_back({case_name(r), r.family + (r.muscles ? ", muscles" : ""),
+                              r.kind == CaseKind::deleted ? "(" + r.truth + ")" : r.truth, r.level,
+                              r.answered() ? join(r.answer, " + ") : r.failure, r.confidence, join(r.group),
+                              r.before_over_noise, r.after_over_noise});
+    }
+    return table;
+}
+
+}  // namespace
+
+std::string reliability_figure(const ValidationSummary& summary) {
+    report::LineChart chart;
+    chart.title = "Confidence and truth";
+    chart.x = {.label = "stated confidence", .lowest = 0.0, .highest = 1.0};
+    report::ChartPanel panel;
+    panel.y = {.label = "share of right answers", .lowest = 0.0, .highest = 1.0};
+    panel.series.push_back({.name = "as it should be",
+                            .x = {0.0, 1.0},
+                            .y = {0.0, 1.0},
+                            .style = report::SeriesStyle::dashed,
+                            .colour = report::ink_colour});
+    report::Series found{.name = "found", .style = report::SeriesStyle::line_and_dots, .colour = 0};
+    report::Series lower{.name = "90 % interval", .style = report::SeriesStyle::dashed, .colour = 1},
+        upper{.style = report::SeriesStyle::dashed, .colour = 1};
+    for (const ConfidenceBin& bin : summary.reliability) {
+        if (bin.right.of == 0) continue;
+        for (report::Series* series : {&found, &lower, &upper}) series->x.push_back(bin.mean);
+        found.y.push_back(bin.right.share());
+        lower.y.push_back(bin.right.lower());
+        upper.y.push_back(bin.right.upper());
+    }
+    panel.series.insert(panel.series.end(), {found, lower, upper});
+    chart.panels.push_back(panel);
+    return report::svg(chart);
+}
+
+report::HtmlReport validation_report(const std::vector<CaseRecord>& records, const std::string& command_line) {
+    const ValidationSummary s = validation_summary(records);
+    report::HtmlReport report{.title = "How far the diagnosis is to be trusted"};
+    std::string families;
+    for (const auto& [family, count] : s.families)
+        families += (families.empty() ? "" : ", ") + std::to_string(count) + " " + family;
+    report.summary = {
+        std::to_string(s.cases) + " synthetic experiments (" + families +
+            "), simulated with other cells, a finer mesh, a smaller step and another scheme than the diagnosis uses.",
+        "An effect changes the markers' motion by 3 to 15 noise levels after recalibration has absorbed what it can to "
+        "first order, and a fit leaves at least one."};
+    report.key_figures = {
+        key_figure("right first", s.top_1, true),
+        key_figure("right among two", s.top_2, true),
+        key_figure("false alarms", s.false_alarms, false),
+        key_figure("deleted effects answered unknown", s.unknown, true),
+        {"calibration error", format_number(s.calibration_error, 2), "", "mean distance of confidence and share right"},
+        {"diagnosis", format_number(s.median_diagnose_s, 3), "s", "median, one thread"}};
+    if (s.failed > 0)
+        report.warnings.lines = {std::to_string(s.failed) + " cases failed and count in none of the rates."};
+    report.sections.push_back({"Rates", {rate_table(s)}});
+    report.sections.push_back({"Answers", {confusion_table(s)}});
+    report.sections.push_back(
+        {"Confidence",
+         {report::Figure{reliability_figure(s),
+                         "Dots: mean confidence of a bin and the share of its answers that were right."}}});
+    report.sections.push_back({"Parameters", {parameter_table(s)}});
+    report::Table wrong = wrong_table(records);
+    report.sections.push_back({"Wrong answers", {}});
+    if (wrong.rows.empty())
+        report.sections.back().blocks.push_back(report::Paragraph{"None."});
+    else
+        report.sections.back().blocks.push_back(std::move(wrong));
+    report.sections.back().blocks.push_back(report::EmbeddedJson{"study", summary_json(s)});
+    report.footer = command_line;
+    return report;
+}
+
+}  // namespace myo::validation

@@ -1,0 +1,72 @@
+#include <utility>
+
+#include "base/stopwatch.hpp"
+#include "calibration/fit_in_windows.hpp"
+#include "calibration/numerical_deviation.hpp"
+#include "prediction/shorter_steps.hpp"
+#include "prediction/time_step.hpp"
+
+namespace myo::calibration {
+namespace {
+
+int all_evaluations(const Calibration& calibration) {
+    return calibration.evaluations() + calibration.earlier_evaluations;
+}
+
+/// The fit, and again with shorter steps where its values ask for them.
+Calibration fit_with_chosen_steps(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
+    Calibration calibration = calibrate(setup, settings, progress);
+    if (!prediction::choosable(setup.settings)) return calibration;
+    for (int fit = 1; fit < prediction::shorter_steps_policy.most_fits; ++fit) {
+        if (!calibration.fit.converged() || progress.cancelled()) break;
+        std::vector<setup::TrialStep> steps = prediction::choose_steps(setup, calibration.after.values, progress,
+                                                                       &calibration.after);
+        if (!prediction::much_shorter(setup, steps)) break;
+        prediction::set_shorter_steps(setup, std::move(steps));
+        for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
+            settings.from[calibration.parameters[i].parameter.name] = calibration.fit.values(
+                static_cast<Eigen::Index>(i));
+        settings.starts = 1;
+        const int evaluations = all_evaluations(calibration);
+        Calibration next = calibrate(setup, settings, progress);
+        if (!next.usable()) break;  // stopped at once: the values there are were found with longer steps
+        next.earlier_evaluations = evaluations;
+        next.seconds += calibration.seconds;
+        calibration = std::move(next);
+    }
+    return calibration;
+}
+
+/// The fit, and once more from where the beginning of the trials leads, should it have taken one period for another.
+Calibration fit_of_all_periods(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
+    Calibration calibration = fit_with_chosen_steps(setup, settings, progress);
+    if (!calibration.usable() || progress.cancelled()) return calibration;
+    const Stopwatch watch;
+    const double first_s = calibration.seconds;
+    settings.from = start_from_windows(setup, calibration, progress);
+    calibration.seconds = first_s + watch.seconds();
+    if (settings.from.empty()) return calibration;
+    settings.starts = 1;
+    setup::Setup other = setup;
+    Calibration again = fit_with_chosen_steps(other, settings, progress);
+    if (again.fit.converged() && again.fit.cost_after < calibration.fit.cost_after) {
+        std::swap(calibration, again);
+        std::swap(setup, other);
+    }
+    calibration.earlier_evaluations += all_evaluations(again);
+    calibration.seconds = first_s + watch.seconds();
+    return calibration;
+}
+
+}  // namespace
+
+Calibration calibrate_with_chosen_steps(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
+    Calibration calibration = fit_of_all_periods(setup, std::move(settings), progress);
+    if (!calibration.usable()) return calibration;
+    calibration.numerical = numerical_deviations(setup, calibration, progress);
+    calibration.seconds += calibration.numerical.seconds;
+    if (!calibration.numerical.message.empty()) calibration.warnings.push_back(calibration.numerical.message);
+    return calibration;
+}
+
+}  // namespace myo::calibration

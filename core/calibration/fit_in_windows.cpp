@@ -1,0 +1,186 @@
+#include "calibration/fit_in_windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "prediction/predict_trials.hpp"
+#include "prediction/weighted_residuals.hpp"
+#include "setup/first_vibration.hpp"
+
+namespace myo::calibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void keep_samples(measurement::Recording& recording, Index count) {
+    recording.time_s.conservativeResize(count);
+    for (Eigen::Matrix3Xd& track : recording.tracks) track.conservativeResize(Eigen::NoChange, count);
+    for (VectorXd& residual : recording.residual_m) residual.conservativeResize(count);
+}
+
+Index samples_until(const setup::PreparedTrial& trial, double end_s) {
+    const VectorXd& times = trial.measured.time_s;
+    return std::max<Index>(trial.first_sample + window_policy.least_samples, (times.array() <= end_s).count());
+}
+
+/// The fit trials alone, each up to `length_s` after its motion has begun.
+setup::Setup beginning(const setup::Setup& setup, const std::vector<double>& onset_s, double length_s) {
+    setup::Setup part = setup;
+    part.trials.clear();
+    part.experiment.trials.clear();
+    part.steps.clear();
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        if (setup.trials[t].role != experiment::TrialRole::fit) continue;
+        setup::PreparedTrial trial = setup.trials[t];
+        const Index count = samples_until(trial, onset_s[t] + length_s);
+        if (count < trial.measured.sample_count()) {
+            const double interval_s = setup::sampling_interval_s(trial);
+            keep_samples(trial.measured, count);
+            trial.options.end_s = std::min(trial.options.end_s, trial.measured.time_s(count - 1) + interval_s);
+        }
+        part.trials.push_back(std::move(trial));
+        part.experiment.trials.push_back(setup.experiment.trials[t]);
+        if (t < setup.steps.size()) part.steps.push_back(setup.steps[t]);
+    }
+    return part;
+}
+
+/// When markers have first left the place of their first sample by a good part of their way.
+double onset(const setup::PreparedTrial& trial) {
+    const VectorXd& times = trial.measured.time_s;
+    double first_s = times(times.size() - 1);
+    for (const Eigen::Matrix3Xd& track : trial.measured.tracks) {
+        std::optional<Eigen::Vector3d> from;
+        VectorXd way = VectorXd::Zero(track.cols());
+        for (Index k = trial.first_sample; k < track.cols(); ++k) {
+            if (!track.col(k).allFinite()) continue;
+            if (!from) from = track.col(k);
+            way(k) = (track.col(k) - *from).norm();
+        }
+        const double seen = window_policy.seen_departure * way.maxCoeff();
+        for (Index k = trial.first_sample; k < track.cols() && seen > 0.0; ++k)
+            if (way(k) > seen) {
+                first_s = std::min(first_s, times(std::max<Index>(trial.first_sample, k - 1)));
+                break;
+            }
+    }
+    return std::max(0.0, first_s);
+}
+
+/// Half the squared residuals; infinite where the model does not run.
+double cost(const setup::Setup& setup, const prediction::ParameterValues& values, const Progress& progress) {
+    const std::vector<std::size_t> trials = prediction::trials_with_role(setup, experiment::TrialRole::fit);
+    const inverse::ResidualEvaluation there = prediction::weighted_residuals(
+        setup, trials, prediction::predict_trials_with(setup, values, trials, progress), 0);
+    return there.ok ? 0.5 * there.residuals.squaredNorm() : std::numeric_limits<double>::infinity();
+}
+
+class Search {
+public:
+    Search(const setup::Setup& setup, const Calibration& found, const Progress& progress)
+        : setup_(setup), found_(found), progress_(progress) {
+        for (const prediction::ModelParameter& p : found.parameters) {
+            if (p.kind == prediction::ModelParameter::Kind::youngs_modulus && !p.parameter.is_fixed()) modulus_ = &p;
+            if (p.kind == prediction::ModelParameter::Kind::damping && !p.parameter.is_fixed()) damping_ = &p;
+        }
+    }
+
+    std::map<std::string, double> run() {
+        if (modulus_ == nullptr || !is_unexplained()) return {};
+        upper_Pa_ = modulus_->parameter.upper;
+        lower_Pa_ = std::max(modulus_->parameter.lower, window_policy.least_share * upper_Pa_);
+        doubt_rad_s_ = 0.5 * std::log(upper_Pa_ / lower_Pa_) * frequency_rad_s();
+        double longest_s = 0.0;
+        for (const setup::PreparedTrial& trial : setup_.trials) {
+            onset_s_.push_back(onset(trial));
+            if (trial.role == experiment::TrialRole::fit)
+                longest_s = std::max(longest_s, trial.measured.time_s.tail(1)(0) - onset_s_.back());
+        }
+        const double doubt_rad = doubt_rad_s_ * longest_s;
+        if (!(doubt_rad > window_policy.most_doubt_rad) || doubt_rad > window_policy.most_phase_rad) return {};
+        double length_s = window_policy.most_doubt_rad / doubt_rad_s_;
+        CalibrationSettings settings = found_.settings;
+        settings.starts = 1;
+        settings.max_evaluations = window_policy.max_evaluations;
+        settings.evaluated = {};
+        settings.from = best_of_scan(length_s, settings.from);
+        for (; length_s < longest_s && !progress_.cancelled(); length_s *= window_policy.growth) {
+            const Calibration fit = calibrate(beginning(setup_, onset_s_, length_s), settings, progress_.with_sink({}));
+            if (!fit.usable()) return {};
+            for (std::size_t i = 0; i < fit.parameters.size(); ++i)
+                settings.from[fit.parameters[i].parameter.name] = fit.fit.values(static_cast<Index>(i));
+        }
+        if (progress_.cancelled() || !is_better(settings.from)) return {};
+        return settings.from;
+    }
+
+private:
+    bool is_unexplained() const {
+        return found_.after.fit_rms_m > window_policy.unexplained * setup::mean_noise(setup_);
+    }
+
+    /// Whether these values explain the whole trials much better than their fit does, before a fit begins there.
+    bool is_better(const std::map<std::string, double>& from) const {
+        prediction::ParameterValues values = found_.after.values;
+        for (const prediction::ModelParameter& p : found_.parameters)
+            if (const auto value = from.find(p.parameter.name); value != from.end())
+                prediction::set_value(p, value->second, values);
+        return cost(setup_, values, progress_.with_sink({})) < window_policy.worth * found_.fit.cost_after;
+    }
+
+    double frequency_rad_s() const {
+        prediction::ParameterValues values = found_.after.values;
+        values.youngs_modulus_Pa = std::sqrt(lower_Pa_ * upper_Pa_);
+        for (std::size_t t = 0; t < setup_.trials.size(); ++t)
+            if (setup_.trials[t].role == experiment::TrialRole::fit)
+                return setup::first_vibration_rad_s(prediction::affected_trial(setup_, t, values).model);
+        return 0.0;
+    }
+
+    std::map<std::string, double> best_of_scan(double length_s, std::map<std::string, double> from) const {
+        const setup::Setup window = beginning(setup_, onset_s_, length_s);
+        double seen_s = length_s;  // few samples of a slow camera take longer than asked for
+        for (const setup::PreparedTrial& trial : window.trials)
+            seen_s = std::max(seen_s, trial.measured.time_s.tail(1)(0));
+        const int count = std::clamp(
+            static_cast<int>(std::ceil(doubt_rad_s_ * seen_s / window_policy.scan_phase_rad)) + 1, 3,
+            window_policy.most_scanned);
+        prediction::ParameterValues values = prediction::declared_values(window);
+        const double damping_s = values.damping_s;
+        double least = std::numeric_limits<double>::infinity();
+        for (const double share : window_policy.damping_shares) {
+            if (damping_ == nullptr && share != 1.0) continue;
+            values.damping_s = share * damping_s;
+            for (int i = 0; i < count && !progress_.cancelled(); ++i) {
+                values.youngs_modulus_Pa = lower_Pa_ * std::pow(upper_Pa_ / lower_Pa_, i / (count - 1.0));
+                const double here = cost(window, values, progress_.with_sink({}));
+                progress_.report({"other moduli", static_cast<double>(i + 1), static_cast<double>(count), "runs", {}});
+                if (!(here < least)) continue;
+                least = here;
+                from[modulus_->parameter.name] = values.youngs_modulus_Pa;
+                if (damping_ != nullptr) from[damping_->parameter.name] = values.damping_s;
+            }
+        }
+        return from;
+    }
+
+    const setup::Setup& setup_;
+    const Calibration& found_;
+    Progress progress_;
+    const prediction::ModelParameter *modulus_ = nullptr, *damping_ = nullptr;
+    std::vector<double> onset_s_;             // per trial
+    double lower_Pa_ = 0.0, upper_Pa_ = 0.0;  // of the modulus
+    double doubt_rad_s_ = 0.0;
+};
+
+}  // namespace
+
+std::map<std::string, double> start_from_windows(const setup::Setup& setup, const Calibration& found,
+                                                 const Progress& progress) {
+    return Search(setup, found, progress).run();
+}
+
+}  // namespace myo::calibration

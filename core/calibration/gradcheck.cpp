@@ -1,0 +1,107 @@
+#include "calibration/gradcheck.hpp"
+
+#include <atomic>
+#include <cmath>
+
+#include "base/stopwatch.hpp"
+#include "prediction/trial_target.hpp"
+
+namespace myo::calibration {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+/// A smooth field of velocities, in every direction.
+Matrix3Xd kick(const mesh::VolumeMesh& mesh) {
+    const Eigen::Vector3d low = mesh.nodes.rowwise().minCoeff();
+    const double size = (mesh.nodes.rowwise().maxCoeff() - low).norm();
+    Matrix3Xd velocities(3, mesh.nodes.cols());
+    for (Eigen::Index i = 0; i < velocities.cols(); ++i) {
+        const Eigen::Vector3d s = (mesh.nodes.col(i) - low) / size;
+        velocities.col(i) = 0.5 * size *
+                            Eigen::Vector3d(std::sin(3.0 * s.x() + s.y()), std::cos(2.0 * s.y() - s.z()),
+                                            std::sin(2.0 * s.z() + 2.0 * s.x() + 0.5));
+    }
+    return velocities;
+}
+
+/// The positions at rest at the ends of the steps, where the trace has nothing to say so early.
+inverse::MarkerTarget rest_target(const setup::Setup& setup, int steps, double h_s) {
+    inverse::MarkerTarget target;
+    target.markers = setup.markers;
+    target.times_s = Eigen::VectorXd::LinSpaced(steps + 1, 0.0, steps * h_s);
+    for (const experiment::MarkerDeclaration& marker : setup.experiment.markers.on_body)
+        target.positions_m.emplace_back(marker.rest_m.replicate(1, steps + 1));
+    return target;
+}
+
+/// The placement against central differences of fourth order, as the run is checked; it does not depend on it.
+std::vector<sensitivity::GradientCheckRow> placement_rows(const inverse::MarkerTarget& target,
+                                                          const sensitivity::NodeMotion& motion, double h_s) {
+    const inverse::MarkerPlacement gradient = inverse::mean_square_by_placement(target, motion);
+    std::vector<sensitivity::GradientCheckRow> rows;
+    const auto add = [&](const std::string& name, double adjoint, double step, const auto& change) {
+        const auto loss = [&](double by) {
+            inverse::MarkerTarget changed = target;
+            change(changed.placement, by);
+            return inverse::mean_square(changed, motion).value;
+        };
+        rows.push_back({name, adjoint,
+                        (8.0 * (loss(step) - loss(-step)) - (loss(2.0 * step) - loss(-2.0 * step))) / (12.0 * step)});
+        rows.back().relative_error = sensitivity::relative_difference(rows.back().adjoint, rows.back().difference);
+    };
+    const char* const axes[] = {"x", "y", "z"};
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        if (!target.from_start)
+            add(std::string("registration, translation ") + axes[k], gradient.translation_m(k), 1e-4,
+                [k](inverse::MarkerPlacement& p, double by) { p.translation_m(k) += by; });
+        add(std::string("registration, rotation ") + axes[k], gradient.rotation_rad(k), 1e-3,
+            [k](inverse::MarkerPlacement& p, double by) { p.rotation_rad(k) += by; });
+    }
+    add("start time", gradient.start_shift_s, 0.02 * h_s,
+        [](inverse::MarkerPlacement& p, double by) { p.start_shift_s += by; });
+    return rows;
+}
+
+}  // namespace
+
+TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int steps, const Progress& progress) {
+    const Stopwatch watch;
+    const setup::PreparedTrial& trial = setup.trials[index];
+    model::Model model = trial.model;
+    for (const std::size_t muscle : trial.free_levels)
+        model.activation = setup::with_level(setup.experiment, model.activation, muscle, 1.05);
+    dynamics::SimulationOptions options = trial.options;
+    options.end_s = steps * options.h_s;
+    options.initial.velocities = kick(setup.mesh.mesh);
+
+    TrialGradientCheck result;
+    result.steps = steps;
+    result.end_s = options.end_s;
+    inverse::MarkerTarget target = prediction::trial_target(setup, index, options.end_s);
+    // One sample at the start, before anything moves, tells nothing of the motion.
+    result.against_trace = target.coordinates() > 0 && target.times_s.tail(1)(0) > 0.0;
+    if (!result.against_trace) target = rest_target(setup, steps, options.h_s);
+    // Off the marks, so that the placement matters; samples off the steps, between which the motion is smooth in time.
+    target.placement = {{1e-4, -2e-4, 1.5e-4}, {0.01, 0.02, -0.015}, -0.23 * options.h_s};
+    sensitivity::LossOfMotion loss = inverse::mean_square_of(target);
+    std::atomic<bool> first = true;
+    sensitivity::NodeMotion checked;
+    loss.evaluate = [&, evaluate = loss.evaluate](const sensitivity::NodeMotion& motion) {
+        sensitivity::MotionLoss value = evaluate(motion);
+        if (first.exchange(false)) {
+            result.loss_m2 = value.value;
+            checked = motion;
+        }
+        return value;
+    };
+    result.check = sensitivity::check_gradient(model, options, loss, sensitivity::checked_parameters(model, options),
+                                               {}, setup.settings.threads, progress);
+    if (result.check.complete())
+        for (sensitivity::GradientCheckRow& row : placement_rows(target, checked, options.h_s))
+            result.check.rows.push_back(std::move(row));
+    result.seconds = watch.seconds();
+    return result;
+}
+
+}  // namespace myo::calibration

@@ -1,0 +1,282 @@
+#include "calibration/numerical_deviation.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/stopwatch.hpp"
+#include "prediction/predict_trials.hpp"
+#include "prediction/time_step.hpp"
+#include "prediction/weighted_residuals.hpp"
+#include "setup/first_vibration.hpp"
+#include "setup/refined_setup.hpp"
+
+namespace myo::calibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+std::vector<prediction::TrialPrediction> residuals_of(const prediction::SetupRun& run,
+                                                      const std::vector<std::size_t>& trials) {
+    std::vector<prediction::TrialPrediction> result;
+    for (const std::size_t t : trials) {
+        const prediction::TrialPrediction& full = run.predictions[t];
+        result.push_back({full.status, full.message, {}, {}, {}, full.residual_m, {}});
+    }
+    return result;
+}
+
+/// What another mesh or other steps find from the same data.
+struct Refitted {
+    VectorXd values;      // empty: not found
+    std::string message;  // then: why
+    VectorXd left;        // of the motion, where it differs from that of the fit with its values: in noise levels
+    double run_s = 0.0;   // of the first run of all trials
+};
+
+/// Errors of the values and of the motion.
+struct Errors {
+    VectorXd values;      // empty: not known
+    std::string message;  // then: why
+    double motion = 0.0;  // rms in noise levels
+};
+
+/// Least mesh error of each fitted value, see the policy; 0 of all but the modulus.
+VectorXd least_mesh_error(const setup::Setup& setup, const Calibration& calibration,
+                          const NumericalDeviationPolicy& policy) {
+    const double edges = setup.mesh.resolution_m /
+                         setup::automatic_resolution(setup.surface, fem::cell_type(setup.mesh.element));
+    VectorXd error = VectorXd::Zero(calibration.fit.values.size());
+    for (Index i = 0; i < error.size(); ++i)
+        if (calibration.parameters[static_cast<std::size_t>(i)].kind ==
+            prediction::ModelParameter::Kind::youngs_modulus)
+            error(i) = policy.least_mesh_error * edges * calibration.fit.values(i);
+    return error;
+}
+
+/// Fits the parameters of a calibration to the same data with another setup.
+class Refit {
+public:
+    Refit(const setup::Setup& setup, const Calibration& calibration, const Progress& progress,
+          const NumericalDeviationPolicy& policy)
+        : calibration_(calibration),
+          progress_(progress),
+          policy_(policy),
+          trials_(prediction::trials_with_role(setup, experiment::TrialRole::fit)),
+          residuals_(
+              prediction::weighted_residuals(setup, trials_, residuals_of(calibration.after, trials_), 0).residuals),
+          least_mesh_error_(least_mesh_error(setup, calibration, policy)) {
+        const Eigen::MatrixXd& J = calibration.fit.jacobian;
+        if (!ready()) return;
+        std::vector<inverse::Parameter> parameters;
+        for (const prediction::ModelParameter& p : calibration.parameters) parameters.push_back(p.parameter);
+        scale_ = VectorXd::Zero(J.cols());  // those that the fit does not move stay
+        for (const Index i : inverse::sufficient_parameters(parameters, J, {}))
+            scale_(i) = parameters[static_cast<std::size_t>(i)].scale;
+        solver_.compute(J * scale_.asDiagonal());
+    }
+
+    /// Whether the calibration has what is needed for it.
+    bool ready() const { return residuals_.size() > 0 && residuals_.size() == calibration_.fit.jacobian.rows(); }
+
+    /// @param values  to begin with
+    /// @param beside  settled are corrections that matter as little beside the change from these
+    /// @param most_s  no run but the first is begun that would end later
+    Refitted on(const setup::Setup& other, VectorXd values, const VectorXd& beside, double most_s) const {
+        const setup::Setup kept = prediction::with_kept_paths(other);
+        const Stopwatch watch;
+        Refitted result;
+        std::vector<std::shared_ptr<const dynamics::StagePath>> near(trials_.size());
+        for (int run = 1; run <= policy_.most_runs; ++run) {
+            const VectorXd at = within_bounds(values);
+            const prediction::ParameterValues all = with_values(at);
+            std::vector<prediction::PredictionTask> tasks;
+            for (std::size_t i = 0; i < trials_.size(); ++i) tasks.push_back({trials_[i], &all, near[i]});
+            const std::vector<prediction::TrialPrediction> predictions = prediction::predict_trials(kept, tasks, {},
+                                                                                                    progress_);
+            const inverse::ResidualEvaluation there = prediction::weighted_residuals(kept, trials_, predictions, 0);
+            if (!there.ok) return {{}, progress_.cancelled() ? "stopped by the user" : there.message, {}};
+            for (std::size_t i = 0; i < near.size(); ++i) near[i] = predictions[i].trace.path;
+            if (run == 1) result.run_s = watch.seconds();
+            const VectorXd step = scale_.cwiseProduct(solver_.solve(residuals_ - there.residuals));
+            result.values = values = at + step;
+            result.left = there.residuals + calibration_.fit.jacobian * step - residuals_;
+            const bool settled = (step.array().abs() <= settled_change(values - beside)).all();
+            if (settled || watch.seconds() * (run + 1) / run > most_s) break;
+        }
+        return result;
+    }
+
+    /// Over what is compared: occluded coordinates have a residual of 0.
+    double rms(const VectorXd& change) const {
+        const auto count = static_cast<double>((residuals_.array() != 0.0).count());
+        return count > 0.0 ? change.norm() / std::sqrt(count) : 0.0;
+    }
+
+private:
+    VectorXd within_bounds(VectorXd values) const {
+        for (Index i = 0; i < values.size(); ++i) {
+            const inverse::Parameter& p = calibration_.parameters[static_cast<std::size_t>(i)].parameter;
+            values(i) = std::clamp(values(i), p.lower, p.upper);
+        }
+        return values;
+    }
+
+    prediction::ParameterValues with_values(const VectorXd& at) const {
+        prediction::ParameterValues values = calibration_.after.values;
+        for (Index i = 0; i < at.size(); ++i)
+            prediction::set_value(calibration_.parameters[static_cast<std::size_t>(i)], at(i), values);
+        return values;
+    }
+
+    /// Corrections up to these do not matter: beside the whole change, the noise and the least error of the mesh. Any,
+    /// where the data do not determine the parameter.
+    Eigen::ArrayXd settled_change(const VectorXd& change) const {
+        Eigen::ArrayXd most = policy_.settled *
+                              (change.array().abs() + calibration_.fit.deviations.array() + least_mesh_error_.array());
+        for (double& one : most)
+            if (std::isnan(one)) one = std::numeric_limits<double>::infinity();
+        return most;
+    }
+
+    const Calibration& calibration_;
+    Progress progress_;
+    const NumericalDeviationPolicy& policy_;
+    std::vector<std::size_t> trials_;
+    VectorXd residuals_, least_mesh_error_, scale_;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
+};
+
+/// The error of a value that changes so much where edges or steps are `ratio` times as long.
+double extrapolation(double ratio, double order) { return 1.0 / std::abs(1.0 - std::pow(ratio, order)); }
+
+class Estimate {
+public:
+    Estimate(const setup::Setup& setup, const Calibration& calibration, const Progress& progress,
+             const NumericalDeviationPolicy& policy)
+        : setup_(setup),
+          calibration_(calibration),
+          policy_(policy),
+          progress_(progress.with_sink([progress](ProgressEvent event) {
+              event.task = "numerical errors";
+              progress.report(event);
+          })),
+          refit_(setup, calibration, progress_, policy),
+          most_s_(std::max(policy.always_s, policy.most_share * calibration.seconds)) {}
+
+    NumericalDeviations run() {
+        NumericalDeviations result;
+        const setup::Setup longer = with_longer_steps(setup_);
+        const VectorXd& fitted = calibration_.fit.values;
+        const Refitted with_longer = refit_.ready() ? refit_.on(longer, fitted, fitted, 0.3 * left_s())
+                                                    : Refitted{{}, "the fit ended without derivatives", {}};
+        const Errors steps = of_steps(with_longer);
+        const Errors mesh = steps.values.size() > 0 ? of_mesh(longer, with_longer) : Errors{{}, steps.message};
+        result.step = steps.values;
+        result.mesh = mesh.values;
+        result.motion_noise_levels = std::hypot(steps.motion, mesh.motion, other_vibrations());
+        if (steps.values.size() == 0)
+            result.message =
+                "the standard deviations are those of the markers' noise alone, without the errors of "
+                "mesh and time step: " +
+                steps.message;
+        else if (mesh.values.size() == 0)
+            result.message = "the standard deviations leave out the mesh's error: " + mesh.message;
+        result.seconds = watch_.seconds();
+        return result;
+    }
+
+private:
+    /// What the steps, chosen for the largest vibrations, do to the others [noise levels, rms over the fit trials].
+    double other_vibrations() const {
+        const prediction::SetupRun& run = calibration_.after;
+        double squares = 0.0;
+        int count = 0;
+        for (const std::size_t t : prediction::trials_with_role(setup_, experiment::TrialRole::fit)) {
+            if (!run.predictions[t].trace.complete()) continue;
+            const double error_m = prediction::step_seen_in(setup_, t, run.values, run.predictions[t].trace)
+                                       .other_vibrations_m;
+            squares += error_m * error_m;
+            ++count;
+        }
+        return count > 0 ? std::sqrt(squares / count) / setup::mean_noise(setup_) : 0.0;
+    }
+
+    double left_s() const { return most_s_ - watch_.seconds(); }
+
+    setup::Setup with_longer_steps(setup::Setup setup) const {
+        for (std::size_t t = 0; t < setup.trials.size(); ++t)
+            setup::set_step(setup.trials[t], policy_.longer_steps * setup_.trials[t].options.h_s);
+        return setup;
+    }
+
+    Errors of_steps(const Refitted& longer) const {
+        if (longer.values.size() == 0) return {{}, longer.message};
+        const double order = setup_.settings.integrator == dynamics::Integrator::implicit_euler ? 1.0 : 2.0,
+                     error = extrapolation(policy_.longer_steps, order);
+        return {error * (longer.values - calibration_.fit.values).cwiseAbs(), {}, error * refit_.rms(longer.left)};
+    }
+
+    /// From runs with the longer steps on both meshes: the mesh's error hardly depends on them.
+    Errors of_mesh(const setup::Setup& longer, const Refitted& here) const {
+        std::string message = "no other mesh can be made";
+        for (const double edges : policy_.edges) {
+            if (progress_.cancelled()) return {{}, "stopped by the user"};
+            Result<setup::Setup> other = setup::refined_setup(longer, edges, progress_.with_sink({}));
+            if (!other || std::abs(std::log(edge_ratio(*other))) < std::log(policy_.another)) continue;
+            message = "runs on another mesh would take too long";
+            const double larger = static_cast<double>(other->body->dofs()) / static_cast<double>(setup_.body->dofs());
+            if (here.run_s * std::pow(larger, policy_.time_exponent) > left_s()) continue;
+            *other = with_longer_steps(std::move(*other));
+            const Refitted there = refit_.on(*other, start_on(*other, here.values), here.values, left_s());
+            if (there.values.size() == 0) return {{}, there.message};
+            return {error_of(*other, there.values - here.values),
+                    {},
+                    extrapolation(edge_ratio(*other), policy_.mesh_order) * refit_.rms(there.left - here.left)};
+        }
+        return {{}, message};
+    }
+
+    /// Mean of all directions: layers are whole, so edges are not changed alike.
+    double edge_ratio(const setup::Setup& other) const {
+        const auto cells = [](const setup::Setup& s) { return static_cast<double>(s.mesh.mesh.cell_count()); };
+        return std::cbrt(cells(setup_) / cells(other));
+    }
+
+    VectorXd error_of(const setup::Setup& other, const VectorXd& change) const {
+        const VectorXd error = extrapolation(edge_ratio(other), policy_.mesh_order) * change.cwiseAbs();
+        return error.cwiseMax(least_mesh_error(setup_, calibration_, policy_));
+    }
+
+    /// Vibrations of another mesh would drift away from the data's: it begins with the modulus of the same frequency.
+    VectorXd start_on(const setup::Setup& other, VectorXd start) const {
+        const prediction::ParameterValues& values = calibration_.after.values;
+        const double here = setup::first_vibration_rad_s(prediction::trial_model(setup_, 0, values)),
+                     there = setup::first_vibration_rad_s(prediction::trial_model(other, 0, values));
+        if (!(here > 0.0) || !(there > 0.0)) return start;
+        for (std::size_t i = 0; i < calibration_.parameters.size(); ++i)
+            if (calibration_.parameters[i].kind == prediction::ModelParameter::Kind::youngs_modulus)
+                start(static_cast<Index>(i)) *= std::pow(here / there, 2);
+        return start;
+    }
+
+    const setup::Setup& setup_;
+    const Calibration& calibration_;
+    const NumericalDeviationPolicy& policy_;
+    Progress progress_;
+    Stopwatch watch_;
+    Refit refit_;
+    double most_s_;
+};
+
+}  // namespace
+
+NumericalDeviations numerical_deviations(const setup::Setup& setup, const Calibration& calibration,
+                                         const Progress& progress, const NumericalDeviationPolicy& policy) {
+    return Estimate(setup, calibration, progress, policy).run();
+}
+
+}  // namespace myo::calibration

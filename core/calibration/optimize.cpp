@@ -1,0 +1,236 @@
+#include "calibration/optimize.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <random>
+
+#include "base/stopwatch.hpp"
+#include "base/text.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_trial.hpp"
+#include "prediction/trial_target.hpp"
+
+namespace myo::calibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+std::size_t leader_count(const std::vector<experiment::MuscleLeader>& leaders) {
+    std::size_t count = 0;
+    for (std::size_t m = 0; m < leaders.size(); ++m) count += leaders[m].leader == m ? 1 : 0;
+    return count;
+}
+
+/// Muscles that follow none and of which nothing says which level they held before t = 0.
+std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
+    std::vector<std::string> names;
+    for (std::size_t m = 0; m < leaders.size(); ++m)
+        if (leaders[m].leader == m && !level_is_on_record(setup.experiment, setup.experiment.trials.front(), m))
+            names.push_back(setup.experiment.muscles[m].name);
+    return names;
+}
+
+/// One signal for each muscle that follows none. Its bounds keep its followers, too, between the lowest and the
+/// highest.
+inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s) {
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
+    const setup::PreparedTrial& trial = setup.trials.front();
+    inverse::SoughtSignals sought;
+    sought.frequency_Hz = settings.frequency_Hz;
+    sought.end_s = end_s;
+    sought.hold = settings.hold;
+    sought.from_before = trial.options.start == dynamics::StartKind::equilibrium;
+    sought.seek_before = sought.from_before && unrecorded_levels(setup).size() == leader_count(leaders);
+    std::vector<std::size_t> signal_of(leaders.size());
+    for (std::size_t m = 0; m < leaders.size(); ++m) {
+        if (leaders[m].leader != m) continue;
+        signal_of[m] = sought.signals.size();
+        sought.signals.push_back({setup.experiment.muscles[m].name, settings.lowest, settings.highest,
+                                  trial.model.activation[m].value_before(0.0)});
+    }
+    for (const experiment::MuscleLeader& muscle : leaders) {
+        sought.groups.push_back({signal_of[muscle.leader], muscle.factor});
+        if (muscle.factor == 0.0) continue;
+        inverse::SoughtSignal& signal = sought.signals[sought.groups.back().signal];
+        const double a = 1.0 + (settings.lowest - 1.0) / muscle.factor,
+                     b = 1.0 + (settings.highest - 1.0) / muscle.factor;
+        signal.lower = std::max(signal.lower, std::min(a, b));
+        signal.upper = std::min(signal.upper, std::max(a, b));
+    }
+    return sought;
+}
+
+/// The last time at which a marker is seen; 0 when none is after the start.
+double last_seen(const inverse::MarkerTarget& target) {
+    for (Index t = target.times_s.size() - 1; t >= 0; --t)
+        for (const Eigen::Matrix3Xd& track : target.positions_m)
+            if (track.col(t).allFinite()) return std::max(0.0, target.times_s(t));
+    return 0.0;
+}
+
+/// A level per signal, within 0.3 of passive and the bounds.
+MatrixXd random_values(const inverse::SoughtSignals& sought, std::mt19937_64& random) {
+    MatrixXd values = inverse::unmoved_values(sought);
+    for (Index s = 0; s < values.rows(); ++s) {
+        const inverse::SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
+        const double low = std::max(0.7, signal.lower), high = std::min(1.3, signal.upper);
+        // The top 53 bits, as one machine's uniform distribution need not be another's.
+        values.row(s).setConstant(
+            std::clamp(low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53, signal.lower, signal.upper));
+    }
+    return values;
+}
+
+std::vector<std::string> bound_warnings(const inverse::SoughtSignals& sought, const MatrixXd& values) {
+    std::vector<std::string> warnings;
+    for (Index s = 0; s < values.rows(); ++s) {
+        const inverse::SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
+        const Index stopped = (values.row(s).array() <= signal.lower).count() +
+                              (values.row(s).array() >= signal.upper).count();
+        if (stopped > 0)
+            warnings.push_back(signal.name + ": " + std::to_string(stopped) + " of " + std::to_string(values.cols()) +
+                               " values ended at a bound (" + format_number(signal.lower, 4) + ", " +
+                               format_number(signal.upper, 4) + ")");
+    }
+    return warnings;
+}
+
+prediction::SetupRun run_of(const setup::Setup& setup, const inverse::ActuationEvaluation& evaluation) {
+    return prediction::scored_run(setup, prediction::placed_values(setup, evaluation.placement),
+                                  {prediction::prediction_of(setup, 0, evaluation.motion, evaluation.placement)}, {0});
+}
+
+/// What a person should know about the result, the gravest first.
+std::vector<std::string> warnings_of(const setup::Setup& setup, const Optimization& result) {
+    std::vector<std::string> warnings;
+    if (!result.miss.reached) warnings.push_back(sentence(result.miss, result.before.fit_rms_m));
+    if (const auto start = start_miss(setup, result.problem, result.after)) warnings.push_back(*start);
+    const inverse::SoughtSignals& sought = result.problem.sought;
+    if (sought.from_before && !sought.seek_before)
+        for (const std::string& name : unrecorded_levels(setup))
+            warnings.push_back("signal " + name +
+                               ": its level before t = 0 is on no record, unlike that of others; 1 (passive) is taken");
+    const auto& placed = result.problem.placement_bounds;
+    if (placed && inverse::at_bound(result.fit.best.placement, *placed))
+        warnings.push_back("registration: the camera frame ended at its bound (" +
+                           format_number(1e3 * placed->translation_m, 3) + " mm, " +
+                           format_number(placed->rotation_rad * 180.0 / std::numbers::pi, 3) + " degrees)");
+    const std::vector<std::string> bounds = bound_warnings(sought, result.fit.values);
+    warnings.insert(warnings.end(), bounds.begin(), bounds.end());
+    return warnings;
+}
+
+inverse::ActuationProblem with_placement(inverse::ActuationProblem problem, const inverse::MarkerPlacement& placement) {
+    problem.target.placement = placement;
+    return problem;
+}
+
+/// The same progress under another name: that of the run is a part of a search.
+Progress in_task(const Progress& progress, const std::string& task) {
+    return progress.with_sink([&progress, task](ProgressEvent event) {
+        event.task = task;
+        progress.report(event);
+    });
+}
+
+}  // namespace
+
+Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings) {
+    assert(setup.trials.size() == 1);
+    const setup::PreparedTrial& trial = setup.trials.front();
+    if (setup.experiment.muscles.empty())
+        return experiment::declaration_error(setup.experiment, "muscle",
+                                             "none is declared, so there is no actuation to be found");
+    if (!(settings.lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
+    if (!(settings.lowest > 0.0) && !setup.settings.as_published)
+        return Error{"must be above 0: an activation of 1 is passive, and at 0 fibres would contract to nothing",
+                     "--lowest"};
+    inverse::ActuationProblem problem;
+    problem.model = trial.model;
+    problem.options = trial.options;
+    problem.target = prediction::trial_target(setup, 0, std::numeric_limits<double>::infinity());
+    problem.options.end_s = last_seen(problem.target);
+    if (!(problem.options.end_s > 0.0))
+        return Error{"trial " + trial.name + ": no marker was seen after the start",
+                     setup.experiment.trials.front().trace.string()};
+    if (settings.frequency_Hz * trial.options.h_s > 1.0 + 1e-9)
+        return Error{format_number(settings.frequency_Hz) + " Hz asks for more than one knot per step of " +
+                         format_number(1e3 * trial.options.h_s, 4) + " ms; choose a lower one or a smaller --dt",
+                     "--frequency"};
+    problem.sought = sought_signals(setup, settings, problem.options.end_s);
+    for (const inverse::SoughtSignal& signal : problem.sought.signals)
+        if (!(signal.lower < signal.upper))
+            return Error{
+                "muscle " + signal.name + " and those that follow it have no value in common within the bounds",
+                "--lowest"};
+    const experiment::RegistrationDeclaration& registration = setup.experiment.registration;
+    if (!registration.known && registration.method == experiment::RegistrationMethod::limited &&
+        !problem.target.from_start)
+        problem.placement_bounds = {registration.max_translation_m,
+                                    registration.max_rotation_deg * std::numbers::pi / 180.0};
+    problem.smoothness_m_s = settings.smoothness_m_s.value_or(setup::mean_noise(setup));
+    return problem;
+}
+
+Optimization search_signals(const setup::Setup& setup, const inverse::ActuationProblem& problem,
+                            const OptimizeSettings& settings, const MatrixXd& start, const Progress& progress) {
+    const Stopwatch watch;
+    Optimization result;
+    result.settings = settings;
+    result.problem = problem;
+    std::mt19937_64 random(settings.seed);
+    std::optional<inverse::ActuationEvaluation> first;  // of the first start that could be run
+    double done = 0.0;
+    for (int s = 0; s < settings.starts && !progress.cancelled(); ++s) {
+        const Progress inner = progress.with_sink([&](const ProgressEvent& event) {
+            const std::string words = settings.starts > 1 ? "start " + std::to_string(s + 1) + " of " +
+                                                                std::to_string(settings.starts) + "  "
+                                                          : "";
+            progress.report(
+                {event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
+        });
+        inverse::ActuationFitOptions options;
+        options.max_evaluations = settings.max_evaluations;
+        options.evaluated = settings.evaluated;
+        options.met_rms_m = TargetRule{}.met * setup::mean_noise(setup);
+        inverse::ActuationFit fit = inverse::fit_actuation(
+            problem, s == 0 ? start : random_values(problem.sought, random), options, inner);
+        done += static_cast<double>(fit.log.size());
+        result.starts.push_back(
+            {fit.status, fit.message, fit.first.loss_m2, fit.best.loss_m2, static_cast<int>(fit.log.size())});
+        if (fit.usable() && !first) first = fit.first;
+        const bool better = fit.usable() && (!result.usable() || fit.best.loss_m2 < result.fit.best.loss_m2);
+        const bool met = fit.usable() && fit.log.size() == 1 && fit.converged();
+        if (better || s == 0) result.fit = std::move(fit);
+        if (met) break;
+    }
+    if (first) result.fit.first = std::move(*first);
+    result.stopped = progress.cancelled();
+    result.seconds = watch.seconds();
+    return result;
+}
+
+void judge_signals(const setup::Setup& setup, Optimization& result, const Progress& progress) {
+    if (!result.usable()) return;
+    const Stopwatch watch;
+    result.before = run_of(setup, result.fit.first);
+    result.after = run_of(setup, result.fit.best);
+    result.miss = target_miss(setup, result.after);
+    result.warnings = warnings_of(setup, result);
+    if (result.stopped)
+        result.deviations.reason = "not looked for: the search was stopped";
+    else
+        result.deviations = inverse::actuation_deviations(with_placement(result.problem, result.fit.best.placement),
+                                                          result.fit.values, setup::mean_noise(setup),
+                                                          in_task(progress, "deviations"));
+    result.warnings.insert(result.warnings.end(), result.deviations.warnings.begin(), result.deviations.warnings.end());
+    result.seconds += watch.seconds();
+}
+
+}  // namespace myo::calibration

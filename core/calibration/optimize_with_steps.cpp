@@ -1,0 +1,64 @@
+#include <utility>
+
+#include "calibration/optimize.hpp"
+#include "prediction/shorter_steps.hpp"
+#include "prediction/time_step.hpp"
+#include "prediction/trial_target.hpp"
+
+namespace myo::calibration {
+namespace {
+
+setup::Setup with_signals(setup::Setup setup, const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values) {
+    setup::PreparedTrial& trial = setup.trials.front();
+    trial.recorded_activation = inverse::activations_of(sought, values);
+    setup::set_step(trial, trial.options.h_s);
+    return setup;
+}
+
+/// The search, and again with shorter steps where its signals ask for them.
+Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::ActuationProblem& problem,
+                                      const OptimizeSettings& settings, const Eigen::MatrixXd& start,
+                                      const Progress& progress) {
+    Optimization found = search_signals(setup, problem, settings, start, progress);
+    if (!prediction::choosable(setup.settings)) return found;
+    for (int search = 1; search < prediction::shorter_steps_policy.most_fits; ++search) {
+        if (!found.fit.converged() || progress.cancelled()) break;
+        const setup::Setup moved = with_signals(setup, problem.sought, found.fit.values);
+        std::vector<setup::TrialStep> steps = prediction::choose_steps(
+            moved, prediction::placed_values(moved, found.fit.best.placement), progress);
+        const bool shorter = prediction::much_shorter(setup, steps);
+        prediction::set_shorter_steps(setup, std::move(steps));
+        if (!shorter) break;
+        inverse::ActuationProblem finer = problem;
+        finer.options.h_s = setup.trials.front().options.h_s;
+        OptimizeSettings once = settings;
+        once.starts = 1;
+        Optimization next = search_signals(setup, finer, once, found.fit.values, progress);
+        if (!next.usable()) break;  // stopped at once: the signals there are were found with longer steps
+        next.earlier_evaluations = found.earlier_evaluations + static_cast<int>(found.fit.log.size());
+        next.fit.first = std::move(found.fit.first);
+        next.fit.start = found.fit.start;
+        next.starts.insert(next.starts.begin(), found.starts.begin(), found.starts.end());
+        next.seconds += found.seconds;
+        found = std::move(next);
+    }
+    return found;
+}
+
+}  // namespace
+
+Optimization optimize_with_chosen_steps(setup::Setup& setup, const inverse::ActuationProblem& problem,
+                                        const OptimizeSettings& settings, const Eigen::MatrixXd& start,
+                                        const Progress& progress) {
+    Optimization found = search_with_chosen_steps(setup, problem, settings, start, progress);
+    judge_signals(setup, found, progress);
+    return found;
+}
+
+prediction::SetupRun run_with_found_signals(const setup::Setup& setup, const Optimization& found,
+                                            const Progress& progress) {
+    const setup::Setup moved = with_signals(setup, found.problem.sought, found.fit.values);
+    return prediction::run_trials(moved, prediction::placed_values(moved, found.fit.best.placement), progress);
+}
+
+}  // namespace myo::calibration

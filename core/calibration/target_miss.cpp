@@ -1,0 +1,111 @@
+#include "calibration/target_miss.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "experiment/read_trial.hpp"
+
+namespace myo::calibration {
+namespace {
+
+using Eigen::Index;
+
+std::string millimetres(double length_m) { return format_number(1e3 * length_m, 3) + " mm"; }
+
+/// Root mean square over the markers' coordinates at a sample; NaN where none is seen.
+double rms_at(const prediction::TrialPrediction& prediction, Index sample) {
+    std::vector<Eigen::Matrix3Xd> columns;
+    for (const Eigen::Matrix3Xd& residual : prediction.residual_m) columns.emplace_back(residual.col(sample));
+    return prediction::rms(columns);
+}
+
+}  // namespace
+
+TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& run, const TargetRule& rule) {
+    assert(setup.trials.size() == 1 && run.predictions.size() == 1 && run.scores.size() == 1);
+    const prediction::TrialPrediction& prediction = run.predictions.front();
+    const Eigen::VectorXd& times = setup.trials.front().measured.time_s;
+    TargetMiss miss;
+    miss.noise_m = setup::mean_noise(setup);
+    miss.rms_m = run.fit_rms_m;
+    miss.noise_levels = miss.rms_m / miss.noise_m;
+    miss.reached = miss.noise_levels <= rule.reached;
+
+    std::vector<prediction::MarkerScore> markers = run.scores.front().markers;
+    std::erase_if(markers, [](const prediction::MarkerScore& marker) { return !std::isfinite(marker.rms_m); });
+    std::sort(markers.begin(), markers.end(),
+              [](const prediction::MarkerScore& a, const prediction::MarkerScore& b) { return a.rms_m > b.rms_m; });
+    for (const prediction::MarkerScore& marker : markers)
+        if (miss.markers.size() < rule.most_markers && marker.rms_m >= rule.near_worst * markers.front().rms_m)
+            miss.markers.push_back({marker.name, marker.rms_m});
+
+    Eigen::VectorXd course(times.size());
+    for (Index t = 0; t < times.size(); ++t) course(t) = rms_at(prediction, t);
+    Index worst = -1;
+    for (Index t = 0; t < course.size(); ++t)
+        if (std::isfinite(course(t)) && (worst < 0 || course(t) > course(worst))) worst = t;
+    if (worst < 0) return miss;
+    const auto near = [&](Index t) {
+        return !std::isfinite(course(t)) || course(t) >= rule.near_worst * course(worst);
+    };
+    Index from = worst, until = worst;
+    for (Index t = worst; t >= 0 && near(t); --t)
+        if (std::isfinite(course(t))) from = t;
+    for (Index t = worst; t < course.size() && near(t); ++t)
+        if (std::isfinite(course(t))) until = t;
+    miss.worst_s = times(worst);
+    miss.worst_rms_m = course(worst);
+    miss.from_s = times(from);
+    miss.until_s = times(until);
+    return miss;
+}
+
+std::string sentence(const TargetMiss& miss, double before_rms_m) {
+    std::vector<std::string> names;
+    for (const TargetMiss::Marker& marker : miss.markers)
+        names.push_back(marker.name + " (" + millimetres(marker.rms_m) + ")");
+    return "the target is not reached: " + millimetres(miss.rms_m) + " rms of " + millimetres(before_rms_m) +
+           " are left, " + format_number(miss.noise_levels, 3) + " times the noise of " + millimetres(miss.noise_m) +
+           "; farthest off " + (names.size() > 1 ? "are " : "is ") + join(names) + ", most from " +
+           format_number(miss.from_s, 3) + " s to " + format_number(miss.until_s, 3) + " s (" +
+           millimetres(miss.worst_rms_m) + " at " + format_number(miss.worst_s, 3) + " s)";
+}
+
+bool level_is_on_record(const experiment::Experiment& experiment, const experiment::TrialDeclaration& trial,
+                        std::size_t muscle) {
+    const experiment::MuscleDeclaration& declared = experiment.muscles[muscle];
+    return trial.actuation || declared.signal ||
+           std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
+                       [&](const experiment::ActuationStep& step) { return step.muscle == declared.name; });
+}
+
+std::optional<std::string> start_miss(const setup::Setup& setup, const inverse::ActuationProblem& problem,
+                                      const prediction::SetupRun& run, const TargetRule& rule) {
+    const setup::PreparedTrial& trial = setup.trials.front();
+    const Eigen::VectorXd& times = trial.measured.time_s;
+    // Within a quarter of a knot's period the signals have hardly moved the body.
+    Index first = trial.first_sample;
+    double off_m = std::nan("");
+    for (; first < times.size() && times(first) <= 0.25 / problem.sought.frequency_Hz; ++first)
+        if (std::isfinite(off_m = rms_at(run.predictions.front(), first))) break;
+    if (!(off_m > rule.same_pose * setup::mean_noise(setup))) return std::nullopt;
+    const std::string where = "the target does not begin where the body rests: at t = " +
+                              format_number(times(first), 3) + " s its markers are " + millimetres(off_m) +
+                              " rms away, " + format_number(off_m / setup::mean_noise(setup), 3) + " times the noise; ";
+    // Levels that are sought are a compromise with all that comes later, unless the start is what is missed most.
+    if (problem.sought.seek_before && off_m < rule.near_worst * target_miss(setup, run, rule).worst_rms_m)
+        return std::nullopt;
+    if (problem.sought.seek_before)
+        return where +
+               "no level held before t = 0 brings them there: registration, rest positions, gravity or loads are not "
+               "as declared";
+    if (problem.sought.from_before)
+        return where +
+               "the levels held before t = 0 are taken from the record of the trial's signals; without one they are "
+               "sought";
+    return where + "if it was at rest under a level held before t = 0, start = \"equilibrium\" seeks it";
+}
+
+}  // namespace myo::calibration

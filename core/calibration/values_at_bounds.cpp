@@ -1,0 +1,47 @@
+#include "calibration/values_at_bounds.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+
+namespace myo::calibration {
+namespace {
+
+/// Of a parameter's scale: as near as bounds are met in the numbers that a fit moves.
+constexpr double nearly = 1e-6;
+
+bool has_no_influence(const Calibration& calibration, std::size_t parameter) {
+    const std::vector<inverse::Undetermined>& all = calibration.fit.undetermined;
+    return std::any_of(all.begin(), all.end(), [&](const inverse::Undetermined& group) {
+        return group.parameters.size() == 1 && group.parameters.front() == static_cast<Eigen::Index>(parameter);
+    });
+}
+
+}  // namespace
+
+std::vector<ValueAtBound> values_at_bounds(const Calibration& calibration) {
+    std::vector<ValueAtBound> found;
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        const inverse::Parameter& p = calibration.parameters[i].parameter;
+        const double value = calibration.fit.values(static_cast<Eigen::Index>(i)), near = nearly * p.scale;
+        if (has_no_influence(calibration, i)) continue;
+        if (value >= p.upper - near)
+            found.push_back({i, value, p.upper, true});
+        else if (value <= p.lower + near)
+            found.push_back({i, value, p.lower, false});
+    }
+    return found;
+}
+
+std::string bound_sentence(const setup::Setup& setup, const Calibration& calibration, const ValueAtBound& at) {
+    const prediction::ModelParameter& p = calibration.parameters[at.parameter];
+    const std::string bound = std::string(at.upper ? "upper" : "lower") + " bound, " + format_number(at.bound) +
+                              (p.unit.empty() ? "" : " " + p.unit);
+    if (p.kind != prediction::ModelParameter::Kind::youngs_modulus)
+        return p.parameter.name + ": the fit ended at its " + bound;
+    return "material.youngs_modulus_Pa: the fit ended at its " + bound + ", the edge of the declared tolerance of " +
+           format_number(100.0 * setup.experiment.material.youngs_modulus_tolerance, 3) +
+           " %; the model may lack an effect, or material.youngs_modulus_tolerance is too narrow";
+}
+
+}  // namespace myo::calibration

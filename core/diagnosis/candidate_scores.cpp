@@ -1,0 +1,79 @@
+#include "diagnosis/candidate_scores.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "prediction/predict_trials.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+/// Longer steps may change the predictions by this share of the residual.
+constexpr double step_in_scores = 0.3;
+/// A probe that takes away less of the residual is not worth a fit.
+constexpr double least_explained = 0.02;
+/// Other places of an effect are tried that promise at least this share of what its best one does, and so many.
+constexpr double as_good_elsewhere = 0.5;
+constexpr int most_elsewhere = 2;
+constexpr std::size_t most_elsewhere_of_all = 6;
+
+std::vector<std::size_t> by_share(const std::vector<EffectScore>& scores) {
+    std::vector<std::size_t> order(scores.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return scores[a].share() > scores[b].share(); });
+    return order;
+}
+
+}  // namespace
+
+std::vector<EffectScore> score_coarsely(const setup::Setup& setup, const FitData& data, const JointFit& base,
+                                        const EffectFilter& allowed, ProbeSize size, const Progress& progress) {
+    setup::Setup longer = setup;
+    for (setup::PreparedTrial& trial : longer.trials) trial.options.h_s *= 2.0;
+    const std::vector<prediction::TrialPrediction> unaffected = prediction::predict_trials_with(longer, base.values,
+                                                                                                data.trials, progress);
+    if (progress.cancelled()) return {};
+    if (prediction::all_ok(unaffected) &&
+        (flat_residual(data, unaffected) - base.residual).norm() < step_in_scores * base.residual.norm())
+        return score_effects(longer, data, base, unaffected, allowed, size, progress);
+    return score_effects(setup, data, base, base.predictions, allowed, size, progress);
+}
+
+EffectScore best_score(const std::vector<EffectScore>& scores) {
+    const auto best = std::min_element(scores.begin(), scores.end(),
+                                       [](const EffectScore& a, const EffectScore& b) { return a.left < b.left; });
+    return best == scores.end() ? EffectScore{} : *best;
+}
+
+std::vector<std::size_t> worth_fitting(const std::vector<EffectScore>& scores, int count) {
+    std::vector<std::size_t> chosen;
+    std::set<std::string> there;
+    for (const std::size_t i : by_share(scores))
+        if (static_cast<int>(chosen.size()) < count && scores[i].share() > least_explained &&
+            there.insert(scores[i].id).second)
+            chosen.push_back(i);
+    return chosen;
+}
+
+std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, const EffectFilter& wanted) {
+    std::vector<std::size_t> chosen;
+    struct Found {
+        double best = 0.0;
+        int further = 0;
+    };
+    std::map<std::string, Found> found;
+    for (const std::size_t i : by_share(scores)) {
+        const auto [place, is_best] = found.try_emplace(scores[i].id, Found{scores[i].share()});
+        Found& effect = place->second;
+        if (is_best || !wanted(scores[i].id) ||
+            scores[i].share() < std::max(least_explained, as_good_elsewhere * effect.best))
+            continue;
+        if (effect.further++ < most_elsewhere && chosen.size() < most_elsewhere_of_all) chosen.push_back(i);
+    }
+    return chosen;
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/stopwatch.hpp"
+#include "diagnosis/candidate_fits.hpp"
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/error_finder.hpp"
+#include "diagnosis/fit_store.hpp"
+#include "diagnosis/stored_fit.hpp"
+
+namespace myo::diagnosis {
+
+/// A diagnosis on its way: what its stages share.
+struct DiagnosisWork {
+    DiagnosisWork(const setup::Setup& as_declared, const DiagnoseSettings& settings, const Progress& told,
+                  const std::function<void(const Diagnosis&)>& shown);
+    DiagnosisWork(const DiagnosisWork&) = delete;  // the error finder refers to the setup
+    DiagnosisWork& operator=(const DiagnosisWork&) = delete;
+
+    setup::Setup setup;   // with the steps of all fits
+    setup::Setup serial;  // the same; its fits run on one thread each, side by side
+    const Progress& progress;
+    const std::function<void(const Diagnosis&)>& live;
+    std::unique_ptr<FitStore> store;
+    ErrorFinder errors;
+    Diagnosis result;
+
+    bool allowed(const std::string& effect) const;
+    int fit_count() const { return static_cast<int>(result.data.trials.size()); }
+    std::vector<std::size_t> all_trials() const;
+    void show() const;
+    /// What a stage has cost so far.
+    StageCost& cost_of(const std::string& stage);
+
+    /// Does a task whose time and runs of trials go into the table of costs.
+    template <class Task>
+    auto stage(const std::string& name, int runs, const Task& task) {
+        const Stopwatch watch;
+        progress.report({name, 0.0, 1.0, "stage", {}});
+        auto value = task();
+        StageCost& cost = cost_of(name);
+        cost.seconds += watch.seconds();
+        cost.runs += runs;
+        show();
+        return value;
+    }
+
+    /// A stage that fits all numbers, its trials side by side. Unusable where it failed or was cancelled.
+    JointFit fit(const std::string& name, const prediction::ParameterValues& start, const Effort& effort,
+                 const Neighbourhood& known = {});
+
+    /// A stage that fits candidates side by side, see fit_candidates().
+    std::vector<JudgedFit> fit_all(const std::string& name, const JointFit& base,
+                                   const std::vector<CandidateStart>& starts, double least_yet, double hope);
+};
+
+}  // namespace myo::diagnosis

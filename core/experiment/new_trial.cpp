@@ -1,0 +1,121 @@
+#include "experiment/new_trial.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "base/files.hpp"
+#include "experiment/read_experiment.hpp"
+#include "measurement/trace_csv.hpp"
+#include "mesh/vtk_writer.hpp"
+#include "toml/toml_text.hpp"
+
+namespace myo::experiment {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* declaration_file = "experiment.toml";
+
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    return text;
+}
+
+std::string trial_text(const NewTrial& trial) {
+    return "\n# " + one_line(trial.origin) + "\n[[trial]]\nname = " + toml::toml_text(trial.name) +
+           "\nrole = " + (trial.role == TrialRole::fit ? "\"fit\"" : "\"validate\"") +
+           "\ntrace = " + toml::toml_text(trial.name + ".csv") +
+           "\nformat = \"csv\"\nstart = " + (trial.start == StartState::straight ? "\"straight\"" : "\"equilibrium\"") +
+           "\nstart_s = 0.0\n";
+}
+
+/// Writes text and trace; what cannot be read as an experiment is taken away again.
+Result<void> put(const fs::path& folder, const std::string& text, const NewTrial& trial) {
+    const fs::path trace = folder / (trial.name + ".csv"), tried = folder / "experiment.new.toml";
+    std::error_code code;
+    if (fs::exists(trace, code))
+        return Error{"there is a file of this name already; choose another name for the trial", trace.string()};
+    if (const Result<void> written = measurement::write_trace_csv(trace, trial.recording); !written)
+        return written.error();
+    const auto take_back = [&](const Error& error) {
+        fs::remove(trace, code);
+        fs::remove(tried, code);
+        return error;
+    };
+    if (const Result<void> written = write_file(tried, text); !written) return take_back(written.error());
+    if (const Result<Experiment> read = read_experiment(tried); !read) return take_back(read.error());
+    const Result<void> written = write_file(folder / declaration_file, text);
+    if (!written) return take_back(written.error());
+    fs::remove(tried, code);
+    return {};
+}
+
+bool is_file_name(const std::string& name) {
+    return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
+}
+
+}  // namespace
+
+Result<void> add_trial(const fs::path& folder, const NewTrial& trial) {
+    if (!is_file_name(trial.name))
+        return Error{"names the trial's file, so it must be a file's name without a slash", "\"" + trial.name + "\""};
+    const Result<Experiment> before = read_experiment(folder);
+    if (!before) return before.error();
+    for (const TrialDeclaration& known : before->trials)
+        if (known.name == trial.name)
+            return Error{"the experiment has a trial of this name already", "\"" + trial.name + "\""};
+    const Result<std::string> text = read_file(folder / declaration_file);
+    if (!text) return text.error();
+    return put(folder, *text + (text->ends_with('\n') ? "" : "\n") + trial_text(trial), trial);
+}
+
+Result<void> write_experiment(const fs::path& folder, const Experiment& declared, const mesh::SurfaceMesh& surface,
+                              const NewTrial& trial) {
+    if (!is_file_name(trial.name))
+        return Error{"names the trial's file, so it must be a file's name without a slash", "\"" + trial.name + "\""};
+    std::error_code code;
+    if (fs::exists(folder, code) && !fs::is_empty(folder, code))
+        return Error{"is not empty; choose a new folder", folder.string()};
+    const bool made = fs::create_directories(folder, code);
+    if (code) return Error{"cannot be made: " + code.message(), folder.string()};
+    const MaterialDeclaration& material = declared.material;
+    std::string text = "schema = \"experiment/1\"\nname = " + toml::toml_text(declared.name) +
+                       "\n\n[geometry]\nkind = \"stl\"\nfile = \"body.stl\"\nunit = \"m\"\n";
+    text += "\n[clamp]\nbox_m = [" + toml::toml_vector(declared.clamp_box_m.lowest) + ", " +
+            toml::toml_vector(declared.clamp_box_m.highest) + "]\n";
+    text += "\n[material]\nmodel = " + toml::toml_text(material.model) +
+            "\nyoungs_modulus_Pa = " + toml::toml_number(material.youngs_modulus_Pa) +
+            "\npoissons_ratio = " + toml::toml_number(material.poissons_ratio) +
+            "\ndensity_kg_m3 = " + toml::toml_number(material.density_kg_m3) + "\n";
+    if (material.damping_s) text += "damping_s = " + toml::toml_number(*material.damping_s) + "\n";
+    text += "\n[environment]\ngravity_m_s2 = " + toml::toml_vector(declared.gravity_m_s2) +
+            "\n\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n";
+    for (const MarkerDeclaration& marker : declared.markers.on_body)
+        text += toml::toml_text(marker.name) + " = " + toml::toml_vector(marker.rest_m) + "\n";
+    text += trial_text(trial);
+    Result<void> written = mesh::write_stl(folder / "body.stl", surface, 1.0);
+    if (written) written = put(folder, text, trial);
+    if (written) return {};
+    fs::remove(folder / "body.stl", code);
+    if (made) fs::remove(folder, code);
+    return written.error();
+}
+
+Result<void> copy_experiment(const fs::path& from, const fs::path& to) {
+    std::error_code code;
+    if (fs::exists(to, code) && !fs::is_empty(to, code)) return Error{"is not empty; choose a new folder", to.string()};
+    // A copy of a folder into itself would never end.
+    const fs::path inner = fs::weakly_canonical(to, code).lexically_relative(fs::weakly_canonical(from, code));
+    if (!inner.empty() && *inner.begin() != "..")
+        return Error{"lies in the experiment that is to be copied; choose a folder outside", to.string()};
+    fs::create_directories(to, code);
+    if (!code) fs::copy(from, to, fs::copy_options::recursive, code);
+    if (!code) return {};
+    std::error_code ignored;
+    fs::remove_all(to, ignored);
+    return Error{"the experiment cannot be copied there: " + code.message(), to.string()};
+}
+
+}  // namespace myo::experiment

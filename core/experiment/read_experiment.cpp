@@ -1,0 +1,90 @@
+#include "experiment/read_experiment.hpp"
+
+#include <system_error>
+
+#include "experiment/check_body.hpp"
+#include "experiment/read_experiment_tables.hpp"
+#include "toml/toml_override.hpp"
+#include "toml/toml_reader.hpp"
+
+namespace myo::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string current_schema = "experiment/1";
+
+Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
+    // A file of another schema has other keys: say that before complaining about them.
+    if (const toml::TomlValue* schema = root.find("schema");
+        schema != nullptr && schema->kind == toml::TomlValue::Kind::text && schema->text != current_schema)
+        throw toml::TomlFailure{
+            Error{"schema: unknown schema \"" + schema->text + "\"; this program reads \"" + current_schema + "\"",
+                  schema->where}};
+    const toml::TomlReader document(root, "",
+                                    {"schema", "name", "description", "geometry", "clamp", "material", "environment",
+                                     "muscle", "registration", "markers", "trial", "effect"});
+    document.text("schema");
+
+    Experiment experiment;
+    experiment.folder = folder;
+    experiment.key_locations = toml::locations(root);
+    experiment.key_locations.emplace("", root.where);
+    experiment.name = document.text("name");
+    if (experiment.name.find_first_not_of(" \t\r\n") == std::string::npos) document.fail("name", "must not be empty");
+    experiment.description = document.text_or("description", "");
+    experiment.geometry = read_geometry(document, folder);
+    experiment.clamp_box_m = document.table("clamp", {"box_m"}).box("box_m");
+    experiment.material = read_material(document);
+    if (document.has("environment")) {
+        const toml::TomlReader environment = document.table("environment", {"gravity_m_s2"});
+        if (environment.has("gravity_m_s2")) experiment.gravity_m_s2 = environment.vector3("gravity_m_s2");
+    }
+    experiment.muscles = read_muscles(document, folder);
+    experiment.registration = read_registration(document, experiment.warnings);
+    experiment.markers = read_markers(document);
+    experiment.trials = read_trials(document, folder);
+    experiment.effects = read_effects(document);
+    check_declarations(experiment);
+    // A box is known from the declaration alone; an STL is looked at by who reads it.
+    if (std::holds_alternative<BoxGeometry>(experiment.geometry))
+        if (const Result<void> fits = check_on_body(experiment, *read_body_surface(experiment)); !fits)
+            throw toml::TomlFailure{fits.error()};
+    return experiment;
+}
+
+}  // namespace
+
+Result<Experiment> read_experiment(const fs::path& folder,
+                                   const std::vector<std::pair<std::string, std::string>>& overrides) {
+    std::error_code code;
+    const bool names_the_file = fs::is_regular_file(folder, code);
+    if (!fs::exists(folder, code)) return Error{"experiment folder not found", folder.string()};
+    const fs::path file = names_the_file ? folder : folder / "experiment.toml";
+    Result<toml::TomlValue> document = toml::read_toml(file);
+    if (!document) return document.error();
+    for (const auto& [key, value] : overrides)
+        if (Result<void> set = toml::override_toml(*document, key, value); !set) return set.error();
+    try {
+        return read_document(*document, file.parent_path());
+    } catch (const toml::TomlFailure& failure) {
+        return failure.error;
+    }
+}
+
+std::string location_of(const Experiment& experiment, const std::string& key) {
+    std::string known = key;
+    while (true) {
+        if (const auto found = experiment.key_locations.find(known); found != experiment.key_locations.end())
+            return found->second;
+        if (known.empty()) return (experiment.folder / "experiment.toml").string();
+        const std::size_t end = known.find_last_of(".[");
+        known.resize(end == std::string::npos ? 0 : end);
+    }
+}
+
+Error declaration_error(const Experiment& experiment, const std::string& key, const std::string& sentence) {
+    return {key + ": " + sentence, location_of(experiment, key)};
+}
+
+}  // namespace myo::experiment

@@ -1,0 +1,227 @@
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <set>
+
+#include "base/text.hpp"
+#include "effect/catalogue.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_experiment_tables.hpp"
+
+namespace myo::experiment {
+namespace {
+
+[[noreturn]] void fail(const Experiment& experiment, const std::string& key, const std::string& sentence) {
+    throw toml::TomlFailure{declaration_error(experiment, key, sentence)};
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::string element(const char* table, std::size_t index) {
+    return std::string(table) + "[" + std::to_string(index) + "]";
+}
+
+std::vector<std::string> marker_names(const Experiment& experiment) {
+    std::vector<std::string> names;
+    for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
+        for (const MarkerDeclaration& marker : *group) names.push_back(marker.name);
+    return names;
+}
+
+void check_marker_names(const Experiment& experiment) {
+    std::vector<std::string> names, paths, labels, label_paths;
+    for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed}) {
+        const bool fixed = group == &experiment.markers.fixed;
+        for (const MarkerDeclaration& marker : *group) {
+            names.push_back(marker.name);
+            paths.push_back((fixed ? "markers.fixed_m." : "markers.rest_m.") + marker.name);
+            labels.push_back(marker.label);
+            label_paths.push_back(marker.label == marker.name ? paths.back() : "markers.labels." + marker.name);
+        }
+    }
+    check_unique(experiment, names, paths);
+    check_unique(experiment, labels, label_paths);
+}
+
+// A rigid fit needs three points off a line; fewer leave a rotation free.
+void check_rest_pose_fit(const Experiment& experiment) {
+    if (experiment.registration.known || experiment.registration.method != RegistrationMethod::rest_pose) return;
+    std::vector<Eigen::Vector3d> points;
+    for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
+        for (const MarkerDeclaration& marker : *group) points.push_back(marker.rest_m);
+    double extent = 0.0, area = 0.0;
+    for (const auto& p : points)
+        for (const auto& q : points) {
+            extent = std::max(extent, (p - points[0]).norm());
+            area = std::max(area, (p - points[0]).cross(q - points[0]).norm());
+        }
+    if (points.size() < 3 || !(area > 1e-6 * extent * extent))
+        fail(experiment, "registration.method", "a rigid fit needs at least three markers that are not in one line");
+}
+
+void check_muscles(const Experiment& experiment) {
+    const auto& muscles = experiment.muscles;
+    std::vector<std::string> names, paths;
+    for (std::size_t i = 0; i < muscles.size(); ++i) {
+        names.push_back(muscles[i].name);
+        paths.push_back(element("muscle", i) + ".name");
+    }
+    check_unique(experiment, names, paths);
+    for (std::size_t i = 0; i < muscles.size(); ++i) {
+        if (!muscles[i].follows) continue;
+        const std::string key = element("muscle", i) + ".follows.muscle";
+        // Walk the chain of leaders: it ends at a muscle that follows none, or it is a ring.
+        std::size_t at = i;
+        for (std::size_t steps = 0; muscles[at].follows; ++steps) {
+            const std::string& leader = muscles[at].follows->muscle;
+            const auto found = std::find(names.begin(), names.end(), leader);
+            if (found == names.end()) {
+                if (at == i)
+                    fail(experiment, key, "unknown muscle \"" + leader + "\"; " + toml::suggest(leader, names));
+                break;  // reported at the muscle that names it
+            }
+            at = static_cast<std::size_t>(found - names.begin());
+            if (at == i)
+                fail(experiment, key,
+                     steps == 0 ? "a muscle cannot follow itself" : "muscles follow each other in a ring");
+            if (steps > muscles.size()) break;  // a ring further up, reported at its own members
+        }
+    }
+}
+
+void check_columns(const Experiment& experiment, const std::string& trial_path, measurement::ColumnLayout& columns) {
+    const std::string key = trial_path + ".columns.markers";
+    const std::vector<std::string> names = marker_names(experiment);
+    for (std::string& word : columns.labels) {
+        for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
+            for (const MarkerDeclaration& marker : *group)
+                if (word == marker.label && !contains(names, word)) word = marker.name;
+        if (!contains(names, word))
+            fail(experiment, key, "\"" + word + "\" is not a declared marker; " + toml::suggest(word, names));
+    }
+    for (const std::string& name : names)
+        if (!contains(columns.labels, name)) fail(experiment, key, "the declared marker \"" + name + "\" is missing");
+    std::set<std::string> unique(columns.labels.begin(), columns.labels.end());
+    if (unique.size() != columns.labels.size()) fail(experiment, key, "names a marker twice");
+}
+
+void check_actuation(const Experiment& experiment, const std::string& trial_path, const TrialDeclaration& trial) {
+    std::vector<std::string> names;
+    for (const MuscleDeclaration& muscle : experiment.muscles) names.push_back(muscle.name);
+    if (trial.actuation && names.empty())
+        fail(experiment, trial_path + ".actuation", "there is no [[muscle]] to actuate");
+    for (const ActuationStep& step : trial.actuation_steps) {
+        const std::string key = trial_path + ".actuation_step." + step.muscle;
+        const auto found = std::find(names.begin(), names.end(), step.muscle);
+        if (found == names.end()) fail(experiment, key, "unknown muscle; " + toml::suggest(step.muscle, names));
+        if (const auto& follows = experiment.muscles[static_cast<std::size_t>(found - names.begin())].follows)
+            fail(experiment, key, "this muscle follows \"" + follows->muscle + "\" and has no actuation of its own");
+        if (!step.level && !contains(experiment.material.calibrate, "actuation_level"))
+            fail(experiment, key, "\"free\" needs \"actuation_level\" in material.calibrate");
+    }
+}
+
+bool has_free_level(const TrialDeclaration& trial, const std::string& muscle) {
+    return std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
+                       [&](const ActuationStep& step) { return step.muscle == muscle && !step.level; });
+}
+
+// A free level of a validation trial is read off a curve through the levels of fit trials over a condition they share.
+void check_predicted_levels(const Experiment& experiment, const std::string& trial_path,
+                            const TrialDeclaration& trial) {
+    if (trial.role != TrialRole::validate) return;
+    for (const ActuationStep& step : trial.actuation_steps) {
+        if (step.level) continue;
+        const std::string key = trial_path + ".actuation_step." + step.muscle;
+        if (trial.condition.empty())
+            fail(experiment, key,
+                 "the free level of a validate trial is predicted from its `condition`, which is missing");
+        const bool found = std::any_of(
+            experiment.trials.begin(), experiment.trials.end(), [&](const TrialDeclaration& other) {
+                const bool shared = std::any_of(trial.condition.begin(), trial.condition.end(), [&](const auto& entry) {
+                    return other.condition.contains(entry.first);
+                });
+                return other.role == TrialRole::fit && has_free_level(other, step.muscle) && shared;
+            });
+        if (!found)
+            fail(experiment, key,
+                 "no fit trial has a free level of this muscle and the same `condition` to predict it from");
+    }
+}
+
+void check_trials(Experiment& experiment) {
+    std::vector<std::string> names, paths;
+    bool any_fit = false, any_free = false;
+    for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
+        TrialDeclaration& trial = experiment.trials[i];
+        const std::string path = element("trial", i);
+        names.push_back(trial.name);
+        paths.push_back(path + ".name");
+        any_fit = any_fit || trial.role == TrialRole::fit;
+        if (trial.columns) check_columns(experiment, path, *trial.columns);
+        check_actuation(experiment, path, trial);
+        check_predicted_levels(experiment, path, trial);
+        for (const ActuationStep& step : trial.actuation_steps) any_free = any_free || !step.level;
+    }
+    check_unique(experiment, names, paths);
+    if (!any_fit) fail(experiment, "trial[0].role", "all trials are \"validate\"; at least one needs role = \"fit\"");
+    if (!any_free && contains(experiment.material.calibrate, "actuation_level"))
+        experiment.warnings.push_back(
+            "material.calibrate: \"actuation_level\" has no effect, no trial has a level \"free\"");
+}
+
+void check_calibrate(Experiment& experiment) {
+    const MaterialDeclaration& material = experiment.material;
+    if (material.youngs_modulus_tolerance == 0.0 && contains(material.calibrate, "youngs_modulus"))
+        experiment.warnings.push_back(
+            "material.youngs_modulus_tolerance: 0 declares the modulus exact, so a fit does not move it");
+}
+
+void check_effects(const Experiment& experiment) {
+    const std::vector<std::string> markers = marker_names(experiment);
+    std::vector<std::string> trials;
+    for (const TrialDeclaration& trial : experiment.trials) trials.push_back(trial.name);
+    for (std::size_t i = 0; i < experiment.effects.size(); ++i) {
+        const effect::EffectDeclaration& effect = experiment.effects[i];
+        const auto check = [&](const std::string& parameter, const std::string& word,
+                               const std::vector<std::string>& known, const char* what) {
+            if (!contains(known, word))
+                fail(experiment, element("effect", i) + "." + parameter,
+                     std::string("unknown ") + what + " \"" + word + "\"; " + toml::suggest(word, known));
+        };
+        for (const effect::EffectParameterEntry& entry : effect::find_effect(effect.id)->parameters) {
+            const auto found = effect.parameters.find(entry.name);
+            if (found == effect.parameters.end()) continue;
+            if (entry.kind == effect::EffectParameterKind::trial)
+                check(entry.name, std::get<std::string>(found->second), trials, "trial");
+            if (entry.kind == effect::EffectParameterKind::marker)
+                check(entry.name, std::get<std::string>(found->second), markers, "marker");
+            if (entry.kind == effect::EffectParameterKind::marker_pair)
+                for (const std::string& name : std::get<std::vector<std::string>>(found->second))
+                    check(entry.name, name, markers, "marker");
+        }
+    }
+}
+
+}  // namespace
+
+void check_unique(const Experiment& experiment, const std::vector<std::string>& names,
+                  const std::vector<std::string>& paths) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (names[i] == names[j])
+                fail(experiment, paths[i], "duplicate name \"" + names[i] + "\", already used by " + paths[j]);
+}
+
+void check_declarations(Experiment& experiment) {
+    check_muscles(experiment);
+    check_marker_names(experiment);
+    check_rest_pose_fit(experiment);
+    check_trials(experiment);
+    check_calibrate(experiment);
+    check_effects(experiment);
+}
+
+}  // namespace myo::experiment

@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include "experiment/read_experiment_tables.hpp"
+#include "material/catalogue.hpp"
+
+namespace myo::experiment {
+namespace {
+
+const std::vector<std::string> calibratable = {"youngs_modulus", "damping", "actuation_level"};
+
+std::vector<std::string> read_calibrate(const toml::TomlReader& material) {
+    std::vector<std::string> names = material.texts("calibrate");
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        if (std::find(calibratable.begin(), calibratable.end(), *name) == calibratable.end())
+            material.fail("calibrate", "unknown parameter \"" + *name + "\"; " + toml::suggest(*name, calibratable));
+        if (std::find(names.begin(), name, *name) != name) material.fail("calibrate", "names \"" + *name + "\" twice");
+    }
+    return names;
+}
+
+}  // namespace
+
+MaterialDeclaration read_material(const toml::TomlReader& document) {
+    const toml::TomlReader material = document.table(
+        "material", {"model", "youngs_modulus_Pa", "youngs_modulus_tolerance", "poissons_ratio", "density_kg_m3",
+                     "damping_s", "calibrate"});
+    MaterialDeclaration declared;
+    declared.model = material.text("model");
+    if (material::find_material(declared.model) == nullptr)
+        material.fail("model", "unknown material model \"" + declared.model + "\"; " +
+                                   toml::suggest(declared.model, material::material_ids()));
+    declared.youngs_modulus_Pa = material.number("youngs_modulus_Pa", toml::positive());
+    declared.youngs_modulus_tolerance = material.number_or("youngs_modulus_tolerance",
+                                                           declared.youngs_modulus_tolerance, toml::not_negative());
+    if (declared.youngs_modulus_tolerance >= 1.0)
+        material.fail("youngs_modulus_tolerance",
+                      "is a relative half-width and must be below 1, or the modulus could be zero");
+    declared.poissons_ratio = material.number("poissons_ratio", toml::strictly_between(0.0, 0.5));
+    declared.density_kg_m3 = material.number("density_kg_m3", toml::positive());
+    declared.damping_s = material.optional_number("damping_s", toml::not_negative());
+    if (material.has("calibrate")) declared.calibrate = read_calibrate(material);
+    const auto& names = declared.calibrate;
+    if (!declared.damping_s && std::find(names.begin(), names.end(), "damping") == names.end())
+        material.fail("calibrate", "\"damping\" is left out, so its exact value must be given as material.damping_s");
+    return declared;
+}
+
+}  // namespace myo::experiment

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "experiment/read_experiment_tables.hpp"
+#include "measurement/actuation_csv.hpp"
+
+namespace myo::experiment {
+
+Eigen::Vector3d unit_direction(const toml::TomlReader& table, const std::string& key) {
+    const Eigen::Vector3d direction = table.vector3(key);
+    const double length = direction.norm();
+    if (length == 0.0) table.fail(key, "has no direction: it is zero");
+    if (!(std::abs(length - 1.0) <= 0.01))
+        table.fail(key, "must be a unit vector, not one of length " + format_number(length, 4));
+    return direction / length;
+}
+
+namespace {
+
+MuscleLine read_line(const toml::TomlReader& table) {
+    table.reject("fibre", "the fibres of a line run along it; leave this key out");
+    MuscleLine muscle{{table.points("line_m")}, table.number("radius_m", toml::positive())};
+    const Eigen::Matrix3Xd& points = muscle.line.points_m;
+    if (points.cols() < 2) table.fail("line_m", "must have at least two points, not " + std::to_string(points.cols()));
+    for (Eigen::Index i = 1; i < points.cols(); ++i)
+        if (!((points.col(i) - points.col(i - 1)).norm() > 1e-3 * muscle.radius_m))
+            table.fail("line_m", "points " + std::to_string(i) + " and " + std::to_string(i + 1) + " are the same");
+    return muscle;
+}
+
+std::variant<MuscleBox, MuscleMask, MuscleLine> read_part(const toml::TomlReader& table,
+                                                          const std::filesystem::path& folder) {
+    std::vector<std::string> given;
+    for (const char* key : {"box_m", "mask", "line_m"})
+        if (table.has(key)) given.emplace_back(key);
+    if (given.empty()) table.fail("box_m", "where the muscle is, is missing: give one of box_m, mask, line_m");
+    if (given.size() > 1)
+        table.fail(given.back(),
+                   "stands beside " + given.front() + "; a muscle has exactly one of box_m, mask, line_m");
+    if (given.front() != "line_m") table.reject("radius_m", "belongs to line_m, which is missing");
+    if (given.front() == "line_m") return read_line(table);
+    if (given.front() == "box_m") return MuscleBox{table.box("box_m"), unit_direction(table, "fibre")};
+    MuscleMask mask{table.file("mask", folder), std::nullopt};
+    if (table.has("fibre")) mask.fibre = unit_direction(table, "fibre");
+    return mask;
+}
+
+/// The muscle's column of an actuation file of its own.
+fibre::Signal read_signal(const toml::TomlReader& table, const std::filesystem::path& folder, const std::string& name) {
+    const std::filesystem::path file = table.file("signal", folder);
+    const Result<measurement::ActuationTable> read = measurement::read_actuation_csv(file);
+    if (!read) table.fail("signal", read.error().text());
+    const auto column = std::find(read->muscles.begin(), read->muscles.end(), name);
+    if (column == read->muscles.end())
+        table.fail("signal", file.filename().string() + " has no column \"" + name + "\"");
+    const Eigen::VectorXd row = read->values.row(column - read->muscles.begin());
+    return {{read->time_s.begin(), read->time_s.end()}, {row.begin(), row.end()}};
+}
+
+}  // namespace
+
+std::vector<MuscleDeclaration> read_muscles(const toml::TomlReader& document, const std::filesystem::path& folder) {
+    std::vector<MuscleDeclaration> muscles;
+    for (const toml::TomlReader& table : document.tables(
+             "muscle", {"name", "box_m", "mask", "line_m", "radius_m", "fibre", "stiffness_Pa", "follows", "signal"})) {
+        MuscleDeclaration muscle;
+        muscle.name = table.name("name");
+        if (muscle.name.find(',') != std::string::npos || muscle.name == "time_s")
+            table.fail("name", "heads a column of the actuation file, so it must not hold a comma or be time_s");
+        muscle.part = read_part(table, folder);
+        muscle.stiffness_Pa = table.number("stiffness_Pa", toml::positive());
+        if (table.has("follows")) {
+            const toml::TomlReader follows = table.table("follows", {"muscle", "ratio"});
+            muscle.follows = FollowsDeclaration{follows.text("muscle"), follows.number("ratio")};
+        }
+        if (table.has("signal") && muscle.follows)
+            table.fail("signal", "stands beside follows; a muscle has one of the two");
+        if (table.has("signal")) {
+            muscle.signal = read_signal(table, folder, muscle.name);
+            muscle.signal_file = table.file("signal", folder);
+        }
+        muscles.push_back(muscle);
+    }
+    return muscles;
+}
+
+}  // namespace myo::experiment

@@ -1,0 +1,99 @@
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "experiment/read_experiment_tables.hpp"
+
+namespace myo::experiment {
+namespace {
+
+std::vector<ActuationStep> read_steps(const toml::TomlReader& trial) {
+    std::vector<ActuationStep> steps;
+    const toml::TomlReader table = trial.table_of_names("actuation_step");
+    for (const std::string& muscle : table.keys()) {
+        ActuationStep step;
+        step.muscle = muscle;
+        if (table.is_text(muscle)) {
+            if (table.text(muscle) != "free")
+                table.fail(muscle, "must be a number or \"free\", not \"" + table.text(muscle) + "\"");
+        } else {
+            step.level = table.number(muscle);
+        }
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+std::string read_trial_name(const toml::TomlReader& table) {
+    const std::string name = table.name("name");
+    // Results are written to <trial>.csv.
+    if (name.find_first_of("/\\") != std::string::npos || name == "." || name == "..")
+        table.fail("name", "names the trial's result file, so it must not hold a slash");
+    return name;
+}
+
+TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem::path& folder) {
+    TrialDeclaration trial;
+    trial.name = read_trial_name(table);
+    trial.role = table.choice<TrialRole>("role", {{"fit", TrialRole::fit}, {"validate", TrialRole::validate}});
+    trial.trace = table.file("trace", folder);
+    trial.format = table.choice<measurement::TraceFormat>("format", {{"csv", measurement::TraceFormat::csv},
+                                                                     {"qtm_tsv", measurement::TraceFormat::qtm_tsv},
+                                                                     {"c3d", measurement::TraceFormat::c3d},
+                                                                     {"columns", measurement::TraceFormat::columns}});
+    if (trial.format == measurement::TraceFormat::columns) {
+        trial.columns = read_columns_declaration(table);
+    } else {
+        table.reject("columns", "belongs to format = \"columns\" only");
+    }
+    trial.start = table.choice<StartState>(
+        "start", {{"straight", StartState::straight}, {"equilibrium", StartState::equilibrium}});
+    trial.session_time_s = table.number_or("session_time_s", 0.0);
+    if (table.has("actuation")) trial.actuation = table.file("actuation", folder);
+    if (table.has("actuation_step")) trial.actuation_steps = read_steps(table);
+    trial.start_s = table.optional_number("start_s");
+    trial.end_s = table.optional_number("end_s");
+    if (trial.start_s && trial.end_s && *trial.start_s >= *trial.end_s)
+        table.fail("end_s", "lies before start_s (" + format_number(*trial.start_s) +
+                                " >= " + format_number(*trial.end_s) + ")");
+    if (table.has("condition")) {
+        const toml::TomlReader condition = table.table_of_names("condition");
+        for (const std::string& key : condition.keys()) trial.condition[key] = condition.number(key);
+    }
+    trial.loads = read_loads(table);
+    return trial;
+}
+
+}  // namespace
+
+measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial) {
+    const toml::TomlReader table = trial.table("columns", {"markers", "unit", "separator", "rate_Hz"});
+    measurement::ColumnLayout columns;
+    columns.labels = table.texts("markers");
+    for (auto name = columns.labels.begin(); name != columns.labels.end(); ++name)
+        if (std::find(columns.labels.begin(), name, *name) != name)
+            table.fail("markers", "names \"" + *name + "\" twice");
+    columns.metres_per_unit = table.choice<double>("unit", {{"m", 1.0}, {"mm", 1e-3}});
+    if (table.has("separator")) {
+        const std::string separator = table.text("separator");
+        const bool part_of_a_number = separator.find_first_of("0123456789+-.eEnaN") != std::string::npos;
+        if (separator.size() != 1 || part_of_a_number || separator == "\n" || separator == "\r")
+            table.fail("separator", "must be one character that no number contains, such as \",\", \";\" or \"\\t\"");
+        columns.separator = separator.front();
+    }
+    columns.rate_Hz = table.number("rate_Hz", toml::positive());
+    return columns;
+}
+
+std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, const std::filesystem::path& folder) {
+    std::vector<TrialDeclaration> trials;
+    if (!document.has("trial"))
+        document.fail("trial", "required key is missing: at least one [[trial]] with role \"fit\"");
+    for (const toml::TomlReader& table :
+         document.tables("trial", {"name", "role", "trace", "format", "columns", "start", "session_time_s", "actuation",
+                                   "actuation_step", "start_s", "end_s", "condition", "load"}))
+        trials.push_back(read_trial(table, folder));
+    if (trials.empty()) document.fail("trial", "at least one [[trial]] with role \"fit\" is needed");
+    return trials;
+}
+
+}  // namespace myo::experiment

@@ -1,0 +1,63 @@
+#include "prediction/parameter_tangent.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "effect/affected_tangent.hpp"
+#include "setup/trial_effects.hpp"
+
+namespace myo::prediction {
+namespace {
+
+using Kind = ModelParameter::Kind;
+
+/// Of what matters of a number: 1e-8 of the curvature is left, and four digits are lost to rounding.
+constexpr double part_to_each_side = 1e-4;
+
+std::optional<sensitivity::ModelTangent> tangent_between(const setup::Setup& setup, std::size_t trial,
+                                                         const ParameterValues& values,
+                                                         const ModelParameter& parameter) {
+    const double value = value_of(parameter, values), step = difference_step(parameter, value, part_to_each_side);
+    const auto side = [&](double at) {
+        ParameterValues changed = values;
+        set_value(parameter, std::clamp(at, parameter.parameter.lower, parameter.parameter.upper), changed);
+        return std::pair{value_of(parameter, changed), affected_trial(setup, trial, changed)};
+    };
+    const auto [low, under] = side(value - step);
+    const auto [high, over] = side(value + step);
+    return effect::affected_tangent(under, affected_trial(setup, trial, values), over, high - low);
+}
+
+}  // namespace
+
+bool moves_the_body(const setup::Setup& setup, std::size_t trial, const ParameterValues& values,
+                    const ModelParameter& parameter) {
+    switch (parameter.kind) {
+        case Kind::youngs_modulus:
+        case Kind::damping: return true;
+        case Kind::level: return parameter.trial == trial;
+        case Kind::effect: {
+            const effect::EffectDeclaration& effect = values.effects[parameter.index];
+            return !setup::is_seen_only(effect) && effect::acts_on(setup::effect_site(setup, trial), effect.parameters);
+        }
+        default: return false;
+    }
+}
+
+std::optional<sensitivity::ModelTangent> parameter_tangent(const setup::Setup& setup, std::size_t trial,
+                                                           const ParameterValues& values,
+                                                           const ModelParameter& parameter) {
+    if (!values.effects.empty()) return tangent_between(setup, trial, values, parameter);
+    if (parameter.kind == Kind::youngs_modulus)
+        return sensitivity::youngs_modulus_tangent(trial_model(setup, trial, values), values.youngs_modulus_Pa);
+    if (parameter.kind == Kind::damping) return sensitivity::damping_tangent();
+    sensitivity::ModelTangent tangent;
+    tangent.activation = setup::level_tangent(setup.experiment, parameter.index);
+    return tangent;
+}
+
+double difference_step(const ModelParameter& p, double value, double part) {
+    return part * (p.parameter.over_decades ? std::max(std::abs(value), 0.05 * p.parameter.scale) : p.parameter.scale);
+}
+
+}  // namespace myo::prediction

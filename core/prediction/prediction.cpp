@@ -1,0 +1,345 @@
+#include "prediction/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "effect/catalogue.hpp"
+#include "measurement/rigid_motion.hpp"
+#include "prediction/parameter_tangent.hpp"
+
+namespace myo::prediction {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Kind = ModelParameter::Kind;
+
+bool is_calibrated(const setup::Setup& setup, const std::string& name, const std::vector<std::string>& names) {
+    const std::vector<std::string>& list = names.empty() ? setup.experiment.material.calibrate : names;
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+}  // namespace
+
+ParameterValues declared_values(const setup::Setup& setup) {
+    ParameterValues values;
+    values.youngs_modulus_Pa = setup.experiment.material.youngs_modulus_Pa;
+    values.damping_s = setup.trials.front().model.damping_s;
+    values.start_shift_s.assign(setup.trials.size(), 0.0);
+    for (const setup::PreparedTrial& trial : setup.trials) {
+        std::map<std::size_t, double> levels;
+        for (const std::size_t muscle : trial.free_levels) levels[muscle] = 1.0;
+        values.levels.push_back(std::move(levels));
+    }
+    values.effects = setup.experiment.effects;
+    return values;
+}
+
+std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
+    std::vector<ModelParameter> list;
+    const ParameterValues start = declared_values(setup);
+    // A half-width of zero declares an exact value: there is nothing to fit.
+    const auto add = [&](Kind kind, std::size_t trial, std::size_t index, const std::string& name, double lower,
+                         double upper, double scale, const std::string& unit) {
+        if (!(lower < upper)) return;
+        ModelParameter entry{kind, trial, index, {name, 0.0, lower, upper, scale}, unit, {}, -1};
+        entry.parameter.value = value_of(entry, start);
+        list.push_back(std::move(entry));
+    };
+    // The schema's tolerance is where the true value lies. Without it a model that lacks an effect drifts off: muscles
+    // that only push against the body tell the ratio of modulus and level, and no more.
+    const double nominal = start.youngs_modulus_Pa, tolerance = setup.experiment.material.youngs_modulus_tolerance;
+    if (is_calibrated(setup, "youngs_modulus", names))
+        add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", (1.0 - tolerance) * nominal, (1.0 + tolerance) * nominal,
+            nominal, "Pa");
+    if (is_calibrated(setup, "damping", names)) {
+        add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
+        list.back().parameter.over_decades = true;
+    }
+
+    const experiment::RegistrationDeclaration& registration = setup.experiment.registration;
+    if (!registration.known && registration.method == experiment::RegistrationMethod::limited) {
+        const double angle = registration.max_rotation_deg * 3.14159265358979323846 / 180.0;
+        const char* axes[] = {"x", "y", "z"};
+        for (std::size_t i = 0; i < 3; ++i)
+            add(Kind::translation, 0, i, std::string("registration_") + axes[i] + "_m", -registration.max_translation_m,
+                registration.max_translation_m, std::max(registration.max_translation_m, 1e-6), "m");
+        for (std::size_t i = 0; i < 3; ++i)
+            add(Kind::rotation, 0, i, std::string("registration_rotation_") + axes[i] + "_rad", -angle, angle,
+                std::max(angle, 1e-6), "rad");
+    }
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        const setup::PreparedTrial& trial = setup.trials[t];
+        if (trial.role != experiment::TrialRole::fit) continue;
+        // A start that was found is known to a few frames; the motion tells the rest.
+        const double interval = setup::sampling_interval_s(trial);
+        if (trial.start_found)
+            add(Kind::start_shift, t, 0, "start_shift_s." + trial.name, -3.0 * interval, 3.0 * interval, interval, "s");
+        for (const std::size_t muscle : trial.free_levels)
+            add(Kind::level, t, muscle, "actuation_level." + trial.name + "." + setup.experiment.muscles[muscle].name,
+                0.05, 10.0, 0.1, "");
+    }
+    for (std::size_t e = 0; e < start.effects.size(); ++e)
+        if (start.effects[e].calibrate)
+            for (ModelParameter& parameter : effect_parameters(start.effects[e], e))
+                list.push_back(std::move(parameter));
+    return list;
+}
+
+std::vector<ModelParameter> effect_parameters(const effect::EffectDeclaration& effect, std::size_t index) {
+    std::vector<ModelParameter> list;
+    for (const setup::EffectNumber& n : setup::effect_numbers(effect)) {
+        inverse::Parameter parameter{n.name,  setup::effect_number(effect, n.parameter, n.component, n.base),
+                                     n.lower, n.upper,
+                                     n.scale, n.over_decades};
+        list.push_back({Kind::effect, 0, index, std::move(parameter), n.base.isZero(0.0) ? "" : "rad", n.parameter,
+                        n.component, n.base});
+    }
+    return list;
+}
+
+double value_of(const ModelParameter& p, const ParameterValues& values) {
+    switch (p.kind) {
+        case Kind::youngs_modulus: return values.youngs_modulus_Pa;
+        case Kind::damping: return values.damping_s;
+        case Kind::translation: return values.translation_m(static_cast<Eigen::Index>(p.index));
+        case Kind::rotation: return values.rotation_rad(static_cast<Eigen::Index>(p.index));
+        case Kind::start_shift: return values.start_shift_s[p.trial];
+        case Kind::level: return values.levels[p.trial].at(p.index);
+        case Kind::effect: return setup::effect_number(values.effects[p.index], p.of_effect, p.component, p.base);
+    }
+    return 0.0;
+}
+
+void set_value(const ModelParameter& p, double value, ParameterValues& values) {
+    switch (p.kind) {
+        case Kind::youngs_modulus: values.youngs_modulus_Pa = value; break;
+        case Kind::damping: values.damping_s = value; break;
+        case Kind::translation: values.translation_m(static_cast<Eigen::Index>(p.index)) = value; break;
+        case Kind::rotation: values.rotation_rad(static_cast<Eigen::Index>(p.index)) = value; break;
+        case Kind::start_shift: values.start_shift_s[p.trial] = value; break;
+        case Kind::level: values.levels[p.trial][p.index] = value; break;
+        case Kind::effect:
+            setup::set_effect_number(values.effects[p.index], p.of_effect, p.component, value, p.base);
+            break;
+    }
+}
+
+model::Model trial_model(const setup::Setup& setup, std::size_t trial, const ParameterValues& values) {
+    model::Model model = setup.trials[trial].model;
+    model.moduli = model::uniform_moduli(setup.body->cell_count(), setup.modulus_factor * values.youngs_modulus_Pa,
+                                         setup.experiment.material.poissons_ratio);
+    model.damping_s = values.damping_s;
+    for (const auto& [muscle, level] : values.levels[trial])
+        model.activation = setup::with_level(setup.experiment, model.activation, muscle, level);
+    return model;
+}
+
+effect::Affected affected_trial(const setup::Setup& setup, std::size_t trial, const ParameterValues& values) {
+    return setup::with_effects(setup, trial, trial_model(setup, trial, values), values.effects);
+}
+
+namespace {
+
+/// Frames in which a trial is compared: what the cameras report of the motion, registration included.
+struct SeenMotion {
+    std::vector<Matrix3Xd> positions_m;  // per marker at every sample; mesh frame, as seen
+    std::vector<Vector3d> start_m;
+    std::vector<Matrix3Xd> residual_m;
+};
+
+/// Times of the motion at which the samples of a trial were taken: a later start means an earlier time of the motion.
+Eigen::VectorXd motion_times(const setup::PreparedTrial& trial, const measurement::ObservationError& seen,
+                             double start_shift_s) {
+    return measurement::true_times(seen, trial.measured.time_s).array() - start_shift_s;
+}
+
+bool by_displacement(const setup::Setup& setup) {
+    return setup.experiment.markers.compare == experiment::Comparison::displacement;
+}
+
+/// Before anything that happens to markers during a trial.
+constexpr double long_before_s = -1e30;
+
+SeenMotion seen_motion(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                       const measurement::ObservationError& seen, const measurement::MarkerTracks& tracks,
+                       const measurement::MarkerTracks& origin) {
+    const setup::PreparedTrial& trial = setup.trials[index];
+    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+    const auto samples = trial.measured.sample_count();
+    SeenMotion result;
+    result.positions_m = measurement::seen_tracks(seen, tracks.positions, trial.measured.time_s);
+    for (const Matrix3Xd& start :
+         measurement::seen_tracks(seen, origin.positions, Eigen::VectorXd::Constant(1, long_before_s)))
+        result.start_m.emplace_back(start.col(0));
+    for (std::size_t m = 0; m < result.positions_m.size(); ++m) {
+        const Matrix3Xd& x = result.positions_m[m];
+        const Matrix3Xd& y = trial.measured.tracks[m];
+        Matrix3Xd residual = Matrix3Xd::Constant(3, samples, std::numeric_limits<double>::quiet_NaN());
+        for (Eigen::Index t = trial.first_sample; t < samples; ++t) {
+            if (by_displacement(setup))
+                residual.col(t) = (x.col(t) - result.start_m[m]) - (y.col(t) - trial.reference_m[m]);
+            else
+                residual.col(t) = R * x.col(t) + values.translation_m - y.col(t);
+        }
+        result.residual_m.push_back(std::move(residual));
+    }
+    return result;
+}
+
+bool is_seen_alone(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                   const ModelParameter& p) {
+    return p.kind == Kind::effect && setup::is_seen_only(values.effects[p.index]) &&
+           effect::acts_on(setup::effect_site(setup, index), values.effects[p.index].parameters);
+}
+
+/// Of what matters of a number: changes over which motions are compared, and what is seen of one motion.
+constexpr double part_of_effect = 0.01, part_of_constant = 0.003, part_of_sight = 1e-4;
+
+}  // namespace
+
+TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                              const dynamics::Trace& trace) {
+    const measurement::ObservationError error = affected_trial(setup, index, values).seen;
+    const measurement::MarkerTracks tracks = measurement::observe(
+        trace, setup.markers, motion_times(setup.trials[index], error, values.start_shift_s[index]));
+    SeenMotion seen = seen_motion(setup, index, values, error, tracks,
+                                  measurement::observe(trace, setup.markers, Eigen::VectorXd::Zero(1)));
+    return {trace.status,
+            trace.message,
+            {},
+            std::move(seen.positions_m),
+            std::move(seen.start_m),
+            std::move(seen.residual_m),
+            {}};
+}
+
+TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                              const std::vector<ModelParameter>& parameters, const Progress& progress,
+                              std::shared_ptr<const dynamics::StagePath> near) {
+    const setup::PreparedTrial& trial = setup.trials[index];
+    effect::Affected affected = affected_trial(setup, index, values);
+    affected.options.near = std::move(near);
+    std::vector<sensitivity::ModelTangent> model_tangents;
+    std::vector<int> row_of(parameters.size(), -1);  // which of the run's tangents belongs to a parameter
+    for (std::size_t p = 0; p < parameters.size(); ++p)
+        if (moves_the_body(setup, index, values, parameters[p]))
+            if (std::optional<sensitivity::ModelTangent> tangent = parameter_tangent(setup, index, values,
+                                                                                     parameters[p])) {
+                row_of[p] = static_cast<int>(model_tangents.size());
+                model_tangents.push_back(std::move(*tangent));
+            }
+
+    TrialPrediction result;
+    sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(
+        affected.model, affected.options, model_tangents, setup.markers.nodes, progress);
+    result.status = run.trace.status;
+    result.message = run.trace.message;
+    if (!run.trace.complete()) {
+        result.trace = std::move(run.trace);
+        return result;
+    }
+
+    const Eigen::VectorXd times = motion_times(trial, affected.seen, values.start_shift_s[index]);
+    const measurement::SensitiveTracks tracks = measurement::observe(run, setup.markers, times);
+    const measurement::SensitiveTracks origin = measurement::observe(run, setup.markers, Eigen::VectorXd::Zero(1));
+    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+    SeenMotion seen = seen_motion(setup, index, values, affected.seen, tracks.tracks, origin.tracks);
+    result.positions_m = std::move(seen.positions_m);
+    result.start_m = std::move(seen.start_m);
+    result.residual_m = std::move(seen.residual_m);
+    result.trace = std::move(run.trace);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+        std::vector<Matrix3Xd> d;
+        if (row_of[p] >= 0) {
+            const auto row = static_cast<std::size_t>(row_of[p]);
+            d = measurement::seen_tangents(affected.seen, tracks.tangents[row], trial.measured.time_s);
+            for (std::size_t m = 0; m < d.size(); ++m) {
+                if (by_displacement(setup))
+                    d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[row][m].col(0));
+                else
+                    d[m] = R * d[m];
+            }
+        } else {
+            ResidualTangent beside = residual_tangent(setup, index, values, parameters[p], result, progress);
+            if (!beside.ok()) {
+                result.status = beside.status;
+                result.message = beside.message;
+                return result;
+            }
+            d = std::move(beside.tangent);
+        }
+        result.tangents.push_back(std::move(d));
+    }
+    return result;
+}
+
+ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                                 const ModelParameter& parameter, const TrialPrediction& there,
+                                 const Progress& progress) {
+    const setup::PreparedTrial& trial = setup.trials[index];
+    const auto samples = trial.measured.sample_count();
+    ResidualTangent result{dynamics::RunStatus::complete,
+                           {},
+                           std::vector<Matrix3Xd>(setup.marker_names.size(), Matrix3Xd::Zero(3, samples))};
+    if (parameter.kind == Kind::translation) {
+        for (Matrix3Xd& marker : result.tangent) marker.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
+    } else if (parameter.kind == Kind::rotation) {
+        for (std::size_t m = 0; m < result.tangent.size(); ++m)
+            for (Eigen::Index t = 0; t < samples; ++t)
+                result.tangent[m].col(t) = measurement::d_rotated_d_omega(values.rotation_rad,
+                                                                          there.positions_m[m].col(t))
+                                               .col(static_cast<Eigen::Index>(parameter.index));
+    } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
+        const measurement::ObservationError error = affected_trial(setup, index, values).seen;
+        const measurement::MarkerTracks tracks = measurement::observe(
+            there.trace, setup.markers, motion_times(trial, error, values.start_shift_s[index]));
+        const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+        result.tangent = measurement::seen_tangents(error, tracks.velocities, trial.measured.time_s);
+        for (Matrix3Xd& marker : result.tangent)
+            marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
+    } else if (const bool moves = moves_the_body(setup, index, values, parameter);
+               moves || is_seen_alone(setup, index, values, parameter)) {
+        const double value = value_of(parameter, values);
+        const double part = !moves ? part_of_sight : parameter.kind == Kind::effect ? part_of_effect : part_of_constant;
+        double step = difference_step(parameter, value, part);
+        if (value + step > parameter.parameter.upper) step = -step;  // towards the inside of its bounds
+        const auto beside = [&](double at) {
+            ParameterValues changed = values;
+            set_value(parameter, at, changed);
+            return moves ? predict_trial(setup, index, changed, {}, progress, there.trace.path)
+                         : observe_trial(setup, index, changed, there.trace);
+        };
+        const TrialPrediction other = beside(value + step);
+        result.status = other.status;
+        result.message = other.message;
+        if (!other.ok()) return result;
+        const bool both_sides = value - step >= parameter.parameter.lower && value - step <= parameter.parameter.upper;
+        const TrialPrediction opposite = both_sides ? beside(value - step) : TrialPrediction{};
+        for (std::size_t m = 0; m < result.tangent.size(); ++m)
+            result.tangent[m] = opposite.ok() ? Matrix3Xd((other.residual_m[m] - opposite.residual_m[m]) / (2.0 * step))
+                                              : Matrix3Xd((other.residual_m[m] - there.residual_m[m]) / step);
+    }
+    return result;
+}
+
+double rms(const std::vector<Matrix3Xd>& residual_m) {
+    double sum = 0.0;
+    long count = 0;
+    for (const Matrix3Xd& marker : residual_m)
+        for (const double r : marker.reshaped())
+            if (std::isfinite(r)) {
+                sum += r * r;
+                ++count;
+            }
+    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double rms_between(const TrialPrediction& a, const TrialPrediction& b) {
+    std::vector<Matrix3Xd> all;
+    for (std::size_t m = 0; m < a.residual_m.size(); ++m) all.push_back(a.residual_m[m] - b.residual_m[m]);
+    return rms(all);
+}
+
+}  // namespace myo::prediction

@@ -1,0 +1,134 @@
+#include "prediction/run_trials.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/stopwatch.hpp"
+#include "prediction/level_curve.hpp"
+#include "prediction/predict_trials.hpp"
+
+namespace myo::prediction {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+/// Over those of the trials that have this role; NaN when one of them is missing, for the rest would not compare with
+/// another run.
+double pooled_rms(const setup::Setup& setup, const SetupRun& run, const std::vector<std::size_t>& trials,
+                  experiment::TrialRole role) {
+    std::vector<Matrix3Xd> all;
+    for (const std::size_t t : trials) {
+        if (setup.trials[t].role != role) continue;
+        if (!run.predictions[t].ok()) return std::numeric_limits<double>::quiet_NaN();
+        all.insert(all.end(), run.predictions[t].residual_m.begin(), run.predictions[t].residual_m.end());
+    }
+    return rms(all);
+}
+
+/// A condition that differs between the fit trials with a free level of this muscle, and that `trial` has too.
+std::optional<std::string> telling_condition(const setup::Setup& setup, std::size_t trial,
+                                             const std::vector<std::size_t>& fit_trials) {
+    for (const auto& [name, value] : setup.experiment.trials[trial].condition) {
+        bool everywhere = !fit_trials.empty();
+        for (const std::size_t t : fit_trials)
+            everywhere = everywhere && setup.experiment.trials[t].condition.count(name) > 0;
+        if (everywhere) return name;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+TrialScore score(const setup::Setup& setup, std::size_t trial, const TrialPrediction& prediction) {
+    const setup::PreparedTrial& data = setup.trials[trial];
+    TrialScore result{data.name, data.role, rms(prediction.residual_m), {}};
+    const Eigen::Index samples = data.measured.sample_count();
+    const Eigen::Index first_steady = samples - std::max<Eigen::Index>(1, (samples - data.first_sample) / 5);
+    const bool displacement = !data.reference_m.empty();
+    for (std::size_t m = 0; m < setup.marker_names.size(); ++m) {
+        MarkerScore marker;
+        marker.name = setup.marker_names[m];
+        marker.rms_m = rms({prediction.residual_m[m]});
+        Eigen::Vector3d measured = Eigen::Vector3d::Zero(), error = Eigen::Vector3d::Zero();
+        int seen = 0;
+        for (Eigen::Index t = first_steady; t < samples; ++t) {
+            if (!prediction.residual_m[m].col(t).allFinite()) continue;
+            Eigen::Vector3d y = data.measured.tracks[m].col(t);
+            if (displacement) y -= data.reference_m[m];
+            measured += y;
+            error += prediction.residual_m[m].col(t);
+            ++seen;
+        }
+        const double share = seen > 0 ? 1.0 / seen : std::numeric_limits<double>::quiet_NaN();
+        marker.steady_measured_m = share * measured;
+        marker.steady_simulated_m = share * (measured + error);
+        marker.steady_error_m = (share * error).norm();
+        result.markers.push_back(std::move(marker));
+    }
+    return result;
+}
+
+SetupRun scored_run(const setup::Setup& setup, const ParameterValues& values, std::vector<TrialPrediction> predictions,
+                    const std::vector<std::size_t>& trials) {
+    SetupRun run;
+    run.values = values;
+    run.predictions = std::move(predictions);
+    for (const std::size_t t : trials) {
+        if (run.predictions[t].ok())
+            run.scores.push_back(score(setup, t, run.predictions[t]));
+        else if (run.failure.empty())
+            run.failure = "trial " + setup.trials[t].name + ": " + run.predictions[t].message;
+    }
+    run.fit_rms_m = pooled_rms(setup, run, trials, experiment::TrialRole::fit);
+    run.validation_rms_m = pooled_rms(setup, run, trials, experiment::TrialRole::validate);
+    return run;
+}
+
+SetupRun run_trials(const setup::Setup& setup, const ParameterValues& values, const Progress& progress,
+                    const std::string& only_trial) {
+    const Stopwatch watch;
+    std::vector<std::size_t> trials;
+    for (std::size_t t = 0; t < setup.trials.size(); ++t)
+        if (only_trial.empty() || setup.trials[t].name == only_trial) trials.push_back(t);
+    std::vector<TrialPrediction> done = predict_trials_with(setup, values, trials, progress);
+    std::vector<TrialPrediction> predictions(setup.trials.size());
+    for (std::size_t i = 0; i < trials.size(); ++i) predictions[trials[i]] = std::move(done[i]);
+    SetupRun run = scored_run(setup, values, std::move(predictions), trials);
+    run.seconds = watch.seconds();
+    return run;
+}
+
+ParameterValues with_predicted_levels(const setup::Setup& setup, ParameterValues values) {
+    for (std::size_t v = 0; v < setup.trials.size(); ++v) {
+        if (setup.trials[v].role == experiment::TrialRole::fit) continue;
+        for (auto& [muscle, level] : values.levels[v]) {
+            std::vector<std::size_t> sources;
+            double mean = 0.0;
+            for (const std::size_t t : trials_with_role(setup, experiment::TrialRole::fit))
+                if (values.levels[t].count(muscle) > 0) {
+                    sources.push_back(t);
+                    mean += values.levels[t].at(muscle);
+                }
+            if (sources.empty()) continue;
+            level = mean / static_cast<double>(sources.size());
+            const std::optional<std::string> condition = telling_condition(setup, v, sources);
+            if (!condition) continue;
+            std::map<double, std::pair<double, int>> points;  // condition -> sum of levels, count
+            for (const std::size_t t : sources) {
+                auto& [sum, count] = points[setup.experiment.trials[t].condition.at(*condition)];
+                sum += values.levels[t].at(muscle);
+                ++count;
+            }
+            std::vector<double> x, y;
+            for (const auto& [at, point] : points) {
+                x.push_back(at);
+                y.push_back(point.first / point.second);
+            }
+            level = curve_through(x, y, setup.experiment.trials[v].condition.at(*condition), 1.0);
+        }
+    }
+    return values;
+}
+
+}  // namespace myo::prediction

@@ -1,0 +1,82 @@
+#include "prediction/trial_target.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/text.hpp"
+
+namespace myo::prediction {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+
+inverse::MarkerTarget trial_target(const setup::Setup& setup, std::size_t index, double until_s) {
+    const setup::PreparedTrial& trial = setup.trials[index];
+    inverse::MarkerTarget target;
+    target.markers = setup.markers;
+    target.from_start = setup.experiment.markers.compare == experiment::Comparison::displacement;
+    const Eigen::VectorXd& times = trial.measured.time_s;
+    const Index first = trial.first_sample;
+    const Index end = std::upper_bound(times.begin(), times.end(), until_s) - times.begin();
+    const Index count = std::max<Index>(0, end - first);
+    target.times_s = times.segment(std::min(first, times.size()), count);
+    for (std::size_t m = 0; m < setup.marker_names.size(); ++m) {
+        Matrix3Xd track = trial.measured.tracks[m].middleCols(std::min(first, times.size()), count);
+        if (target.from_start) track.colwise() -= trial.reference_m[m];
+        // A coordinate alone says nothing that could be trusted.
+        for (Index t = 0; t < count; ++t)
+            if (!track.col(t).allFinite()) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
+        target.positions_m.push_back(std::move(track));
+    }
+    return target;
+}
+
+TrialPrediction prediction_of(const setup::Setup& setup, std::size_t index, const sensitivity::NodeMotion& motion,
+                              const inverse::MarkerPlacement& placement) {
+    const setup::PreparedTrial& trial = setup.trials[index];
+    inverse::MarkerTarget all = trial_target(setup, index, std::numeric_limits<double>::infinity());
+    all.placement = placement;
+    const std::vector<Matrix3Xd> compared = inverse::target_residuals(all, motion);
+    TrialPrediction result;
+    result.status = dynamics::RunStatus::complete;
+    result.positions_m = measurement::observe(motion, setup.markers, trial.measured.time_s).positions;
+    for (const Matrix3Xd& start : measurement::observe(motion, setup.markers, Eigen::VectorXd::Zero(1)).positions)
+        result.start_m.emplace_back(start.col(0));
+    for (const Matrix3Xd& residual : compared) {
+        Matrix3Xd whole = Matrix3Xd::Constant(3, trial.measured.sample_count(),
+                                              std::numeric_limits<double>::quiet_NaN());
+        whole.rightCols(residual.cols()) = residual;
+        result.residual_m.push_back(std::move(whole));
+    }
+    return result;
+}
+
+ParameterValues placed_values(const setup::Setup& setup, const inverse::MarkerPlacement& placement) {
+    ParameterValues values = declared_values(setup);
+    for (auto& levels : values.levels) levels.clear();
+    values.translation_m = placement.translation_m;
+    values.rotation_rad = placement.rotation_rad;
+    return values;
+}
+
+Result<std::size_t> find_trial(const experiment::Experiment& experiment, const std::string& name) {
+    std::vector<std::string> names;
+    for (std::size_t t = 0; t < experiment.trials.size(); ++t) {
+        names.push_back(experiment.trials[t].name);
+        if (name.empty() ? experiment.trials[t].role == experiment::TrialRole::fit : names.back() == name) return t;
+    }
+    const std::string near = closest_word(name, names);
+    return Error{"no trial '" + name + "'; " +
+                     (near.empty() ? "the experiment has " + join(names) : "did you mean '" + near + "'?"),
+                 "--trial"};
+}
+
+setup::Setup with_one_trial(setup::Setup setup, std::size_t trial) {
+    setup.trials = {std::move(setup.trials[trial])};
+    setup.trials.front().role = experiment::TrialRole::fit;
+    setup.experiment.trials = {setup.experiment.trials[trial]};
+    setup.experiment.trials.front().role = experiment::TrialRole::fit;
+    return setup;
+}
+
+}  // namespace myo::prediction

@@ -1,0 +1,258 @@
+#include "results/optimize_output.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "measurement/actuation_csv.hpp"
+#include "measurement/trace_csv.hpp"
+#include "results/finding_output.hpp"
+#include "results/output_files.hpp"
+#include "results/output_motion.hpp"
+
+namespace myo::results {
+namespace {
+namespace fs = std::filesystem;
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+const char* interpolation(bool hold) { return hold ? "hold" : "linear"; }
+
+/// The signals' own knots; a jump is two rows of one time.
+measurement::ActuationTable actuation_table(const inverse::SoughtSignals& sought, const MatrixXd& values) {
+    std::vector<double> times;
+    std::vector<std::vector<double>> rows;
+    inverse::SoughtSignals alone = sought;  // each signal as if it were a group
+    alone.groups.clear();
+    for (std::size_t s = 0; s < sought.signals.size(); ++s) alone.groups.push_back({s, 1.0});
+    const std::vector<fibre::Signal> signals = inverse::activations_of(alone, values);
+    for (std::size_t k = 0; k < signals.front().times_s.size(); ++k) {
+        const double t = signals.front().times_s[k];
+        if (t < 0.0) continue;  // before the start it is what it is there
+        times.push_back(t);
+        rows.emplace_back();
+        for (const fibre::Signal& signal : signals) rows.back().push_back(signal.values[k]);
+    }
+    measurement::ActuationTable table;
+    table.time_s = Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Index>(times.size()));
+    table.values.resize(static_cast<Index>(signals.size()), static_cast<Index>(rows.size()));
+    for (std::size_t s = 0; s < signals.size(); ++s) {
+        table.muscles.push_back(sought.signals[s].name);
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            table.values(static_cast<Index>(s), static_cast<Index>(k)) = rows[k][s];
+    }
+    return table;
+}
+
+constexpr const char* actuation_ending = "_actuation.csv";
+
+fs::path actuation_file(const setup::Setup& setup) {
+    return trial_file_names(setup.experiment).front() + actuation_ending;
+}
+
+report::Json signals_json(const inverse::SoughtSignals& sought, const MatrixXd& values,
+                          const inverse::ActuationDeviations& deviations) {
+    report::Json signals = report::Json::array();
+    const auto row = [](const MatrixXd& of, std::size_t s) {
+        return report::json_array(Eigen::VectorXd(of.row(static_cast<Index>(s)).transpose()));
+    };
+    for (std::size_t s = 0; s < sought.signals.size(); ++s) {
+        signals.push_back({{"name", sought.signals[s].name},
+                           {"lower", sought.signals[s].lower},
+                           {"upper", sought.signals[s].upper},
+                           {"before", sought.seek_before ? values(static_cast<Index>(s), 0) : sought.signals[s].before},
+                           {"before_sought", sought.seek_before},
+                           {"values", row(values, s)}});
+        if (!deviations.found) continue;
+        signals.back()["std"] = row(deviations.deviations, s);
+        signals.back()["from_markers"] = row(deviations.from_target, s);
+    }
+    return signals;
+}
+
+report::Json muscles_json(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
+    report::Json muscles = report::Json::array();
+    for (std::size_t g = 0; g < sought.groups.size(); ++g)
+        muscles.push_back({{"name", setup.experiment.muscles[g].name},
+                           {"signal", sought.signals[sought.groups[g].signal].name},
+                           {"factor", sought.groups[g].factor}});
+    return muscles;
+}
+
+report::Json history_json(const std::vector<inverse::ActuationIterate>& log) {
+    report::Json history = report::Json::array();
+    for (const inverse::ActuationIterate& line : log) {
+        report::Json entry{{"ok", line.ok}, {"seconds", line.seconds}};
+        if (line.ok) {
+            entry["loss_m2"] = report::json_number(line.loss_m2);
+            entry["rms_m"] = report::json_number(line.rms_m);
+            entry["gradient_norm_m2"] = report::json_number(line.gradient_norm_m2);
+        }
+        history.push_back(std::move(entry));
+    }
+    return history;
+}
+
+report::Json starts_json(const std::vector<calibration::StartEnding>& starts) {
+    report::Json list = report::Json::array();
+    for (const calibration::StartEnding& start : starts) {
+        report::Json entry{{"ended", ending_word(start.status)}, {"evaluations", start.evaluations}};
+        if (start.loss_before_m2 > 0.0) {
+            entry["loss_before_m2"] = report::json_number(start.loss_before_m2);
+            entry["loss_after_m2"] = report::json_number(start.loss_after_m2);
+        }
+        if (!start.message.empty()) entry["message"] = start.message;
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+/// How far the target is missed, and where.
+report::Json miss_json(const calibration::TargetMiss& miss) {
+    report::Json markers = report::Json::array();
+    for (const calibration::TargetMiss::Marker& marker : miss.markers)
+        markers.push_back({{"name", marker.name}, {"rms_m", marker.rms_m}});
+    return {{"rms_m", report::json_number(miss.rms_m)},
+            {"noise_levels", report::json_number(miss.noise_levels)},
+            {"markers", markers},
+            {"from_s", miss.from_s},
+            {"until_s", miss.until_s},
+            {"worst_s", miss.worst_s},
+            {"worst_rms_m", report::json_number(miss.worst_rms_m)}};
+}
+
+/// Root mean square of each coordinate over all markers; null where none was seen.
+report::Json rms_of_axes(const prediction::TrialPrediction& prediction) {
+    Eigen::Vector3d axes;
+    for (Index axis = 0; axis < 3; ++axis) {
+        std::vector<Eigen::Matrix3Xd> rows;
+        for (const Eigen::Matrix3Xd& residual : prediction.residual_m) {
+            rows.emplace_back(Eigen::Matrix3Xd::Constant(3, residual.cols(), std::nan("")));
+            rows.back().row(axis) = residual.row(axis);
+        }
+        axes(axis) = prediction::rms(rows);
+    }
+    return report::json_array(Eigen::VectorXd(axes));
+}
+
+}  // namespace
+
+Result<EarlierOptimization> read_optimization(const fs::path& folder, const setup::Setup& setup,
+                                              const inverse::ActuationProblem& problem) {
+    const fs::path file = folder / "optimize.json";
+    std::error_code code;
+    if (!fs::exists(file, code)) return Error{"there is nothing to resume: no optimize.json", folder.string()};
+    const Result<report::Json> json = report::read_json(file);
+    if (!json) return json.error();
+    const auto refuse = [&](const std::string& what) {
+        return Error{what + "; without --resume it starts anew", file.string()};
+    };
+    const auto is = [&](const char* key, const report::Json& value) {
+        return json->contains(key) && json->at(key) == value;
+    };
+    if (!json->is_object() || !is("schema", "optimize/1")) return refuse("is not of the form optimize/1");
+    if (!is("trial", setup.trials.front().name)) return refuse("is of another trial than " + setup.trials.front().name);
+    if (!is("frequency_Hz", problem.sought.frequency_Hz) || !is("interpolation", interpolation(problem.sought.hold)))
+        return refuse("has signals with other knots");
+    EarlierOptimization earlier;
+    earlier.values = inverse::unmoved_values(problem.sought);
+    const report::Json& signals = json->contains("signals") ? json->at("signals") : *json;
+    if (!signals.is_array() || signals.size() != problem.sought.signals.size()) return refuse("has other signals");
+    for (std::size_t s = 0; s < signals.size(); ++s) {
+        const report::Json& signal = signals[s];
+        if (!signal.is_object() || !signal.contains("name") || signal.at("name") != problem.sought.signals[s].name)
+            return refuse("has other signals");
+        if (!signal.contains("values") || !signal.at("values").is_array() ||
+            static_cast<Index>(signal.at("values").size()) != earlier.values.cols())
+            return refuse("has signals with other knots");
+        for (Index k = 0; k < earlier.values.cols(); ++k) {
+            const report::Json& value = signal.at("values")[static_cast<std::size_t>(k)];
+            if (!value.is_number()) return refuse("has a value that is no number");
+            earlier.values(static_cast<Index>(s), k) = value.get<double>();
+        }
+    }
+    if (json->contains("evaluations_in_all") && json->at("evaluations_in_all").is_number_integer())
+        earlier.evaluations = json->at("evaluations_in_all").get<int>();
+    return earlier;
+}
+
+report::Json optimize_json(const setup::Setup& setup, const calibration::Optimization& optimization,
+                           const RunFacts& facts) {
+    assert(optimization.usable());
+    const inverse::SoughtSignals& sought = optimization.problem.sought;
+    const inverse::ActuationFit& fit = optimization.fit;
+    int evaluations = 0;
+    for (const calibration::StartEnding& start : optimization.starts) evaluations += start.evaluations;
+    report::Json json{{"schema", "optimize/1"},
+                      {"trial", setup.trials.front().name},
+                      {"frequency_Hz", sought.frequency_Hz},
+                      {"interpolation", interpolation(sought.hold)},
+                      {"smoothness_m_s", optimization.problem.smoothness_m_s},
+                      {"rms_before_m", report::json_number(optimization.before.fit_rms_m)},
+                      {"rms_after_m", report::json_number(optimization.after.fit_rms_m)},
+                      {"rms_after_xyz_m", rms_of_axes(optimization.after.predictions.front())},
+                      {"loss_before_m2", report::json_number(fit.first.loss_m2)},
+                      {"loss_after_m2", report::json_number(fit.best.loss_m2)},
+                      {"gradient_norm_m2", report::json_number(fit.gradient_norm_m2)},
+                      {"evaluations", evaluations},
+                      {"evaluations_in_all", evaluations + optimization.earlier_evaluations},
+                      {"seconds", optimization.seconds},
+                      {"converged", fit.converged()},
+                      {"reached", optimization.miss.reached},
+                      {"noise_levels", report::json_number(optimization.miss.noise_levels)},
+                      {"stopped", optimization.stopped},
+                      {"message", fit.message},
+                      {"actuation", actuation_file(setup).string()},
+                      {"knot_times_s", report::json_array(inverse::knot_times(sought))},
+                      {"signals", signals_json(sought, fit.values, optimization.deviations)},
+                      {"muscles", muscles_json(setup, sought)},
+                      {"starts", starts_json(optimization.starts)},
+                      {"history", history_json(fit.log)}};
+    if (optimization.problem.placement_bounds) {
+        const inverse::MarkerPlacement& placement = fit.best.placement;
+        json["registration"] = {{"translation_m", report::json_array(Eigen::VectorXd(placement.translation_m))},
+                                {"rotation_rad", report::json_array(Eigen::VectorXd(placement.rotation_rad))},
+                                {"at_bound", inverse::at_bound(placement, *optimization.problem.placement_bounds)}};
+    }
+    if (!optimization.miss.reached) json["missed"] = miss_json(optimization.miss);
+    if (optimization.deviations.found)
+        json["std_noise_m"] = optimization.deviations.noise_m;
+    else
+        json["std"] = optimization.deviations.reason;
+    if (optimization.settings.starts > 1) json["seed"] = optimization.settings.seed;
+    std::vector<std::string> warnings = setup.warnings;
+    warnings.insert(warnings.end(), optimization.warnings.begin(), optimization.warnings.end());
+    json["warnings"] = warnings;
+    json.update(setup_size_json(setup));
+    json["steps"] = fit.best.steps;
+    json["setup_s"] = facts.setup_s;
+    json["peak_memory_bytes"] = facts.peak_memory_bytes;
+    json["version"] = facts.version;
+    json["command"] = facts.command;
+    json["checks"] = findings_json(facts.findings);
+    const prediction::TrialScore& before = optimization.before.scores.front();
+    const prediction::TrialScore& after = optimization.after.scores.front();
+    json["trials"] = report::Json::array({{{"name", after.name},
+                                           {"rms_before_m", report::json_number(before.rms_m)},
+                                           {"rms_m", report::json_number(after.rms_m)},
+                                           {"markers", marker_scores_json(after)}}});
+    return json;
+}
+
+Result<void> write_actuation(const fs::path& folder, const setup::Setup& setup,
+                             const calibration::Optimization& optimization) {
+    if (const Result<void> written = measurement::write_actuation_csv(
+            folder / actuation_file(setup), actuation_table(optimization.problem.sought, optimization.fit.values));
+        !written)
+        return written.error();
+    return write_traces(folder, setup, optimization.after);
+}
+
+std::vector<fs::path> actuation_files(const fs::path& folder, const experiment::Experiment& experiment) {
+    std::vector<fs::path> files;
+    for (const std::string& name : trial_file_names(experiment)) files.push_back(folder / (name + actuation_ending));
+    return files;
+}
+
+}  // namespace myo::results

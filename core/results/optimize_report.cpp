@@ -1,0 +1,164 @@
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "calibration/calibrate.hpp"
+#include "report/chart.hpp"
+#include "report/length.hpp"
+#include "report/markup.hpp"
+#include "results/calibration_report_parts.hpp"
+#include "results/finding_output.hpp"
+#include "results/optimize_output.hpp"
+
+namespace myo::results {
+namespace {
+
+std::string ending(const calibration::Optimization& optimization) {
+    if (optimization.stopped) return "The user stopped the search: these are the best signals up to then.";
+    if (optimization.fit.log.size() == 1 && optimization.fit.converged())
+        return "The target is met from the start: there was nothing to seek.";
+    if (!optimization.fit.converged()) return "The search did not converge: " + optimization.fit.message + ".";
+    return "";
+}
+
+int evaluations_of(const calibration::Optimization& optimization) {
+    int count = 0;
+    for (const calibration::StartEnding& start : optimization.starts) count += start.evaluations;
+    return count;
+}
+
+std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const calibration::Optimization& optimization) {
+    const inverse::SoughtSignals& sought = optimization.problem.sought;
+    std::vector<report::KeyFigure> figures;
+    figures.push_back({optimization.miss.reached ? "Error (rms)" : "Error (rms): target not reached",
+                       report::in_mm(optimization.after.fit_rms_m), "mm",
+                       report::readable_number(optimization.miss.noise_levels, 3) + " times the noise; was " +
+                           report::in_mm(optimization.before.fit_rms_m) + " mm at the start"});
+    for (std::size_t s = 0; s < sought.signals.size(); ++s) {
+        const auto row = optimization.fit.values.row(static_cast<Eigen::Index>(s));
+        figures.push_back(
+            {"Signal " + sought.signals[s].name,
+             report::readable_number(row.minCoeff(), 3) + " … " + report::readable_number(row.maxCoeff(), 3), "",
+             std::to_string(row.size()) + " values at " + report::readable_number(sought.frequency_Hz, 3) + " Hz" +
+                 (sought.hold ? ", held" : "")});
+    }
+    figures.push_back({"Evaluations", std::to_string(evaluations_of(optimization)), "",
+                       report::readable_number(optimization.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) +
+                           " degrees of freedom"});
+    return figures;
+}
+
+/// One standard deviation of every muscle's activation at the knots; empty when it was not found.
+std::vector<fibre::Signal> band_of(const calibration::Optimization& optimization) {
+    if (!optimization.deviations.found) return {};
+    const inverse::SoughtSignals& sought = optimization.problem.sought;
+    const Eigen::MatrixXd& deviations = optimization.deviations.deviations;
+    std::vector<fibre::Signal> widths = inverse::activations_of(sought, deviations);
+    const std::vector<fibre::Signal> none = inverse::activations_of(
+        sought, Eigen::MatrixXd::Zero(deviations.rows(), deviations.cols()));
+    for (std::size_t g = 0; g < widths.size(); ++g)
+        for (std::size_t k = 0; k < widths[g].values.size(); ++k) widths[g].values[k] -= none[g].values[k];
+    return widths;
+}
+
+std::string band_words(const calibration::Optimization& optimization) {
+    const inverse::ActuationDeviations& deviations = optimization.deviations;
+    if (!deviations.found) return " Standard deviations were " + deviations.reason + ".";
+    return " Bands are one standard deviation: a noise of " + report::in_mm(deviations.noise_m) +
+           " mm per coordinate, and what the smoothness may hide of a signal that changes no faster than where it was "
+           "seen; values without a band were not measured.";
+}
+
+report::LineChart signal_chart(const setup::Setup& setup, const calibration::Optimization& optimization) {
+    const inverse::SoughtSignals& sought = optimization.problem.sought;
+    const std::vector<fibre::Signal> signals = inverse::activations_of(sought, optimization.fit.values);
+    const std::vector<fibre::Signal> widths = band_of(optimization);
+    report::ChartPanel panel{{.label = "activation a"}, {}, 220.0};
+    for (std::size_t g = 0; g < signals.size(); ++g) {
+        report::Series series{setup.experiment.muscles[g].name,
+                              {},
+                              {},
+                              sought.hold ? report::SeriesStyle::line : report::SeriesStyle::line_and_dots};
+        for (std::size_t k = 0; k < signals[g].times_s.size(); ++k) {
+            series.x.push_back(std::max(0.0, signals[g].times_s[k]));
+            series.y.push_back(signals[g].values[k]);
+            if (!widths.empty()) series.half_width.push_back(std::abs(widths[g].values[k]));
+        }
+        // A held signal lasts to the end, where it has no knot.
+        series.x.push_back(std::max(sought.end_s, series.x.back()));
+        series.y.push_back(signals[g].values.back());
+        if (!widths.empty()) series.half_width.push_back(series.half_width.back());
+        panel.series.push_back(std::move(series));
+    }
+    panel.horizontal.push_back({1.0, "passive"});
+    return {"Signals", {.label = "time", .unit = "s"}, {panel}};
+}
+
+report::LineChart loss_chart(const calibration::Optimization& optimization) {
+    report::ChartPanel loss{{.label = "rms of the loss", .unit = "mm", .logarithmic = true}, {}, 170.0},
+        gradient{{.label = "gradient", .unit = "mm²", .logarithmic = true}, {}, 130.0};
+    report::Series each{"evaluation", {}, {}, report::SeriesStyle::dots},
+        best{"best so far", {}, {}, report::SeriesStyle::line}, norm{"", {}, {}, report::SeriesStyle::dots};
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < optimization.fit.log.size(); ++i) {
+        const inverse::ActuationIterate& line = optimization.fit.log[i];
+        const double x = static_cast<double>(i + 1), y = line.ok ? 1e3 * std::sqrt(line.loss_m2) : std::nan("");
+        if (line.ok) least = std::min(least, y);
+        each.x.push_back(x), each.y.push_back(y);
+        best.x.push_back(x), best.y.push_back(least);
+        norm.x.push_back(x), norm.y.push_back(line.ok ? 1e6 * line.gradient_norm_m2 : std::nan(""));
+    }
+    loss.series = {each, best};
+    gradient.series = {norm};
+    return {"Loss", {.label = "evaluation"}, {loss, gradient}};
+}
+
+/// The shape in which the pages of a fit show a trial.
+calibration::Calibration shown_as_fit(const calibration::Optimization& optimization) {
+    calibration::Calibration shown;
+    shown.before = optimization.before;
+    shown.after = optimization.after;
+    return shown;
+}
+
+}  // namespace
+
+report::HtmlReport optimize_report(const setup::Setup& setup, const calibration::Optimization& optimization,
+                                   const RunFacts& facts) {
+    assert(optimization.usable());
+    const calibration::Calibration shown = shown_as_fit(optimization);
+    report::HtmlReport report;
+    report.title = setup.experiment.name;
+    report.summary = {"The actuation that makes the markers follow trial " + setup.trials.front().name +
+                      ": muscle signals with values " +
+                      report::readable_number(1e3 / optimization.problem.sought.frequency_Hz, 3) +
+                      " ms apart, found by " + std::to_string(evaluations_of(optimization)) +
+                      " runs with their gradients in " + report::readable_number(optimization.seconds, 3) + " s."};
+    report.key_figures = key_figures(setup, optimization);
+    report.warnings.lines = optimization.warnings;
+    report.warnings.lines.insert(report.warnings.lines.end(), setup.warnings.begin(), setup.warnings.end());
+    if (const std::string end = ending(optimization); !end.empty())
+        report.warnings.lines.insert(report.warnings.lines.begin(), end);
+    report.sections.push_back({"Signals",
+                               {report::Figure{report::svg(signal_chart(setup, optimization)),
+                                               "1 is passive; below it a muscle contracts, above it it extends. "
+                                               "Muscles that follow another are drawn, too." +
+                                                   band_words(optimization)}}});
+    report.sections.push_back(trial_section(setup, shown, 0));
+    report.sections.push_back(
+        {"Search",
+         {report::Figure{report::svg(loss_chart(optimization)),
+                         "The loss is the mean square distance of the coordinates plus the square of " +
+                             report::readable_number(1e3 * optimization.problem.smoothness_m_s, 3) +
+                             " mm·s times the mean square rate of the signals; its root is shown."}}});
+    report.sections.push_back(model_section(setup, shown));
+    if (!facts.findings.empty()) report.sections.insert(report.sections.end() - 1, findings_section(facts.findings));
+    report.sections.back().blocks.push_back(
+        report::EmbeddedJson{"optimize", optimize_json(setup, optimization, facts)});
+    report.footer = "Myoloop " + facts.version;
+    for (const std::string& word : facts.command)
+        report.footer += (&word == &facts.command.front() ? " — " : " ") + word;
+    return report;
+}
+
+}  // namespace myo::results

@@ -1,0 +1,182 @@
+#include "setup/body_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/name_table.hpp"
+#include "base/text.hpp"
+#include "mesh/box_mesh.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/region_facets.hpp"
+#include "mesh/tet_mesh.hpp"
+#include "mesh/voxel_mesh.hpp"
+
+namespace myo::setup {
+namespace {
+
+constexpr NameTable<Voxels, 2> voxel_kinds{{{
+    {Voxels::fitted, "fitted"},
+    {Voxels::truncated, "truncated"},
+}}};
+
+/// "100 x 30 x 30"
+std::string size_in_mm(const Box& box) {
+    const Eigen::Vector3d mm = 1e3 * box.size();
+    return format_number(mm(0), 4) + " x " + format_number(mm(1), 4) + " x " + format_number(mm(2), 4);
+}
+
+void add_region_planes(const std::vector<Box>& regions, const Box& bounds, double edge, mesh::GridPlanes& planes) {
+    for (const Box& region : regions)
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double p : {region.lowest(axis), region.highest(axis)}) {
+                auto& list = planes[static_cast<std::size_t>(axis)];
+                const bool inside = p > bounds.lowest(axis) + 0.1 * edge && p < bounds.highest(axis) - 0.1 * edge;
+                const bool known = std::any_of(list.begin(), list.end(),
+                                               [&](double q) { return std::abs(p - q) < 0.1 * edge; });
+                if (inside && !known) list.push_back(p);
+            }
+}
+
+/// Sides where a region holds the body's highest face and none its lowest.
+std::array<bool, 3> held_at_highest(const std::vector<Box>& regions, const Box& bounds) {
+    std::array<bool, 3> result{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        const bool high = std::any_of(regions.begin(), regions.end(),
+                                      [&](const Box& r) { return r.highest(i) >= bounds.highest(i); });
+        const bool low = std::any_of(regions.begin(), regions.end(),
+                                     [&](const Box& r) { return r.lowest(i) <= bounds.lowest(i); });
+        result[a] = high && !low;
+    }
+    return result;
+}
+
+Result<mesh::VolumeMesh> truncated_mesh(const mesh::SurfaceMesh& surface, double edge, const std::vector<Box>& regions,
+                                        const Progress& progress) {
+    const Box bounds = mesh::bounding_box(surface.vertices);
+    Result<mesh::GridLines> grid = mesh::whole_cube_lines(bounds, edge, held_at_highest(regions, bounds));
+    if (!grid) return grid.error();
+    if (mesh::is_box(surface)) return mesh::hex_mesh(*grid);
+    mesh::VoxelOptions options;
+    options.grid = std::move(*grid);
+    return mesh::voxelize(surface, options, progress);
+}
+
+std::string not_conforming(const std::string& reason, double edge) {
+    return "the tetrahedra do not meet the faces of the clamp box (" + reason + "): the clamp may hold up to a cell, " +
+           format_number(1e3 * edge, 3) +
+           " mm, less than declared; choose shorter edges (--resolution) or move the box";
+}
+
+/// Tetrahedra that meet the regions' faces; where that fails or takes many times the cells, without them and with a
+/// warning.
+Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& surface, mesh::CellType type, double edge,
+                                          const std::vector<Box>& regions, const Progress& progress,
+                                          std::vector<std::string>& warnings) {
+    // Slices much thinner than an edge, between a clamp's face and one of the body, can take a hundred times the cells.
+    constexpr double doubtful_growth = 2.5, refused_growth = 4.0;
+    mesh::TetOptions options;
+    options.type = type;
+    options.edge = edge;
+    if (mesh::cut_by_regions(mesh::bounding_box(surface.vertices), regions, edge)) options.regions = regions;
+    Result<mesh::VolumeMesh> mesh = mesh::tetrahedralize(surface, options, progress);
+    if (options.regions.empty() || progress.cancelled()) return mesh;
+    const auto count = [](const mesh::VolumeMesh& m) { return static_cast<double>(m.cell_count()); };
+    if (mesh && count(*mesh) < doubtful_growth * mesh::estimate_counts(surface, type, edge).cells) return mesh;
+    options.regions.clear();
+    Result<mesh::VolumeMesh> plain = mesh::tetrahedralize(surface, options, progress);
+    if (mesh && (!plain || count(*mesh) < refused_growth * count(*plain))) return mesh;
+    if (!plain) return plain;
+    const std::string reason = mesh ? "it would take " + format_number(count(*mesh) / count(*plain), 2) +
+                                          " times the cells"
+                                    : mesh.error().what;
+    warnings.push_back(not_conforming(reason, edge));
+    return plain;
+}
+
+/// Hexahedra that meet the body's own axis-aligned faces and the regions'.
+Result<mesh::VolumeMesh> fitted_mesh(const mesh::SurfaceMesh& surface, double edge, const mesh::EdgeAt& edge_at,
+                                     const std::vector<Box>& regions, const Progress& progress) {
+    const Box bounds = mesh::bounding_box(surface.vertices);
+    mesh::GridPlanes planes;
+    if (is_rectilinear(surface)) planes = face_planes(surface, edge);
+    add_region_planes(regions, bounds, edge, planes);
+    const std::optional<Box> box = mesh::is_box(surface);
+    Result<mesh::GridLines> grid = mesh::limited_grid_lines(box.value_or(bounds), edge_at, planes);
+    if (!grid) return grid.error();
+    if (box) return mesh::hex_mesh(*grid);
+    mesh::VoxelOptions options;
+    options.grid = std::move(*grid);
+    return mesh::voxelize(surface, options, progress);
+}
+
+}  // namespace
+
+std::string to_string(Voxels voxels) { return voxel_kinds.name(voxels); }
+std::vector<std::string> voxels_ids() { return voxel_kinds.names(); }
+bool parse_voxels(const std::string& id, Voxels& voxels) { return voxel_kinds.find(id, voxels); }
+
+Eigen::Vector3d point_on_mesh(const BodyMesh& mesh, const Eigen::Vector3d& declared_m) {
+    if (!mesh.shrunk_from) return declared_m;
+    const Box now = mesh::bounding_box(mesh.mesh.nodes);
+    const Eigen::Array3d scale = now.size().array() / mesh.shrunk_from->size().array();
+    return now.lowest.array() + scale * (declared_m - mesh.shrunk_from->lowest).array();
+}
+
+Box box_on_mesh(const BodyMesh& mesh, const Box& declared) {
+    return {point_on_mesh(mesh, declared.lowest), point_on_mesh(mesh, declared.highest)};
+}
+
+Box held_part(const Box& clamp, const Box& body) {
+    Box part = clamp;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double thin = 0.01 * body.size()(axis), beside = 1e-6 * body.size()(axis);
+        const double low = body.lowest(axis), high = body.highest(axis);
+        if (clamp.lowest(axis) <= low && clamp.highest(axis) >= low && clamp.highest(axis) < low + thin)
+            part.highest(axis) = low + beside;
+        if (clamp.highest(axis) >= high && clamp.lowest(axis) <= high && clamp.lowest(axis) > high - thin)
+            part.lowest(axis) = high - beside;
+    }
+    return part;
+}
+
+Result<BodyMesh> mesh_body(const mesh::SurfaceMesh& surface, const MeshRequest& request,
+                           const std::vector<Box>& regions, const Progress& progress) {
+    BodyMesh result;
+    result.element = request.element.value_or(automatic_element(surface));
+    const mesh::CellType type = fem::cell_type(result.element);
+    const double automatic_edge = automatic_resolution(surface, type);
+    // The automatic edge length stands for the automatic mesh, also where a person or a file repeats it.
+    const bool automatic = !request.resolution_m || std::abs(*request.resolution_m / automatic_edge - 1.0) < 1e-9;
+    result.resolution_m = request.refinement * request.resolution_m.value_or(automatic_edge);
+    if (!(result.resolution_m > 0.0)) return Error{"the edge length must be positive", "--resolution"};
+    const Box bounds = mesh::bounding_box(surface.vertices);
+    const double edge = result.resolution_m;
+    if (edge > bounds.size().maxCoeff())
+        return Error{"cells of " + format_number(1e3 * edge, 4) + " mm are larger than the body, " +
+                         size_in_mm(bounds) + " mm; the number is in metres",
+                     "--resolution"};
+    const mesh::EdgeAt uniform = [=](int, double) { return edge; };
+    const bool truncated = type == mesh::CellType::hex8 && request.voxels == Voxels::truncated;
+    Result<mesh::VolumeMesh> mesh = type != mesh::CellType::hex8
+                                        ? tetrahedral_mesh(surface, type, edge, regions, progress, result.warnings)
+                                    : truncated ? truncated_mesh(surface, edge, regions, progress)
+                                    : automatic
+                                        ? fitted_mesh(surface, edge, automatic_edges(surface, request.refinement),
+                                                      regions, progress)
+                                        : fitted_mesh(surface, edge, uniform, regions, progress);
+    if (!mesh) return mesh.error();
+    result.mesh = std::move(*mesh);
+    if (truncated) {
+        result.shrunk_from = mesh::bounding_box(surface.vertices);
+        result.warnings.push_back("truncated voxels: the body is meshed as " +
+                                  size_in_mm(mesh::bounding_box(result.mesh.nodes)) + " mm instead of " +
+                                  size_in_mm(*result.shrunk_from));
+    }
+    for (const std::string& message : mesh::mesh_quality(result.mesh, &surface).messages)
+        result.warnings.push_back(message);
+    return result;
+}
+
+}  // namespace myo::setup

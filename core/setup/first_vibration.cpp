@@ -1,0 +1,21 @@
+#include "setup/first_vibration.hpp"
+
+#include "dynamics/natural_modes.hpp"
+
+namespace myo::setup {
+
+double first_vibration_rad_s(const model::Model& model) {
+    const std::vector<double> found = slowest_vibrations_rad_s(model, 1);
+    return found.empty() ? 0.0 : found.front();
+}
+
+std::vector<double> slowest_vibrations_rad_s(const model::Model& model, int count) {
+    dynamics::StageSolver solver(model);
+    const dynamics::NaturalModes modes = dynamics::natural_modes(solver, model.body->mesh.nodes, count);
+    std::vector<double> omega_rad_s;
+    if (modes.ok())
+        for (const dynamics::NaturalMode& mode : modes.modes) omega_rad_s.push_back(mode.omega_rad_s);
+    return omega_rad_s;
+}
+
+}  // namespace myo::setup

@@ -1,0 +1,77 @@
+#include "setup/muscle_groups.hpp"
+
+#include "experiment/read_experiment.hpp"
+#include "fibre/fibres_along_line.hpp"
+#include "fibre/mask_check.hpp"
+#include "fibre/painted_mask.hpp"
+
+namespace myo::setup {
+namespace {
+
+/// Columns moved to the same part of a mesh that shrank.
+Eigen::Matrix3Xd points_on_mesh(const BodyMesh& mesh, Eigen::Matrix3Xd points) {
+    for (auto point : points.colwise()) point = point_on_mesh(mesh, point);
+    return points;
+}
+
+struct GroupOf {
+    const experiment::MuscleDeclaration& muscle;
+    const BodyMesh& mesh;
+    std::vector<std::string>& doubts;  // of the mask
+
+    Result<fibre::FibreGroup> operator()(const experiment::MuscleBox& part) const {
+        return fibre::fibres_in_box(mesh.mesh, box_on_mesh(mesh, part.box_m), part.fibre, muscle.stiffness_Pa,
+                                    muscle.name);
+    }
+    Result<fibre::FibreGroup> operator()(const experiment::MuscleMask& part) const {
+        const auto* const file = std::get_if<std::filesystem::path>(&part.painted);
+        Result<fibre::PaintedMask> mask = file ? fibre::read_painted_mask(*file)
+                                               : Result<fibre::PaintedMask>(*std::get<1>(part.painted));
+        if (!mask) return mask.error();
+        doubts = fibre::contradictions(*mask);
+        mask->centroids_m = points_on_mesh(mesh, std::move(mask->centroids_m));
+        const Eigen::Index off = fibre::elements_off_mesh(mesh.mesh, *mask),
+                           painted = (mask->weights.array() > 0.0).count();
+        if (off > 0)
+            doubts.push_back(std::to_string(off) + " of " + std::to_string(painted) +
+                             " painted elements lie where the body has none; is the mask of this body, in its rest "
+                             "frame, in metres, with its axes in order?");
+        if (part.fibre) mask->directions.colwise() = *part.fibre;
+        return fibre::fibres_of_mask(mesh.mesh, *mask, muscle.stiffness_Pa, muscle.name);
+    }
+    Result<fibre::FibreGroup> operator()(const experiment::MuscleLine& part) const {
+        const fibre::Polyline line{points_on_mesh(mesh, part.line.points_m)};
+        return fibre::fibres_along_line(mesh.mesh, line, part.radius_m, muscle.stiffness_Pa, muscle.name);
+    }
+};
+
+}  // namespace
+
+Result<std::vector<fibre::FibreGroup>> muscle_groups(const experiment::Experiment& experiment, const BodyMesh& mesh,
+                                                     std::vector<std::string>* warnings) {
+    std::vector<fibre::FibreGroup> groups;
+    for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
+        const experiment::MuscleDeclaration& muscle = experiment.muscles[i];
+        std::vector<std::string> doubts;
+        Result<fibre::FibreGroup> group = std::visit(GroupOf{muscle, mesh, doubts}, muscle.part);
+        if (!group) return group.error();
+        const std::string table = "muscle[" + std::to_string(i) + "].";
+        const auto* const mask = std::get_if<experiment::MuscleMask>(&muscle.part);
+        const auto* const painted = mask ? std::get_if<std::shared_ptr<const fibre::PaintedMask>>(&mask->painted)
+                                         : nullptr;
+        const bool nowhere = painted && (*painted)->count() == 0;  // as a person may leave it for a while
+        if (group->points.empty() && mask && !nowhere)
+            return experiment::declaration_error(experiment, table + "mask",
+                                                 "no element of the mesh lies where the mask is painted; is it of this "
+                                                 "body, in its rest frame, in metres?");
+        if (group->points.empty() && std::holds_alternative<experiment::MuscleLine>(muscle.part))
+            return experiment::declaration_error(experiment, table + "line_m",
+                                                 "no material of the body lies within radius_m of the line");
+        for (const std::string& doubt : doubts)
+            if (warnings) warnings->push_back(table + "mask: " + doubt);
+        groups.push_back(std::move(*group));
+    }
+    return groups;
+}
+
+}  // namespace myo::setup

@@ -1,0 +1,165 @@
+#include "setup/recording_frame.hpp"
+
+#include <cmath>
+
+#include "base/text.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_trial.hpp"
+#include "measurement/gaps.hpp"
+#include "measurement/motion_start.hpp"
+#include "measurement/recording_edit.hpp"
+#include "measurement/registration.hpp"
+#include "measurement/rest_pose.hpp"
+
+namespace myo::setup {
+namespace {
+
+/// When the times of a trace are taken to be of another clock than the trial's.
+struct ClockPolicy {
+    /// A trace that begins so many sampling intervals after t = 0 is doubted: a camera may have been switched on late.
+    double late_intervals = 20.0;
+    double most_lead = 10.0;  // times its own length: nobody simulates so much to compare so little
+};
+constexpr ClockPolicy clock_policy;
+
+bool begins_late(const measurement::Recording& recording) {
+    return recording.rate_Hz > 0.0 && recording.time_s(0) * recording.rate_Hz > clock_policy.late_intervals;
+}
+
+/// File times that are the trial's must meet it.
+Result<void> check_clock(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
+                         const measurement::Recording& recording) {
+    const double first = recording.time_s(0), last = recording.time_s(recording.sample_count() - 1);
+    if (last >= 0.0 && !(begins_late(recording) && first > clock_policy.most_lead * (last - first))) return {};
+    return experiment::declaration_error(
+        experiment, experiment::trial_key(experiment, declaration) + ".start_s",
+        declaration.trace.filename().string() + " runs from " + format_number(first, clock_digits) + " s to " +
+            format_number(last, clock_digits) +
+            " s, far from the trial's t = 0: it was recorded by another clock; state start_s, the "
+            "time in the file at which the trial starts");
+}
+
+Result<void> find_start(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
+                        const measurement::Recording& recording, PreparedTrial& trial) {
+    if (declaration.start_s) {
+        trial.start_s = *declaration.start_s;
+        trial.start_message = "start declared at " + std::to_string(trial.start_s) + " s of the file";
+        return {};
+    }
+    if (!is_foreign_recording(experiment, declaration)) {
+        trial.start_message = "t = 0 is the file's";
+        return check_clock(experiment, declaration, recording);
+    }
+    std::vector<std::string> body_markers;
+    for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body) body_markers.push_back(marker.name);
+    const measurement::StartOfMotion start = measurement::find_motion_start(recording, body_markers);
+    trial.start_message = start.message;
+    trial.start_s = start.time_s;
+    trial.start_found = start.found;
+    if (!start.found && start.last_still < 0 && start.movers.empty())
+        return experiment::declaration_error(
+            experiment, experiment::trial_key(experiment, declaration) + ".start_s",
+            "the start of the motion was not found in the trace (" + start.message + "); state it");
+    return {};
+}
+
+/// Rest-pose registration: camera to mesh by a rigid fit of every marker seen before the start.
+Result<measurement::RigidMotion> register_rest_pose(const experiment::Experiment& experiment,
+                                                    const experiment::TrialDeclaration& declaration,
+                                                    const measurement::RestPose& pose, PreparedTrial& trial) {
+    std::vector<experiment::MarkerDeclaration> declared = experiment.markers.on_body;
+    declared.insert(declared.end(), experiment.markers.fixed.begin(), experiment.markers.fixed.end());
+    Eigen::Matrix3Xd rest(3, static_cast<Eigen::Index>(declared.size()));
+    Eigen::VectorXd weights(rest.cols());
+    for (Eigen::Index i = 0; i < rest.cols(); ++i) {
+        rest.col(i) = declared[static_cast<std::size_t>(i)].rest_m;
+        weights(i) = pose.positions_m.col(i).allFinite() ? 1.0 : 0.0;
+    }
+    Eigen::Matrix3Xd seen = pose.positions_m;
+    for (Eigen::Index i = 0; i < seen.cols(); ++i)
+        if (weights(i) == 0.0) seen.col(i).setZero();
+    Result<measurement::Registration> fit = measurement::rigid_registration(seen, rest, weights);
+    if (!fit)
+        return experiment::declaration_error(experiment, experiment::trial_key(experiment, declaration) + ".trace",
+                                             "registration: " + fit.error().what);
+    trial.registration_rms_m = fit->rms_m;
+    return fit->motion;
+}
+
+}  // namespace
+
+bool is_foreign_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration) {
+    return experiment.registration.method == experiment::RegistrationMethod::rest_pose ||
+           experiment.markers.compare == experiment::Comparison::displacement ||
+           declaration.format == measurement::TraceFormat::c3d ||
+           declaration.format == measurement::TraceFormat::columns;
+}
+
+Result<void> place_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
+                             const measurement::Recording& recording, PreparedTrial& trial) {
+    const std::string key = experiment::trial_key(experiment, declaration);
+    if (const Result<void> started = find_start(experiment, declaration, recording, trial); !started)
+        return started.error();
+
+    const bool displacement = experiment.markers.compare == experiment::Comparison::displacement;
+    const bool rest_registration = !experiment.registration.known &&
+                                   experiment.registration.method == experiment::RegistrationMethod::rest_pose;
+    measurement::RigidMotion camera_to_mesh;
+    if (displacement || rest_registration) {
+        const Result<measurement::RestPose> pose = measurement::rest_pose_before(recording, trial.start_s);
+        if (!pose)
+            return experiment::declaration_error(experiment, key + ".trace",
+                                                 "no rest pose before the start: " + pose.error().what);
+        if (rest_registration) {
+            const Result<measurement::RigidMotion> motion = register_rest_pose(experiment, declaration, *pose, trial);
+            if (!motion) return motion.error();
+            camera_to_mesh = *motion;
+        }
+        if (displacement)
+            for (std::size_t m = 0; m < experiment.markers.on_body.size(); ++m) {
+                const Eigen::Vector3d mean = camera_to_mesh.apply(pose->positions_m.col(static_cast<Eigen::Index>(m)));
+                if (!mean.allFinite())
+                    return experiment::declaration_error(
+                        experiment, key + ".trace",
+                        "marker '" + experiment.markers.on_body[m].name + "' is not seen before the start");
+                trial.reference_m.push_back(mean);
+            }
+    }
+
+    measurement::Recording placed = measurement::transform(measurement::shift_time(recording, -trial.start_s),
+                                                           camera_to_mesh);
+    const double end = declaration.end_s ? *declaration.end_s - trial.start_s
+                                         : placed.time_s(placed.sample_count() - 1);
+    placed = measurement::slice_time(placed, placed.time_s(0), end);
+    placed.labels.resize(experiment.markers.on_body.size());
+    placed.tracks.resize(experiment.markers.on_body.size());
+    while (trial.first_sample < placed.sample_count() && placed.time_s(trial.first_sample) < 0.0) ++trial.first_sample;
+    if (trial.first_sample >= placed.sample_count())
+        return experiment::declaration_error(experiment, key + ".end_s",
+                                             "no sample lies between the start and the end of the trial");
+    for (const measurement::MarkerGaps& gaps : measurement::gap_map(placed))
+        trial.occluded_fraction.push_back(gaps.occluded_fraction);
+    trial.measured = std::move(placed);
+    return {};
+}
+
+std::vector<std::string> doubtful_frames(const Setup& setup) {
+    constexpr double far_of_body = 0.03;
+    std::vector<std::string> warnings;
+    const Box body = mesh::bounding_box(setup.surface.vertices);
+    for (const PreparedTrial& trial : setup.trials) {
+        if (begins_late(trial.measured))
+            warnings.push_back("trial " + trial.name + ": its trace begins " +
+                               format_number(trial.measured.time_s(0), 4) +
+                               " s after the start, t = 0; if its clock began elsewhere, state start_s");
+        if (trial.registration_rms_m &&
+            *trial.registration_rms_m > far_of_body * (body.highest - body.lowest).maxCoeff())
+            warnings.push_back("trial " + trial.name + ": before its start the markers are " +
+                               format_number(1e3 * *trial.registration_rms_m, 3) +
+                               " mm rms from their declared rest positions: was the body at rest, and was the right "
+                               "marker meant by each name?");
+    }
+    return warnings;
+}
+
+}  // namespace myo::setup

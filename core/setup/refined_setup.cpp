@@ -1,0 +1,12 @@
+#include "setup/refined_setup.hpp"
+
+namespace myo::setup {
+
+Result<Setup> refined_setup(const Setup& setup, double ratio, const Progress& progress) {
+    SetupSettings settings = setup.settings;
+    settings.mesh.element = setup.mesh.element;
+    settings.mesh.refinement *= ratio;
+    return prepare_setup(setup.experiment, settings, progress);
+}
+
+}  // namespace myo::setup

@@ -1,0 +1,340 @@
+#include "setup/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "effect/catalogue.hpp"
+#include "effect/changed_body.hpp"
+#include "experiment/check_body.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_trial.hpp"
+#include "fibre/switches.hpp"
+#include "material/catalogue.hpp"
+#include "measurement/noise.hpp"
+#include "mesh/region.hpp"
+#include "setup/activation_range.hpp"
+#include "setup/first_vibration.hpp"
+#include "setup/mesh_suitability.hpp"
+#include "setup/muscle_groups.hpp"
+#include "setup/recording_frame.hpp"
+
+namespace myo::setup {
+namespace {
+
+/// Shares of a total over the surface inside a box, and the same without negative nodal shares (a clipped quadratic
+/// face has some), as a mass must be.
+Result<Eigen::VectorXd> surface_share(const experiment::Experiment& experiment, const std::string& key,
+                                      const model::Body& body, const Box& box, bool positive) {
+    mesh::SurfaceIntegral integral = mesh::surface_weights(body.mesh, body.boundary, box);
+    if (!(integral.area > 0.0))
+        return experiment::declaration_error(
+            experiment, key, "the box holds none of the mesh's surface; choose tetrahedra or a finer resolution");
+    if (positive) integral.weight = integral.weight.cwiseMax(0.0);
+    return Eigen::VectorXd(integral.weight / integral.weight.sum());
+}
+
+Result<void> add_loads(const Setup& setup, const experiment::TrialDeclaration& trial, model::Model& model) {
+    const experiment::Experiment& experiment = setup.experiment;
+    for (std::size_t i = 0; i < trial.loads.size(); ++i) {
+        const experiment::LoadDeclaration& load = trial.loads[i];
+        const bool is_mass = load.kind == experiment::LoadKind::mass;
+        const std::string key = experiment::trial_key(experiment, trial) + ".load[" + std::to_string(i) + "].box_m";
+        Result<Eigen::VectorXd> share = surface_share(experiment, key, *model.body, box_on_mesh(setup.mesh, load.box_m),
+                                                      is_mass);
+        if (!share) return share.error();
+        if (is_mass)
+            model.masses.push_back({std::move(*share), load.mass_kg});
+        else
+            model.forces.push_back({std::move(*share), load.force_N, load.from_s, load.until_s});
+    }
+    return {};
+}
+
+Result<void> add_activation(const Setup& setup, const experiment::TrialDeclaration& declaration, PreparedTrial& trial) {
+    const experiment::Experiment& experiment = setup.experiment;
+    const Result<measurement::ActuationTable> table = experiment::read_trial_actuation(experiment, declaration);
+    if (!table) return table.error();
+    if (!setup.settings.as_published)
+        if (const Result<void> positive = check_recorded_activation(experiment, declaration, *table); !positive)
+            return positive.error();
+    for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
+        fibre::Signal signal = fibre::Signal::constant(1.0);
+        if (table->time_s.size() > 0) {
+            signal.times_s.assign(table->time_s.begin(), table->time_s.end());
+            const Eigen::VectorXd row = table->values.row(static_cast<Eigen::Index>(m)).transpose();
+            signal.values.assign(row.begin(), row.end());
+        }
+        trial.model.activation.push_back(std::move(signal));
+    }
+    for (const experiment::ActuationStep& step : declaration.actuation_steps)
+        for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
+            if (experiment.muscles[m].name != step.muscle || experiment.muscles[m].signal) continue;
+            trial.model.activation = with_level(experiment, trial.model.activation, m, step.level.value_or(1.0));
+            if (!step.level) trial.free_levels.push_back(m);
+        }
+    declare_activation(experiment, trial.model.activation);
+    return {};
+}
+
+Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& model,
+                                    const experiment::TrialDeclaration& declaration,
+                                    std::vector<std::string>& warnings) {
+    const experiment::Experiment& experiment = setup.experiment;
+    PreparedTrial trial;
+    trial.name = declaration.name;
+    trial.role = declaration.role;
+    trial.model = model;
+    if (const Result<void> loads = add_loads(setup, declaration, trial.model); !loads) return loads.error();
+    if (const Result<void> activation = add_activation(setup, declaration, trial); !activation)
+        return activation.error();
+
+    Result<experiment::TrialRecording> recording = experiment::read_trial(experiment, declaration);
+    if (!recording) return recording.error();
+    warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
+    trial.rounding_m = recording->rounding_m;
+    if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed)
+        return framed.error();
+
+    trial.options.start = declaration.start == experiment::StartState::straight ? dynamics::StartKind::straight
+                                                                                : dynamics::StartKind::equilibrium;
+    trial.options.integrator = setup.settings.scheme();
+    trial.options.solver.strategy = setup.settings.strategy;
+    const Eigen::VectorXd& times = trial.measured.time_s;
+    const double interval = sampling_interval_s(trial);
+    trial.recorded_activation = trial.model.activation;
+    set_step(trial, setup.settings.h_s.value_or(0.5 * interval));
+    // One step beyond the last sample, so that a start found a little later still has data under every sample.
+    trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
+    return trial;
+}
+
+/// Noise per marker: declared, or estimated in each trial and pooled. Where it cannot be estimated it is the others'.
+/// Never less than what rounding makes.
+void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup) {
+    const auto count = static_cast<Eigen::Index>(setup.marker_names.size());
+    const auto coarsest = std::max_element(
+        setup.trials.begin(), setup.trials.end(),
+        [](const PreparedTrial& a, const PreparedTrial& b) { return a.rounding_m < b.rounding_m; });
+    const double rounded_m = measurement::rounding_deviation(coarsest->rounding_m);
+    if (const auto declared = setup.experiment.markers.noise_m) {
+        setup.noise_m = Eigen::VectorXd::Constant(count, std::max(*declared, rounded_m));
+        if (rounded_m > *declared)
+            setup.warnings.push_back("markers.noise_m: the numbers of trial " + coarsest->name + " are rounded to " +
+                                     format_number(1e3 * coarsest->rounding_m) + " mm, which is noise of " +
+                                     format_number(1e3 * rounded_m, 3) + " mm by itself; it is taken in place of the " +
+                                     format_number(1e3 * *declared, 3) + " mm declared");
+        return;
+    }
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), found = Eigen::VectorXd::Zero(count);
+    for (const measurement::Recording& recording : recordings)
+        for (Eigen::Index m = 0; m < count; ++m) {
+            const measurement::NoiseEstimate estimate = measurement::estimate_track_noise(
+                recording.tracks[static_cast<std::size_t>(m)]);
+            if (!estimate.found || !(estimate.sigma_m > 0.0)) continue;
+            sum(m) += estimate.sigma_m * estimate.sigma_m;
+            found(m) += 1.0;
+        }
+    // A tenth of a millimetre, a usual camera's, when nothing is known at all.
+    const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
+    if (found.sum() == 0.0)
+        setup.warnings.push_back(
+            "markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
+    setup.noise_m.resize(count);
+    for (Eigen::Index m = 0; m < count; ++m)
+        setup.noise_m(m) = std::max(
+            {found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical, rounded_m});
+}
+
+/// Trials in which no marker was seen take no part; one to fit must be left.
+Result<void> check_seen(Setup& setup) {
+    bool any = false;
+    for (const PreparedTrial& trial : setup.trials) {
+        const auto& tracks = trial.measured.tracks;
+        const bool seen = std::any_of(tracks.begin(), tracks.end(),
+                                      [](const Eigen::Matrix3Xd& track) { return !track.array().isNaN().all(); });
+        any = any || (seen && trial.role == experiment::TrialRole::fit);
+        if (!seen)
+            setup.warnings.push_back("trial " + trial.name + ": no marker was seen in it, so it takes no part");
+        else if (trial.measured.sample_count() < 3)
+            setup.warnings.push_back("trial " + trial.name + ": " + std::to_string(trial.measured.sample_count()) +
+                                     " samples tell next to nothing");
+    }
+    if (!any) return experiment::declaration_error(setup.experiment, "trial", "no marker was seen in any trial to fit");
+    return {};
+}
+
+void warn_of_mass(const model::Model& model, std::vector<std::string>& warnings) {
+    if (model.mass_model == model::MassModel::consistent) return;
+    const double part = model::mass_matrix(model).nodal_kg.sum() / (model.density_kg_m3 * model.body->volume_m3);
+    warnings.push_back("equal vertex masses: the body weighs " + format_number(100.0 * part, 3) +
+                       " % of its mesh's true mass");
+}
+
+/// @param model  without muscles, whose activations the trials bring
+double assumed_damping_s(const model::Model& model, const SetupSettings& settings) {
+    if (settings.assumed_damping_s == 0.0) return 0.0;
+    const double omega = first_vibration_rad_s(model);
+    if (!(omega > 0.0)) return settings.assumed_damping_s;
+    return std::min(settings.assumed_damping_s, 2.0 * settings.most_assumed_damping_ratio / omega);
+}
+
+/// What the trials' clocks and the range of activations leave to doubt.
+void add_warnings(Setup& setup) {
+    const auto add = [&](const std::vector<std::string>& sentences) {
+        setup.warnings.insert(setup.warnings.end(), sentences.begin(), sentences.end());
+    };
+    add(doubtful_frames(setup));
+    add(activation_notes(setup));
+}
+
+}  // namespace
+
+SetupSettings published_settings() {
+    SetupSettings settings;
+    settings.mesh.element = fem::ElementKind::hex8_full;
+    settings.mesh.voxels = Voxels::truncated;
+    settings.integrator = dynamics::Integrator::implicit_euler;
+    settings.material = "projective_corotational";
+    settings.mass_model = model::MassModel::equal_vertices;
+    settings.assumed_damping_s = 0.0;
+    settings.as_published = true;
+    return settings;
+}
+
+std::vector<fibre::Signal> with_level(const experiment::Experiment& experiment, std::vector<fibre::Signal> activation,
+                                      std::size_t leader, double level) {
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(experiment);
+    for (std::size_t m = 0; m < leaders.size(); ++m)
+        if (leaders[m].leader == leader)
+            activation[m] = fibre::Signal::step(0.0, 1.0, 1.0 + leaders[m].factor * (level - 1.0));
+    return activation;
+}
+
+void declare_activation(const experiment::Experiment& experiment, std::vector<fibre::Signal>& activation) {
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(experiment);
+    for (std::size_t m = 0; m < leaders.size(); ++m) {
+        const std::optional<fibre::Signal>& signal = experiment.muscles[leaders[m].leader].signal;
+        if (!signal) continue;
+        activation[m] = *signal;
+        for (double& a : activation[m].values) a = 1.0 + leaders[m].factor * (a - 1.0);
+    }
+}
+
+std::vector<fibre::Signal> level_tangent(const experiment::Experiment& experiment, std::size_t leader) {
+    std::vector<fibre::Signal> tangent;
+    for (const experiment::MuscleLeader& muscle : experiment::muscle_leaders(experiment))
+        tangent.push_back(fibre::Signal::step(0.0, 0.0, muscle.leader == leader ? muscle.factor : 0.0));
+    return tangent;
+}
+
+double sampling_interval_s(const PreparedTrial& trial) {
+    return trial.measured.rate_Hz > 0.0 ? 1.0 / trial.measured.rate_Hz : 0.01;
+}
+
+void set_step(PreparedTrial& trial, double h_s) {
+    trial.options.h_s = h_s;
+    trial.model.activation.clear();
+    for (const fibre::Signal& signal : trial.recorded_activation)
+        trial.model.activation.push_back(fibre::with_switches_as_jumps(signal, h_s));
+}
+
+double mean_noise(const Setup& setup) {
+    return std::sqrt(setup.noise_m.squaredNorm() / static_cast<double>(setup.noise_m.size()));
+}
+
+void check_integration(Setup& setup) {
+    const auto shortest = std::min_element(
+        setup.trials.begin(), setup.trials.end(),
+        [](const PreparedTrial& a, const PreparedTrial& b) { return a.options.h_s < b.options.h_s; });
+    setup.integration = check_integration(shortest->model, shortest->options.integrator, shortest->options.h_s);
+    const std::vector<std::string>& found = setup.integration->warnings;
+    setup.warnings.insert(setup.warnings.end(), found.begin(), found.end());
+}
+
+Setup with_fine_element(Setup setup) {
+    setup.settings.fine_element = true;
+    const fem::ElementKind fine = fem::fine_element(setup.body->kind);
+    if (fine == setup.body->kind) return setup;
+    setup.body = effect::of_kind(*setup.body, fine);
+    for (PreparedTrial& trial : setup.trials) trial.model.body = setup.body;
+    return setup;
+}
+
+Result<Setup> prepare_setup(const experiment::Experiment& experiment, const SetupSettings& settings,
+                            const Progress& progress, const BodyMesh* meshed) {
+    Setup setup;
+    setup.experiment = experiment;
+    setup.settings = settings;
+    setup.warnings = experiment.warnings;
+    Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment);
+    if (!surface) return surface.error();
+    setup.surface = std::move(*surface);
+    if (const Result<void> fits = experiment::check_on_body(experiment, setup.surface); !fits) return fits.error();
+
+    if (!settings.as_published)
+        if (const Result<void> positive = check_declared_activation(experiment); !positive) return positive.error();
+
+    const std::string law = settings.material.value_or(experiment.material.model);
+    const material::MaterialPointer material = material::find_material(law);
+    if (!material) return experiment::declaration_error(experiment, "material.model", "no material law '" + law + "'");
+
+    const Box held = held_part(experiment.clamp_box_m, mesh::bounding_box(setup.surface.vertices));
+    Result<BodyMesh> mesh = meshed ? *meshed : mesh_body(setup.surface, settings.mesh, {held}, progress);
+    if (!mesh) return mesh.error();
+    setup.mesh = std::move(*mesh);
+    setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
+    const std::vector<std::string> unfit = unsuitable({setup.surface, setup.mesh, experiment.effects});
+    setup.warnings.insert(setup.warnings.end(), unfit.begin(), unfit.end());
+    const std::vector<int> clamped = mesh::nodes_in_box(setup.mesh.mesh, box_on_mesh(setup.mesh, held));
+    if (clamped.empty())
+        return experiment::declaration_error(
+            experiment, "clamp.box_m",
+            "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
+    if (static_cast<Eigen::Index>(clamped.size()) == setup.mesh.mesh.node_count())
+        return experiment::holds_whole_body(experiment);
+    const bool fine = settings.fine_element || effect::any_varies_within_cells(experiment.effects);
+    setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
+                                  clamped);
+
+    std::vector<Eigen::Vector3d> rest;
+    for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body) {
+        setup.marker_names.push_back(marker.name);
+        rest.push_back(marker.rest_m);
+    }
+    setup.markers = measurement::marker_set(setup.mesh.mesh, rest);
+
+    model::Model model;
+    model.body = setup.body;
+    model.material = material;
+    model.moduli = model::uniform_moduli(setup.body->cell_count(), experiment.material.youngs_modulus_Pa,
+                                         experiment.material.poissons_ratio);
+    model.density_kg_m3 = experiment.material.density_kg_m3;
+    model.mass_model = settings.mass_model;
+    warn_of_mass(model, setup.warnings);
+    model.velocity_force_1_s = settings.velocity_force_1_s;
+    model.gravity_m_s2 = experiment.gravity_m_s2;
+    model.damping_s = experiment.material.damping_s ? *experiment.material.damping_s
+                                                    : assumed_damping_s(model, settings);
+    Result<std::vector<fibre::FibreGroup>> muscles = muscle_groups(experiment, setup.mesh, &setup.warnings);
+    if (!muscles) return muscles.error();
+    model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
+
+    std::vector<measurement::Recording> recordings;
+    for (const experiment::TrialDeclaration& declaration : experiment.trials) {
+        if (progress.cancelled()) return Error{"stopped before trial " + declaration.name + " was read", ""};
+        Result<PreparedTrial> trial = prepare_trial(setup, model, declaration, setup.warnings);
+        if (!trial) return trial.error();
+        recordings.push_back(trial->measured);
+        setup.trials.push_back(std::move(*trial));
+    }
+    if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
+    for (const effect::EffectDeclaration& effect : experiment.effects)
+        if (experiment.muscles.empty() && effect::find_effect(effect.id)->stage == effect::EffectStage::actuation)
+            setup.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
+    set_noise(recordings, setup);
+    add_warnings(setup);
+    return setup;
+}
+
+}  // namespace myo::setup

@@ -1,0 +1,98 @@
+#include "setup/trial_effects.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "effect/catalogue.hpp"
+#include "effect/direction.hpp"
+
+namespace myo::setup {
+
+effect::EffectSite effect_site(const Setup& setup, std::size_t index) {
+    const experiment::Experiment& experiment = setup.experiment;
+    const PreparedTrial& trial = setup.trials[index];
+    effect::EffectSite site;
+    site.body = setup.body;
+    site.held = experiment.clamp_box_m;
+    site.marker_names = setup.marker_names;
+    for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
+        site.marker_rest_m.push_back(marker.rest_m);
+    site.markers = setup.markers.bindings;
+    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) site.muscle_names.push_back(muscle.name);
+    site.trial = trial.name;
+    site.session_time_s = experiment.trials[index].session_time_s;
+    site.start = trial.options.start;
+    site.interval_s = sampling_interval_s(trial);
+    site.end_s = trial.options.end_s;
+    return site;
+}
+
+effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Model model,
+                              const std::vector<effect::EffectDeclaration>& effects) {
+    effect::Affected affected{std::move(model), setup.trials[trial].options, {}};
+    if (effects.empty()) return affected;
+    effect::apply_effects(effect_site(setup, trial), effects, affected);
+    const double last = measurement::true_times(affected.seen, setup.trials[trial].measured.time_s.tail(1))(0);
+    affected.options.end_s = std::max(affected.options.end_s, last + affected.options.h_s);
+    return affected;
+}
+
+bool is_seen_only(const effect::EffectDeclaration& effect) {
+    const effect::Effect* const entry = effect::find_effect(effect.id);
+    return entry != nullptr && entry->stage == effect::EffectStage::measurement;
+}
+
+std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect) {
+    const effect::Effect* const entry = effect::find_effect(effect.id);
+    assert(entry != nullptr);
+    std::vector<EffectNumber> numbers;
+    for (const effect::EffectParameterEntry& parameter : entry->parameters) {
+        const auto found = effect.parameters.find(parameter.name);
+        if (found == effect.parameters.end() || !(parameter.scale > 0.0)) continue;
+        const std::string name = "effect." + effect.id + "." + parameter.name;
+        const auto* const v = std::get_if<Eigen::VectorXd>(&found->second);
+        if (v == nullptr) {
+            numbers.push_back({parameter.name, -1, name, parameter.lowest, parameter.highest, parameter.scale,
+                               parameter.over_decades});
+            continue;
+        }
+        if (parameter.kind == effect::EffectParameterKind::direction) {
+            const Eigen::Vector3d base = v->normalized();
+            for (int i = 0; i < 2; ++i)
+                numbers.push_back({parameter.name, i, name + ".turn_" + std::to_string(i + 1) + "_rad",
+                                   parameter.lowest, parameter.highest, parameter.scale, false, base});
+            continue;
+        }
+        for (int i = 0; i < static_cast<int>(v->size()); ++i)
+            numbers.push_back({parameter.name, i, name + "." + "xyz"[i % 3], parameter.lowest, parameter.highest,
+                               parameter.scale, false});
+    }
+    return numbers;
+}
+
+double effect_number(const effect::EffectDeclaration& effect, const std::string& parameter, int component,
+                     const Eigen::Vector3d& base) {
+    const effect::EffectParameter& value = effect.parameters.at(parameter);
+    if (component < 0) return std::get<double>(value);
+    const auto& v = std::get<Eigen::VectorXd>(value);
+    return base.isZero(0.0) ? v(component) : effect::direction_angles(base, v)(component);
+}
+
+void set_effect_number(effect::EffectDeclaration& effect, const std::string& parameter, int component, double value,
+                       const Eigen::Vector3d& base) {
+    effect::EffectParameter& place = effect.parameters.at(parameter);
+    if (component < 0) {
+        place = value;
+        return;
+    }
+    auto& v = std::get<Eigen::VectorXd>(place);
+    if (base.isZero(0.0)) {
+        v(component) = value;
+        return;
+    }
+    Eigen::Vector2d angles = effect::direction_angles(base, v);
+    angles(component) = value;
+    v = effect::direction_at(base, angles);
+}
+
+}  // namespace myo::setup

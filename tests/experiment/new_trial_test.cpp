@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include "base/files.hpp"
+#include "experiment/new_trial.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_trial.hpp"
+#include "mesh/surface_mesh.hpp"
+#include "support/experiment_folder.hpp"
+
+namespace myo::experiment {
+namespace {
+
+using testing_support::Folder;
+
+NewTrial released(const std::string& name) {
+    NewTrial trial;
+    trial.name = name;
+    trial.origin = "from take\n3.c3d";
+    trial.recording.labels = {"tip", "side"};
+    trial.recording.time_s = Eigen::VectorXd::LinSpaced(21, -0.1, 0.1);
+    trial.recording.rate_Hz = 100.0;
+    trial.recording.tracks = {Eigen::Matrix3Xd::Constant(3, 21, 0.05), Eigen::Matrix3Xd::Constant(3, 21, 0.02)};
+    return trial;
+}
+
+Experiment beam() {
+    Experiment beam;
+    beam.name = "a \"beam\"";
+    beam.clamp_box_m = {{-1e-3, -1e-3, -1e-3}, {1e-3, 0.031, 0.031}};
+    beam.material.model = "neo_hookean";
+    beam.material.youngs_modulus_Pa = 2.6e5;
+    beam.material.poissons_ratio = 0.49;
+    beam.material.density_kg_m3 = 1070.0;
+    beam.gravity_m_s2 = {0.0, -9.81, 0.0};
+    beam.markers.on_body = {{"tip", {0.1, 0.03, 0.01}, "tip"}, {"side", {0.05, 0.03, 0.02}, "side"}};
+    return beam;
+}
+
+TEST(NewTrial, MakesAnExperimentThatReadsAsItWasMeant) {
+    Folder folder("new_trial");
+    const auto place = folder.path() / "new";
+    ASSERT_TRUE(
+        write_experiment(place, beam(), mesh::box_surface({{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}}), released("drop 1")));
+    const Result<Experiment> read = read_experiment(place);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->name, "a \"beam\"");
+    EXPECT_EQ(read->gravity_m_s2, beam().gravity_m_s2);
+    EXPECT_EQ(read->clamp_box_m.highest, beam().clamp_box_m.highest);
+    ASSERT_EQ(read->markers.on_body.size(), 2u);
+    EXPECT_EQ(read->markers.on_body[0].rest_m, beam().markers.on_body[0].rest_m);
+    ASSERT_EQ(read->trials.size(), 1u);
+    EXPECT_EQ(*read->trials[0].start_s, 0.0);
+    const Result<measurement::Recording> recording = read_trial_recording(*read, read->trials[0]);
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(recording->tracks[0], released("").recording.tracks[0]);
+    // A second one goes beside it.
+    NewTrial second = released("drop 2");
+    second.role = TrialRole::validate;
+    second.start = StartState::equilibrium;
+    ASSERT_TRUE(add_trial(place, second));
+    const Result<Experiment> both = read_experiment(place);
+    ASSERT_TRUE(both) << both.error().text();
+    ASSERT_EQ(both->trials.size(), 2u);
+    EXPECT_EQ(both->trials[1].role, TrialRole::validate);
+    EXPECT_EQ(both->trials[1].start, StartState::equilibrium);
+}
+
+TEST(NewTrial, ChangesNothingWhereItCannotBeRead) {
+    Folder folder("new_trial");
+    const auto place = folder.path() / "new";
+    ASSERT_TRUE(
+        write_experiment(place, beam(), mesh::box_surface({{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}}), released("drop")));
+    const std::string before = *read_file(place / "experiment.toml");
+    EXPECT_NE(add_trial(place, released("drop")).error().what.find("already"), std::string::npos);
+    EXPECT_FALSE(add_trial(place, released("../drop")));
+    EXPECT_FALSE(add_trial(folder.path(), released("other")));
+    EXPECT_FALSE(write_experiment(place, beam(), mesh::box_surface({}), released("other"))) << "the folder is taken";
+    EXPECT_EQ(*read_file(place / "experiment.toml"), before);
+    // A declaration that does not read leaves no files behind.
+    Experiment unclamped = beam();
+    unclamped.markers.on_body.clear();
+    EXPECT_FALSE(write_experiment(folder.path() / "bad", unclamped,
+                                  mesh::box_surface({{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}}), released("drop")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "bad"));
+}
+
+TEST(NewTrial, CopiesAnExperimentOutsideOfItself) {
+    Folder folder("new_trial");
+    const auto place = folder.path() / "one";
+    ASSERT_TRUE(
+        write_experiment(place, beam(), mesh::box_surface({{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}}), released("drop")));
+    EXPECT_FALSE(copy_experiment(place, place / "inner"));
+    EXPECT_FALSE(copy_experiment(place, place));
+    ASSERT_TRUE(copy_experiment(place, folder.path() / "two"));
+    EXPECT_TRUE(read_experiment(folder.path() / "two"));
+}
+
+}  // namespace
+}  // namespace myo::experiment

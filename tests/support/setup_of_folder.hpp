@@ -1,0 +1,20 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "experiment/read_experiment.hpp"
+#include "setup/setup.hpp"
+#include "support/folder.hpp"
+
+namespace myo::test {
+
+/// The experiment of a folder, prepared with these settings.
+inline setup::Setup setup_of_folder(const Folder& folder, const setup::SetupSettings& settings) {
+    const Result<experiment::Experiment> experiment = experiment::read_experiment(folder.path());
+    EXPECT_TRUE(experiment) << experiment.error().text();
+    Result<setup::Setup> setup = setup::prepare_setup(*experiment, settings);
+    EXPECT_TRUE(setup) << setup.error().text();
+    return std::move(*setup);
+}
+
+}  // namespace myo::test

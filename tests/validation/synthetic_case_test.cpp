@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "effect/catalogue.hpp"
+#include "mesh/surface_check.hpp"
+#include "validation/synthetic_effects.hpp"
+#include "validation/synthetic_experiment.hpp"
+#include "validation/synthetic_folder.hpp"
+
+namespace myo::test {
+namespace {
+
+TEST(SyntheticCase, EveryEffectOfTheCatalogueCanBeDrawn) {
+    for (const effect::Effect& effect : effect::effect_catalogue()) {
+        const validation::EffectDraw* const draw = validation::find_effect_draw(effect.id);
+        ASSERT_NE(draw, nullptr) << effect.id;
+        if (draw->amount.empty()) continue;
+        const effect::EffectParameterEntry* const entry = effect.parameter(draw->amount);
+        ASSERT_NE(entry, nullptr) << effect.id;
+        EXPECT_LT(draw->lowest, draw->highest) << effect.id;
+        EXPECT_LE(draw->highest, entry->highest) << effect.id;
+    }
+}
+
+TEST(SyntheticCase, IsTheSameWheneverItIsDrawn) {
+    const validation::CaseChoice choice{.seed = 5, .families = {}, .effects = {}};
+    const validation::SyntheticCase a = validation::drawn_case(choice, 17), b = validation::drawn_case(choice, 17);
+    EXPECT_EQ(validation::experiment_text(a), validation::experiment_text(b));
+    EXPECT_NE(validation::experiment_text(a), validation::experiment_text(validation::drawn_case(choice, 18)));
+    EXPECT_NE(validation::experiment_text(a), validation::experiment_text(validation::drawn_case(choice, 17, 1)));
+    EXPECT_NE(validation::experiment_text(a),
+              validation::experiment_text(validation::drawn_case({.seed = 6, .families = {}, .effects = {}}, 17)));
+}
+
+TEST(SyntheticCase, ASixthHasNoEffectAndASixthADeletedOne) {
+    std::map<validation::CaseKind, int> kinds;
+    std::map<std::string, int> named, deleted;
+    const int cases = 6 * 28;
+    for (int k = 0; k < cases; ++k) {
+        const validation::SyntheticCase c = validation::drawn_case({}, k);
+        ++kinds[c.kind];
+        EXPECT_EQ(c.effect.has_value(), c.kind != validation::CaseKind::none);
+        if (c.effect) ++(c.kind == validation::CaseKind::named ? named : deleted)[c.effect->id];
+    }
+    EXPECT_EQ(kinds[validation::CaseKind::none], cases / 6);
+    EXPECT_EQ(kinds[validation::CaseKind::deleted], cases / 6);
+    // Four rounds of the catalogue named, one deleted: none more often than another.
+    for (const std::string& id : effect::effect_ids()) {
+        EXPECT_EQ(named[id], 4) << id;
+        EXPECT_EQ(deleted[id], 1) << id;
+    }
+}
+
+TEST(SyntheticCase, HasWhatItsEffectNeedsToShow) {
+    for (int k = 0; k < 168; ++k) {
+        const validation::SyntheticCase c = validation::drawn_case({.seed = 2, .families = {}, .effects = {}}, k);
+        if (!c.effect) continue;
+        const validation::EffectNeeds& needs = validation::find_effect_draw(c.effect->id)->needs;
+        if (needs.muscles) {
+            EXPECT_FALSE(c.muscles.empty()) << k;
+        }
+        EXPECT_EQ(c.body.held_m > 0.0, needs.deep_clamp) << k;
+        if (needs.known_damping) {
+            EXPECT_TRUE(c.material.damping_is_known) << k;
+        }
+        bool straight = false, hangs = false;
+        for (const validation::SyntheticTrial& trial : c.trials) {
+            if (trial.role != experiment::TrialRole::fit) continue;
+            straight = straight || trial.start == experiment::StartState::straight;
+            for (const experiment::LoadDeclaration& load : trial.loads)
+                hangs = hangs || (load.kind == experiment::LoadKind::force && load.until_s > trial.end_s);
+        }
+        if (needs.straight_start) {
+            EXPECT_TRUE(straight) << k;
+        }
+        if (needs.hung_weight) {
+            EXPECT_TRUE(hangs) << k;
+        }
+    }
+}
+
+TEST(SyntheticCase, BodiesAreClosedAndPointOutwards) {
+    for (const std::string& id : validation::body_family_ids()) {
+        validation::BodyFamily family{};
+        ASSERT_TRUE(validation::parse_body_family(id, family));
+        validation::RandomStream random{3, static_cast<std::uint64_t>(family)};
+        const validation::SyntheticBody body = validation::drawn_body(family, false, random);
+        const mesh::SurfaceReport report = mesh::check_surface(body.surface);
+        EXPECT_TRUE(report.outward && report.meshable()) << id;
+        EXPECT_LE(mesh::enclosed_volume(body.surface), body.bounds.size().prod() * (1.0 + 1e-12)) << id;
+    }
+}
+
+TEST(SyntheticCase, TheDeclaredModulusIsOffWithinItsTolerance) {
+    double most = 0.0;
+    for (int k = 0; k < 60; ++k) {
+        const validation::SyntheticMaterial m = validation::drawn_case({}, k).material;
+        const double off = std::abs(m.declared_modulus_Pa / m.youngs_modulus_Pa - 1.0);
+        EXPECT_LT(off, 0.16);
+        most = std::max(most, off);
+    }
+    EXPECT_GT(most, 0.1);
+}
+
+}  // namespace
+}  // namespace myo::test
