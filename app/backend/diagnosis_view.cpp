@@ -8,9 +8,9 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "diagnosis/confusion.hpp"
-#include "diagnosis/diagnosis_report_parts.hpp"
-#include "diagnosis/effect_forces.hpp"
+#include "diagnosis/missing_force/effect_forces.hpp"
+#include "diagnosis/report/diagnosis_report_parts.hpp"
+#include "diagnosis/screening/confusion.hpp"
 #include "results/output_json.hpp"
 #include "results/readable_parameter.hpp"
 

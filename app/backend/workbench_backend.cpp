@@ -23,7 +23,7 @@
 #include "check/catalogue.hpp"
 #include "check/declared_steps.hpp"
 #include "check/step_level.hpp"
-#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/report/diagnosis_report.hpp"
 #include "diagnosis/whole_diagnosis.hpp"
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/diagnosis_json.hpp"
+#include "diagnosis/report/diagnosis_json.hpp"
 
 namespace myo::validation {
 namespace {

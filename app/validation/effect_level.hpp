@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "diagnosis/joint_fit.hpp"
+#include "diagnosis/fit/joint_fit.hpp"
 #include "statistics/nuisance_space.hpp"
 #include "validation/synthetic_case.hpp"
 

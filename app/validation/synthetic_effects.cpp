@@ -118,6 +118,7 @@ const std::map<std::string, EffectDraw>& draws() {
         {"added_mass", {none, "surface_density_kg_m2", 0.3, 60.0, true, nothing}},
         {"point_mass", {none, "mass_kg", 5e-4, 0.05, true, place}},
         {"cable_tug", {none, "stiffness_N_m", 0.1, 100.0, true, cable}},
+        {"dry_friction", {none, "friction_force_N", 2e-4, 0.5, true, place}},
         {"hung_mass", {{.hung_weight = true}, "inertia_ratio", 0.1, 3.0, true, nothing}},
         {"gravity_tilt", {none, "tilt_deg", 0.5, 20.0, true, level_axis}},
         {"clamp_compliance", {none, "stiffness_Pa_per_m", 5e5, 1e9, false, nothing}},

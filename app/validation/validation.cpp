@@ -1,7 +1,7 @@
 #include "validation/validation.hpp"
 
 #include "base/text.hpp"
-#include "diagnosis/diagnosis_json.hpp"
+#include "diagnosis/report/diagnosis_json.hpp"
 #include "experiment/read_experiment.hpp"
 
 namespace myo::validation {

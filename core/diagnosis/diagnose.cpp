@@ -4,20 +4,18 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "diagnosis/fit_declared.hpp"
-#include "diagnosis/judge.hpp"
-#include "diagnosis/search_effects.hpp"
-#include "diagnosis/search_pairs.hpp"
-#include "diagnosis/settle.hpp"
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/diagnosis_policy.hpp"
+#include "diagnosis/discretisation/correct_discretisation.hpp"
+#include "diagnosis/fit/declared_fit.hpp"
+#include "diagnosis/search/search_effects.hpp"
+#include "diagnosis/search/search_pairs.hpp"
+#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/verdict/verdict.hpp"
 #include "effect/catalogue.hpp"
 #include "statistics/residual_spot.hpp"
 
 namespace myo::diagnosis {
 namespace {
-
-/// How far the best attempt goes where the verdict is not known.
-constexpr Effort attempt_effort{4, 1e-3};
 
 void test(DiagnosisWork& work) {
     work.progress.report({"significance", 1.0, 1.0, "stage", {}});
@@ -42,7 +40,7 @@ void note_spot(const setup::Setup& setup, Diagnosis& d) {
 /// The verdict, the fit it stands on with the numerical error taken anew, and all trials before and after.
 void conclude(DiagnosisWork& work) {
     Diagnosis& result = work.result;
-    foretell_error(work, result.declared);
+    add_error_of_other_trials(work, result.declared);
     result.numerics = *result.declared.numerics;
     result.augmented = decide(result);
     note_spot(work.setup, result);
@@ -58,10 +56,12 @@ void conclude(DiagnosisWork& work) {
                            work.stage("prediction", 2 * static_cast<int>(all.size()), [&] {
                                return fitted_predictions(work.setup, all, result.declared.fit.values, work.progress);
                            }));
-    const Settling settling{result.verdict.kind == VerdictKind::effects ? settled_effect.effort : attempt_effort,
-                            settled_effect.change};
-    if (!result.augmented.numerics && !settle(work, result.augmented, "last fit", settling)) return;
-    foretell_error(work, result.augmented);
+    const ErrorCorrection correction{result.verdict.kind == VerdictKind::effects
+                                         ? diagnosis_policy.search.correction.effort
+                                         : diagnosis_policy.search.unexplained,
+                                     diagnosis_policy.search.correction.most_change};
+    if (!result.augmented.numerics && !correct_discretisation(work, result.augmented, "last fit", correction)) return;
+    add_error_of_other_trials(work, result.augmented);
     result.data.shift = result.augmented.numerics->shift;
     result.after = result.verdict.kind == VerdictKind::none
                        ? result.before
@@ -108,8 +108,8 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
     forget_paths(result.declared.fit.predictions);
     forget_paths(result.augmented.fit.predictions);
     if (!result.stopped) {
-        take_over_settled(result);
-        doubt_worse_predictions(result);
+        take_over_corrected(result);
+        discount_worse_predictions(result);
     }
     return std::move(result);
 }

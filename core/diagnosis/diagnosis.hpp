@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/effect_scores.hpp"
-#include "diagnosis/joint_fit.hpp"
-#include "diagnosis/missing_force.hpp"
-#include "diagnosis/numerical_error.hpp"
+#include "diagnosis/discretisation/numerical_error.hpp"
+#include "diagnosis/fit/joint_fit.hpp"
+#include "diagnosis/missing_force/missing_force.hpp"
+#include "diagnosis/screening/effect_scores.hpp"
 #include "prediction/run_trials.hpp"
 #include "statistics/independence_test.hpp"
 #include "statistics/residual_tests.hpp"
@@ -34,8 +34,8 @@ struct JudgedFit {
     double held_out_rms = 0.0;  // in units of the noise, each trial predicted from the others (linearised); of one:
                                 // blocks of time
     double held_out_in_time_rms = 0.0;  // the same with blocks of time of all trials
-    int told_by_one = 0;     // directions of the numbers of which one trial alone tells: they stay as fitted when it is
-                             // held out
+    int single_trial_directions = 0;    // directions of the numbers of which one trial alone tells: they stay as fitted
+                                      // when it is held out
     double criterion = 0.0;  // what fits are ordered by; lower is better
     double weight = 0.0;     // share of the evidence among all that were fitted
     statistics::ResidualTests tests;
@@ -44,7 +44,7 @@ struct JudgedFit {
 
     bool usable() const { return fit.usable(); }
     /// What is systematic is the measurement's: each marker has its own.
-    bool wanders() const { return independence.is_wander(); }
+    bool drifts() const { return independence.is_drift(); }
 };
 
 /// An effect that was tried.
@@ -66,11 +66,12 @@ enum class VerdictKind { none, effects, unknown };
 
 struct Verdict {
     VerdictKind kind = VerdictKind::unknown;
-    std::vector<effect::EffectDeclaration> effects;
+    std::vector<effect::EffectDeclaration> effects = {};
     double confidence = 0.0;
-    std::string because;               // one or two sentences for a person
-    std::vector<std::string> ranking;  // ids in falling order of credibility, none and unknown among them
-    std::string but = {};              // what of `because` speaks for care, its end
+    std::string because = {};               // one or two sentences for a person
+    std::vector<std::string> ranking = {};  // ids in falling order of credibility, none and unknown among them
+    std::string but = {};                   // what of `because` speaks for care, its end
+    std::string rule = {};                  // of verdict_rules()
 };
 
 struct StageCost {

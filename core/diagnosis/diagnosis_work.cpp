@@ -5,15 +5,11 @@
 #include <numeric>
 
 #include "base/fingerprint.hpp"
+#include "diagnosis/diagnosis_policy.hpp"
 #include "prediction/predict_trials.hpp"
 
 namespace myo::diagnosis {
 namespace {
-
-/// Of forces, to which stages are solved: motions are then exact to a hundredth of usual noises.
-constexpr double solver_tolerance = 1e-6;
-/// Of the linear systems of derivatives: a fit needs the direction, not all digits.
-constexpr double tangent_tolerance = 1e-4;
 
 /// Of what fits depend on beside mesh and steps: what was measured, and the declared numbers that are not fitted.
 std::uint64_t fingerprint(const setup::Setup& setup) {
@@ -47,8 +43,10 @@ std::string setup_words(const setup::Setup& setup) {
 
 setup::Setup prepared(setup::Setup setup) {
     for (setup::PreparedTrial& trial : setup.trials) {
-        trial.options.solver.tolerance = std::max(solver_tolerance, trial.options.solver.tolerance);
-        trial.options.solver.tangent_tolerance = std::max(tangent_tolerance, trial.options.solver.tangent_tolerance);
+        trial.options.solver.tolerance = std::max(diagnosis_policy.numerics.solver_tolerance,
+                                                  trial.options.solver.tolerance);
+        trial.options.solver.tangent_tolerance = std::max(diagnosis_policy.numerics.tangent_tolerance,
+                                                          trial.options.solver.tangent_tolerance);
     }
     return prediction::with_kept_paths(std::move(setup));
 }
@@ -100,11 +98,11 @@ JointFit DiagnosisWork::fit(const std::string& name, const prediction::Parameter
 }
 
 std::vector<JudgedFit> DiagnosisWork::fit_all(const std::string& name, const JointFit& base,
-                                              const std::vector<CandidateStart>& starts, double least_yet,
-                                              double hope) {
+                                              const std::vector<CandidateStart>& starts, double least_so_far,
+                                              double pruning_factor) {
     CandidateFits found = stage(name, 0, [&] {
-        return fit_candidates({setup, serial, result.data, result.settings, *store}, base, starts, least_yet, hope,
-                              name, progress);
+        return fit_candidates({setup, serial, result.data, result.settings, *store}, base, starts, least_so_far,
+                              pruning_factor, name, progress);
     });
     cost_of(name).runs += found.runs;
     return std::move(found.fits);

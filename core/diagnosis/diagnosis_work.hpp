@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
-#include "diagnosis/candidate_fits.hpp"
 #include "diagnosis/diagnosis.hpp"
-#include "diagnosis/error_finder.hpp"
-#include "diagnosis/fit_store.hpp"
-#include "diagnosis/stored_fit.hpp"
+#include "diagnosis/discretisation/error_finder.hpp"
+#include "diagnosis/fit/candidate_fits.hpp"
+#include "diagnosis/fit/fit_store.hpp"
+#include "diagnosis/fit/stored_fit.hpp"
 
 namespace myo::diagnosis {
 
@@ -55,7 +55,8 @@ struct DiagnosisWork {
 
     /// A stage that fits candidates side by side, see fit_candidates().
     std::vector<JudgedFit> fit_all(const std::string& name, const JointFit& base,
-                                   const std::vector<CandidateStart>& starts, double least_yet, double hope);
+                                   const std::vector<CandidateStart>& starts, double least_so_far,
+                                   double pruning_factor);
 };
 
 }  // namespace myo::diagnosis

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "effect/bends_between_steps.hpp"
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {

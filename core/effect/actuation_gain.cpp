@@ -1,4 +1,4 @@
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {

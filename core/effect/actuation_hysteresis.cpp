@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {

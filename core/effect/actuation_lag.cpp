@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {

@@ -1,4 +1,4 @@
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "model/directional_mass.hpp"
 #include "model/loaded_face.hpp"
 

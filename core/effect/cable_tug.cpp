@@ -1,6 +1,6 @@
 #include <Eigen/Eigenvalues>
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/places.hpp"
 #include "model/tied_spring.hpp"
 

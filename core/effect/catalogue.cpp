@@ -4,41 +4,49 @@
 #include <cassert>
 #include <utility>
 
-#include "effect/effects.hpp"
-
 namespace myo::effect {
 
+/// All effects, in the order of the vocabulary. A new effect is a file of its own and one line here: the name of the
+/// function that it defines.
+// clang-format off
+#define MYOLOOP_EFFECTS(entry) \
+    entry(quadratic_drag) \
+    entry(linear_drag) \
+    entry(added_mass) \
+    entry(point_mass) \
+    entry(cable_tug) \
+    entry(dry_friction) \
+    entry(hung_mass) \
+    entry(gravity_tilt) \
+    entry(clamp_compliance) \
+    entry(clamp_slip) \
+    entry(held_pose) \
+    entry(extra_damping) \
+    entry(viscoelastic_creep) \
+    entry(strain_stiffening_effect) \
+    entry(stress_softening) \
+    entry(stiffness_gradient) \
+    entry(soft_patch) \
+    entry(modulus_drift) \
+    entry(intrinsic_curvature) \
+    entry(actuation_lag) \
+    entry(actuation_delay) \
+    entry(actuation_gain) \
+    entry(actuation_leak) \
+    entry(actuation_hysteresis) \
+    entry(clock_offset) \
+    entry(frame_rate_error) \
+    entry(scale_error) \
+    entry(marker_swap) \
+    entry(marker_slip)
+// clang-format on
+
+#define MYOLOOP_DECLARE(name) Effect name();
+MYOLOOP_EFFECTS(MYOLOOP_DECLARE)
+
 const std::vector<Effect>& effect_catalogue() {
-    static const std::vector<Effect> effects = {
-        quadratic_drag(),
-        linear_drag(),
-        added_mass(),
-        point_mass(),
-        cable_tug(),
-        hung_mass(),
-        gravity_tilt(),
-        clamp_compliance(),
-        clamp_slip(),
-        held_pose(),
-        extra_damping(),
-        viscoelastic_creep(),
-        strain_stiffening_effect(),
-        stress_softening(),
-        stiffness_gradient(),
-        soft_patch(),
-        modulus_drift(),
-        intrinsic_curvature(),
-        actuation_lag(),
-        actuation_delay(),
-        actuation_gain(),
-        actuation_leak(),
-        actuation_hysteresis(),
-        clock_offset(),
-        frame_rate_error(),
-        scale_error(),
-        marker_swap(),
-        marker_slip(),
-    };
+#define MYOLOOP_CALL(name) name(),
+    static const std::vector<Effect> effects = {MYOLOOP_EFFECTS(MYOLOOP_CALL)};
     return effects;
 }
 

@@ -1,5 +1,5 @@
 #include "effect/changed_body.hpp"
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "model/elastic_bed.hpp"
 #include "model/loaded_face.hpp"
 

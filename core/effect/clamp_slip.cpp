@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "effect/changed_body.hpp"
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/places.hpp"
 #include "fibre/moved_fibres.hpp"
 #include "mesh/cell_topology.hpp"

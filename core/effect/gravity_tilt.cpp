@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 
 namespace myo::effect {
 namespace {

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "effect/bent_cantilever.hpp"
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/places.hpp"
 
 namespace myo::effect {

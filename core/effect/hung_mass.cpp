@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "model/directional_mass.hpp"
 
 namespace myo::effect {

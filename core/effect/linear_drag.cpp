@@ -1,4 +1,4 @@
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "model/loaded_face.hpp"
 #include "model/surface_drag.hpp"
 

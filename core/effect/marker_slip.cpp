@@ -1,4 +1,4 @@
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/markers_by_name.hpp"
 
 namespace myo::effect {

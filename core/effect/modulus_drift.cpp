@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 
 namespace myo::effect {
 namespace {

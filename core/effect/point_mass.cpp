@@ -1,4 +1,4 @@
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/places.hpp"
 
 namespace myo::effect {

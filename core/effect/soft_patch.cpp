@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/places.hpp"
 #include "effect/point_stiffness.hpp"
 

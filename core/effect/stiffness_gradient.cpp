@@ -1,4 +1,4 @@
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 #include "effect/point_stiffness.hpp"
 
 namespace myo::effect {

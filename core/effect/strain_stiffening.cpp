@@ -1,6 +1,6 @@
 #include "material/strain_stiffening.hpp"
 
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 
 namespace myo::effect {
 namespace {

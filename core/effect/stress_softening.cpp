@@ -1,4 +1,4 @@
-#include "effect/effects.hpp"
+#include "effect/effect.hpp"
 
 namespace myo::effect {
 namespace {

@@ -4,17 +4,19 @@
 
 namespace myo::model {
 
+LoadedFace loaded_nodes(const Body& body, int cell, const std::vector<int>& nodes) {
+    LoadedFace face{nodes, cell, {}};
+    const auto column = body.mesh.cells.col(cell);
+    for (const int node : nodes)
+        face.cell_node.push_back(static_cast<int>(std::find(column.begin(), column.end(), node) - column.begin()));
+    return face;
+}
+
 std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& faces) {
     std::vector<LoadedFace> loaded;
     for (const int f : faces) {
-        LoadedFace face;
-        face.cell = body.boundary.cell(f);
-        const auto cell = body.mesh.cells.col(face.cell);
-        for (const int node : body.boundary.nodes.col(f)) {
-            face.nodes.push_back(node);
-            face.cell_node.push_back(static_cast<int>(std::find(cell.begin(), cell.end(), node) - cell.begin()));
-        }
-        loaded.push_back(std::move(face));
+        const auto nodes = body.boundary.nodes.col(f);
+        loaded.push_back(loaded_nodes(body, body.boundary.cell(f), {nodes.begin(), nodes.end()}));
     }
     return loaded;
 }

@@ -17,6 +17,9 @@ struct LoadedFace {
 /// Those of the body's boundary faces.
 std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& faces);
 
+/// Nodes of one cell, on its surface or not, as the carriers of a force at a point.
+LoadedFace loaded_nodes(const Body& body, int cell, const std::vector<int>& nodes);
+
 /// Faces of the body's boundary all of whose nodes are among these.
 std::vector<int> faces_of_nodes(const Body& body, const std::vector<int>& nodes);
 

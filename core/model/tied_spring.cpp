@@ -64,14 +64,9 @@ private:
 
 ForceElementPointer tied_spring(const Body& body, int cell, const std::vector<int>& nodes, const VectorXd& shares,
                                 const Vector3d& anchor_m, double stiffness_N_m) {
-    LoadedFace at{nodes, cell, {}};
-    for (const int node : nodes) {
-        const auto column = body.mesh.cells.col(cell);
-        at.cell_node.push_back(static_cast<int>(std::find(column.begin(), column.end(), node) - column.begin()));
-    }
     const double length = (body.mesh.nodes(Eigen::all, nodes) * shares - anchor_m).norm();
     assert(length > 0.0);
-    return std::make_shared<TiedSpring>(std::move(at), shares, anchor_m, length, stiffness_N_m);
+    return std::make_shared<TiedSpring>(loaded_nodes(body, cell, nodes), shares, anchor_m, length, stiffness_N_m);
 }
 
 }  // namespace myo::model

@@ -17,7 +17,7 @@ struct IndependenceTest {
                                   // here
 
     /// Wander of the measurement, not of the body: in all markers, in each by itself, and as time goes on.
-    bool is_wander() const { return p > 0.01 && typical_share > 0.25 && constant_share < 0.5; }
+    bool is_drift() const { return p > 0.01 && typical_share > 0.25 && constant_share < 0.5; }
 };
 /// The largest singular value of the (series x samples) matrix of each trial, less the mean of each series, against
 /// that of the same courses shifted in time, round its end, each marker's three together and by a random time of its

@@ -1,4 +1,4 @@
-#include "diagnosis/augmented_experiment.hpp"
+#include "diagnosis/report/augmented_experiment.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "diagnosis/candidate_scores.hpp"
+#include "diagnosis/screening/candidate_scores.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ const std::vector<EffectScore> patches_and_drag{
 /// A fit of each effect starts from the best of its probes, where that promises anything.
 TEST(CandidateScores, TheBestProbeOfEachOfTheBestEffectsIsWorthAFit) {
     ASSERT_TRUE(patches_and_drag[0].usable());
-    EXPECT_THAT(worth_fitting(patches_and_drag, 8), ElementsAre(4, 1, 7));
-    EXPECT_THAT(worth_fitting(patches_and_drag, 2), ElementsAre(4, 1));
+    EXPECT_THAT(best_probes(patches_and_drag, 8), ElementsAre(4, 1, 7));
+    EXPECT_THAT(best_probes(patches_and_drag, 2), ElementsAre(4, 1));
 }
 
 /// Then from the next best ones that promise half as much.

@@ -1,4 +1,4 @@
-#include "diagnosis/confusion.hpp"
+#include "diagnosis/screening/confusion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/diagnosis_report.hpp"
+#include "diagnosis/report/diagnosis_report.hpp"
 #include "diagnosis/unmoved_fit.hpp"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cctype>
 #include <numeric>
 
-#include "diagnosis/diagnosis_json.hpp"
-#include "diagnosis/judge.hpp"
+#include "diagnosis/report/diagnosis_json.hpp"
+#include "diagnosis/selection/judgement.hpp"
 #include "report/markup.hpp"
 #include "report/markup_check.hpp"
 #include "support/recorded_motion.hpp"

@@ -1,4 +1,4 @@
-#include "diagnosis/effect_forces.hpp"
+#include "diagnosis/missing_force/effect_forces.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,10 +1,10 @@
-#include "diagnosis/joint_fit.hpp"
+#include "diagnosis/fit/joint_fit.hpp"
 #include "diagnosis/unmoved_fit.hpp"
 
-#include "diagnosis/candidate_fits.hpp"
-#include "diagnosis/effect_scores.hpp"
-#include "diagnosis/numerical_error.hpp"
-#include "diagnosis/stored_fit.hpp"
+#include "diagnosis/discretisation/numerical_error.hpp"
+#include "diagnosis/fit/candidate_fits.hpp"
+#include "diagnosis/fit/stored_fit.hpp"
+#include "diagnosis/screening/effect_scores.hpp"
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
 
@@ -157,13 +157,13 @@ TEST(CandidateFits, AreGivenUpWhereTheBestLeavesNoHope) {
          0.5,
          {}},
         {{"quadratic_drag", {{"coefficient_kg_m3", 50.0}}, false}, {}, false, 0.9, {}}};
-    for (const double hope : {1.4, 1e12}) {  // the wrong one leaves two times the squares of noise
+    for (const double pruning_factor : {1.4, 1e12}) {  // the wrong one leaves two times the squares of noise
         FitStore store;
         const CandidateFits found = fit_candidates({recorded.setup, recorded.setup, data, settings, store}, base,
-                                                   starts, base.squares(), hope, "refit", {});
+                                                   starts, base.squares(), pruning_factor, "refit", {});
         ASSERT_TRUE(found.fits[0].usable() && found.fits[1].usable());
         EXPECT_LT(1.4 * found.fits[1].fit.squares(), found.fits[0].fit.squares());
-        EXPECT_EQ(found.fits[0].fit.parameters.size() > base.parameters.size() + 1, hope > 1e6);
+        EXPECT_EQ(found.fits[0].fit.parameters.size() > base.parameters.size() + 1, pruning_factor > 1e6);
     }
 }
 
@@ -183,7 +183,7 @@ TEST(EffectScores, GiveStartsWhereAProbeGoesBeyondTheResidual) {
             EXPECT_NEAR(effect::number(score.best.effect, "coefficient_kg_m3"), 60.0, 6.0);
             continue;
         }
-        for (const EffectScore::Start& start : score.away) {
+        for (const EffectScore::Start& start : score.nonlinear) {
             ++starts;
             ASSERT_EQ(start.step.size(), 1);
             EXPECT_GT(start.step(0), 0.0);

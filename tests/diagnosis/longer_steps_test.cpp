@@ -1,4 +1,4 @@
-#include "diagnosis/longer_steps.hpp"
+#include "diagnosis/discretisation/longer_steps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "diagnosis/diagnosis.hpp"
 #include "diagnosis/diagnosis_work.hpp"
-#include "diagnosis/fit_declared.hpp"
+#include "diagnosis/fit/declared_fit.hpp"
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
 

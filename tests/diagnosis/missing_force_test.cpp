@@ -1,4 +1,4 @@
-#include "diagnosis/missing_force.hpp"
+#include "diagnosis/missing_force/missing_force.hpp"
 #include "diagnosis/unmoved_fit.hpp"
 
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 
 #include <numbers>
 
-#include "diagnosis/force_fields.hpp"
-#include "diagnosis/smooth_force.hpp"
-#include "diagnosis/timed_forces.hpp"
+#include "diagnosis/missing_force/force_fields.hpp"
+#include "diagnosis/missing_force/smooth_force.hpp"
+#include "diagnosis/missing_force/timed_forces.hpp"
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
 

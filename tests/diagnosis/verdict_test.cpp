@@ -1,50 +1,16 @@
-#include "diagnosis/verdict.hpp"
+#include "diagnosis/verdict/verdict.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "diagnosis/judge.hpp"
+#include "diagnosis/made_fits.hpp"
+#include "diagnosis/selection/judgement.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
-constexpr double noise_m = 1e-4;
-
-/// A fit whose residual is so many times the noise, all of it systematic.
-JudgedFit fit_that_leaves(double over_noise, const std::string& effect = {}) {
-    JudgedFit fit;
-    fit.fit.residual = Eigen::VectorXd::Constant(100, over_noise);
-    if (!effect.empty()) fit.fit.effects.push_back({effect, {{"coefficient_kg_m3", 900.0}}});
-    fit.rms_m = over_noise * noise_m;
-    fit.held_out_rms = fit.held_out_in_time_rms = over_noise;
-    fit.criterion = over_noise;
-    fit.weight = 0.9;
-    fit.tests.systematic.rms = over_noise;
-    fit.tests.variance.p = over_noise > 1.2 ? 0.0 : 1.0;
-    fit.tests.threshold = 0.0025;
-    return fit;
-}
-
-/// A declared fit that leaves ten times the noise, and a candidate.
-Diagnosis with_candidate(double left_over_noise) {
-    Diagnosis d;
-    d.data.noise_m = Eigen::VectorXd::Constant(100, noise_m);
-    d.noise_m = noise_m;
-    d.declared = fit_that_leaves(10.0);
-    Candidate candidate;
-    candidate.score.id = "quadratic_drag";
-    candidate.judged = fit_that_leaves(left_over_noise, "quadratic_drag");
-    d.candidates.push_back(candidate);
-    return d;
-}
-
-/// A fit of the candidate's effect and a second one.
-JudgedFit pair_that_leaves(double over_noise) {
-    JudgedFit pair = fit_that_leaves(over_noise, "quadratic_drag");
-    pair.fit.effects.push_back({"cable_tug", {}});
-    return pair;
-}
+using namespace test;
 
 TEST(Verdict, NamesWhatExplainsTheResidual) {
     Diagnosis d = with_candidate(0.3);
@@ -64,7 +30,7 @@ TEST(Verdict, TakesOverTheSettledFit) {
     d.augmented.tests.systematic.rms = 0.2;
     d.augmented.weight = 0.0;
     d.verdict.but = " Beware.";
-    take_over_settled(d);
+    take_over_corrected(d);
     EXPECT_EQ(effect::number(d.verdict.effects[0].parameters, "coefficient_kg_m3"), 910.0);
     EXPECT_EQ(d.verdict.because,
               "with quadratic_drag (coefficient_kg_m3 = 910) the systematic part falls from 10 times the noise to 0.2 "
@@ -83,14 +49,14 @@ TEST(Verdict, StandsWherePredictionsGetWorseAtHalfItsConfidence) {
         const double confidence = d.verdict.confidence;
         d.before.validation_rms_m = before * noise_m;
         d.after.validation_rms_m = after * noise_m;
-        doubt_worse_predictions(d);
+        discount_worse_predictions(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.confidence, told ? 0.5 * confidence : confidence);
         EXPECT_EQ(!d.notes.empty() && d.notes.back().find("predicted worse") != std::string::npos, told) << after;
     }
     Diagnosis alone = with_candidate(0.3);  // no such trials
     decide(alone);
-    doubt_worse_predictions(alone);
+    discount_worse_predictions(alone);
     EXPECT_TRUE(alone.notes.empty());
 }
 
@@ -184,14 +150,14 @@ TEST(Verdict, ASecondEffectHasToDoSomething) {
 /// What one trial alone tells of two effects no other tests; that of an effect which acts in one trial cannot be
 /// tested.
 TEST(Verdict, TwoEffectsHaveToBeTestedByOtherTrials) {
-    for (const int told_by_one : {0, 1})
+    for (const int single_trial_directions : {0, 1})
         for (const bool of_one_trial : {false, true}) {
             Diagnosis d = with_candidate(5.0);
             d.pairs.push_back(pair_that_leaves(0.2));
-            d.pairs[0].told_by_one = told_by_one;
+            d.pairs[0].single_trial_directions = single_trial_directions;
             if (of_one_trial) d.pairs[0].fit.effects[1] = {"held_pose", {{"trial", std::string("release")}}};
             decide(d);
-            const bool untested = told_by_one > 0 && !of_one_trial;
+            const bool untested = single_trial_directions > 0 && !of_one_trial;
             EXPECT_EQ(d.verdict.kind, untested ? VerdictKind::unknown : VerdictKind::effects);
             EXPECT_EQ(d.notes.size(), untested ? 1u : 0u) << "a person is told what a further trial would test";
         }
@@ -242,7 +208,7 @@ TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) 
     // too.
     d = with_candidate(5.0);
     d.data.noise_declared = false;
-    d.candidates[0].judged->told_by_one = 1;
+    d.candidates[0].judged->single_trial_directions = 1;
     d.candidates[0].judged->held_out_in_time_rms = 9.0;
     decide(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
@@ -350,7 +316,7 @@ TEST(Verdict, WhatPredictsNoHeldOutDataExplainsNothing) {
             Diagnosis d = with_candidate(0.3);
             d.declared.held_out_rms = d.declared.held_out_in_time_rms = 1.4;
             JudgedFit& fit = *d.candidates[0].judged;
-            fit.told_by_one = by_time ? 1 : 0;  // then other times test it
+            fit.single_trial_directions = by_time ? 1 : 0;  // then other times test it
             fit.held_out_rms = by_time ? 1.4 : held_out;
             fit.held_out_in_time_rms = by_time ? held_out : 1.4;
             decide(d);

@@ -69,6 +69,24 @@ TEST_P(ForceForms, QuadraticDragSlowsAThrownCubeByItsHyperbola) {
     EXPECT_LT(v.back(), 0.5);
 }
 
+/// m v' = -F v / s with s^2 = v^2 + v0^2: s - v0 asinh(v0 / v) falls by F/m in time. Behind a wall that only slides
+/// across it, the same force does nothing to a cube thrown against it.
+TEST_P(ForceForms, DryFrictionSlowsAThrownCubeByItsLaw) {
+    const double F = 0.2, v0 = 4e-3;
+    const auto potential = [&](double v) { return std::hypot(v, v0) - v0 * std::asinh(v0 / v); };
+    EffectParameters friction{{"friction_force_N", F}, {"position_m", VectorXd(Vector3d(0.03, 0.015, 0.015))}};
+    const std::vector<double> v = thrown(cube(GetParam()), "dry_friction", friction);
+    double worst = 0.0;
+    for (std::size_t k = 0; k < v.size(); ++k)
+        worst = std::max(worst,
+                         std::abs(potential(v[k]) - potential(1.0) + F / cube_kg * 1e-3 * static_cast<double>(k)));
+    test::record("worst", worst);
+    EXPECT_LT(worst, 2e-3);
+    EXPECT_LT(v.back(), 0.5);
+    friction["normal"] = VectorXd(Vector3d::UnitX());
+    EXPECT_NEAR(thrown(cube(GetParam()), "dry_friction", friction).back(), 1.0, 1e-9);
+}
+
 /// The fluid before and behind the cube falls with it and weighs nothing; that beside it slips.
 TEST_P(ForceForms, AddedMassLetsACubeFallAsMuchSlower) {
     test::HeldBeam beam = cube(GetParam());

@@ -7,6 +7,7 @@
 #include "model/cavity_pressure.hpp"
 #include "model/elastic_bed.hpp"
 #include "model/loaded_face.hpp"
+#include "model/point_friction.hpp"
 #include "model/surface_drag.hpp"
 #include "support/hollow.hpp"
 
@@ -22,6 +23,20 @@ struct ForceCase {
     fem::ElementKind kind;
 };
 
+/// A cell at the free end, and its nodes.
+int tip_cell(const Body& body) {
+    Eigen::Index last = 0;
+    body.mesh.nodes.row(0).maxCoeff(&last);
+    for (int c = 0; c < static_cast<int>(body.mesh.cells.cols()); ++c)
+        if ((body.mesh.cells.col(c).array() == static_cast<int>(last)).any()) return c;
+    return 0;
+}
+
+std::vector<int> nodes_of_tip(const Body& body) {
+    const auto cell = body.mesh.cells.col(tip_cell(body));
+    return {cell.begin(), cell.end()};
+}
+
 /// A hollow block, clamped at one end, with one force element.
 Model model_with(const ForceCase& c) {
     Model model = test::hollow_block(c.kind);
@@ -29,6 +44,13 @@ Model model_with(const ForceCase& c) {
     const std::string element = c.element;
     if (element == "bed") model.force_elements = {elastic_bed(body, free_faces(body), 3e5)};
     if (element == "drag") model.force_elements = {surface_drag(body, free_faces(body), 20.0, 900.0)};
+    if (element == "friction") {
+        const std::vector<int> nodes = nodes_of_tip(body);
+        const VectorXd shares = VectorXd::Constant(static_cast<Eigen::Index>(nodes.size()),
+                                                   1.0 / static_cast<double>(nodes.size()));
+        model.force_elements = {
+            point_friction(body, tip_cell(body), nodes, shares, Vector3d(1.0, 2.0, -0.5), 0.3, 0.05)};
+    }
     if (element == "pressure")
         model.force_elements = {
             cavity_pressure(body, closed_cavities(body).at(0), fibre::Signal{{0.0, 1.0}, {4e3, 6e3}})};
@@ -108,6 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, ForceElements,
     testing::Values(ForceCase{"bed", fem::ElementKind::hex8}, ForceCase{"bed", fem::ElementKind::tet10},
                     ForceCase{"drag", fem::ElementKind::hex8}, ForceCase{"drag", fem::ElementKind::tet10},
+                    ForceCase{"friction", fem::ElementKind::hex8}, ForceCase{"friction", fem::ElementKind::tet10},
                     ForceCase{"pressure", fem::ElementKind::hex8}, ForceCase{"pressure", fem::ElementKind::tet4},
                     ForceCase{"pressure", fem::ElementKind::tet10}),
     [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });

@@ -40,7 +40,7 @@ TEST(IndependenceTest, HoldsItsRateForWander) {
             const Eigen::VectorXd r = autoregressive(layout, a, random) + white(layout.size(), random);
             const IndependenceTest test = independence_test(r, layout, 99, static_cast<unsigned>(k));
             below += test.p < 0.1 ? 1 : 0;
-            wander += test.is_wander() ? 1 : 0;
+            wander += test.is_drift() ? 1 : 0;
         }
         EXPECT_NEAR(below, 0.1 * draws, 4.0 * std::sqrt(0.09 * draws)) << a;
         EXPECT_GT(wander, (a > 0.0 ? 0.85 : 0.0) * draws) << a;
@@ -57,11 +57,11 @@ TEST(IndependenceTest, SeesWhatMarkersShare) {
             const Eigen::VectorXd shared = of_rms(signal(layout, swing), 0.5);
             const IndependenceTest alone = independence_test(shared + white(layout.size(), random), layout);
             EXPECT_LT(alone.p, 2e-3);
-            EXPECT_FALSE(alone.is_wander());
+            EXPECT_FALSE(alone.is_drift());
             if (gaps > 0.0) continue;
             EXPECT_FALSE(independence_test(
                              2.0 * shared + autoregressive(layout, 0.8, random) + white(layout.size(), random), layout)
-                             .is_wander());
+                             .is_drift());
         }
 }
 
@@ -79,7 +79,7 @@ TEST(IndependenceTest, TakesNothingSlowThatIsSharedForWander) {
     };
     for (int k = 0; k < 40; ++k)
         for (const double time_s : {0.02, 0.3, 3.0})
-            EXPECT_FALSE(independence_test(slow(time_s) + white(layout.size(), random), layout).is_wander()) << time_s;
+            EXPECT_FALSE(independence_test(slow(time_s) + white(layout.size(), random), layout).is_drift()) << time_s;
 }
 
 /// A marker that slips is none of the body's doing, but no wander either.
@@ -91,7 +91,7 @@ TEST(IndependenceTest, KnowsOneMarkerFromAll) {
             layout, [](const ResidualSeries& series, double t) { return series.marker == 2 && t > 0.7 ? 5.0 : 0.0; });
         const IndependenceTest test = independence_test(slip + white(layout.size(), random), layout);
         EXPECT_LT(test.typical_share, 0.1);
-        EXPECT_FALSE(test.is_wander());
+        EXPECT_FALSE(test.is_drift());
     }
 }
 

@@ -1,0 +1,65 @@
+#include "diagnosis/discretisation/discretisation_match.hpp"
+
+#include "diagnosis/diagnosis_policy.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace myo::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Adds `factor` times what `to` has more than `from`, within the bounds of the numbers.
+prediction::ParameterValues moved(const std::vector<prediction::ModelParameter>& parameters,
+                                  prediction::ParameterValues values, const prediction::ParameterValues& from,
+                                  const prediction::ParameterValues& to, double factor) {
+    for (const prediction::ModelParameter& p : parameters) {
+        const double value = prediction::value_of(p, values) +
+                             factor * (prediction::value_of(p, to) - prediction::value_of(p, from));
+        prediction::set_value(p, std::clamp(value, p.parameter.lower, p.parameter.upper), values);
+    }
+    return values;
+}
+
+/// Values with the change of all numbers of the fit that undoes a change of the motion.
+prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterValues values, const VectorXd& change) {
+    VectorXd size = fit.jacobian.colwise().norm();
+    size = (size.array() > 0.0).select(size, 1.0);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(diagnosis_policy.numerics.least_singular_value);
+    solver.compute(fit.jacobian * size.cwiseInverse().asDiagonal());
+    const VectorXd step = -solver.solve(change).cwiseQuotient(size);
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+        const prediction::ModelParameter& p = fit.parameters[i];
+        prediction::set_value(p,
+                              std::clamp(prediction::value_of(p, values) + step(static_cast<Index>(i)),
+                                         p.parameter.lower, p.parameter.upper),
+                              values);
+    }
+    return values;
+}
+
+}  // namespace
+
+MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error) {
+    const MatchedValues with = error.matched ? *error.matched : MatchedValues{fit.values, fit.values, fit.values};
+    return {fit.values, undoing(fit, with.finer_step, flat_shift(data, error.step_shift) / step_extrapolation()),
+            undoing(fit, with.finer_mesh, flat_shift(data, error.mesh_change))};
+}
+
+MatchedValues moved_match(const JointFit& fit, const MatchedValues& matched) {
+    return {fit.values, moved(fit.parameters, fit.values, matched.setup, matched.finer_step, 1.0),
+            moved(fit.parameters, fit.values, matched.setup, matched.finer_mesh, 1.0)};
+}
+
+prediction::ParameterValues extrapolated_values(const JointFit& fit, const MatchedValues& matched, double mesh_factor) {
+    const prediction::ParameterValues by_step = moved(fit.parameters, fit.values, matched.setup, matched.finer_step,
+                                                      step_extrapolation());
+    return moved(fit.parameters, by_step, matched.setup, matched.finer_mesh, mesh_factor);
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,69 @@
+#include "diagnosis/discretisation/effective_modulus.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/diagnosis_policy.hpp"
+#include "prediction/predict_trials.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+std::vector<prediction::TrialPrediction> with_factor(setup::Setup setup, const prediction::ParameterValues& values,
+                                                     const FitData& data, double factor, const Progress& progress) {
+    setup.modulus_factor = factor;
+    return prediction::predict_trials_with(setup, values, data.trials, progress);
+}
+
+/// Of the motion per relative change of the modulus.
+PredictionShift derivative(const setup::Setup& setup, const FitData& data,
+                           const std::vector<prediction::TrialPrediction>& there,
+                           const std::vector<prediction::TrialPrediction>& softer) {
+    PredictionShift result(setup.trials.size());
+    for (std::size_t i = 0; i < data.trials.size(); ++i)
+        add_scaled(difference(softer[i], there[i]), -1.0 / diagnosis_policy.numerics.modulus_step,
+                   result[data.trials[i]]);
+    return result;
+}
+
+}  // namespace
+
+bool match_modulus(const setup::Setup& setup, const prediction::ParameterValues& values, const FitData& data,
+                   NumericalError& error, const Progress& progress) {
+    const Eigen::VectorXd all = flat_shift(data, error.shift), of_step = flat_shift(data, error.step_shift),
+                          finer_mesh = flat_shift(data, error.mesh_change);
+    if (all.norm() < diagnosis_policy.numerics.least_error_for_modulus * std::sqrt(static_cast<double>(all.size())))
+        return false;
+    const std::vector<prediction::TrialPrediction> there = with_factor(setup, values, data, 1.0, progress),
+                                                   softer = with_factor(setup, values, data,
+                                                                        1.0 - diagnosis_policy.numerics.modulus_step,
+                                                                        progress);
+    if (!prediction::all_ok(there) || !prediction::all_ok(softer)) return false;
+    const PredictionShift column = derivative(setup, data, there, softer);
+    const Eigen::VectorXd flat = flat_shift(data, column);
+    const double squares = flat.squaredNorm();
+    if (!(squares > 0.0)) return false;
+    const auto share = [&](const Eigen::VectorXd& shift) {
+        return std::clamp(flat.dot(shift) / squares, -diagnosis_policy.numerics.most_modulus_change,
+                          diagnosis_policy.numerics.most_modulus_change);
+    };
+    EffectiveModulus found;
+    found.mesh = share(all - of_step);
+    found.finer_mesh = found.mesh - share(finer_mesh);
+    found.step = share(of_step);
+    found.finer_step = error.step_ratio * error.step_ratio * found.step;
+    const std::vector<prediction::TrialPrediction> matched = with_factor(setup, values, data, found.factor(), progress);
+    if (!prediction::all_ok(matched)) return false;
+    error.effective_modulus = found;
+    error.by_modulus.assign(setup.trials.size(), {});
+    for (std::size_t i = 0; i < data.trials.size(); ++i) {
+        const std::size_t t = data.trials[i];
+        add_scaled(difference(matched[i], there[i]), -1.0, error.shift[t]);
+        add_scaled(column[t], -found.step, error.step_shift[t]);
+        add_scaled(column[t], found.mesh + found.step, error.by_modulus[t]);
+    }
+    error.rest_rms_m = shift_rms_m(error.shift);
+    return true;
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,62 @@
+#include "diagnosis/discretisation/longer_steps.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "base/text.hpp"
+#include "prediction/predict_trials.hpp"
+
+namespace myo::diagnosis {
+
+LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterValues& values, double most_m,
+                         const Progress& progress) {
+    LongerSteps found;
+    found.factors.assign(setup.trials.size(), 1.0);
+    std::vector<std::size_t> open(setup.trials.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    setup::Setup longer = setup;
+    for (setup::PreparedTrial& trial : longer.trials) trial.options.keep_path = false;  // no run starts near to these
+    const std::vector<prediction::TrialPrediction> fine = prediction::predict_trials_with(longer, values, open,
+                                                                                          progress);
+    found.runs = static_cast<int>(open.size());
+    for (;;) {
+        std::erase_if(open, [&](std::size_t t) {
+            const double longest_s = (1.0 + 1e-9) * setup::sampling_interval_s(setup.trials[t]);
+            return !fine[t].ok() || 2.0 * longer.trials[t].options.h_s > longest_s;
+        });
+        if (open.empty() || progress.cancelled()) return found;
+        for (const std::size_t t : open) longer.trials[t].options.h_s *= 2.0;
+        const std::vector<prediction::TrialPrediction> coarse = prediction::predict_trials_with(longer, values, open,
+                                                                                                progress);
+        found.runs += static_cast<int>(open.size());
+        std::vector<std::size_t> serve;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            const std::size_t t = open[i];
+            if (coarse[i].ok() && prediction::rms_between(coarse[i], fine[t]) <= most_m) {
+                found.factors[t] *= 2.0;
+                serve.push_back(t);
+            }
+        }
+        open = std::move(serve);
+    }
+}
+
+bool any_longer(const std::vector<double>& factors) {
+    return std::any_of(factors.begin(), factors.end(), [](double factor) { return factor > 1.0; });
+}
+
+std::string steps_in_words(const setup::Setup& setup, const std::vector<double>& factors) {
+    double shortest_s = std::numeric_limits<double>::infinity(), longest_s = 0.0;
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        const double h_s = setup.trials[t].options.h_s * (factors.empty() ? 1.0 : factors[t]);
+        shortest_s = std::min(shortest_s, h_s);
+        longest_s = std::max(longest_s, h_s);
+    }
+    const std::string least = format_number(1e3 * shortest_s, 4), most = format_number(1e3 * longest_s, 4);
+    return (least == most ? least : least + " to " + most) + " ms";
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,160 @@
+#include "diagnosis/discretisation/numerical_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/diagnosis_policy.hpp"
+#include "prediction/predict_trials.hpp"
+#include "setup/integration_check.hpp"
+#include "statistics/nuisance_space.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+using Eigen::Matrix3Xd;
+
+struct Sum {
+    double squares = 0.0, count = 0.0;
+    void add(const std::vector<Matrix3Xd>& tracks) {
+        for (const Matrix3Xd& track : tracks) {
+            squares += track.squaredNorm();
+            count += static_cast<double>(track.size());
+        }
+    }
+    double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
+};
+
+/// At which displacements converge with the edge where nothing locks: hex8 2.5 by a manufactured solution, tet10 3.6 at
+/// ν 0.3 and 3.1 at 0.499.
+double mesh_order(fem::ElementKind element) {
+    if (element == fem::ElementKind::hex8) return 2.5;
+    return fem::fine_element(element) == fem::ElementKind::tet10_fine ? 3.0 : 2.0;
+}
+
+/// From the change by a refinement of this order to its limit.
+double extrapolation(double ratio, double order) { return 1.0 / (1.0 - std::pow(ratio, order)); }
+
+bool moves_modulus(const JointFit& fit) {
+    return std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const prediction::ModelParameter& p) {
+        return p.kind == prediction::ModelParameter::Kind::youngs_modulus;
+    });
+}
+
+}  // namespace
+
+double step_extrapolation() {
+    return extrapolation(diagnosis_policy.numerics.step_ratio, diagnosis_policy.numerics.step_order);
+}
+
+std::vector<Matrix3Xd> difference(const prediction::TrialPrediction& finer,
+                                  const prediction::TrialPrediction& coarser) {
+    std::vector<Matrix3Xd> result;
+    for (std::size_t m = 0; m < coarser.residual_m.size(); ++m) {
+        result.push_back(finer.residual_m[m] - coarser.residual_m[m]);
+        result.back() = result.back().unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
+    }
+    return result;
+}
+
+void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector<Matrix3Xd>& sum) {
+    if (sum.empty())
+        for (const Matrix3Xd& track : tracks) sum.push_back(Matrix3Xd::Zero(3, track.cols()));
+    for (std::size_t m = 0; m < tracks.size(); ++m) sum[m] += factor * tracks[m];
+}
+
+NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined, const MatchedValues& values,
+                               const std::vector<std::size_t>& trials,
+                               const std::vector<prediction::TrialPrediction>& base, const NumericalError* known,
+                               const EffectiveModulus& effective_modulus, const Progress& progress) {
+    NumericalError error;
+    error.effective_modulus = effective_modulus;
+    error.step_ratio = diagnosis_policy.numerics.step_ratio;
+    const bool negligible = known &&
+                            known->step_rms_m <
+                                diagnosis_policy.numerics.negligible_step_error * setup.noise_m.minCoeff() &&
+                            known->step_shift.size() == setup.trials.size();
+    std::vector<prediction::TrialPrediction> finer_step(trials.size());
+    if (!negligible) {
+        setup::Setup halved = setup;
+        halved.modulus_factor = effective_modulus.factor_of_finer_step();
+        for (setup::PreparedTrial& trial : halved.trials) {
+            trial.options.h_s *= error.step_ratio;
+            trial.options.most_iterations = dynamics::SimulationOptions().most_iterations;  // it has more steps
+            trial.options.keep_path = false;
+        }
+        finer_step = prediction::predict_trials_with(halved, values.finer_step, trials, progress);
+    }
+    std::vector<prediction::TrialPrediction> finer_mesh(trials.size());
+    if (refined) {
+        refined->modulus_factor = effective_modulus.factor_of_finer_mesh();
+        error.mesh_ratio = refined->mesh.resolution_m / setup.mesh.resolution_m;
+        if (!progress.cancelled())
+            finer_mesh = prediction::predict_trials_with(*refined, values.finer_mesh, trials, progress);
+    } else {
+        error.message = "no finer mesh could be made";
+    }
+    error.step_shift.resize(setup.trials.size());
+    if (negligible) error.step_shift = known->step_shift;
+    error.shift.resize(setup.trials.size());
+    error.mesh_change.resize(setup.trials.size());
+    Sum by_step, by_mesh;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const std::size_t t = trials[i];
+        if (!base[i].ok()) continue;
+        if (finer_step[i].ok()) {
+            const std::vector<Matrix3Xd> change = difference(finer_step[i], base[i]);
+            by_step.add(change);
+            add_scaled(change, step_extrapolation(), error.step_shift[t]);
+        }
+        error.shift[t] = error.step_shift[t];
+        if (finer_mesh[i].ok()) {
+            const std::vector<Matrix3Xd> change = difference(finer_mesh[i], base[i]);
+            by_mesh.add(change);
+            error.mesh_change[t] = change;
+        }
+    }
+    // A mesh so coarse that its error is far from small does not follow its order: then the finer one is taken as it
+    // is.
+    if (by_mesh.rms() < diagnosis_policy.numerics.asymptotic_change * setup.noise_m.maxCoeff() && refined)
+        error.mesh_factor = extrapolation(error.mesh_ratio, mesh_order(setup.mesh.element));
+    for (const std::size_t t : trials)
+        if (!error.mesh_change[t].empty()) add_scaled(error.mesh_change[t], error.mesh_factor, error.shift[t]);
+    error.step_rms_m = negligible ? known->step_rms_m : by_step.rms();
+    error.mesh_rms_m = by_mesh.rms();
+    error.rest_rms_m = shift_rms_m(error.shift);
+    const setup::PreparedTrial& first = setup.trials.front();
+    error.numerical_damping = setup::check_integration(prediction::trial_model(setup, 0, values.setup),
+                                                       first.options.integrator, first.options.h_s)
+                                  .numerical_damping_ratio;
+    return error;
+}
+
+double shift_rms_m(const PredictionShift& shift) {
+    Sum sum;
+    for (const std::vector<Matrix3Xd>& trial : shift) sum.add(trial);
+    return sum.rms();
+}
+
+void complete(NumericalError& error, const NumericalError& other) {
+    for (std::size_t t = 0; t < error.shift.size(); ++t) {
+        if (error.shift[t].empty()) error.shift[t] = other.shift[t];
+        if (error.step_shift[t].empty()) error.step_shift[t] = other.step_shift[t];
+    }
+}
+
+double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit) {
+    const statistics::NuisanceSpace nuisance(fit.jacobian);
+    Eigen::VectorXd shift = flat_shift(data, error.shift);
+    if (!moves_modulus(fit)) shift += flat_shift(data, error.by_modulus);
+    double squares = 0.0;
+    for (const int trial : statistics::trials_of(data.layout)) {
+        Eigen::VectorXd own = Eigen::VectorXd::Zero(shift.size());
+        for (const statistics::ResidualSeries& series : data.layout.series)
+            if (series.trial == trial)
+                own.segment(series.begin, series.size()) = shift.segment(series.begin, series.size());
+        squares += std::pow(flat_rms_m(data, nuisance.outside(own)), 2);
+    }
+    return diagnosis_policy.numerics.extrapolation_doubt * std::sqrt(squares);
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,243 @@
+#include "diagnosis/fit/joint_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "diagnosis/diagnosis_policy.hpp"
+#include "effect/catalogue.hpp"
+#include "prediction/predict_trials.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+prediction::ParameterValues values_at(const std::vector<prediction::ModelParameter>& parameters, const VectorXd& p,
+                                      prediction::ParameterValues values) {
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        prediction::set_value(parameters[i], p(static_cast<Index>(i)), values);
+    return values;
+}
+
+/// Rows (value - start) / deviation for the components of vectors: what they add to residuals and Jacobian.
+struct Priors {
+    std::vector<Index> of;  // parameters
+    VectorXd weight, start;
+
+    explicit Priors(const std::vector<prediction::ModelParameter>& parameters) {
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            if (parameters[i].component >= 0) of.push_back(static_cast<Index>(i));
+        weight.resize(size());
+        start.resize(size());
+        for (Index k = 0; k < size(); ++k) {
+            const inverse::Parameter& p = parameters[static_cast<std::size_t>(of[static_cast<std::size_t>(k)])]
+                                              .parameter;
+            weight(k) = 1.0 / (diagnosis_policy.declared.prior_widths * p.scale);
+            start(k) = p.value;
+        }
+    }
+    Index size() const { return static_cast<Index>(of.size()); }
+    VectorXd residual(const VectorXd& p) const { return weight.cwiseProduct(VectorXd(p(of)) - start); }
+    MatrixXd jacobian(Index parameters) const {
+        MatrixXd J = MatrixXd::Zero(size(), parameters);
+        for (Index k = 0; k < size(); ++k) J(k, of[static_cast<std::size_t>(k)]) = weight(k);
+        return J;
+    }
+};
+
+/// Places stay on the body, masses in proportion to it.
+void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParameter>& parameters) {
+    const Box body = mesh::bounding_box(setup.surface.vertices);
+    const double body_kg = setup.experiment.material.density_kg_m3 * setup.body->volume_m3;
+    for (prediction::ModelParameter& p : parameters) {
+        if (p.of_effect == "position_m" || p.of_effect == "centre_m") {
+            p.parameter.lower = body.lowest(p.component);
+            p.parameter.upper = body.highest(p.component);
+        } else if (p.of_effect == "mass_kg") {
+            p.parameter.upper = diagnosis_policy.declared.most_mass_ratio * body_kg;
+        }
+    }
+}
+
+/// Residuals of all trials and their derivatives, with the last predictions kept for these.
+class Residuals {
+public:
+    Residuals(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
+              int most_evaluations, const Neighbourhood& known, JointFit& fit)
+        : setup_(setup),
+          data_(data),
+          start_(start),
+          most_evaluations_(most_evaluations),
+          fit_(fit),
+          priors_(fit.parameters),
+          near_(known.paths) {}
+
+    inverse::ResidualEvaluation evaluate(const VectorXd& p, const Progress& progress) {
+        if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
+        inverse::ResidualEvaluation evaluation;
+        // The solver counts steps, of which it may take back many.
+        if (evaluations_++ > most_evaluations_) {
+            evaluation.message = "no more evaluations are wanted";
+            return evaluation;
+        }
+        const prediction::ParameterValues values = values_at(fit_.parameters, p, start_);
+        std::vector<prediction::PredictionTask> tasks;
+        for (std::size_t i = 0; i < data_.trials.size(); ++i)
+            tasks.push_back({data_.trials[i], &values, i < near_.size() ? near_[i] : nullptr});
+        predictions_ = prediction::predict_trials(setup_, tasks, {}, progress);
+        last_at_ = p;
+        for (std::size_t i = 0; i < predictions_.size(); ++i)
+            if (!predictions_[i].ok()) {
+                evaluation.message = "trial " + setup_.trials[data_.trials[i]].name + ": " + predictions_[i].message;
+                last_ = evaluation;
+                return evaluation;
+            }
+        evaluation.ok = true;
+        const VectorXd residual = flat_residual(data_, predictions_);
+        evaluation.residuals.resize(residual.size() + priors_.size());
+        evaluation.residuals << residual, priors_.residual(p);
+        if (evaluation.residuals.squaredNorm() < least_) {
+            least_ = evaluation.residuals.squaredNorm();
+            fit_.residual = residual;
+            fit_.values = values;
+            fit_.predictions = predictions_;
+            near_.clear();
+            for (const prediction::TrialPrediction& prediction : predictions_) near_.push_back(prediction.trace.path);
+        }
+        last_ = evaluation;
+        return evaluation;
+    }
+
+    /// Columns that are known are taken over; the others take runs, of all trials side by side. Empty: the model could
+    /// not be run.
+    MatrixXd jacobian(const VectorXd& p, const Neighbourhood& known, const Progress& progress) {
+        if (last_at_.size() == 0 || p != last_at_) evaluate(p, progress);
+        if (!last_.ok) return {};
+        const prediction::ParameterValues values = values_at(fit_.parameters, p, start_);
+        const auto count = static_cast<Index>(fit_.parameters.size());
+        MatrixXd J(last_.residuals.size(), count);
+        J.bottomRows(priors_.size()) = priors_.jacobian(count);
+        std::vector<Index> wanted;
+        for (Index i = 0; i < count; ++i) {
+            const auto found = std::find(known.names.begin(), known.names.end(),
+                                         fit_.parameters[static_cast<std::size_t>(i)].parameter.name);
+            if (found == known.names.end())
+                wanted.push_back(i);
+            else
+                J.col(i).head(known.columns.rows()) = known.columns.col(found - known.names.begin());
+        }
+        std::vector<prediction::ModelParameter> sought;
+        for (const Index i : wanted) sought.push_back(fit_.parameters[static_cast<std::size_t>(i)]);
+        const std::vector<TrialTangents> columns = tangents(values, sought, progress);
+        if (columns.size() < wanted.size()) return {};
+        for (std::size_t k = 0; k < wanted.size(); ++k)
+            J.col(wanted[k]).head(data_.layout.size()) = flat_tangent(data_, columns[k]);
+        return J;
+    }
+
+private:
+    /// Per number; empty: the model could not be run.
+    std::vector<TrialTangents> tangents(const prediction::ParameterValues& values,
+                                        const std::vector<prediction::ModelParameter>& parameters,
+                                        const Progress& progress) const {
+        std::vector<prediction::PredictionTask> tasks;
+        for (std::size_t t = 0; t < data_.trials.size(); ++t)
+            tasks.push_back({data_.trials[t], &values, predictions_[t].trace.path});
+        std::vector<prediction::TrialPrediction> runs = prediction::predict_trials(setup_, tasks, parameters, progress);
+        if (!prediction::all_ok(runs)) return {};
+        std::vector<TrialTangents> columns(parameters.size());
+        for (prediction::TrialPrediction& run : runs)
+            for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(std::move(run.tangents[k]));
+        return columns;
+    }
+
+    const setup::Setup& setup_;
+    const FitData& data_;
+    const prediction::ParameterValues& start_;
+    int most_evaluations_;
+    JointFit& fit_;
+    Priors priors_;
+    std::vector<std::shared_ptr<const dynamics::StagePath>> near_;  // of the best so far
+    double least_ = std::numeric_limits<double>::infinity();
+    int evaluations_ = 0;
+    VectorXd last_at_;
+    inverse::ResidualEvaluation last_;                      // there
+    std::vector<prediction::TrialPrediction> predictions_;  // and these
+};
+
+}  // namespace
+
+std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& setup,
+                                                         const prediction::ParameterValues& start,
+                                                         EffectFreedom freedom) {
+    std::vector<prediction::ModelParameter> parameters = prediction::free_parameters(setup);
+    for (std::size_t e = setup.experiment.effects.size(); e < start.effects.size(); ++e) {
+        std::vector<prediction::ModelParameter> own = prediction::effect_parameters(start.effects[e], e);
+        if (freedom == EffectFreedom::amount && !own.empty())
+            std::erase_if(own, [amount = own.front().of_effect](const prediction::ModelParameter& p) {
+                return p.of_effect != amount;
+            });
+        for (prediction::ModelParameter& parameter : own) parameters.push_back(std::move(parameter));
+    }
+    bound_by_body(setup, parameters);
+    for (prediction::ModelParameter& p : parameters)
+        p.parameter.value = std::clamp(prediction::value_of(p, start), p.parameter.lower, p.parameter.upper);
+    return parameters;
+}
+
+Neighbourhood neighbourhood_of(const JointFit& fit) {
+    Neighbourhood known;
+    for (const prediction::ModelParameter& p : fit.parameters) known.names.push_back(p.parameter.name);
+    known.columns = fit.jacobian;
+    for (const prediction::TrialPrediction& prediction : fit.predictions) known.paths.push_back(prediction.trace.path);
+    return known;
+}
+
+double change_between(const JointFit& a, const JointFit& b) {
+    VectorXd step(static_cast<Index>(b.parameters.size()));
+    for (std::size_t i = 0; i < b.parameters.size(); ++i)
+        step(static_cast<Index>(i)) = prediction::value_of(b.parameters[i], b.values) -
+                                      prediction::value_of(b.parameters[i], a.values);
+    return (b.jacobian * step).norm() / std::sqrt(static_cast<double>(std::max<Index>(1, b.residual.size())));
+}
+
+JointFit joint_fit(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
+                   EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const Neighbourhood& known,
+                   const Progress& progress) {
+    const Stopwatch watch;
+    JointFit fit;
+    fit.parameters = joint_parameters(setup, start, freedom);
+    fit.values = start;
+    Residuals residuals(setup, data, start, options.max_evaluations, known, fit);
+    std::vector<inverse::Parameter> parameters;
+    for (const prediction::ModelParameter& p : fit.parameters) parameters.push_back(p.parameter);
+    VectorXd origin(static_cast<Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i) origin(static_cast<Index>(i)) = parameters[i].value;
+    inverse::LeastSquaresOptions informed = options;
+    if (!known.names.empty()) informed.jacobian_guess = residuals.jacobian(origin, known, progress);
+    fit.report = inverse::fit_by_secants(
+        parameters, [&](const VectorXd& p, const Progress& inner) { return residuals.evaluate(p, inner); },
+        [&](const VectorXd& p, const inverse::ResidualEvaluation&, const Progress& inner) {
+            return residuals.jacobian(p, {}, inner);
+        },
+        informed, progress);
+    if (fit.report.jacobian.rows() < fit.residual.size())
+        fit.residual.resize(0);  // it ran there, but nowhere beside: nothing to judge it by
+    if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
+    for (std::size_t e = setup.experiment.effects.size(); e < fit.values.effects.size(); ++e) {
+        effect::EffectDeclaration& tried = fit.values.effects[e];
+        if (const effect::Effect* const effect = effect::find_effect(tried.id); effect && effect->plainest)
+            tried.parameters = effect->plainest(setup.trials.front().model, tried.parameters);
+    }
+    fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(setup.experiment.effects.size()),
+                       fit.values.effects.end());
+    fit.seconds = watch.seconds();
+    return fit;
+}
+
+}  // namespace myo::diagnosis

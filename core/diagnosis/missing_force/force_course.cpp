@@ -1,0 +1,94 @@
+#include "diagnosis/missing_force/force_course.hpp"
+
+#include <algorithm>
+
+#include "diagnosis/diagnosis_policy.hpp"
+#include "model/internal_forces.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+/// A scalar of the run between its steps.
+VectorXd resampled(const std::vector<double>& times, const std::vector<double>& values, const VectorXd& at) {
+    VectorXd result(at.size());
+    std::size_t right = 1;
+    for (Index k = 0; k < at.size(); ++k) {
+        while (right + 1 < times.size() && times[right] < at(k)) ++right;
+        const double span = times[right] - times[right - 1];
+        const double w = span > 0.0 ? std::clamp((at(k) - times[right - 1]) / span, 0.0, 1.0) : 1.0;
+        result(k) = (1.0 - w) * values[right - 1] + w * values[right];
+    }
+    return result;
+}
+
+/// Central differences, one-sided at the ends.
+VectorXd rate(const VectorXd& values, double dt) {
+    VectorXd result(values.size());
+    const Index last = values.size() - 1;
+    for (Index k = 0; k <= last; ++k) {
+        const Index a = std::max<Index>(0, k - 1), b = std::min(last, k + 1);
+        result(k) = (values(b) - values(a)) / (dt * static_cast<double>(b - a));
+    }
+    return result;
+}
+
+/// Force of the material alone along the pattern, at some of the run's steps.
+VectorXd elastic_course(const model::Model& model, const dynamics::Trace& trace, const Matrix3Xd& pattern,
+                        const VectorXd& at) {
+    model::Stiffness elastic = model::stiffness(model);
+    elastic.viscous.clear();
+    elastic.fibres = false;
+    model::InternalInput input;
+    input.stiffness = &elastic;
+    const std::size_t stride = std::max<std::size_t>(
+        1, trace.times_s.size() / static_cast<std::size_t>(diagnosis_policy.force.curve_points));
+    std::vector<double> times, values;
+    for (std::size_t k = 0; k < trace.times_s.size(); k += stride) {
+        times.push_back(trace.times_s[k]);
+        values.push_back(model::internal_energy(model, trace.positions[k], input, model::HessianKind::none)
+                             .gradient.cwiseProduct(pattern)
+                             .sum());
+    }
+    return times.size() < 2 ? VectorXd(VectorXd::Zero(at.size())) : resampled(times, values, at);
+}
+
+}  // namespace
+
+std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, const effect::Affected& trial,
+                                                     const dynamics::Trace& trace, const KnotTimes& knots,
+                                                     const ForceMode& mode) {
+    if (trace.times_s.size() < 2) return {};
+    const VectorXd at = VectorXd::LinSpaced(diagnosis_policy.force.curve_points, 0.0, knots.end_s());
+    const double dt = at(1) - at(0);
+    std::vector<double> position, velocity;
+    for (std::size_t k = 0; k < trace.times_s.size(); ++k) {
+        position.push_back((trace.positions[k] - trial.model.body->mesh.nodes).cwiseProduct(mode.pattern).sum());
+        velocity.push_back(trace.velocities[k].cwiseProduct(mode.pattern).sum());
+    }
+    const VectorXd v = resampled(trace.times_s, velocity, at);
+    const VectorXd knot_times = knots.times_s();
+    const VectorXd amplitude = resampled({knot_times.begin(), knot_times.end()},
+                                         {mode.amplitude_N.begin(), mode.amplitude_N.end()}, at);
+    std::vector<statistics::Regressor> regressors{
+        {"position", resampled(trace.times_s, position, at)},
+        {"velocity", v},
+        {"|v| v", v.cwiseAbs().cwiseProduct(v)},
+        {"acceleration", rate(v, dt)},
+        {"strain rate", rate(elastic_course(trial.model, trace, mode.pattern, at), dt)},
+        {"time", at}};
+    const std::size_t groups = std::min(trial.model.activation.size(), setup.experiment.muscles.size());
+    for (std::size_t g = 0; g < groups; ++g) {
+        VectorXd activation(diagnosis_policy.force.curve_points);
+        for (Index k = 0; k < diagnosis_policy.force.curve_points; ++k)
+            activation(k) = trial.model.activation[g].value(at(k)) - 1.0;
+        if (activation.maxCoeff() > activation.minCoeff())
+            regressors.push_back({"activation of " + setup.experiment.muscles[g].name, activation});
+    }
+    return statistics::correlates(amplitude, regressors);
+}
+
+}  // namespace myo::diagnosis

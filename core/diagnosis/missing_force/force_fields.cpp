@@ -1,0 +1,175 @@
+#include "diagnosis/missing_force/force_fields.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/diagnosis_policy.hpp"
+#include "diagnosis/missing_force/timed_forces.hpp"
+#include "measurement/rigid_motion.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// From the middle of the clamp towards the middle of the body; a body that is clamped nowhere, or all around, along x.
+VectorXd places(const model::Body& body) {
+    const Matrix3Xd& X = body.mesh.nodes;
+    Vector3d clamp = Vector3d::Zero();
+    int held = 0;
+    for (int i = 0; i < body.node_count(); ++i)
+        if (body.clamped[static_cast<std::size_t>(i)]) {
+            clamp += X.col(i);
+            ++held;
+        }
+    Vector3d way = Vector3d::UnitX();
+    if (held > 0) way = X.rowwise().mean() - clamp / held;
+    if (!(way.norm() > 0.0)) way = Vector3d::UnitX();
+    const VectorXd along = X.transpose() * way;
+    const double lowest = along.minCoeff(), highest = along.maxCoeff();
+    return (along.array() - lowest) / std::max(highest - lowest, 1e-30);
+}
+
+double mean_value(const fibre::Signal& signal, double end_s) {
+    double sum = 0.0;
+    for (int k = 0; k < diagnosis_policy.force.path_samples; ++k)
+        sum += signal.value(end_s * k / (diagnosis_policy.force.path_samples - 1));
+    return sum / diagnosis_policy.force.path_samples;
+}
+
+/// The trial with its loads and activations held at their mean, at rest.
+effect::Affected at_mean_state(effect::Affected trial) {
+    const double end = trial.options.end_s;
+    for (fibre::Signal& signal : trial.model.activation) signal = fibre::Signal::constant(mean_value(signal, end));
+    std::vector<model::DeadForce> steady;
+    for (model::DeadForce force : trial.model.forces)
+        if (force.active(0.5 * end)) {
+            force.from_s = -std::numeric_limits<double>::infinity();
+            force.until_s = std::numeric_limits<double>::infinity();
+            steady.push_back(force);
+        }
+    trial.model.forces = steady;
+    trial.options.initial = {};
+    trial.options.start = dynamics::StartKind::equilibrium;
+    return trial;
+}
+
+/// The trial's body at rest in its rest shape, for those that have no equilibrium.
+effect::Affected at_rest(effect::Affected trial) {
+    for (fibre::Signal& signal : trial.model.activation) signal = fibre::Signal::constant(1.0);
+    trial.model.forces.clear();
+    trial.model.gravity_m_s2.setZero();
+    trial.options.initial = {};
+    trial.options.start = dynamics::StartKind::straight;
+    return trial;
+}
+
+/// The first knot's half hat and the second's hat for each field. A trial that starts at equilibrium has felt the first
+/// for ever.
+std::vector<TimedForce> hats(const ForceFields& fields, double spacing, bool from_before) {
+    std::vector<TimedForce> forces;
+    for (const Matrix3Xd& pattern : fields.patterns)
+        forces.push_back({pattern, from_before ? fibre::Signal{{0.0, spacing}, {1.0, 0.0}}
+                                               : fibre::Signal{{0.0, 0.0, spacing}, {0.0, 1.0, 0.0}}});
+    for (const Matrix3Xd& pattern : fields.patterns)
+        forces.push_back({pattern, {{0.0, spacing, 2.0 * spacing}, {0.0, 1.0, 0.0}}});
+    return forces;
+}
+
+sensitivity::SensitiveTrace unit_run(const setup::Setup& setup, effect::Affected trial, std::vector<TimedForce> forces,
+                                     const Progress& progress) {
+    const std::size_t others = trial.model.force_elements.size(), count = forces.size();
+    trial.model.force_elements.push_back(timed_forces(std::move(forces), 0.0));
+    std::vector<sensitivity::ModelTangent> tangents(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        tangents[p].force_elements.resize(others + 1);
+        tangents[p].force_elements.back() = VectorXd::Unit(static_cast<Index>(count), static_cast<Index>(p));
+    }
+    return sensitivity::simulate_with_tangents(trial.model, trial.options, tangents, setup.markers.nodes, progress);
+}
+
+}  // namespace
+
+ForceFields force_fields(const model::Body& body) {
+    ForceFields fields;
+    fields.place = places(body);
+    MatrixXd hats = MatrixXd::Zero(body.node_count(), diagnosis_policy.force.stations);
+    for (Index i = 0; i < hats.rows(); ++i)
+        for (Index j = 0; j < diagnosis_policy.force.stations; ++j)
+            hats(i, j) = std::max(
+                0.0, 1.0 - std::abs((diagnosis_policy.force.stations - 1) * fields.place(i) - static_cast<double>(j)));
+    const MatrixXd weighted = body.unit_mass * hats;
+    const MatrixXd volume = hats.transpose() * weighted;
+    fields.volume.setZero(3 * diagnosis_policy.force.stations, 3 * diagnosis_policy.force.stations);
+    for (Index j = 0; j < diagnosis_policy.force.stations; ++j)
+        for (Index axis = 0; axis < 3; ++axis) {
+            Matrix3Xd pattern = Matrix3Xd::Zero(3, body.node_count());
+            pattern.row(axis) = weighted.col(j).transpose();
+            for (Index i = 0; i < pattern.cols(); ++i)
+                if (body.clamped[static_cast<std::size_t>(i)]) pattern.col(i).setZero();
+            fields.patterns.push_back(std::move(pattern));
+            for (Index k = 0; k < diagnosis_policy.force.stations; ++k)
+                fields.volume(3 * j + axis, 3 * k + axis) = volume(j, k);
+        }
+    return fields;
+}
+
+KnotTimes knot_times(double end_s) {
+    const int intervals = std::clamp(static_cast<int>(std::ceil(end_s / diagnosis_policy.force.knot_spacing_s)),
+                                     diagnosis_policy.force.least_knots - 1, diagnosis_policy.force.most_knots - 1);
+    return {end_s / intervals, intervals + 1};
+}
+
+fibre::Signal knot_signal(const KnotTimes& knots, const VectorXd& values) {
+    assert(values.size() == knots.count);
+    const VectorXd times = knots.times_s();
+    return {{times.begin(), times.end()}, {values.begin(), values.end()}};
+}
+
+MatrixXd force_response(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& values,
+                        const ForceFields& fields, const KnotTimes& knots, const Progress& progress) {
+    assert(data.trials.size() == 1);
+    const std::size_t index = data.trials.front();
+    const setup::PreparedTrial& trial = setup.trials[index];
+    const effect::Affected affected = prediction::affected_trial(setup, index, values);
+    const std::vector<TimedForce> forces = hats(fields, knots.spacing_s, affected.options.starts_at_equilibrium());
+    sensitivity::SensitiveTrace run = unit_run(setup, at_mean_state(affected), forces, progress);
+    if (!run.trace.complete() && !progress.cancelled()) run = unit_run(setup, at_rest(affected), forces, progress);
+    if (!run.trace.complete()) return {};
+
+    const bool displacement = setup.experiment.markers.compare == experiment::Comparison::displacement;
+    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+    const VectorXd times = measurement::true_times(affected.seen, trial.measured.time_s).array() -
+                           values.start_shift_s[index];
+    const measurement::SensitiveTracks origin = measurement::observe(run, setup.markers, VectorXd::Zero(1));
+    const std::size_t count = fields.patterns.size();
+    MatrixXd response(data.layout.size(), static_cast<Index>(count) * knots.count);
+    for (int knot = 0; knot < knots.count; ++knot) {
+        const double later = knot == 0 ? 0.0 : knots.spacing_s * (knot - 1);
+        const std::size_t first = knot == 0 ? 0 : count;
+        const measurement::SensitiveTracks tracks = measurement::observe(run, setup.markers, times.array() - later);
+        std::vector<prediction::TrialPrediction> prediction(1);
+        for (std::size_t f = first; f < first + count; ++f) {
+            std::vector<Matrix3Xd> d = measurement::seen_tangents(affected.seen, tracks.tangents[f],
+                                                                  trial.measured.time_s);
+            for (std::size_t m = 0; m < d.size(); ++m) {
+                if (displacement)
+                    d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[f][m].col(0));
+                else
+                    d[m] = R * d[m];
+            }
+            prediction.front().tangents.push_back(std::move(d));
+        }
+        response.middleCols(static_cast<Index>(count) * knot, static_cast<Index>(count)) = flat_jacobian(
+            data, prediction, count);
+    }
+    return response;
+}
+
+}  // namespace myo::diagnosis

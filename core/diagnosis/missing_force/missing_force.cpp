@@ -1,0 +1,261 @@
+#include "diagnosis/missing_force/missing_force.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/decompositions.hpp"
+#include "base/text.hpp"
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/diagnosis_policy.hpp"
+#include "diagnosis/missing_force/force_course.hpp"
+#include "diagnosis/missing_force/force_fields.hpp"
+#include "diagnosis/missing_force/smooth_force.hpp"
+#include "diagnosis/missing_force/timed_forces.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Squares of a residual that may be noise: twice their deviation above the expectation, and noise is not known better
+/// than to a few percent.
+double noise_squares(Index samples) {
+    return 1.05 * static_cast<double>(samples) + 2.0 * std::sqrt(2.0 * static_cast<double>(samples));
+}
+
+/// Integral of f^2 + (smooth df/dt)^2 over body and time, of sizes ordered as force_response()'s columns.
+MatrixXd size_of_force(const ForceFields& fields, const KnotTimes& knots) {
+    const double dt = knots.spacing_s;
+    MatrixXd time = MatrixXd::Zero(knots.count, knots.count);
+    Eigen::Matrix2d interval;
+    const double diagonal = dt / 3.0 + diagnosis_policy.force.smoothing_s * diagnosis_policy.force.smoothing_s / dt,
+                 beside = dt / 6.0 - diagnosis_policy.force.smoothing_s * diagnosis_policy.force.smoothing_s / dt;
+    interval << diagonal, beside, beside, diagonal;
+    for (Index k = 0; k + 1 < time.rows(); ++k) time.block<2, 2>(k, k) += interval;
+    const Index count = fields.volume.rows();
+    MatrixXd R(count * knots.count, count * knots.count);
+    for (Index i = 0; i < time.rows(); ++i)
+        for (Index j = 0; j < time.cols(); ++j)
+            R.block(count * i, count * j, count, count) = time(i, j) * fields.volume;
+    return R;
+}
+
+/// A trial of the best fit, run with a force.
+class ForcedTrial {
+public:
+    ForcedTrial(const setup::Setup& setup, const Diagnosis& d, std::size_t trial)
+        : setup_(setup),
+          values_(d.augmented.fit.values),
+          trial_(trial),
+          affected_(prediction::affected_trial(setup, trial, values_)),
+          fields_(force_fields(*affected_.model.body)),
+          knots_(knot_times(affected_.options.end_s)),
+          data_(fit_data(setup, {trial})) {
+        data_.shift = d.data.shift;
+    }
+
+    struct Run {
+        dynamics::Trace trace;
+        VectorXd residual;  // empty: it failed
+    };
+    /// @param sizes  (fields knots), as force_response()'s columns
+    Run run(const VectorXd& sizes, const Progress& progress) const {
+        model::Model model = affected_.model;
+        const auto count = static_cast<Index>(fields_.patterns.size());
+        const Eigen::Map<const MatrixXd> courses(sizes.data(), count, knots_.count);
+        std::vector<TimedForce> forces;
+        for (Index f = 0; f < count; ++f)
+            forces.push_back(
+                {fields_.patterns[static_cast<std::size_t>(f)], knot_signal(knots_, courses.row(f).transpose())});
+        model.force_elements.push_back(timed_forces(std::move(forces)));
+        Run result{dynamics::simulate(model, affected_.options, progress), {}};
+        if (result.trace.complete())
+            result.residual = flat_residual(data_, {prediction::observe_trial(setup_, trial_, values_, result.trace)});
+        return result;
+    }
+
+    MatrixXd response(const Progress& progress) const {
+        return force_response(setup_, data_, values_, fields_, knots_, progress);
+    }
+
+    const effect::Affected& affected() const { return affected_; }
+    const ForceFields& fields() const { return fields_; }
+    const KnotTimes& knots() const { return knots_; }
+    std::size_t trial() const { return trial_; }
+
+private:
+    const setup::Setup& setup_;
+    const prediction::ParameterValues& values_;
+    std::size_t trial_;
+    effect::Affected affected_;
+    ForceFields fields_;
+    KnotTimes knots_;
+    FitData data_;
+};
+
+/// Sizes that leave the least of a run's residual, Tikhonov's step repeated.
+struct FoundForce {
+    VectorXd sizes;
+    ForcedTrial::Run run;
+};
+FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTrial::Run start, int& runs,
+                          const Progress& progress) {
+    const SmoothForce solver(A, size_of_force(trial.fields(), trial.knots()));
+    FoundForce best{VectorXd::Zero(A.cols()), std::move(start)};
+    const double wanted = noise_squares(A.rows());
+    double share = diagnosis_policy.force.first_share;
+    for (int step = 0; step < diagnosis_policy.force.most_runs && share < 1.0 &&
+                       best.run.residual.squaredNorm() > 1.02 * wanted && !progress.cancelled();
+         ++step) {
+        progress.report({"missing force", 2.0 + step, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
+        const double before = best.run.residual.squaredNorm();
+        // Less is asked for than the linear response promises: what it can only reach with large forces is its own
+        // error.
+        const VectorXd sizes = solver.solve(best.run.residual - A * best.sizes, std::max(wanted, share * before));
+        ForcedTrial::Run run = trial.run(sizes, progress);
+        ++runs;
+        if (run.residual.size() == 0 || !(run.residual.squaredNorm() < before)) {
+            share *= diagnosis_policy.force.share_factor;
+            continue;
+        }
+        best = {sizes, std::move(run)};
+        if (best.run.residual.squaredNorm() > 0.97 * before) break;
+    }
+    return best;
+}
+
+std::string direction_words(const ForceMode& mode) {
+    if (mode.aligned < 0.3) return "in opposite directions along the body, like a moment";
+    Index axis = 0;
+    if (mode.direction.cwiseAbs().maxCoeff(&axis) > 0.9)
+        return std::string("along ") + (mode.direction(axis) > 0.0 ? "+" : "\u2212") + "xyz"[axis];
+    std::string words;
+    for (Index i = 0; i < 3; ++i)
+        if (std::abs(mode.direction(i)) > 0.3)
+            words += std::string(words.empty() ? "between " : " and ") + (mode.direction(i) > 0.0 ? "+" : "\u2212") +
+                     "xyz"[i];
+    return words;
+}
+
+/// Uniform force has its middle at 0.5 and a spread of 0.29.
+std::string place_words(double place, double spread) {
+    if (place > 0.75) return "at the free end";
+    if (place > 0.6) return "nearer the free end";
+    if (place < 0.25) return "at the clamp";
+    if (place < 0.4) return "nearer the clamp";
+    return spread < 0.24 ? "at the middle of the body" : "along the whole body";
+}
+
+void describe(const model::Body& body, const ForceFields& fields, ForceMode& mode) {
+    VectorXd lengths = mode.pattern.colwise().norm().transpose();
+    const double total = lengths.sum();
+    mode.pattern /= total;
+    mode.amplitude_N *= total;
+    lengths /= total;
+    Vector3d sum = mode.pattern.rowwise().sum();
+    Index axis = 0;
+    sum.cwiseAbs().maxCoeff(&axis);
+    if (sum(axis) < 0.0) {
+        mode.pattern = -mode.pattern;
+        mode.amplitude_N = -mode.amplitude_N;
+        sum = -sum;
+    }
+    mode.aligned = sum.norm();
+    mode.direction = sum.normalized();
+    mode.centroid_m = body.mesh.nodes * lengths;
+    mode.place = fields.place.dot(lengths);
+    const double spread = std::sqrt(std::max(0.0, fields.place.cwiseAbs2().dot(lengths) - mode.place * mode.place));
+    mode.where = place_words(mode.place, spread) + ", " + direction_words(mode);
+    const double square = mode.amplitude_N.squaredNorm() / static_cast<double>(mode.amplitude_N.size());
+    mode.steady = square > 0.0 ? std::pow(mode.amplitude_N.mean(), 2) / square : 0.0;
+}
+
+/// Distributions and courses with the largest shares of the squared force.
+std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& sizes) {
+    const ForceFields& fields = trial.fields();
+    const Eigen::Map<const MatrixXd> courses(sizes.data(), fields.volume.rows(), trial.knots().count);
+    const Eigen::LLT<MatrixXd> volume(fields.volume);
+    const MatrixXd weighted = volume.matrixU() * courses;
+    const LeadingSvd svd = leading_svd(weighted, diagnosis_policy.force.most_modes);
+    const double all = weighted.squaredNorm();
+    std::vector<ForceMode> modes;
+    double shown = 0.0;
+    for (Index k = 0; k < svd.sizes.size() && all > 0.0 && shown < diagnosis_policy.force.reported_share; ++k) {
+        ForceMode mode;
+        mode.share = std::pow(svd.sizes(k), 2) / all;
+        if (mode.share < 0.01) break;
+        shown += mode.share;
+        const VectorXd of_field = volume.matrixU().solve(VectorXd(svd.left.col(k)));
+        mode.pattern = Matrix3Xd::Zero(3, fields.place.size());
+        for (std::size_t f = 0; f < fields.patterns.size(); ++f)
+            mode.pattern += of_field(static_cast<Index>(f)) * fields.patterns[f];
+        mode.amplitude_N = svd.sizes(k) * svd.right.col(k);
+        describe(*trial.affected().model.body, fields, mode);
+        modes.push_back(std::move(mode));
+    }
+    return modes;
+}
+
+double rms_of(const VectorXd& r) {
+    return std::sqrt(r.squaredNorm() / static_cast<double>(std::max<Index>(1, r.size())));
+}
+
+}  // namespace
+
+double ForceMode::rms_N() const { return rms_of(amplitude_N); }
+double ForceMode::peak_N() const { return amplitude_N.size() > 0 ? amplitude_N.cwiseAbs().maxCoeff() : 0.0; }
+
+double MissingForce::removed() const {
+    return before_over_noise > 0.0 ? 1.0 - std::pow(after_over_noise / before_over_noise, 2) : 0.0;
+}
+
+MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& d, const Progress& progress) {
+    MissingForce result;
+    if (!d.augmented.usable() || d.data.trials.empty()) {
+        result.failure = "there is no fit to begin from";
+        return result;
+    }
+    const setup::Setup setup = as_diagnosed(d, declared);
+    const ForcedTrial trial(setup, d, worst_trial(d.data, d.augmented.fit.residual));
+    result.trial = setup.trials[trial.trial()].name;
+    result.time_s = trial.knots().times_s();
+    progress.report({"missing force", 0.0, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
+    ForcedTrial::Run start = trial.run(
+        VectorXd::Zero(static_cast<Index>(trial.fields().patterns.size()) * trial.knots().count), progress);
+    if (start.residual.size() == 0) {
+        result.failure = "the trial cannot be run: " + start.trace.message;
+        return result;
+    }
+    result.before_over_noise = result.after_over_noise = rms_of(start.residual);
+    progress.report({"missing force", 1.0, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
+    const MatrixXd A = trial.response(progress);
+    result.runs = 2;
+    if (A.size() == 0 || !A.allFinite()) {
+        result.failure = "the response to a force cannot be run";
+        return result;
+    }
+    const FoundForce found = repeated_steps(trial, A, std::move(start), result.runs, progress);
+    result.after_over_noise = rms_of(found.run.residual);
+    result.modes = force_modes(trial, found.sizes);
+    const double squares_before = std::pow(result.before_over_noise, 2) * static_cast<double>(A.rows());
+    if (result.modes.empty())
+        result.failure = squares_before <= 1.02 * noise_squares(A.rows()) ? "the residual is noise"
+                                                                          : "no force makes the residual smaller";
+    else if (result.removed() < diagnosis_policy.force.least_explained) {
+        result.modes.clear();
+        result.failure = "no smooth force takes away more than " + format_number(100.0 * result.removed(), 1) +
+                         " % of the square of what is left in " + result.trial +
+                         ": it may be in the recording (markers, names, times) rather than in the body";
+    }
+    for (ForceMode& mode : result.modes)
+        mode.correlates = course_correlates(setup, trial.affected(), found.run.trace, trial.knots(), mode);
+    return result;
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,45 @@
+#include "diagnosis/missing_force/smooth_force.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/decompositions.hpp"
+
+namespace myo::diagnosis {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SmoothForce::SmoothForce(const MatrixXd& A, const MatrixXd& R) : A_(A) {
+    assert(A.cols() == R.cols());
+    const Eigen::LLT<MatrixXd> factor(R);
+    const MatrixXd squares = A.transpose() * A;
+    const MatrixXd half = factor.matrixL().solve(squares);
+    const MatrixXd whitened = factor.matrixL().solve(half.transpose());
+    const SymmetricEigen modes = symmetric_eigen(whitened);
+    diagonal_ = modes.values.cwiseMax(0.0);
+    to_x_ = factor.matrixU().solve(modes.vectors);
+}
+
+VectorXd SmoothForce::solve(const VectorXd& d, double squares) const {
+    const VectorXd g = to_x_.transpose() * (A_.transpose() * d);
+    const double largest = diagonal_.maxCoeff();
+    if (!(largest > 0.0)) return VectorXd::Zero(A_.cols());
+    const auto left = [&](double lambda) {
+        const Eigen::ArrayXd sum = diagonal_.array() + lambda;
+        return d.squaredNorm() - (g.array().square() * (sum + lambda) / sum.square()).sum();
+    };
+    double low = std::log(1e-9 * largest), high = std::log(1e3 * largest);
+    // The last few percent of what cannot be reached cost the most force and tell the least.
+    const double wanted = std::max(squares, 1.1 * left(std::exp(low)));
+    for (int i = 0; i < 80; ++i) {
+        const double middle = 0.5 * (low + high);
+        (left(std::exp(middle)) <= wanted ? low : high) = middle;
+    }
+    return -(to_x_ * (g.array() / (diagonal_.array() + std::exp(low))).matrix());
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,87 @@
+#include "diagnosis/report/augmented_experiment.hpp"
+
+#include <cstdio>
+#include <regex>
+
+#include "base/files.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+std::string toml_number(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.8g", value);
+    // TOML tells 3 from 3.0.
+    return std::string(text).find_first_of(".e") == std::string::npos ? std::string(text) + ".0" : std::string(text);
+}
+
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + "\"";
+}
+
+std::string toml_value(const effect::EffectParameter& value) {
+    if (const auto* const number = std::get_if<double>(&value)) return toml_number(*number);
+    if (const auto* const name = std::get_if<std::string>(&value)) return quoted(*name);
+    std::string list;
+    if (const auto* const names = std::get_if<std::vector<std::string>>(&value)) {
+        for (const std::string& name : *names) list += (list.empty() ? "" : ", ") + quoted(name);
+    } else {
+        for (const double number : std::get<Eigen::VectorXd>(value))
+            list += (list.empty() ? "" : ", ") + toml_number(number);
+    }
+    return "[" + list + "]";
+}
+
+/// A file named in one folder, as named from another.
+std::string seen_from(const std::filesystem::path& file, const std::filesystem::path& home,
+                      const std::filesystem::path& folder) {
+    if (file.is_absolute()) return file.string();
+    std::error_code error;
+    const std::filesystem::path there = std::filesystem::weakly_canonical(home / file, error),
+                                from = std::filesystem::weakly_canonical(folder, error);
+    const std::filesystem::path relative = there.lexically_relative(from);
+    return relative.empty() ? there.string() : relative.string();
+}
+
+}  // namespace
+
+std::string effect_tables(const std::vector<effect::EffectDeclaration>& effects, bool calibrate) {
+    std::string text;
+    for (const effect::EffectDeclaration& effect : effects) {
+        text += "\n[[effect]]\nid = " + quoted(effect.id) + "\n";
+        for (const auto& [name, value] : effect.parameters) text += name + " = " + toml_value(value) + "\n";
+        if (calibrate) text += "calibrate = true\n";
+    }
+    return text;
+}
+
+Result<std::string> augmented_experiment(const std::filesystem::path& written,
+                                         const std::vector<effect::EffectDeclaration>& effects,
+                                         const std::filesystem::path& folder) {
+    const Result<std::string> text = read_file(written);
+    if (!text) return text.error();
+    static const std::regex named(R"(\b(file|trace|actuation|mask|signal)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
+    std::string result;
+    auto from = text->cbegin();
+    for (std::sregex_iterator match(text->begin(), text->end(), named), end; match != end; ++match) {
+        result.append(from, (*match)[0].first);
+        const std::string name = (*match)[3].str();
+        result += (*match)[1].str() + (*match)[2].str() +
+                  quoted(seen_from(name.substr(1, name.size() - 2), written.parent_path(), folder));
+        from = (*match)[0].second;
+    }
+    result.append(from, text->cend());
+    if (!result.empty() && result.back() != '\n') result += '\n';
+    if (!effects.empty())
+        result +=
+            "\n# Found by `myoloop diagnose`. Modulus and damping stay as declared: `myoloop calibrate` fits them "
+            "together with what follows.";
+    return result + effect_tables(effects, true);
+}
+
+}  // namespace myo::diagnosis

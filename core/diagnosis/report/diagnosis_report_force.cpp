@@ -1,0 +1,112 @@
+#include <cassert>
+#include <cmath>
+
+#include "diagnosis/report/diagnosis_report_parts.hpp"
+#include "report/chart.hpp"
+#include "report/markup.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+std::string correlation_words(double r) { return std::isfinite(r) ? report::fixed_decimals(r, 2) : "–"; }
+
+std::string course_words(const statistics::Correlate& c) {
+    if (c.name == "position")
+        return c.correlation < 0.0 ? "it pulls back, like a spring"
+                                   : "it pushes on, like a spring that is softer than thought";
+    if (c.name == "velocity" || c.name == "|v| v")
+        return c.correlation < 0.0 ? "it brakes, like a drag"
+                                   : "it drives the motion: there is less damping than thought";
+    if (c.name == "acceleration")
+        return c.correlation < 0.0 ? "it acts like a mass that is not in the model"
+                                   : "it acts as if there were less mass";
+    if (c.name == "strain rate") return "it goes with the rate of strain, like damping in the material";
+    if (c.name == "time") return "it drifts with time";
+    return "it goes with the " + c.name;
+}
+
+std::string mode_words(const ForceMode& mode) {
+    std::string words = "It acts mainly " + mode.where + ", with up to " + report::readable_number(mode.peak_N(), 2) +
+                        " N.";
+    if (mode.steady > 0.8)
+        return words + " It is nearly constant: a load, a stress or a shape that the model does not have.";
+    if (mode.correlates.empty()) return words;
+    const statistics::Correlate& first = mode.correlates.front();
+    if (std::abs(first.correlation) < diagnosis_report_policy.least_correlation ||
+        first.p > diagnosis_report_policy.most_p)
+        return words + " Its course follows nothing that was looked at.";
+    return words + " Its course follows the " + first.name + " most (correlation " +
+           correlation_words(first.correlation) + "): " + course_words(first) + ".";
+}
+
+std::string chart_of(const MissingForce& force) {
+    report::LineChart chart{"", {.label = "time", .unit = "s"}, {}};
+    report::ChartPanel panel{{.label = "force", .unit = "N", .include_zero = true}, {}, 200.0};
+    for (std::size_t k = 0; k < force.modes.size(); ++k)
+        panel.series.push_back({std::to_string(k + 1) + ": " + force.modes[k].where,
+                                {force.time_s.begin(), force.time_s.end()},
+                                {force.modes[k].amplitude_N.begin(), force.modes[k].amplitude_N.end()},
+                                report::SeriesStyle::line,
+                                static_cast<int>(k)});
+    panel.horizontal.push_back({0.0, ""});
+    chart.panels.push_back(std::move(panel));
+    return report::svg(chart);
+}
+
+report::Table mode_table(const MissingForce& force) {
+    report::Table table{"",
+                        {{"Mode"},
+                         {"Where, and in which direction"},
+                         {"Share", "%", 3},
+                         {"Middle, from clamp to end", "%", 3},
+                         {"rms", "N", 3},
+                         {"Largest", "N", 3},
+                         {"Steady part", "%", 3}},
+                        {}};
+    for (std::size_t k = 0; k < force.modes.size(); ++k) {
+        const ForceMode& mode = force.modes[k];
+        table.rows.push_back({k + 1, mode.where, 100.0 * mode.share, 100.0 * mode.place, mode.rms_N(), mode.peak_N(),
+                              100.0 * mode.steady});
+    }
+    return table;
+}
+
+report::Table correlate_table(const MissingForce& force) {
+    report::Table table{"What the courses go with",
+                        {{"Mode"}, {"Goes with"}, {"Correlation"}, {"Independent samples", "", 3}, {"p"}},
+                        {}};
+    for (std::size_t k = 0; k < force.modes.size(); ++k) {
+        const std::vector<statistics::Correlate>& list = force.modes[k].correlates;
+        for (std::size_t i = 0; i < std::min(diagnosis_report_policy.correlates, list.size()); ++i)
+            table.rows.push_back({k + 1, list[i].name, correlation_words(list[i].correlation),
+                                  std::round(list[i].effective_samples), p_words(list[i].p)});
+    }
+    return table;
+}
+
+}  // namespace
+
+report::Section force_section(const Diagnosis& d) {
+    assert(d.missing_force);
+    const MissingForce& force = *d.missing_force;
+    if (!force.failure.empty())
+        return {"The missing force", {report::Paragraph{"No force could be inferred: " + force.failure + "."}}};
+    std::string words = "Below is the smallest smooth force that would have to act in " + force.trial +
+                        ", besides all that the best attempt has, for the model to move as it was measured. With it "
+                        "the residual falls from " +
+                        report::readable_number(force.before_over_noise, 3) + " to " +
+                        report::readable_number(force.after_over_noise, 3) + " times the noise: it takes away " +
+                        report::readable_number(100.0 * force.removed(), 3) + " % of its square.";
+    if (!force.modes.empty()) words += "\n\n" + mode_words(force.modes.front());
+    return {
+        "The missing force",
+        {report::Paragraph{words},
+         report::Figure{chart_of(force),
+                        "Size of the missing force over time: sum of the lengths of its nodal forces, with the sign of "
+                        "its direction."},
+         mode_table(force), correlate_table(force),
+         report::Paragraph{"Position, velocity and acceleration are those of the body along the force. Where several "
+                           "forces would do, the smallest is shown: it tends to sit where the body yields most."}}};
+}
+
+}  // namespace myo::diagnosis

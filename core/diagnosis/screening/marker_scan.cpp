@@ -1,0 +1,179 @@
+#include "diagnosis/screening/marker_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace myo::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A time from which on something pays, and how much it pays in squares of the noise.
+struct Onset {
+    double from_s = 0.0;
+    double gain = 0.0;
+};
+
+/// Not aligned: library sorts move it through memory of their own.
+using Amount = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+
+/// Gains over time, one entry per moment, ascending in time; the best moment to begin when `value(suffix sums)` is
+/// gained.
+struct Moment {
+    double time_s = 0.0;
+    Amount amount = Amount::Zero();  // what adds up from here on
+};
+
+template <class Value>
+Onset best_onset(std::vector<Moment> moments, const Value& value) {
+    std::stable_sort(moments.begin(), moments.end(),
+                     [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
+    Onset best;
+    Amount sum = Amount::Zero();
+    for (std::size_t k = moments.size(); k-- > 0;) {
+        sum += moments[k].amount;
+        if (k > 0 && moments[k - 1].time_s == moments[k].time_s) continue;
+        if (const double gain = value(sum); gain > best.gain) best = {moments[k].time_s, gain};
+    }
+    return best;
+}
+
+/// Groups of trials in which something may have happened: each alone, and all when there are several.
+std::vector<std::optional<std::size_t>> trial_choices(const FitData& data) {
+    std::vector<std::optional<std::size_t>> choices;
+    for (const std::size_t trial : data.trials) choices.emplace_back(trial);
+    if (data.trials.size() > 1) choices.emplace_back();
+    return choices;
+}
+
+bool in_choice(const std::optional<std::size_t>& choice, const statistics::ResidualSeries& series) {
+    return !choice || static_cast<int>(*choice) == series.trial;
+}
+
+/// Measured value less its prediction were the names exchanged: what a swap would do to each entry of the residual.
+class SwapChange {
+public:
+    SwapChange(const FitData& data, const JointFit& fit, int first, int second)
+        : data_(data), fit_(fit), markers_{first, second} {}
+
+    /// prediction of the other marker less that of the entry's own, in units of the noise; 0 for other markers.
+    double at(const statistics::ResidualSeries& series, Index entry) const {
+        if (series.marker != markers_[0] && series.marker != markers_[1]) return 0.0;
+        const auto other = static_cast<std::size_t>(series.marker == markers_[0] ? markers_[1] : markers_[0]);
+        const auto place = static_cast<std::size_t>(
+            std::find(data_.trials.begin(), data_.trials.end(), static_cast<std::size_t>(series.trial)) -
+            data_.trials.begin());
+        const auto& positions = fit_.predictions[place].positions_m;
+        const int sample = data_.layout.sample[static_cast<std::size_t>(entry)];
+        return (positions[other](series.axis, sample) -
+                positions[static_cast<std::size_t>(series.marker)](series.axis, sample)) /
+               data_.noise_m(entry);
+    }
+
+private:
+    const FitData& data_;
+    const JointFit& fit_;
+    int markers_[2];
+};
+
+EffectScore scored(const FitData& data, const JointFit& fit, const statistics::NuisanceSpace& nuisance,
+                   const MatrixXd& S, const std::string& id) {
+    EffectScore score;
+    score.id = id;
+    const VectorXd outside = nuisance.outside(fit.residual);
+    score.candidate = statistics::project_candidate(nuisance, S);
+    score.test = statistics::score_test(score.candidate, outside, data.layout);
+    score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
+    return score;
+}
+
+effect::EffectParameters with_trial(effect::EffectParameters parameters, const setup::Setup& setup,
+                                    const std::optional<std::size_t>& choice) {
+    if (choice) parameters["trial"] = setup.trials[*choice].name;
+    return parameters;
+}
+
+void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& fit,
+                const statistics::NuisanceSpace& nuisance, std::vector<EffectScore>& scores) {
+    const int count = static_cast<int>(setup.marker_names.size());
+    for (int first = 0; first < count; ++first)
+        for (int second = first + 1; second < count; ++second) {
+            const SwapChange change(data, fit, first, second);
+            for (const std::optional<std::size_t>& choice : trial_choices(data)) {
+                std::vector<Moment> moments;
+                for (const statistics::ResidualSeries& series : data.layout.series)
+                    if (in_choice(choice, series) && (series.marker == first || series.marker == second))
+                        for (Index k = series.begin; k < series.end; ++k) {
+                            const double r = fit.residual(k), swapped = r + change.at(series, k);
+                            moments.push_back({data.layout.time_s[static_cast<std::size_t>(k)],
+                                               Amount(r * r - swapped * swapped, 0.0, 0.0, 0.0)});
+                        }
+                const Onset onset = best_onset(std::move(moments), [](const Amount& sum) { return sum(0); });
+                // Markers are centimetres apart: an exchange that happened pays most of what the residual is.
+                if (!(onset.gain > 0.2 * fit.residual.squaredNorm())) continue;
+                MatrixXd S = MatrixXd::Zero(data.layout.size(), 1);
+                for (const statistics::ResidualSeries& series : data.layout.series)
+                    if (in_choice(choice, series))
+                        for (Index k = series.begin; k < series.end; ++k)
+                            if (data.layout.time_s[static_cast<std::size_t>(k)] >= onset.from_s)
+                                S(k, 0) = change.at(series, k);
+                EffectScore score = scored(data, fit, nuisance, S, "marker_swap");
+                score.best.effect = with_trial(
+                    {{"markers", std::vector<std::string>{setup.marker_names[static_cast<std::size_t>(first)],
+                                                          setup.marker_names[static_cast<std::size_t>(second)]}},
+                     {"time_s", onset.from_s}},
+                    setup, choice);
+                scores.push_back(std::move(score));
+            }
+        }
+}
+
+void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& fit,
+                const statistics::NuisanceSpace& nuisance, std::vector<EffectScore>& scores) {
+    const VectorXd outside = nuisance.outside(fit.residual);
+    for (int marker = 0; marker < static_cast<int>(setup.marker_names.size()); ++marker)
+        for (const std::optional<std::size_t>& choice : trial_choices(data)) {
+            std::vector<Moment> moments;
+            for (const statistics::ResidualSeries& series : data.layout.series)
+                if (in_choice(choice, series) && series.marker == marker)
+                    for (Index k = series.begin; k < series.end; ++k) {
+                        Amount amount = Amount::Zero();
+                        amount(series.axis) = outside(k);
+                        amount(3) = 1.0 / 3.0;
+                        moments.push_back({data.layout.time_s[static_cast<std::size_t>(k)], amount});
+                    }
+            if (moments.empty()) continue;
+            const Onset onset = best_onset(std::move(moments),
+                                           [](const Amount& sum) { return sum.head<3>().squaredNorm() / sum(3); });
+            if (!(onset.gain > 0.05 * outside.squaredNorm())) continue;
+            MatrixXd S = MatrixXd::Zero(data.layout.size(), 3);
+            for (const statistics::ResidualSeries& series : data.layout.series)
+                if (in_choice(choice, series) && series.marker == marker)
+                    for (Index k = series.begin; k < series.end; ++k)
+                        if (data.layout.time_s[static_cast<std::size_t>(k)] >= onset.from_s)
+                            S(k, series.axis) = 1.0 / data.noise_m(k);
+            EffectScore score = scored(data, fit, nuisance, S, "marker_slip");
+            score.best.effect = with_trial({{"marker", setup.marker_names[static_cast<std::size_t>(marker)]},
+                                            {"shift_m", VectorXd(-score.test.step)},
+                                            {"time_s", onset.from_s}},
+                                           setup, choice);
+            scores.push_back(std::move(score));
+        }
+}
+
+}  // namespace
+
+std::vector<EffectScore> scan_markers(const setup::Setup& setup, const FitData& data, const JointFit& fit,
+                                      const statistics::NuisanceSpace& nuisance, const EffectFilter& allowed) {
+    std::vector<EffectScore> scores;
+    if (allowed("marker_swap") && setup.experiment.markers.compare == experiment::Comparison::position)
+        scan_swaps(setup, data, fit, nuisance, scores);
+    if (allowed("marker_slip")) scan_slips(setup, data, fit, nuisance, scores);
+    return scores;
+}
+
+}  // namespace myo::diagnosis

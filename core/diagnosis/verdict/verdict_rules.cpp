@@ -1,0 +1,223 @@
+#include "diagnosis/verdict/verdict_rules.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "diagnosis/report/effect_words.hpp"
+#include "diagnosis/selection/judgement.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+Conclusion nothing_missing(const VerdictEvidence& e) {
+    const Diagnosis& d = e.diagnosis;
+    const VerdictPolicy& policy = e.policy.verdict;
+    const double share = d.declared.tests.systematic.rms / numerical_allowance(d.data, d.numerics);
+    Verdict verdict{VerdictKind::none};
+    verdict.confidence = policy.undoubted * (d.declared.tests.significant()
+                                                 ? std::clamp(policy.faint_allowance - share, policy.least_faint, 1.0)
+                                                 : 1.0);
+    verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
+                      times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
+                      (share > 1.0 ? "little, and no effect takes most of it away."
+                                   : "no more than the program's own error may be.");
+    return {verdict, d.declared};
+}
+
+/// No force on a body moves each marker by itself.
+Conclusion drift(const VerdictEvidence& e) {
+    const Diagnosis& d = e.diagnosis;
+    Verdict verdict{VerdictKind::none};
+    verdict.confidence = e.policy.verdict.undoubted * e.policy.verdict.drift;
+    verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
+                      times_noise(d.declared.tests.systematic.rms) +
+                      " is no white noise, but every marker has its own and none goes with another: no force on the "
+                      "body does that. The measurement wanders.";
+    return {verdict, d.declared};
+}
+
+void add_caution(Verdict& verdict, const std::string& sentence) {
+    verdict.but += " " + sentence;
+    verdict.because += " " + sentence;
+}
+
+Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) {
+    const VerdictPolicy& policy = e.policy.verdict;
+    const bool effect_bound = effect_at_bound(fit.fit), modulus_bound = modulus_at_bound(fit.fit);
+    Verdict verdict{VerdictKind::effects, fit.fit.effects};
+    verdict.confidence = policy.undoubted * weight * (effect_bound || modulus_bound ? policy.at_bound : 1.0);
+    verdict.because = systematic_fall(fit, e.diagnosis.declared);
+    if (effect_bound)
+        add_caution(verdict,
+                    "Its size went as far as it may: it may stand in for something else of that kind and place.");
+    if (fit.drifts()) add_caution(verdict, "What is left is the measurement's: every marker goes its own way.");
+    if (modulus_bound)
+        add_caution(verdict,
+                    "The modulus ends at a bound with the effect as without it: its value is not to be relied on.");
+    return {verdict, fit};
+}
+
+/// The better of the two attempts, where it does not explain the residual.
+Conclusion unexplained(const VerdictEvidence& e) {
+    const Diagnosis& d = e.diagnosis;
+    const VerdictPolicy& policy = e.policy.verdict;
+    const bool by_pair = e.pair && e.single && e.pair->criterion < e.single->criterion;
+    const JudgedFit& best = by_pair ? *e.pair : e.single ? *e.single : d.declared;
+    const double left = best.tests.systematic.rms / std::max(1e-9, d.declared.tests.systematic.rms);
+    Verdict verdict{VerdictKind::unknown};
+    verdict.confidence = policy.undoubted * std::min(1.0, policy.nearly_explained + policy.unexplained_growth * left);
+    verdict.because =
+        "the residual is significant, and no effect of the catalogue takes it away: the best attempt leaves " +
+        times_noise(best.tests.systematic.rms) + " of " + times_noise(d.declared.tests.systematic.rms) + ".";
+    return {verdict, best};
+}
+
+/// A modulus that the declared model left at a bound, too, says nothing against the effect: muscles at unknown levels,
+/// for one, hardly determine it.
+bool removes_most(const VerdictEvidence& e, const JudgedFit& fit) {
+    const Diagnosis& d = e.diagnosis;
+    const VerdictPolicy& policy = e.policy.verdict;
+    if (d.data.noise_declared || !fit.usable() || !differs_from_zero(fit.fit) ||
+        (modulus_at_bound(fit.fit) && !modulus_at_bound(d.declared.fit)))
+        return false;
+    const auto leaves = [&](double JudgedFit::*rms, double share) { return fit.*rms <= share * d.declared.*rms; };
+    const bool untested_by_trials = fit.single_trial_directions > d.declared.single_trial_directions;
+    return leaves(&JudgedFit::rms_m, policy.most_left) && leaves(&JudgedFit::held_out_rms, policy.most_left_held_out) &&
+           (!untested_by_trials || leaves(&JudgedFit::held_out_in_time_rms, policy.most_left_held_out));
+}
+
+/// The second effect of a pair hardly does anything.
+bool is_idle(const VerdictEvidence& e) {
+    return e.single &&
+           e.pair->tests.systematic.rms > e.policy.judgement.most_of_residual * e.single->tests.systematic.rms;
+}
+
+/// Probability that the effect of a fit acts, alone or beside another.
+double presence(const Diagnosis& d, const JudgedFit& fit) {
+    const auto is_it = [&](const effect::EffectDeclaration& effect) { return effect.id == fit.fit.effects.front().id; };
+    double weight = fit.weight;
+    for (const JudgedFit& pair : d.pairs)
+        if (std::any_of(pair.fit.effects.begin(), pair.fit.effects.end(), is_it)) weight += pair.weight;
+    return std::min(1.0, weight);
+}
+
+bool removes_nearly_all(const VerdictEvidence& e) {
+    const Diagnosis& d = e.diagnosis;
+    const JudgedFit& fit = *e.single;
+    return may_explain(fit, d.declared) && presence(d, fit) > e.policy.verdict.present && !effect_at_bound(fit.fit) &&
+           fit.tests.systematic.rms <= e.policy.verdict.nearly_all * d.declared.tests.systematic.rms;
+}
+
+bool explains_all(const VerdictEvidence& e, const JudgedFit& fit) {
+    const Diagnosis& d = e.diagnosis;
+    return explains(fit, d.declared, d.data, d.numerics);
+}
+
+/// Weight among the fits that explain the residual: others may predict held-out trials better and are not the answer.
+double weight_among_explaining(const VerdictEvidence& e, const JudgedFit& fit) {
+    std::vector<const JudgedFit*> others;
+    const auto add = [&](const JudgedFit& other) {
+        if (&other != &fit && explains_all(e, other)) others.push_back(&other);
+    };
+    for (const Candidate& candidate : e.diagnosis.candidates)
+        if (candidate.judged) add(*candidate.judged);
+    for (const JudgedFit& pair : e.diagnosis.pairs) add(pair);
+    return weight_among(fit, others);
+}
+
+/// Probability that an effect acts and is all there is: where a second one fits better still, though the first explains
+/// the residual alone, the second may be fitting the mesh.
+double weight_alone(const VerdictEvidence& e, const JudgedFit& fit) {
+    return std::max(fit.weight, e.policy.verdict.other_form *
+                                    std::max(presence(e.diagnosis, fit), weight_among_explaining(e, fit)));
+}
+
+/// One effect removes nearly all, and which second one removes the rest is open.
+bool second_is_open(const VerdictEvidence& e) {
+    return e.single && removes_nearly_all(e) && e.diagnosis.pairs.front().weight < e.policy.verdict.second_effect;
+}
+
+Conclusion nearly_all(const VerdictEvidence& e) {
+    const Diagnosis& d = e.diagnosis;
+    Conclusion conclusion = named(e, *e.single, e.policy.verdict.other_form * presence(d, *e.single));
+    add_caution(conclusion.verdict,
+                "That is not all: the effect may act in another form than the one it was given here" +
+                    std::string(d.pairs.empty() ? "." : ", or beside another, too small to tell which."));
+    return conclusion;
+}
+
+Conclusion most_of_it(const VerdictEvidence& e, const JudgedFit& fit, double weight) {
+    const double left = fit.rms_m / e.diagnosis.declared.rms_m;
+    Conclusion conclusion = named(e, fit, weight * (1.0 - e.policy.verdict.discount_of_left * left));
+    add_caution(conclusion.verdict,
+                "What is left is unexplained: the noise was taken from still markers, and no model of a real body "
+                "comes down to that.");
+    return conclusion;
+}
+
+bool nothing_to_explain(const VerdictEvidence& e) {
+    const Diagnosis& d = e.diagnosis;
+    return !needs_explanation(d.declared, d.data, d.numerics);
+}
+
+bool acts_in_one_trial(const effect::EffectDeclaration& effect) { return effect::has(effect.parameters, "trial"); }
+
+}  // namespace
+
+std::string times_noise(double rms) { return format_number(rms, 3) + " times the noise"; }
+
+std::string effects_in_words(const std::vector<effect::EffectDeclaration>& effects) {
+    assert(!effects.empty());
+    return effect_words(effects.front()) + (effects.size() > 1 ? " and " + effect_words(effects.back()) : "");
+}
+
+std::string systematic_fall(const JudgedFit& fit, const JudgedFit& declared) {
+    return "with " + effects_in_words(fit.fit.effects) + " the systematic part falls from " +
+           times_noise(declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
+}
+
+bool is_untested(const JudgedFit& pair, const JudgedFit& declared) {
+    return pair.single_trial_directions > declared.single_trial_directions &&
+           std::none_of(pair.fit.effects.begin(), pair.fit.effects.end(), acts_in_one_trial);
+}
+
+VerdictEvidence verdict_evidence(const Diagnosis& d, const DiagnosisPolicy& policy) {
+    VerdictEvidence e{d, policy};
+    if (!d.candidates.empty() && d.candidates.front().judged) e.single = &*d.candidates.front().judged;
+    if (!d.pairs.empty() && !is_untested(d.pairs.front(), d.declared)) e.pair = &d.pairs.front();
+    return e;
+}
+
+const std::vector<VerdictRule>& verdict_rules() {
+    using Evidence = VerdictEvidence;
+    static const std::vector<VerdictRule> rules{
+        {"drift", [](const Evidence& e) { return nothing_to_explain(e) && e.diagnosis.declared.drifts(); }, drift},
+        {"nothing_missing", nothing_to_explain, nothing_missing},
+        {"single_effect", [](const Evidence& e) { return e.single && explains_all(e, *e.single); },
+         [](const Evidence& e) { return named(e, *e.single, weight_alone(e, *e.single)); }},
+        {"pair",
+         [](const Evidence& e) { return e.pair && explains_all(e, *e.pair) && !is_idle(e) && !second_is_open(e); },
+         [](const Evidence& e) { return named(e, *e.pair, e.policy.verdict.other_form * e.pair->weight); }},
+        {"nearly_all", [](const Evidence& e) { return e.single && removes_nearly_all(e); }, nearly_all},
+        {"most_by_pair",
+         [](const Evidence& e) {
+             return e.pair && e.single && removes_most(e, *e.pair) && e.pair->criterion < e.single->criterion &&
+                    !is_idle(e);
+         },
+         [](const Evidence& e) { return most_of_it(e, *e.pair, e.pair->weight); }},
+        {"most_by_single", [](const Evidence& e) { return e.single && removes_most(e, *e.single); },
+         [](const Evidence& e) { return most_of_it(e, *e.single, presence(e.diagnosis, *e.single)); }},
+        {"faint",
+         [](const Evidence& e) {
+             const Diagnosis& d = e.diagnosis;
+             return is_faint(d.declared, d.data, d.numerics);
+         },
+         nothing_missing},
+        {"unexplained", [](const Evidence&) { return true; }, unexplained},
+    };
+    return rules;
+}
+
+}  // namespace myo::diagnosis

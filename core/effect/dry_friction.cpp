@@ -1,0 +1,55 @@
+#include "effect/effect.hpp"
+#include "effect/places.hpp"
+#include "model/point_friction.hpp"
+
+#include <numbers>
+#include <optional>
+
+namespace myo::effect {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct DryFrictionPolicy {
+    double v0_m_s = 4e-3;        // of the regularised law, as the vocabulary states it
+    double probed_share = 0.01;  // of the body's weight: a probe's force
+    std::size_t places = 10;     // on the surface, where a search starts
+};
+constexpr DryFrictionPolicy dry_friction_policy;
+
+void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+    const SurfacePlace place = surface_place(*site.body, vector(parameters, "position_m"));
+    const std::optional<Vector3d> normal = has(parameters, "normal") ? std::optional(vector(parameters, "normal"))
+                                                                     : std::nullopt;
+    affected.model.force_elements.push_back(model::point_friction(*site.body, place.cell, place.nodes, place.shares,
+                                                                  normal, number(parameters, "friction_force_N"),
+                                                                  dry_friction_policy.v0_m_s));
+}
+
+/// Without a normal: the point hardly moves into what it rubs on, so that its whole velocity slides.
+std::vector<EffectProbe> probes(const EffectSearch& search) {
+    const EffectSite& site = search.sites.front();
+    const double weight_N = 9.81 * search.models.front().density_kg_m3 * site.body->volume_m3;
+    std::vector<EffectProbe> list;
+    for (const Vector3d& place : spread_surface_points(site, dry_friction_policy.places))
+        list.push_back(
+            probe({{"friction_force_N", dry_friction_policy.probed_share * weight_N}, {"position_m", VectorXd(place)}},
+                  "friction_force_N"));
+    return list;
+}
+
+}  // namespace
+
+Effect dry_friction() {
+    return {"dry_friction",
+            EffectStage::force,
+            "something rubs at one point of the surface",
+            {fitted_number("friction_force_N", 0.0, 100.0, 0.005, true),
+             {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
+             {"normal", EffectParameterKind::direction, true, -std::numbers::pi, std::numbers::pi, 0.3}},
+            apply,
+            probes};
+}
+
+}  // namespace myo::effect
