@@ -9,7 +9,7 @@
 namespace myo::sensitivity {
 namespace {
 
-/// The loss of one run; not a number where it failed, with the reason in `message`.
+/// Loss of one run; NaN if the run failed, with the reason in `message`.
 double loss_of_run(const model::Model& model, const dynamics::SimulationOptions& options, const LossOfMotion& loss,
                    const Progress& progress, std::string& message) {
     NodeMotion motion;
@@ -62,6 +62,7 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
     check.message = run.message;
     if (!run.complete()) return check;
 
+    // Central differences of fourth order: shifts and weights of the five-point formula.
     constexpr double shifts[] = {-2.0, -1.0, 1.0, 2.0}, weights[] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0};
     std::vector<double> losses(4 * parameters.size());
     std::vector<std::string> messages(losses.size());
@@ -70,7 +71,8 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
         const CheckedParameter& parameter = parameters[i / 4];
         model::Model changed = model;
         if (changed.poissons_ratio.empty())
-            changed.poissons_ratio = model::poissons_ratios(model.moduli);  // which derivatives hold
+            changed.poissons_ratio = model::poissons_ratios(
+                model.moduli);  // derivatives hold it, so the differences must, too
         dynamics::SimulationOptions changed_options = options;
         parameter.change(changed, changed_options, shifts[i % 4] * parameter.step);
         losses[i] = loss_of_run(changed, changed_options, loss, progress, messages[i]);
@@ -84,7 +86,7 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
             check.message = parameters[p].name + ": " + messages[4 * p + k];
             return check;
         }
-        // Runs solved to a tolerance tell no difference of the loss below that part of it.
+        // The loss of a run solved to a tolerance is known to that relative accuracy only.
         const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
         const bool without_influence = larger * parameters[p].step <=
                                        options.solver.tolerance * std::abs(losses[4 * p]);

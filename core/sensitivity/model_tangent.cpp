@@ -32,11 +32,13 @@ model::Stiffness stiffness_tangent(const model::Model& model, const ModelTangent
     derivative.fibres = false;
     derivative.elastic = tangent.moduli;
     derivative.elastic_factors = derivative.viscous_factors = model.point_factors;
+    // With creep the viscous stress is 2 mu dev of the effective rate, which already contains damping.
     if (model.creep) {
         derivative.viscous = tangent.moduli;
         return derivative;
     }
     if (tangent.damping_s == 0.0 && (model.damping_s == 0.0 || tangent.moduli.empty())) return derivative;
+    // Product rule for the viscous moduli damping * (mu, kappa).
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
         const material::Moduli d = tangent.moduli.empty() ? material::Moduli{} : tangent.moduli[c];
         derivative.viscous.push_back({tangent.damping_s * model.moduli[c].mu + model.damping_s * d.mu,

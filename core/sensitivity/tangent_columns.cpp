@@ -43,7 +43,7 @@ model::NodalColumns mass_times(const model::NodalColumns& fields, const model::M
     return result;
 }
 
-// A few columns at a time, so that the sum stays in the cache.
+// Blocks of entries are summed over all terms, so that the partial sum stays in the cache.
 MatrixXd sum_of(const FieldTerms& terms) {
     MatrixXd result;
     for (const auto& [factor, field] : terms)
