@@ -12,6 +12,7 @@ namespace {
 
 bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 
+/// Index of a header name. Errors: missing (with the closest name) or duplicate.
 Result<std::size_t> column_index(const std::vector<std::string>& names, const std::string& name,
                                  const std::string& where) {
     const auto found = std::find(names.begin(), names.end(), name);

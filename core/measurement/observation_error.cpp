@@ -8,6 +8,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
+/// Swaps of labels, then the scale: the part that is linear in the tracks.
 void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& tracks,
                         const Eigen::VectorXd& stamped_s) {
     for (const MarkerSwap& swap : error.swaps)

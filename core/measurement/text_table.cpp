@@ -16,6 +16,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::vector<TextLine> split_lines(std::string_view content) {
+    // Byte-order mark of UTF-8.
     if (content.substr(0, 3) == "\xEF\xBB\xBF") content.remove_prefix(3);
     std::vector<TextLine> lines;
     int number = 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> axis_suffixes{"_x_m", "_y_m", "_z_m"};
 
-// Column of each axis of each marker, from the header line.
+// Columns of the axes of each marker, from the header line.
 Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_view>& names,
                                                   const std::string& where) {
     std::vector<MarkerColumns> markers;
@@ -48,6 +48,7 @@ Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_
     return markers;
 }
 
+/// Column name, quoted if the label contains the separator.
 std::string header_name(const std::string& label, std::string_view suffix) {
     const std::string name = label + std::string(suffix);
     return name.find(',') == std::string::npos ? name : "\"" + name + "\"";
