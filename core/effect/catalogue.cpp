@@ -67,7 +67,7 @@ void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>&
         order.emplace_back(find_effect(declaration.id), &declaration);
         assert(order.back().first != nullptr);
     }
-    // Stress-free shapes are those of the cells as they are held, whichever was declared first.
+    // Order by stage: stress-free shapes refer to the cells as supported, whatever was declared first.
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first->stage < b.first->stage; });
     for (const auto& [effect, declaration] : order)

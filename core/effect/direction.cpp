@@ -12,7 +12,7 @@ using Eigen::Matrix;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Two unit vectors across the base: where it moves for a small angle each.
+/// Orthonormal basis of the tangent plane at the base: the directions of the two angles.
 Matrix<double, 3, 2> tangents(const Vector3d& base) {
     int least = 0;
     base.cwiseAbs().minCoeff(&least);

@@ -19,6 +19,7 @@ const EffectParameterEntry* Effect::parameter(const std::string& name) const {
     return nullptr;
 }
 
+// A missing parameter or one of another type is an error of the caller: at() and get() throw.
 double number(const EffectParameters& parameters, const std::string& name) {
     const EffectParameter& value = parameters.at(name);
     if (const auto* const v = std::get_if<Eigen::VectorXd>(&value)) return v->norm();

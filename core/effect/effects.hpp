@@ -4,7 +4,7 @@
 
 namespace myo::effect {
 
-// One function per file; the catalogue lists them.
+// Constructors of the catalogue entries, one function per file.
 Effect quadratic_drag();
 Effect linear_drag();
 Effect added_mass();
