@@ -10,9 +10,10 @@ namespace {
 
 constexpr double right_margin = 22.0, title_of_panel = 24.0;
 
-// From zero to the value, whichever is above; nothing for a value that cannot be drawn.
+// Bar between zero and the value, in either order; empty if the value cannot be drawn.
 std::string draw_bar(const PlannedAxis& y, const Rectangle& area, double left, double width, double value,
                      std::string_view colour) {
+    // A logarithmic axis has no zero: bars start at its lower end.
     const double base = y.scale(y.scale.logarithmic ? y.scale.lowest
                                                     : std::clamp(0.0, y.scale.lowest, y.scale.highest));
     const double end = std::clamp(y.scale(value), area.top, area.bottom());
@@ -20,7 +21,7 @@ std::string draw_bar(const PlannedAxis& y, const Rectangle& area, double left, d
     return svg_box({left, std::min(base, end), width, std::abs(end - base)}, colour, width > 8.0 ? 1.5 : 0.0);
 }
 
-// Category names under the axis; long ones are turned so that they do not meet.
+// Category names below the axis; long ones are rotated so that they do not overlap.
 std::string draw_categories(const std::vector<std::string>& names, const Rectangle& area, bool turned) {
     std::string out = svg_line(area.left, area.bottom(), area.right(), area.bottom(), ink::axis, 1.0);
     const double slot = area.width / std::max<double>(1.0, static_cast<double>(names.size()));
@@ -35,6 +36,7 @@ std::string draw_categories(const std::vector<std::string>& names, const Rectang
     return out;
 }
 
+/// No legend for a single group.
 std::vector<LegendEntry> legend_of(const BarChart& chart) {
     std::vector<LegendEntry> entries;
     if (chart.groups.size() < 2) return entries;
@@ -47,12 +49,14 @@ std::vector<LegendEntry> legend_of(const BarChart& chart) {
 
 std::string svg(const BarChart& chart) {
     Axis axis = chart.y;
+    // Bars encode values by length: the axis must contain zero.
     axis.include_zero = !axis.logarithmic;
     DataRange range(axis);
     for (const BarGroup& group : chart.groups) {
         assert(group.values.size() == chart.categories.size());
         for (const double value : group.values) range.add(value);
     }
+    // The left margin depends on the tick labels, so the axis is planned for the height first and shifted later.
     PlannedAxis y = plan_axis(axis, range, 0.06, chart.height_px, 0.0);
     const double left = std::max(30.0, label_room(y.ticks));
     const double width = std::max(60.0, chart.width_px - left - right_margin);

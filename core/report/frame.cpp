@@ -21,10 +21,12 @@ void DataRange::add(double value) {
 
 PlannedAxis plan_axis(const Axis& axis, const DataRange& data, double padding, double from_px, double to_px) {
     double lowest = data.lowest, highest = data.highest;
+    // Labels need about 80 px side by side and 42 px one above the other.
     const double length = std::abs(to_px - from_px);
     const int wanted = std::clamp(static_cast<int>(length / (to_px > from_px ? 80.0 : 42.0)), 2, 10);
     PlannedAxis plan;
     if (axis.logarithmic) {
+        // Padding of a logarithmic axis is a factor.
         if (lowest > 0.0 && lowest < highest) {
             const double rim = std::pow(highest / lowest, padding);
             lowest /= rim;
@@ -40,7 +42,7 @@ PlannedAxis plan_axis(const Axis& axis, const DataRange& data, double padding, d
         }
         make_drawable(lowest, highest);
         const double rim = padding * (highest - lowest);
-        // Bars and other axes that stand on zero keep it as their end.
+        // Axes that start at zero keep zero as their end, without padding.
         if (!(axis.include_zero && lowest == 0.0)) lowest -= rim;
         if (!(axis.include_zero && highest == 0.0)) highest += rim;
         lowest = axis.lowest.value_or(lowest);
@@ -96,6 +98,7 @@ std::string svg_box(const Rectangle& box, std::string_view colour, double radius
     return out + "/>\n";
 }
 
+// Mean glyph width of common sans-serif fonts: 0.57 of the font size.
 double text_width(std::string_view text, double size) { return 0.57 * size * character_count(text); }
 
 std::string_view slot_colour(int slot) {
