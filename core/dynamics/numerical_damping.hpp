@@ -35,7 +35,8 @@ DiscreteVibration discrete_vibration(const TimeScheme& scheme, const Oscillator&
 /// Numerical damping ratio of implicit Euler for an undamped oscillator, in closed form.
 ///
 /// zeta = delta / sqrt(4 pi^2 + delta^2) with the logarithmic decrement delta = pi ln(1 + omega^2 h^2) / angle(1 + i
-/// omega h). Source: Dubied et al. 2022, sec. IV-B.
+/// omega h).
+/// Source: Dubied et al. 2022, sec. IV-B.
 double implicit_euler_numerical_damping(double omega_rad_s, double h_s);
 
 /// Stability limit of implicit Euler: largest Lambda [1/s] without growth, h omega^2 + 2 zeta omega.

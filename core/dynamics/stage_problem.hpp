@@ -59,6 +59,7 @@ public:
     const model::BlockPattern& pattern() const { return model().body->pattern; }
     const StageConstants& constants() const { return constants_; }
     const Stage& stage() const { return stage_; }
+    /// Mass at Stage::inertia_at_s.
     const model::MassSpan& mass_span() const { return constants_.masses[span_]; }
     const solver::SymmetricSparse& inertia() const {
         return constants_.inertia[span_];

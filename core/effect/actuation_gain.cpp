@@ -24,6 +24,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 }  // namespace
 
+// A relative change of -1 would be no actuation at all: the lower bound.
 Effect actuation_gain() {
     return {"actuation_gain",
             EffectStage::actuation,

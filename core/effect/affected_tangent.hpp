@@ -7,6 +7,8 @@
 
 namespace myo::effect {
 
+// Effects change models in arbitrary ways, so that their derivatives cannot be coded by hand for each of them.
+
 /// Derivative of a model and its start along a number of an effect, by a central difference.
 ///
 /// Exact where forces, masses and start are linear in the number; otherwise the error is of the order of width squared.

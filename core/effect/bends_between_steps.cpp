@@ -45,6 +45,7 @@ std::vector<Jump> take_jumps(fibre::Signal& signal, double until_s) {
     double taken = 0.0;
     for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
         const bool jumps_here = k > 0 && signal.times_s[k] == signal.times_s[k - 1] && signal.times_s[k] < until_s;
+        // Jumps removed before have already lowered the left value.
         const double change = jumps_here ? signal.values[k] - taken - signal.values[k - 1] : 0.0;
         if (change != 0.0) jumps.push_back({signal.times_s[k], change});
         taken += change;
@@ -81,6 +82,7 @@ fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, 
     if (is_constant(rest)) return signal;
     const Integral integral(rest);
     const auto mean = [&](double t) { return (integral.to(t + 0.5 * h_s) - integral.to(t - 0.5 * h_s)) / h_s; };
+    // Four knots per step, up to one beyond the end.
     const auto count = static_cast<std::size_t>(std::ceil(4.0 * end_s / h_s)) + 2;
     fibre::Signal result{{}, {}};
     for (std::size_t k = 0; k < count; ++k) {

@@ -48,6 +48,7 @@ Vector2d solve(double deflection, double shear, Vector2d at) {
         const double width = 1e-5 * std::max(1.0, at(1));
         Eigen::Matrix2d J;
         for (int i = 0; i < 2; ++i)
+            // Central differences; the shooting function is smooth.
             J.col(i) = (error(at + width * Vector2d::Unit(i)) - error(at - width * Vector2d::Unit(i))) / (2.0 * width);
         const Vector2d step = J.partialPivLu().solve(now);
         at -= step;

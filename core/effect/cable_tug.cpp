@@ -48,6 +48,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
         outwards += d;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(tensor);
+    // Eigenvalues ascend: column 2 is the stiffest direction. The sign of an eigenvector is arbitrary.
     const Vector3d along = eigen.eigenvectors().col(2);
     EffectParameters result = columns.front();
     const double length = span_of(result).norm();

@@ -8,6 +8,8 @@
 
 namespace myo::effect {
 
+// The order defines the order in lists and reports. Tests run over the catalogue, so that a new entry is checked at
+// once.
 const std::vector<Effect>& effect_catalogue() {
     static const std::vector<Effect> effects = {
         quadratic_drag(),
@@ -62,6 +64,7 @@ bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
 }
 
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected) {
+    // stable_sort below keeps the order of declaration within a stage.
     std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
     for (const EffectDeclaration& declaration : effects) {
         order.emplace_back(find_effect(declaration.id), &declaration);

@@ -13,6 +13,7 @@ model::BodyPointer released_body(const model::Body& body, const std::vector<int>
     return released;
 }
 
+// Mass, gradients and volumes depend on the nodes: the body is rebuilt.
 model::BodyPointer on_nodes(const model::Body& body, Eigen::Matrix3Xd nodes_m) {
     mesh::VolumeMesh mesh = body.mesh;
     mesh.nodes = std::move(nodes_m);

@@ -57,6 +57,8 @@ Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, con
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const double ahead = clamp.ahead(X.col(i));
         const bool held = site.body->clamped[static_cast<std::size_t>(i)];
+        // Fraction of the slip: 1 at the front of the clamp, decreasing to 0 at its far end and over the cells in
+        // front.
         const double part = held          ? std::min(1.0, (clamp.held_m + ahead) / taken_up_m)
                             : reach > 0.0 ? std::clamp(1.0 - ahead / reach, 0.0, 1.0)
                                           : 0.0;
@@ -74,11 +76,13 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     const mesh::VolumeMesh declared = model.body->mesh;
     const Eigen::Matrix3Xd shift = set_back(site, model, clamp, free_m);
     model.body = on_nodes(*model.body, declared.nodes + shift);
+    // Fibres are defined per cell: adapt them to the moved nodes.
     auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
     for (const fibre::FibreGroup& group : *model.fibres)
         fibres->push_back(fibre::moved_fibres(declared, model.body->mesh, group));
     model.fibres = fibres;
     Eigen::Matrix3Xd& start = affected.options.initial.positions;
+    // Given start positions follow the nodes.
     if (start.size() > 0) start += shift;
 
     // Markers on the shifted cells have not moved on the real body: compensate in the recording.

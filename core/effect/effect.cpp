@@ -2,6 +2,7 @@
 
 namespace myo::effect {
 
+// Names as in files and reports.
 std::string to_string(EffectStage stage) {
     switch (stage) {
         case EffectStage::force: return "force";
@@ -36,6 +37,7 @@ std::string text(const EffectParameters& parameters, const std::string& name) {
 
 bool has(const EffectParameters& parameters, const std::string& name) { return parameters.count(name) > 0; }
 
+// Effects without the parameter `trial` act on all trials.
 bool acts_on(const EffectSite& site, const EffectParameters& parameters) {
     return !has(parameters, "trial") || text(parameters, "trial") == site.trial;
 }

@@ -15,6 +15,11 @@
 
 namespace myo::effect {
 
+// An effect is a phenomenon that a declared experiment does not contain: a force, a support, a property of material or
+// actuator, or an error of the measurement. Each entry of the catalogue states its parameters and a function that
+// applies it to the prepared trial. Effects are used in two ways: an experiment declares them, or a diagnosis tries
+// them on the residual of a fit. In the second case the probes of an entry are the start values.
+
 /// Value of a parameter: number, vector, one name (marker, trial) or several names (the markers of marker_swap).
 using EffectParameter = std::variant<double, Eigen::VectorXd, std::string, std::vector<std::string>>;
 /// Values by parameter name. Vectors and positions are in the mesh frame of the rest shape.
@@ -84,7 +89,7 @@ struct EffectProbe {
     bool reciprocal = false;
     EffectParameters (*joined)(const std::vector<EffectParameters>& columns,
                                const Eigen::VectorXd& multiples) = nullptr;
-    bool large = false;  // an amount that is not small, for effects whose response is quadratic; tried if small
+    bool large = false;  // an amount that is not small, for quadratic responses; tried if small ones explain nothing
 };
 
 /// Data of the whole experiment for the choice of start values.
@@ -97,7 +102,7 @@ struct EffectSearch {
 
 /// What an effect changes; effects are applied in this order.
 enum class EffectStage { force, support, material, actuation, measurement };
-/// Name of a stage in files and reports.
+/// Name of an EffectStage in files and reports.
 std::string to_string(EffectStage stage);
 
 /// Entry of the catalogue.

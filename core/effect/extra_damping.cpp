@@ -13,6 +13,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 /// Not separable from the damping if that is fitted.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     if (search.damping_is_fitted) return {};
+    // The response is linear in a small damping time.
     return {probe({{excess, 2e-4}}, excess)};
 }
 

@@ -27,6 +27,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
     Vector3d turn = Vector3d::Zero();
     for (std::size_t i = 0; i < columns.size(); ++i)
         turn += multiples(static_cast<Eigen::Index>(i)) * number(columns[i], "tilt_deg") * vector(columns[i], "axis");
+    // A zero rotation has no axis: keep a small one about the first axis.
     const Vector3d axis = turn.norm() > 0.0 ? turn.normalized() : vector(columns.front(), "axis");
     return {{"tilt_deg", std::max(turn.norm(), 0.01)}, {"axis", Eigen::VectorXd(axis)}};
 }

@@ -18,6 +18,7 @@ constexpr const char* offset = "offset_m";
 Vector3d end_centre(const EffectSite& site, const ClampAxis& clamp) {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
     for (const auto& X : site.body->mesh.nodes.colwise()) {
+        // Nodes of the end plane within rounding.
         if (clamp.ahead(X) < (1.0 - 1e-6) * clamp.length_m) continue;
         low = low.cwiseMin(X);
         high = high.cwiseMax(X);
@@ -37,6 +38,8 @@ double shear_of(const EffectSite& site, const model::Model& model, const ClampAx
         sum.mu += m.mu;
         sum.kappa += m.kappa;
     }
+    // The ratio of the sums suffices for Poisson's ratio. E / G = 2 (1 + nu); I / A is the variance of y over the
+    // volume.
     const double nu = material::young_from_moduli(sum).poissons_ratio, k = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
     return 2.0 * (1.0 + nu) / k * off.dot(volume * off) / whole / (clamp.length_m * clamp.length_m);
 }
@@ -44,6 +47,7 @@ double shear_of(const EffectSite& site, const model::Model& model, const ClampAx
 /// Default direction of the offset: against gravity, perpendicular to the axis; if gravity is parallel to the axis, the
 /// next coordinate.
 Vector3d upwards(const Vector3d& gravity, const Vector3d& axis, int axis_number) {
+    // Without gravity: along z.
     const Vector3d up = gravity.norm() > 0.0 ? Vector3d(-gravity.normalized()) : Vector3d(Vector3d::UnitZ());
     const Vector3d across = up - up.dot(axis) * axis;
     return across.norm() > 1e-3 ? Vector3d(across.normalized()) : Vector3d(Vector3d::Unit((axis_number + 1) % 3));

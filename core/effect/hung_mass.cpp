@@ -22,6 +22,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
                                                               : standard_gravity_m_s2;
     for (const model::DeadForce& force : affected.model.forces) {
         if (!hangs(force, affected.options.end_s)) continue;
+        // Ratio 1 is the mass whose weight is the declared force.
         model::DirectionalMass body = model::line_mass(force.share, force.force_N,
                                                        number(parameters, ratio) * force.force_N.norm() / g);
         body.from_s = force.from_s;

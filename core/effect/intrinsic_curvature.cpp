@@ -33,6 +33,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
         nodes.row(along) = centre +
                            (nodes.row(along).array() - centre) * (1.0 + k * (nodes.row(across).array() - middle));
     }
+    // Only the reference shapes of the cells are replaced; nodes, mass and boundary stay those of the rest shape.
     auto bent = std::make_shared<model::Body>(*affected.model.body);
     const model::PackedElements shapes = model::pack_elements(
         fem::make_elements(free_cells, bent->kind, bent->surroundings));

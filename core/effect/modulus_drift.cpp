@@ -24,6 +24,7 @@ double longest_time(const EffectSearch& search) {
 /// Observable only with trials at different session times; otherwise a drift equals a change of the modulus.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     if (!(longest_time(search) > 0.0)) return {};
+    // 2 % over the session.
     return {probe({{rate, 0.02 / longest_time(search)}}, rate)};
 }
 

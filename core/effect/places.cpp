@@ -27,6 +27,7 @@ std::vector<Vector3d> spread(const Matrix3Xd& points, const Vector3d& away, std:
         squared_distance.maxCoeff(&farthest);
         const Vector3d next = points.col(farthest);
         if (chosen.empty()) squared_distance.setConstant(std::numeric_limits<double>::max());
+        // Distance of every point to the chosen set; the next point is the one with the largest distance.
         squared_distance = squared_distance.cwiseMin((points.colwise() - next).colwise().squaredNorm());
         chosen.push_back(next);
     }
@@ -49,6 +50,7 @@ Vector3d clamp_centre(const EffectSite& site) {
 Vector3d triangle_shares(const Eigen::Matrix3d& corners, const Vector3d& point) {
     const Vector3d a = corners.col(1) - corners.col(0), b = corners.col(2) - corners.col(0), normal = a.cross(b);
     const double area = normal.squaredNorm();
+    // Ratios of signed areas.
     const double v = normal.dot((point - corners.col(0)).cross(b)) / area,
                  w = normal.dot(a.cross(point - corners.col(0))) / area;
     Vector3d shares(1.0 - v - w, v, w);
@@ -65,6 +67,7 @@ SurfacePlace surface_place(const model::Body& body, const Vector3d& near_m) {
     place.cell = at.cell;
     place.point = at.point;
     const auto node = [&](int i) { return Vector3d(body.mesh.nodes.col(at.nodes(i))); };
+    // The corner nodes of a boundary face are ordered counter-clockwise seen from outside.
     place.normal = (node(1) - node(0)).cross(node(2) - node(0)).normalized();
     if (at.nodes.size() != 6) {
         place.nodes.assign(at.nodes.begin(), at.nodes.end());
@@ -125,6 +128,7 @@ ClampAxis clamp_axis(const EffectSite& site) {
             low = std::min(low, X(a, i));
             high = std::max(high, X(a, i));
         }
+    // The last clamped plane is the one towards the free end.
     result.begin_m = result.sign > 0.0 ? high : low;
     result.held_m = std::max(0.0, high - low);
     result.length_m = result.sign > 0.0 ? highest(a) - high : low - lowest(a);

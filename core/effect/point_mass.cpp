@@ -10,6 +10,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     Eigen::VectorXd share = Eigen::VectorXd::Zero(site.body->node_count());
     for (std::size_t a = 0; a < place.nodes.size(); ++a)
         share(place.nodes[a]) += place.shares(static_cast<Eigen::Index>(a));
+    // The shares distribute the mass to the nodes of the face.
     affected.model.masses.push_back({std::move(share), number(parameters, "mass_kg")});
 }
 

@@ -31,6 +31,7 @@ fibre::Signal sampled(const fibre::Signal& signal, double spacing, double end_s)
     auto jump = jumps.begin();
     for (std::size_t k = 0; k < count; ++k) {
         const double t = static_cast<double>(k) * spacing;
+        // A jump becomes two samples of equal time; one at t = 0 only needs its right value.
         for (; jump != jumps.end() && *jump <= t; ++jump) {
             if (*jump > 0.0) add(*jump, signal.value_before(*jump));
             add(*jump, signal.value(*jump));

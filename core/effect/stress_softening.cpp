@@ -24,6 +24,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect stress_softening() {
+    // The upper bound of the damage keeps a positive stiffness.
     Effect effect{"stress_softening",
                   EffectStage::material,
                   "the stress softens with the largest energy that a point has seen",

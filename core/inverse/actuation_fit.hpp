@@ -40,6 +40,7 @@ struct ActuationEvaluation {
     sensitivity::NodeMotion motion;  // of the marker nodes
     int steps = 0;                   // of the run
 
+    /// Whether the run completed and loss and gradient are finite.
     bool ok() const { return status == dynamics::RunStatus::complete; }
 };
 /// Runs the model forwards and backwards. `values`: signals x knots.
@@ -79,6 +80,7 @@ struct ActuationFit {
     std::vector<ActuationIterate> log;  // every evaluation, in order
     double seconds = 0.0;
 
+    /// Whether the convergence criterion was met.
     bool converged() const { return status == FitStatus::converged; }
     /// Whether at least one evaluation succeeded. The fit may have been stopped or not have converged.
     bool usable() const { return first.ok(); }

@@ -15,6 +15,7 @@ struct DampedCosine {
     double amplitude = 0.0;  // sqrt(a² + b²), at t = 0
     double rms = 0.0;        // of the residuals
 
+    /// Fraction of critical damping, rate / |exponent|.
     double damping_ratio() const { return rate_1_s / std::hypot(rate_1_s, omega_rad_s); }
 };
 

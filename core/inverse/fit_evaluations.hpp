@@ -9,11 +9,14 @@ namespace myo::inverse {
 /// scale) over decades. physical_value() is the inverse, exact to the last bit at the parameter's own value;
 /// physical_slope() is its derivative.
 double internal_value(const Parameter& p, double value);
+/// Inverse of internal_value(); exact to the last bit at the parameter's own value.
 double physical_value(const Parameter& p, double internal);
+/// Derivative of physical_value() with respect to the internal value.
 double physical_slope(const Parameter& p, double internal);
 
 /// The same for all parameters.
 Eigen::VectorXd physical_values(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
+/// physical_slope() of all parameters.
 Eigen::VectorXd physical_slopes(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
 /// Bounds of a single optimisation step in internal values: up to the bounds of the parameters, and at most a factor of
@@ -21,6 +24,7 @@ Eigen::VectorXd physical_slopes(const std::vector<Parameter>& parameters, const 
 struct StepBounds {
     Eigen::VectorXd lower, upper;
 };
+/// Step bounds at the given internal values. Zero is always within them.
 StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
 /// Evaluations of a fit. Repeated points are evaluated once; the best one is kept; all are entered in report and

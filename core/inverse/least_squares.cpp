@@ -106,8 +106,7 @@ ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, co
     EndFit end(progress, options.relative_decrease);
     settings.callbacks.push_back(&end);
     ceres::Solver::Summary summary;
-    FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres would print whole residual vectors if a model could not be run;
-                                             // the
+    FLAGS_minloglevel = google::GLOG_FATAL;  // otherwise Ceres prints whole residual vectors of failed runs
     ceres::Solve(settings, &problem, &summary);
     internal(moved) = block;
     return summary;

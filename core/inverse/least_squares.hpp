@@ -54,6 +54,7 @@ struct FitIterate {
     double cost = 0.0;     // |r|^2 / 2; infinite if the model could not be run
     double seconds = 0.0;  // duration of the evaluation
 
+    /// Whether the model could be run.
     bool ok() const { return cost < std::numeric_limits<double>::infinity(); }
 };
 
@@ -74,6 +75,7 @@ struct LeastSquaresReport {
     int jacobians = 0;                       // requested separately
     std::vector<FitIterate> history;         // all complete evaluations, in order
 
+    /// Whether a convergence criterion was met.
     bool converged() const { return status == FitStatus::converged; }
     /// Whether at least one evaluation succeeded. The fit may have been stopped or not have converged.
     bool usable() const {
@@ -108,7 +110,8 @@ struct LeastSquaresOptions {
 ///
 /// @param progress  counts evaluations, the running one as a fraction; at most ten reports per second
 /// Errors: cancelled or not_converged with the best values so far and their deviations; failed if the model could not
-/// be run at the start. Source: Nocedal & Wright 2006, ch. 10; Ceres Solver.
+/// be run at the start.
+/// Source: Nocedal & Wright 2006, ch. 10; Ceres Solver.
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const LeastSquaresOptions& options = {}, const Progress& progress = {});
 
@@ -121,8 +124,8 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
 /// Least squares for Jacobians that cost many evaluations. `residuals` omits derivatives.
 ///
 /// The fit requests a Jacobian at the start, and wherever the last one, updated by Broyden's secant formula, predicts a
-/// step badly. At the end it requests one unless the last requested Jacobian predicts the way from there to within 10
-/// %. Source: Broyden 1965, Math. Comp. 19; Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares
+/// step badly. At the end it requests one unless the last requested Jacobian predicts the way from there to 10 %.
+/// Source: Broyden 1965, Math. Comp. 19; Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares
 /// problems, 3.4.
 LeastSquaresReport fit_by_secants(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                   const JacobianFunction& jacobian, const LeastSquaresOptions& options,

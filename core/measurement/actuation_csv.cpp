@@ -65,6 +65,7 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
             else
                 table.values(static_cast<Eigen::Index>(column) - 1, row) = value;
         }
+        // Line numbers are kept for messages of later checks.
         table.lines.push_back(line.number);
         // Equal times of two rows are a jump; of three, the middle one would never act.
         const bool jump = row > 0 && table.time_s(row) == table.time_s(row - 1);

@@ -151,6 +151,7 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
     std::map<int, std::string> groups;
     std::vector<PendingParameter> pending;
     // Records are chained by offsets. Each offset moves forward, so the loop terminates.
+    // The section begins with four bytes: two reserved, number of blocks, processor.
     std::size_t at = start + 4;
     while (words.holds(at, 2) && words.byte(at) != 0) {
         const auto name_length = static_cast<std::size_t>(

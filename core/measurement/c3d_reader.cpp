@@ -80,6 +80,7 @@ double Reader::frame_count() const {
     const bool word_is_full = parameters_.is_word("POINT:FRAMES") && frames >= 65535.0;
     const bool low_word_only = parameters_.is_word("POINT:FRAMES") && usable_count(trial) && trial > 65535.0 &&
                                std::fmod(trial, 65536.0) == frames;
+    // FRAMES is trusted unless it is saturated or equals only the low word of the TRIAL range.
     if (usable_count(frames) && !word_is_full && !low_word_only) return frames;
     if (usable_count(trial)) return trial;
     if (usable_count(frames)) return frames;
@@ -150,6 +151,7 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     layout.scale = std::abs(scale);
 
     layout.rate_Hz = parameters_.number("POINT:RATE").value_or(0.0);
+    // Fall back to the header.
     if (!(layout.rate_Hz > 0.0)) layout.rate_Hz = words_.real(20);
     if (!std::isfinite(layout.rate_Hz) || layout.rate_Hz < 1e-6 || layout.rate_Hz > 1e7) {
         return failure("POINT:RATE is no frame rate (" + format_number(layout.rate_Hz) + " Hz)");

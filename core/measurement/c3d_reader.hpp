@@ -8,6 +8,11 @@
 
 namespace myo::measurement {
 
+// A C3D file consists of blocks of 512 bytes: one header block, the parameter section, and the data. Counts, rate,
+// scale and unit are stored in the parameters, some of them also in the header. Data are frames of 3D points (four
+// words each) followed by the analog samples of the frame. Writers deviate from the format in many ways; the rules
+// below accept the known deviations and refuse what would give wrong coordinates.
+
 /// Reads the 3D points of a C3D file: integer and float data, in Intel, DEC and SGI number formats.
 ///
 /// Analog channels, events and force plates are skipped.

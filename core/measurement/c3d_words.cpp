@@ -40,6 +40,7 @@ std::uint16_t C3dWords::word(std::size_t offset) const {
 }
 
 double C3dWords::real(std::size_t offset) const {
+    // A float is two 16-bit words, whose order depends on the processor.
     const std::uint32_t first = word(offset);
     const std::uint32_t second = word(offset + 2);
     switch (processor_) {

@@ -25,10 +25,13 @@ public:
     }
     /// `count` bytes as text.
     std::string_view text(std::size_t offset, std::size_t count) const;
+    /// Unsigned byte.
     std::uint8_t byte(std::size_t offset) const;
+    /// Byte as two's complement.
     std::int8_t signed_byte(std::size_t offset) const { return static_cast<std::int8_t>(byte(offset)); }
     /// Unsigned 16-bit word.
     std::uint16_t word(std::size_t offset) const;
+    /// 16-bit word as two's complement.
     std::int16_t signed_word(std::size_t offset) const { return static_cast<std::int16_t>(word(offset)); }
     /// 32-bit float; NaN for the reserved operand of the DEC format.
     double real(std::size_t offset) const;

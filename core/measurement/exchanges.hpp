@@ -7,6 +7,9 @@
 
 namespace myo::measurement {
 
+// Faults of labelling in recordings: exchanged labels (here), excursions of a track (excursions.hpp) and spikes
+// (spikes.hpp). They are restored or hidden when a trial is read; faults that only a model can reveal stay.
+
 /// An interval in which markers carried each other's labels.
 struct Exchange {
     std::vector<std::size_t> markers;  // indices, ascending, at least two

@@ -108,6 +108,8 @@ std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& trac
                 if (!std::binary_search(jumps.begin(), jumps.end(), back) || !are_there_and_back(own[away], own[back]))
                     continue;
                 if (!stands_out(own, away, back) || !stands_out(own, back, away)) continue;
+                // The excursion begins with the sample after the first jump and ends before the sample after the
+                // second.
                 const Excursion found{m, own[away].after, own[back].before + 1,
                                       std::max(own[away].jump.norm(), own[back].jump.norm())};
                 // Excursions of one marker must not overlap.

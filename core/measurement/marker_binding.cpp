@@ -20,6 +20,7 @@ void set_shape(MarkerBinding& binding, const Eigen::Matrix3Xd& X, const Vector3d
     const Vector3d xi = fem::reference_coordinates<Shape>(X, point, middle);
     const auto D = Shape::derivatives(xi);
     binding.weights = Shape::values(xi);
+    // dN/dX = dN/dxi (dX/dxi)^-1.
     binding.gradient = D * (X * D).inverse();
 }
 

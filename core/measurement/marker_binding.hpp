@@ -9,6 +9,9 @@
 
 namespace myo::measurement {
 
+// Observation operator: marker positions from node positions. The marker keeps its place on the material, so that a
+// coarse mesh does not displace it, as snapping to the nearest node would.
+
 /// A marker as a function of node positions: interpolated within the nearest boundary face, never moved to a node.
 ///
 /// A marker off the surface moves rigidly with the nearest surface point: position = sum_a w_a x_a + R offset, where R

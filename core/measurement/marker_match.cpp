@@ -115,6 +115,8 @@ public:
     /// Tries all triples of points whose side lengths agree with those of the marker triple.
     void try_triple(const Triple& t) {
         const auto side = [](const Matrix3Xd& p, Index a, Index b) { return (p.col(a) - p.col(b)).norm(); };
+        // Distances are invariant under rigid motions. Each of two points may be off by the tolerance: slack of twice
+        // it.
         const double ab = side(rest_m_, t[0], t[1]), ac = side(rest_m_, t[0], t[2]), bc = side(rest_m_, t[1], t[2]),
                      slack = 2.0 * tolerance_m_;
         for (Index a = 0; a < seen_m_.cols(); ++a)
@@ -162,6 +164,7 @@ private:
         if (match.count() == 0) return;
         if (!found_.empty() && match.count() < found_.front().count()) return;
         if (!found_.empty() && match.count() > found_.front().count()) found_.clear();
+        // The same assignment may be reached from several triples.
         for (const MarkerMatch& known : found_)
             if (known.seen == match.seen) return;
         found_.push_back(std::move(match));
@@ -185,6 +188,7 @@ Result<MarkerMatch> match_markers(const Matrix3Xd& rest_m, const Matrix3Xd& seen
     for (const Triple& triple : wide_triples(rest_m, tolerance_m)) search.try_triple(triple);
     if (search.empty()) search.try_shifts(expected);
     MarkerMatch match = search.best(expected);  // not empty: a translation always matches one marker
+    // Indices of visible points back to columns of seen_m.
     for (int& seen : match.seen)
         if (seen >= 0) seen = static_cast<int>(columns[static_cast<std::size_t>(seen)]);
     return match;

@@ -41,6 +41,7 @@ Recording take_samples(const Recording& recording, const std::vector<Eigen::Inde
     return result;
 }
 
+/// Both lengths have a minimum in samples, so that the median suppresses the noise.
 Window reference_window(const Recording& recording, const MotionStartOptions& options) {
     const auto samples = [&](double seconds, double least) {
         return static_cast<Eigen::Index>(std::clamp(std::round(seconds * recording.rate_Hz), least, 1e6));
@@ -246,6 +247,7 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
     }
     result.time_s = recording.time_s(0);
     // Repeated samples have no time of their own: without them the sample intervals are those of the motion.
+    // 1. Departure of each marker from its recent position, and selection of the moving markers.
     const std::vector<Eigen::Index> samples = new_samples(recording);
     const Result<Recording> chosen = select_labels(take_samples(recording, samples),
                                                    labels.empty() ? recording.labels : labels);
@@ -271,6 +273,7 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
         result.message = "no marker moves";
         return result;
     }
+    // 2. Departure of the group, and noise of the moving markers.
     const Recording movers = select_labels(*chosen, result.movers).value();
     const Eigen::VectorXd group = group_departure(moving);
     const double peak = sustained_peak(group, options.sustained_samples);
@@ -288,12 +291,14 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
                          " mm";
         return result;
     }
+    // 3. First certain motion.
     const std::optional<Eigen::Index> gross = first_sustained(group, options.gross_fraction * peak,
                                                               options.sustained_samples);
     if (!gross) {
         result.message = "no sustained motion";
         return result;
     }
+    // 4. Threshold of the search backwards.
     result.threshold_m = std::max(options.noise_factor * result.noise_m, 0.002 * peak);
     if (*gross >= 12) {
         std::vector<double> before;
@@ -307,6 +312,7 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
             result.threshold_m = std::max(result.threshold_m, std::min(2.5 * usual, options.gross_fraction * peak));
         }
     }
+    // 5. First moving sample and the onset between the samples.
     const Eigen::Index first = trace_back(group, *gross, result.threshold_m);
     if (first <= 1) {
         // Sample 0 is its own reference: whether the body was at rest then is unknown.

@@ -43,6 +43,8 @@ double degrees_of_freedom(Eigen::Index window) {
         for (Eigen::Index k = 0; k + lag <= order; ++k) {
             covariance += binomials[static_cast<std::size_t>(k)] * binomials[static_cast<std::size_t>(k + lag)];
         }
+        // Variance of a mean of correlated terms: sum of squared correlations, weighted by the number of pairs at each
+        // lag.
         const double correlation = covariance / white_gain;
         squares += 2.0 * (1.0 - static_cast<double>(lag) / static_cast<double>(window)) * correlation * correlation;
     }
@@ -102,6 +104,7 @@ double smallest_step(const Eigen::Matrix3Xd& track) {
 double still_variance(std::vector<double> means, double freedom) {
     std::sort(means.begin(), means.end());
     const auto low = static_cast<std::size_t>(start_quantile * static_cast<double>(means.size()));
+    // Start from a low quantile of the windows, which is unaffected if at least that fraction is still.
     double variance = means[low] /
                       mean_square_quantile(std::max(start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
     double kept_mean = 0.0;  // mean of chi^2 / freedom below the still quantile: corrects the truncation

@@ -9,6 +9,9 @@
 
 namespace myo::measurement {
 
+// The noise of a recording is estimated from the recording itself; no separate trial at rest is needed. It sets the
+// thresholds for spikes, excursions and the start of the motion.
+
 /// Measurement noise of one marker.
 struct NoiseEstimate {
     std::string label;

@@ -59,6 +59,7 @@ SensitiveTracks observe(const sensitivity::SensitiveTrace& run, const MarkerSet&
         // The velocity of a marker is its tangent along the nodal velocities.
         const Matrix3Xd now = combine(w, x, v), rate = combine(w.rate(), x, v);
         std::vector<Matrix3Xd> d;
+        // Interpolation is linear, so tangents use the same weights.
         for (const sensitivity::NodeTangent& tangent : run.tangents)
             d.push_back(combine(
                 w, [&](std::size_t k) -> const Matrix3Xd& { return tangent.positions[k]; },
@@ -114,6 +115,7 @@ sensitivity::MotionLoss pull_on_nodes(const sensitivity::NodeMotion& motion, con
             on_nodes(Eigen::all, markers.positions[m]) += marker_pull(
                 markers.bindings[m], columns(now, markers.positions[m]), pulls[m].col(t));
         }
+        // Transposed Hermite interpolation.
         loss.d_positions[w.step] += w.x0 * on_nodes;
         loss.d_velocities[w.step] += w.v0 * on_nodes;
         if (w.x1 != 0.0) loss.d_positions[w.step + 1] += w.x1 * on_nodes;

@@ -69,6 +69,7 @@ Result<QtmHeader> read_header(const std::vector<TextLine>& lines, const std::fil
             header.rate_Hz = *number;
         } else if (key == "MARKER_NAMES") {
             for (std::size_t k = 1; k < fields.size(); ++k) header.names.emplace_back(fields[k]);
+            // Exports may end the line with separators.
             while (!header.names.empty() && header.names.back().empty()) header.names.pop_back();
             header.names_line = lines[i].number;
         }
@@ -120,6 +121,7 @@ Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
     table.zero_is_occluded = true;
     table.null_is_occluded = true;
     table.trailing_separator = true;
+    // Coordinates start after frame and time, if present.
     const std::size_t first = header->has_time ? 2 : 0;
     if (header->has_time) {
         table.frame_column = 0;

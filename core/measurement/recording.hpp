@@ -16,6 +16,7 @@ struct Recording {
     /// Reconstruction residual per label, T entries [m], NaN where occluded; empty if the file has none.
     std::vector<Eigen::VectorXd> residual_m;
 
+    /// T, occluded samples included.
     Eigen::Index sample_count() const { return time_s.size(); }
 };
 

@@ -34,6 +34,7 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
     }
     const Eigen::Index used = (w.array() > 0.0).count();
     if (used < 3) return Error{"rigid registration needs at least 3 points, got " + std::to_string(used), ""};
+    // Normalised weights: sums below are weighted means.
     w /= w.sum();
 
     const Eigen::Vector3d from_mean = from * w;

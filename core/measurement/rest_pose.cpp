@@ -46,6 +46,7 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
     const Eigen::Index end = std::min(start_sample, recording.sample_count());
     if (end < 1) return Error{"there is no sample before the start of the motion, so no rest pose", ""};
     Eigen::Index first = 0;
+    // First sample of the averaging interval.
     while (first < end - 1 && recording.time_s(first) < recording.time_s(end - 1) - options.longest_s) ++first;
 
     const auto count = static_cast<Eigen::Index>(recording.labels.size());
@@ -67,6 +68,7 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
         pose.positions_m.col(i) = kept.rowwise().mean();
         pose.samples_used(i) = static_cast<int>(kept.cols());
         if (kept.cols() > 1) {
+            // Pooled over the three coordinates.
             const double squares = (kept.colwise() - pose.positions_m.col(i)).squaredNorm();
             pose.deviation_m(i) = std::sqrt(squares / (3.0 * static_cast<double>(kept.cols() - 1)));
         }

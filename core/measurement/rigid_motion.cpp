@@ -39,6 +39,7 @@ RigidMotion compose(const RigidMotion& second, const RigidMotion& first) {
 double rotation_angle(const Eigen::Matrix3d& rotation) {
     const Eigen::Vector3d axis(rotation(2, 1) - rotation(1, 2), rotation(0, 2) - rotation(2, 0),
                                rotation(1, 0) - rotation(0, 1));
+    // acos of the trace would lose half of the digits at small angles.
     return std::atan2(axis.norm(), rotation.trace() - 1.0);  // twice the sine and twice the cosine
 }
 

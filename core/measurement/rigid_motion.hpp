@@ -11,9 +11,11 @@ struct RigidMotion {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
+    /// R p + t.
     Eigen::Vector3d apply(const Eigen::Vector3d& p) const;
     /// Applied to every column of a 3 x n array; NaN columns stay NaN.
     Eigen::Matrix3Xd apply_all(const Eigen::Matrix3Xd& points) const;
+    /// p -> R' (p - t).
     RigidMotion inverse() const;
 };
 

@@ -15,10 +15,12 @@ class RowReader {
 public:
     RowReader(const std::filesystem::path& path, const SampleTable& table) : path_(path), table_(table) {}
 
-    // Splits a row. Errors: wrong number of fields.
+    // Splits a row.
+    // Errors: wrong number of fields.
     Result<void> open(const TextLine& line) {
         line_ = line.number;
         fields_ = split_fields(line.text, table_.separator);
+        // Some exports end every row with a separator.
         if (table_.trailing_separator && fields_.size() == table_.field_count + 1 && fields_.back().empty())
             fields_.pop_back();
         if (fields_.size() == table_.field_count) return {};
@@ -57,6 +59,7 @@ public:
             if (!coordinate) return coordinate.error();
             position(static_cast<Eigen::Index>(axis)) = *coordinate;
         }
+        // A point with a missing coordinate cannot be compared: occluded as a whole.
         const bool occluded = position.hasNaN() || (table_.zero_is_occluded && position.isZero(0.0));
         if (occluded) return Eigen::Vector3d(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
         return Eigen::Vector3d(position * table_.metres_per_unit);
@@ -72,6 +75,7 @@ private:
 }  // namespace
 
 double median_rate(const Eigen::VectorXd& time_s) {
+    // The median is not affected by dropped frames.
     const Eigen::Index steps = time_s.size() - 1;
     if (steps < 1) return 100.0;
     std::vector<double> step(static_cast<std::size_t>(steps));

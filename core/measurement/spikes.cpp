@@ -96,6 +96,7 @@ Spikes find_spikes(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s,
     // Short runs first: a single outlier must not make its neighbours part of a longer run.
     for (std::size_t length = 1; length <= longest_run; ++length)
         for (std::size_t first = 2; first + length + 2 <= seen.count(); ++first) {
+            // Every sample of the run must deviate, hence the least distance.
             const auto out = seen.distances(first, length);
             if (!out || !(out->least > least_deviations * sigma_m)) continue;
             // Usual deviation without the run, which would otherwise raise it.

@@ -24,6 +24,7 @@ Eigen::RowVectorXd resampled(const Eigen::VectorXd& time_s, const Eigen::RowVect
             continue;
         }
         if (t > time_s[time_s.size() - 1]) break;
+        // at_s ascends: the interval index only moves forward.
         while (k + 2 < time_s.size() && time_s[k + 1] < t) ++k;
         const double w = (t - time_s[k]) / (time_s[k + 1] - time_s[k]);
         result[i] = (1.0 - w) * values[k] + w * values[k + 1];
@@ -41,6 +42,7 @@ double correlation(const std::vector<Eigen::RowVectorXd>& a, const std::vector<E
         Index n = 0;
         for (Index i = 0; i < a[c].size(); ++i) {
             const double x = a[c][i], y = b[c][i];
+            // `all` counts what the record has, `shared` what both have.
             if (std::isnan(y)) continue;
             ++all;
             if (std::isnan(x)) continue;

@@ -12,7 +12,8 @@ namespace myo::measurement {
 ///
 /// A sample is occluded by `nan` or an empty field. Markers keep the order of their first column; rate_Hz is the
 /// inverse of the median time step. Rows that repeat their predecessor (polled streams) are kept: see
-/// repeated_samples(). Errors (file and line): a field that is not a number; a missing axis; a duplicate or unknown
+/// repeated_samples().
+/// Errors (file and line): a field that is not a number; a missing axis; a duplicate or unknown
 /// column; times that do not ascend; rows of unequal length; no rows.
 Result<Recording> read_trace_csv(const std::filesystem::path& path);
 

@@ -68,6 +68,7 @@ Result<TraceSource> guess_trace_source(const std::filesystem::path& path) {
     const auto first = std::find_if(lines.begin(), lines.end(),
                                     [](const TextLine& line) { return !trimmed(line.text).empty(); });
     if (first == lines.end()) return Error{"holds no samples", path.string()};
+    // Qualisys exports may begin with any of these header lines.
     if (first->text.starts_with("NO_OF_") || first->text.starts_with("FREQUENCY") ||
         first->text.starts_with("MARKER_NAMES"))
         return TraceSource{TraceFormat::qtm_tsv, {}, {}};

@@ -22,7 +22,8 @@ struct TraceSource {
     std::optional<double> metres_per_unit;  // for a C3D file that states no unit
 };
 
-/// Reads a recording with the reader of its format. Errors: those of the reader.
+/// Reads a recording with the reader of its format.
+/// Errors: those of the reader.
 Result<Recording> read_trace(const std::filesystem::path& path, const TraceSource& source);
 
 /// Detects the format of a file from its first bytes and lines.

@@ -15,6 +15,7 @@ std::string draw_vertical_axis(const Axis& axis, const PlannedAxis& plan, const 
     std::string out;
     for (std::size_t i = 0; i < plan.ticks.values.size(); ++i) {
         const double y = plan.scale(plan.ticks.values[i]);
+        // The zero line is emphasised.
         const bool zero = plan.ticks.values[i] == 0.0;
         out += svg_line(area.left, y, area.right(), y, zero ? ink::axis : ink::grid, zero ? 0.8 : 1.0);
         out += svg_text(area.left - 7.0, y + 4.0, plan.ticks.labels[i], {.anchor = Anchor::end});
@@ -30,6 +31,7 @@ std::string draw_horizontal_axis(const Axis& axis, const PlannedAxis& plan, cons
     for (std::size_t i = 0; i < plan.ticks.values.size(); ++i) {
         const double x = plan.scale(plan.ticks.values[i]);
         out += svg_line(x, y, x, y + 4.0, ink::axis, 1.0);
+        // Labels are centred at their ticks.
         const double half = 0.5 * text_width(plan.ticks.labels[i]);
         if (!with_labels || x - half < free_from) continue;
         out += svg_text(x, y + 16.0, plan.ticks.labels[i], {.anchor = Anchor::middle});

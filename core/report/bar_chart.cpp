@@ -8,6 +8,7 @@
 namespace myo::report {
 namespace {
 
+// Right margin for the last tick label, and space above a panel for its axis title [px].
 constexpr double right_margin = 22.0, title_of_panel = 24.0;
 
 // Bar between zero and the value, in either order; empty if the value cannot be drawn.
@@ -63,6 +64,7 @@ std::string svg(const BarChart& chart) {
     const double count = std::max<double>(1.0, static_cast<double>(chart.categories.size()));
     double widest = 0.0;
     for (const std::string& name : chart.categories) widest = std::max(widest, text_width(name));
+    // Rotate all labels if the widest one is wider than its category.
     const bool turned = widest > width / count - 8.0;
 
     double title_height = 0.0, legend_height = 0.0;
@@ -73,6 +75,7 @@ std::string svg(const BarChart& chart) {
     y.scale.to_px += area.top;
     body += draw_vertical_axis(axis, y, area);
     const double slot = width / count, groups = std::max<double>(1.0, static_cast<double>(chart.groups.size()));
+    // 72 % of a category are bars, the rest separates categories; few bars do not become wider than 56 px.
     const double bar = std::min(0.72 * slot / groups, 56.0);
     for (std::size_t g = 0; g < chart.groups.size(); ++g)
         for (std::size_t i = 0; i < std::min(chart.groups[g].values.size(), chart.categories.size()); ++i)
@@ -80,6 +83,7 @@ std::string svg(const BarChart& chart) {
                 y, area, left + (static_cast<double>(i) + 0.5) * slot + (static_cast<double>(g) - 0.5 * groups) * bar,
                 bar - 1.0, chart.groups[g].values[i], slot_colour(static_cast<int>(g)));
     body += draw_categories(chart.categories, area, turned);
+    // Height of the category labels; rotated ones are cut off at 140 px.
     const double below = turned ? 22.0 + std::min(0.6 * widest, 140.0) : 26.0;
     return open_svg(left + width + right_margin, area.bottom() + below, chart.title) + body + "</svg>\n";
 }
@@ -104,6 +108,7 @@ std::string svg(const Histogram& histogram) {
     for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
         const double from = std::clamp(x.scale(histogram.edges[i]), area.left, area.right());
         const double to = std::clamp(x.scale(histogram.edges[i + 1]), area.left, area.right());
+        // Outside the given range of the axis.
         if (!(to > from)) continue;
         body += draw_bar(y, area, from + 0.5, std::max(0.5, to - from - 1.0), histogram.counts[i], slot_colour(0));
     }

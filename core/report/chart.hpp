@@ -7,6 +7,9 @@
 
 namespace myo::report {
 
+// A figure is described by data only, so that it can be tested and drawn without a window. Layout (margins, ticks,
+// legend, clipping) is decided in svg().
+
 /// Figures as values. svg() converts each to one SVG document without fixed width, which fills its column.
 /// Equal values give equal text. NaN and infinite samples are gaps; only finite numbers are written.
 

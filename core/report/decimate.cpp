@@ -34,6 +34,7 @@ Polyline decimate(const Polyline& curve, double columns_per_px) {
     const std::size_t count = curve.x.size();
     if (count < 400) return curve;
     const auto gap = [&](std::size_t i) { return !std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i]); };
+    // Only consecutive points of a column are merged, so that a curve may go back in x.
     const auto column = [&](std::size_t i) { return std::floor(curve.x[i] * columns_per_px); };
     Polyline out;
     for (std::size_t i = 0; i < count;) {

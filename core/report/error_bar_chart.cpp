@@ -58,6 +58,7 @@ std::string svg(const ErrorBarChart& chart) {
         referenced = referenced || row.reference.has_value();
         left = std::max(left, text_width(row.name, 11.5) + 16.0);
     }
+    // References must be visible, so they extend the range.
     for (const ReferenceLine& line : chart.vertical) range.add(line.value);
     // Long names must leave at least half of the width to the axis.
     left = std::min(left, 0.5 * chart.width_px);
@@ -72,6 +73,7 @@ std::string svg(const ErrorBarChart& chart) {
             title_height + 6.0, width, legend_height);
     const Rectangle area{left, title_height + legend_height + 12.0, width,
                          row_height * static_cast<double>(std::max<std::size_t>(1, chart.rows.size()))};
+    // Grid first, rows on top of it.
     for (const double value : x.ticks.values)
         body += svg_line(x.scale(value), area.top, x.scale(value), area.bottom(), ink::grid, 1.0);
     body += draw_horizontal_axis(chart.x, x, area, true) + draw_vertical_references(chart.vertical, x.scale, area);

@@ -19,7 +19,9 @@ struct Rectangle {
     double top = 0.0;
     double width = 0.0;
     double height = 0.0;
+    /// Pixel of the right edge.
     double right() const { return left + width; }
+    /// Pixel of the lower edge; y points downwards.
     double bottom() const { return top + height; }
 };
 
@@ -30,6 +32,7 @@ struct Scale {
     double from_px = 0.0;  // pixel of `lowest`
     double to_px = 1.0;    // pixel of `highest`
     bool logarithmic = false;
+    /// Pixel of a value, not clipped to the axis.
     double operator()(double value) const;
 };
 
@@ -45,6 +48,7 @@ struct DataRange {
     bool logarithmic;
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
+    /// Extends the range by a value; values that cannot be drawn are ignored.
     void add(double value);
 };
 
@@ -89,6 +93,7 @@ std::string draw_vertical_axis(const Axis& axis, const PlannedAxis& plan, const 
 
 /// Axis line and tick marks of a horizontal axis; labels and title below only if `with_labels`.
 std::string draw_horizontal_axis(const Axis& axis, const PlannedAxis& plan, const Rectangle& area, bool with_labels);
+/// Height of tick labels and title below a horizontal axis [px].
 inline constexpr double horizontal_axis_height = 40.0;
 
 /// Vertical lines at values of a horizontal scale over the height of the area, labels at the top. Lines outside the

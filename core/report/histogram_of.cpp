@@ -28,9 +28,11 @@ Histogram histogram_of(const std::vector<double>& samples, int wanted_bins) {
     std::copy_if(samples.begin(), samples.end(), std::back_inserter(sorted),
                  [](double v) { return std::abs(v) < 1e150; });
     Histogram histogram;
+    // No edges and no counts: an empty chart.
     if (sorted.empty()) return histogram;
     std::sort(sorted.begin(), sorted.end());
     double lowest = sorted.front(), highest = sorted.back();
+    // Equal samples: a range around their value.
     make_drawable(lowest, highest);
     // Ticks give the round bin width; edges are its multiples that cover all samples.
     const Ticks ticks = linear_ticks(lowest, highest, wanted_bins > 0 ? wanted_bins : bins_by_spread(sorted));

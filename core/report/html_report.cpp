@@ -33,14 +33,17 @@ std::string block(const Paragraph& paragraph) {
 
 std::string block(const BulletList& list) { return list_of(list.items); }
 
+// Tables have their own file because of the number formats.
 std::string block(const Table& table) { return html_table(table); }
 
 std::string block(const Figure& figure) {
+    // The SVG comes from svg() and is inserted without escaping.
     std::string out = "<figure>\n" + figure.svg;
     if (!figure.caption.empty()) out += element("figcaption", escape_markup(figure.caption));
     return out + "</figure>\n";
 }
 
+/// Empty without warnings.
 std::string block(const WarningBox& box) {
     if (box.lines.empty()) return {};
     std::string out = "<div class=\"warn\" role=\"note\"><strong>";
@@ -69,6 +72,7 @@ std::string block(const EmbeddedJson& json) {
 
 std::string blocks(const std::vector<Block>& content);
 
+// Details contain blocks, and blocks may be details: hence the declaration above.
 std::string block(const Details& details) {
     return "<details><summary>" + escape_markup(details.summary) + "</summary>\n" + blocks(details.blocks) +
            "</details>\n";

@@ -13,6 +13,9 @@
 
 namespace myo::report {
 
+// The page is built from typed blocks instead of HTML text, so that escaping and number formats are decided in one
+// place.
+
 /// A report as a value; html() converts it to one self-contained page without scripts or network access, also for
 /// print.
 ///
@@ -119,7 +122,8 @@ struct HtmlReport {
 /// The HTML page. It is also well-formed XML; text is escaped, and embedded JSON cannot end its script element.
 std::string html(const HtmlReport& report);
 
-/// Writes the page atomically (temporary file, then rename). Errors: those of writing the file.
+/// Writes the page atomically (temporary file, then rename).
+/// Errors: those of writing the file.
 Result<void> write_html(const std::filesystem::path& path, const HtmlReport& report);
 
 }  // namespace myo::report

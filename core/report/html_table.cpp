@@ -27,6 +27,7 @@ NumberFormat format_of_column(const Table& table, std::size_t column) {
     for (const std::vector<Cell>& row : table.rows) {
         if (column >= row.size()) continue;
         const double* value = std::get_if<double>(&row[column].content);
+        // A single text cell makes the column a text column; zero and NaN do not influence the format.
         if (value == nullptr) format.numeric = false;
         if (value == nullptr || !std::isfinite(*value) || *value == 0.0) continue;
         smallest = std::min(smallest, std::abs(*value));
@@ -51,6 +52,7 @@ std::string header_cell(const Column& column, bool numeric) {
 }
 
 std::string body_cell(const std::vector<Cell>& row, std::size_t column, const NumberFormat& format) {
+    // Short rows are filled.
     if (column >= row.size()) return "<td></td>";
     const auto& content = row[column].content;
     const double* value = std::get_if<double>(&content);

@@ -50,6 +50,7 @@ Result<Json> read_json(const std::filesystem::path& path) {
     try {
         return Json::parse(*text);
     } catch (const nlohmann::json::parse_error& error) {
+        // The library reports a byte position; people need the line.
         const std::size_t end = std::min(error.byte, text->size());
         const auto line = 1 + std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(end), '\n');
         return Error{"is not valid JSON near this line", path.string() + ":" + std::to_string(line)};

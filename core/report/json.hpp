@@ -19,6 +19,7 @@ Json json_number(double value);
 
 /// [v0, v1, ...] with null for values that are not finite.
 Json json_array(const Eigen::Ref<const Eigen::VectorXd>& values);
+/// The same for a standard vector.
 Json json_array(const std::vector<double>& values);
 
 /// One inner array per column: the points of a 3 x n matrix become [[x, y, z], ...].
@@ -34,7 +35,8 @@ std::string json_line(const Json& value);
 /// Writes json_text() atomically (temporary file, then rename).
 Result<void> write_json(const std::filesystem::path& path, const Json& value);
 
-/// Reads a JSON file. Errors: those of read_file(), or the line of the syntax error.
+/// Reads a JSON file.
+/// Errors: those of read_file(), or the line of the syntax error.
 Result<Json> read_json(const std::filesystem::path& path);
 
 }  // namespace myo::report

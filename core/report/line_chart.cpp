@@ -36,6 +36,7 @@ Look look_of(const Series& series, const std::map<std::string, int>& slots) {
               series.style == SeriesStyle::dots || series.style == SeriesStyle::line_and_dots,
               {}};
     if (series.style == SeriesStyle::dashed)
+        // A dashed series keeps its pattern, also beyond the palette.
         look.dash = "6 4";
     else if (slot >= static_cast<int>(series_palette.size()))
         look.dash = "2 3";
@@ -43,6 +44,7 @@ Look look_of(const Series& series, const std::map<std::string, int>& slots) {
 }
 
 // A dot is a stroke of zero length with round ends: the shortest SVG for many dots.
+// `data`: SVG path commands.
 std::string dots_path(const std::string& data, const Look& look, double diameter) {
     if (data.empty()) return {};
     return "<path d=\"" + data + "\" fill=\"none\" stroke=\"" + std::string(look.colour) + "\" stroke-width=\"" +
@@ -78,6 +80,7 @@ std::string draw_band(const Series& series, const Scale& x, const Scale& y, cons
     std::string data, back;
     const std::size_t count = std::min({series.x.size(), series.y.size(), series.half_width.size()});
     for (std::size_t i = 0; i <= count; ++i) {
+        // One step beyond the end closes the last run.
         const double px = i < count ? x(series.x[i]) : NAN;
         const double upper = i < count ? y(series.y[i] + series.half_width[i]) : NAN;
         const double lower = i < count ? y(series.y[i] - series.half_width[i]) : NAN;
@@ -118,6 +121,7 @@ std::string draw_horizontal_references(const ChartPanel& panel, const Scale& sca
     return out;
 }
 
+/// Spans in two passes: first the shading, below the grid, then the labels (`words`).
 std::string draw_spans(const ChartPanel& panel, const Scale& scale, const Rectangle& area, bool words) {
     std::string out;
     for (const Span& span : panel.spans) {
@@ -148,6 +152,7 @@ std::vector<LegendEntry> legend_of(const LineChart& chart, const std::map<std::s
     return entries;
 }
 
+/// Common range of x over all panels.
 DataRange range_of_x(const LineChart& chart) {
     DataRange range(chart.x);
     for (const ChartPanel& panel : chart.panels)
@@ -170,6 +175,7 @@ DataRange range_of_y(const ChartPanel& panel) {
     return range;
 }
 
+/// One panel: shading, axes, clipped curves, reference lines. Only the last panel has labels at the x axis.
 std::string draw_panel(const LineChart& chart, const ChartPanel& panel, const Rectangle& area, const PlannedAxis& x,
                        const PlannedAxis& y, const std::map<std::string, int>& slots, bool last) {
     std::string out = draw_spans(panel, x.scale, area, false) + draw_vertical_axis(panel.y, y, area) +
@@ -220,6 +226,7 @@ std::string svg(const LineChart& chart) {
         y.scale.to_px += area.top;
         const bool last = i + 1 == chart.panels.size();
         body += draw_panel(chart, chart.panels[i], area, x, y, slots, last);
+        // Only the last panel needs room for the labels of the x axis.
         top = area.bottom() + (last ? horizontal_axis_height : 8.0);
     }
     return open_svg(left + width + right_margin, top, chart.title) + body + "</svg>\n";

@@ -78,6 +78,7 @@ std::string escape_markup(std::string_view text) {
         } else {
             out += text.substr(0, length);
         }
+        // An invalid byte is replaced by itself; decoding continues with the next byte.
         text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return out;
@@ -91,6 +92,7 @@ int character_count(std::string_view text) {
 
 std::string pixel(double value) {
     constexpr double outside = 1e5;
+    // NaN would make the whole path invalid SVG.
     if (std::isnan(value)) value = -outside;
     std::string text = fixed_ascii(std::clamp(value, -outside, outside), 2);
     while (text.back() == '0') text.pop_back();

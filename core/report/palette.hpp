@@ -12,11 +12,16 @@ inline constexpr std::array<std::string_view, 6> series_palette = {"#0072b2", "#
 
 /// Colours of background and text. Figures keep a white background in a dark report, so that they print the same.
 namespace ink {
+// Background.
 inline constexpr std::string_view paper = "#ffffff";
+// Titles and names.
 inline constexpr std::string_view text = "#1b1f24";
+// Secondary text, e.g. tick labels.
 inline constexpr std::string_view quiet = "#57606a";
+// Axis lines and ticks.
 inline constexpr std::string_view axis = "#8c959f";
 inline constexpr std::string_view grid = "#e6e8eb";
+// Background of spans.
 inline constexpr std::string_view shade = "#f1f3f5";
 }  // namespace ink
 

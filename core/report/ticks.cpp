@@ -25,6 +25,7 @@ Ticks decade_ticks(double lowest, double highest, int every, bool between) {
         for (const int factor : {1, 2, 5}) {
             if (factor > 1 && !between) break;
             const double value = factor * std::pow(10.0, k);
+            // The tolerance keeps ticks at the ends of the range.
             if (value < lowest * (1 - 1e-12) || value > highest * (1 + 1e-12)) continue;
             ticks.values.push_back(std::clamp(value, lowest, highest));
             // Plain decimals for moderate values, powers of ten otherwise.
@@ -76,9 +77,11 @@ Ticks linear_ticks(double lowest, double highest, int wanted) {
     // Labels of very large or small values are scaled by a power of 1000, shown once at the axis.
     const double size = std::max(std::abs(lowest), std::abs(highest));
     const int magnitude = floor_log10(size);
+    // Multiples of 3 correspond to SI prefixes.
     const int exponent = magnitude >= 5 || magnitude < -3 ? 3 * static_cast<int>(std::floor(magnitude / 3.0)) : 0;
     const double unit = std::pow(10.0, exponent);
     if (exponent != 0) ticks.factor = power_of_ten(exponent);
+    // As many decimals as the step needs, so that neighbouring labels differ.
     const int decimals = std::max(0, exponent - floor_log10(step));
     for (double k = first; k <= last; k += 1.0) {
         // Rounding can move a multiple out of the range.
@@ -96,6 +99,7 @@ Ticks logarithmic_ticks(double lowest, double highest, int wanted) {
     }
     lowest = std::clamp(lowest, 1e-150, 1e150);
     highest = std::clamp(highest, 1e-150, 1e150);
+    // Too narrow for ticks: widen by a factor of 2 on both sides.
     if (highest < lowest * 1.2) {
         lowest /= 2.0;
         highest *= 2.0;

@@ -42,6 +42,7 @@ public:
         const MotionLoss loss = loss_.evaluate(result_.motion);
         result_.loss = loss.value;
         for (int part = plan_.parts - 1; part >= 0; --part) {
+            // The last part is still on the tape of the forward run.
             if (part + 1 < plan_.parts && !run_part(part, false)) return std::move(result_);
             if (!transpose_part(loss)) return std::move(result_);
         }
@@ -91,6 +92,7 @@ private:
     }
 
     void keep_motion(const dynamics::RunPoint& point) {
+        // Only the observed nodes are stored for all times; whole states only at the splits.
         result_.motion.times_s.push_back(point.time_s);
         result_.motion.positions.emplace_back(point.state.x(Eigen::all, loss_.nodes));
         result_.motion.velocities.emplace_back(point.state.v(Eigen::all, loss_.nodes));
@@ -128,6 +130,7 @@ private:
 
     /// Adds the loss derivative at the state that the backward pass has reached.
     void add_loss(const MotionLoss& loss) {
+        // States are visited in reverse order.
         const auto at = static_cast<std::size_t>(result_.steps - transposed_);
         const auto add = [&](const std::vector<Matrix3Xd>& d, NodalField field) {
             if (at >= d.size() || d[at].size() == 0) return;

@@ -57,6 +57,7 @@ struct GradientRun {
     int parts = 1;            // number of parts the run was split into
     double tape_bytes = 0.0;  // largest memory of the tape, estimated
 
+    /// Whether the gradient is valid.
     bool complete() const { return status == dynamics::RunStatus::complete; }
 };
 

@@ -11,6 +11,14 @@
 
 namespace myo::sensitivity {
 
+// Discrete adjoint of a run. A step is a linear map of the state and of its stage solutions (StepCoefficients), and
+// each stage solution follows from the stage equation r(x; constant, histories, parameters) = 0 with the Hessian H =
+// dr/dx. Backwards through a step:
+//   1. the adjoint of each stage solution collects its contributions from the rows of the map, last stage first;
+//   2. p = H^-1 (this adjoint) is the adjoint of the stage constant, H being symmetric;
+//   3. the gradient with respect to a parameter gains -p . dr/dparameter;
+//   4. the adjoint of the state before the step is the transposed map applied to the adjoints of all rows.
+
 /// Derivative of a loss with respect to the Kinematics at some time. Empty fields are zero.
 ///
 /// Strains act only through the viscous forces, which are linear in the strain rates with a matrix D of the rest state
@@ -45,7 +53,8 @@ public:
 
 private:
     /// Initial guess for the linear solves of a stage: the best approximation, in the energy norm, within the span of
-    /// the adjoint solutions of the last steps. Source: Fischer 1998, "Projection techniques for iterative solution of
+    /// the adjoint solutions of the last steps.
+    /// Source: Fischer 1998, "Projection techniques for iterative solution of
     /// Ax = b with successive right-hand sides".
     class Guess {
     public:

@@ -65,6 +65,7 @@ void add_material(const model::Model& model, std::vector<CheckedParameter>& list
     list.push_back({"density", 1e-3 * model.density_kg_m3,
                     [](model::Model& m, dynamics::SimulationOptions&, double by) { m.density_kg_m3 += by; },
                     [](const ModelGradient& g) { return g.density_kg_m3; }});
+    // The velocity force may be zero: absolute step.
     list.push_back({"velocity force", 0.01,
                     [](model::Model& m, dynamics::SimulationOptions&, double by) { m.velocity_force_1_s += by; },
                     [](const ModelGradient& g) { return g.velocity_force_1_s; }});
@@ -114,6 +115,7 @@ void add_fibres(const model::Model& model, const dynamics::SimulationOptions& op
         const fibre::Signal& signal = model.activation[g];
         for (std::size_t k = 0; k < signal.values.size(); ++k) {
             // Of the knots before t = 0 only the last one influences the run.
+            // Knots after the end of the run do not influence it either.
             const bool acts = k + 1 == signal.values.size() || signal.times_s[k + 1] >= 0.0;
             if (acts && signal.times_s[k] <= options.end_s)
                 list.push_back({"activation of " + name + ", knot " + std::to_string(k), 1e-3,

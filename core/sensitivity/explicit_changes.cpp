@@ -119,6 +119,7 @@ model::NodalColumns ExplicitChanges::gradient(const dynamics::StageSolver& solve
     const MatrixXd changes = model_.creep     ? viscous_changes(stage, rates, d_rates)
                              : with_strains() ? d_rates
                                               : MatrixXd();
+    // Softening factors depend on parameters through the peak energies.
     const MatrixXd d_factors = solver.softening().size() > 0 ? factor_tangents(*model_.softening, pairs_, peaks_)
                                                              : MatrixXd();
     model::NodalColumns result = model::gradient_columns(model_, x, forces, {stiffness_, changes, d_factors});
@@ -128,6 +129,7 @@ model::NodalColumns ExplicitChanges::gradient(const dynamics::StageSolver& solve
             const std::vector<double> d = activation_tangent(parameters_[p], stage.time_s, stage.before_jump);
             if (d.empty() || d[g] == 0.0) continue;
             if (of_group.size() == 0) {
+                // The energy is linear in the activation: the gradient at unit activation is evaluated once per group.
                 std::vector<double> unit(model_.fibres->size(), 0.0);
                 unit[g] = 1.0;
                 of_group = model::activation_gradient(model_, x, unit);

@@ -35,6 +35,7 @@ public:
 
     /// Adds dM/dp u to `momentum`, M at `at_s`, u = sum of factor times motion field of the run itself.
     using MotionTerms = std::vector<std::pair<double, const Eigen::Matrix3Xd*>>;
+    /// The sum u is the same for all parameters; only dM/dp differs.
     void add_mass_changes(double at_s, const MotionTerms& motion, model::NodalColumns& momentum) const;
     /// Whether the mass matrix depends on any parameter.
     bool change_masses() const;

@@ -53,6 +53,7 @@ double GradientCheck::worst_error() const {
 GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOptions options, const LossOfMotion& loss,
                              const std::vector<CheckedParameter>& parameters, AdjointOptions adjoint, int threads,
                              const Progress& progress) {
+    // The noise of a difference quotient is the solver tolerance over the relative step.
     options.solver.tolerance = 1e-10;
     adjoint.tolerance = 1e-10;
     adjoint.fibre_shapes = !model.fibres->empty();
@@ -80,6 +81,7 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
     for (std::size_t p = 0; p < parameters.size(); ++p) {
         GradientCheckRow row{parameters[p].name, parameters[p].derivative(run.gradient)};
         for (std::size_t k = 0; k < 4; ++k) {
+            // A failed run gives NaN; the message names the parameter.
             row.difference += weights[k] * losses[4 * p + k] / parameters[p].step;
             if (std::isfinite(losses[4 * p + k])) continue;
             check.status = progress.cancelled() ? dynamics::RunStatus::cancelled : dynamics::RunStatus::failed;

@@ -38,6 +38,7 @@ struct GradientCheck {
     std::string message;
     std::vector<GradientCheckRow> rows;
 
+    /// Whether all rows were computed.
     bool complete() const { return status == dynamics::RunStatus::complete; }
     /// Median of the relative errors (upper median for an even number); 0 without rows.
     double median_error() const;

@@ -34,6 +34,7 @@ std::vector<model::MassSpan> differences(const std::vector<model::MassSpan>& ove
                                          const std::vector<model::MassSpan>& under, double width) {
     std::vector<model::MassSpan> result;
     for (std::size_t o = 0, u = 0; o < over.size() && u < under.size();) {
+        // The next boundary of either list ends a span of the refinement.
         const double until_s = std::min(over[o].until_s, under[u].until_s);
         result.push_back(
             {until_s, model::mass_matrix(difference(over[o].mass.isotropic, under[u].mass.isotropic, width),

@@ -64,10 +64,12 @@ GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
 void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp) {
     model::add_moduli_work(model_, at.x, p, at.rate, moduli_);
     if (!model_.fibres->empty()) {
+        // The work per unit activation is distributed to knots here, per equilibrium; the other works accumulate.
         std::fill(fibres_.by_activation.begin(), fibres_.by_activation.end(), 0.0);
         model::add_fibre_work(model_, at.x, p, model::activations(model_, at.time_s, at.before_jump), fibres_);
         // A signal is linear between its knots: its value distributes to the two adjacent knots.
         for (std::size_t g = 0; g < fibres_.by_activation.size(); ++g) {
+            // One-sided at a jump: the knot on the side from which the loads are taken.
             const fibre::Signal::Weights w = model_.activation[g].weights(at.time_s, at.before_jump);
             gradient_.activation[g][w.left] -= w.of_left * fibres_.by_activation[g];
             gradient_.activation[g][w.right] -= w.of_right * fibres_.by_activation[g];
@@ -80,6 +82,7 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
     }
     for (std::size_t f = 0; f < model_.forces.size(); ++f) {
         const model::DeadForce& load = model_.forces[f];
+        // `share` distributes the force to the nodes: the derivative is the adjoint at its point of action.
         if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s))
             gradient_.forces_N[f] += p * load.share;
     }
@@ -87,6 +90,7 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
                                                  Mp);  // only isotropic masses have weight
     gradient_.gravity_m_s2 += isotropic_p.rowwise().sum();
     add_isotropic(p, isotropic_p, model_.gravity_m_s2.replicate(1, p.cols()));
+    // Inertia of directional masses and the derivative with respect to Lambda.
     if (at.accelerations) add_momentum(at.inertia_at_s, p, Mp, *at.accelerations, at.by_velocity_force);
 }
 
@@ -124,6 +128,7 @@ ModelGradient GradientSum::take() {
     double attached = 0.0;
     for (std::size_t k = 0; k < model_.masses.size(); ++k)
         attached += model_.masses[k].mass_kg * gradient_.attached_masses_kg[k];
+    // M is linear in the density and the attached masses, so p . M u is the sum of each times its derivative.
     gradient_.density_kg_m3 = model_.density_kg_m3 > 0.0 ? (of_mass_ - attached) / model_.density_kg_m3 : 0.0;
     return std::move(gradient_);
 }

@@ -13,7 +13,7 @@ struct RunParts {
     double bytes = 0.0;    // largest memory of the tape
 };
 
-/// Plan with the fewest parts whose memory fits the budget.
+/// Plan with the fewest parts whose memory is within the budget.
 ///
 /// Errors: the budget is below the minimum; the message states the minimum.
 Result<RunParts> plan_parts(int steps, const TapeBytes& cost, double budget_bytes);

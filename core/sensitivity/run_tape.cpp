@@ -35,6 +35,7 @@ void RunTape::record(dynamics::RunObserver& observer) {
         blocks_.push_back({{}, {}, point.state});
         if (with_strains_) return;
         dynamics::Kinematics& start = blocks_.back().start;
+        // Strains act through viscous forces only; without damping they need no memory.
         for (VectorXd* strain : {&start.strain, &start.rate, &start.rate_lag}) strain->resize(0);
     };
 }
@@ -87,6 +88,7 @@ std::vector<StepRecord> RunTape::take_last(dynamics::StageSolver& solver) {
 
 TapeBytes tape_bytes(const model::Model& model, const dynamics::TimeScheme& scheme, bool with_strains) {
     // Multi-step schemes store v_lag, force_lag and rate_lag besides x, v, force, strain and rate.
+    // A scheme has memory if the row of v_lag is not zero.
     const StepCoefficients steps = step_coefficients(scheme, 1.0, 1.0, 0.0);
     // 3 doubles per node, 1 double per strain measure.
     const double nodal = 24.0 * model.body->node_count(),

@@ -28,6 +28,7 @@ void raise_peaks(const model::Model& model, const Matrix3Xd& x, const model::Nod
     }
     if (peaks.energy_J_m3.size() == 0) peaks = {VectorXd::Zero(now.size()), MatrixXd::Zero(now.size(), count)};
     for (Index c = 0; c < now.size(); ++c)
+        // Strictly larger: of equal maxima the first one keeps its derivative.
         if (std::isfinite(now(c)) && now(c) > peaks.energy_J_m3(c)) {
             peaks.energy_J_m3(c) = now(c);
             peaks.derivative.row(c) = derivative.row(c);

@@ -58,6 +58,7 @@ UnitStep unit_step(const dynamics::TimeScheme& scheme, double h, double step_bef
 StepCoefficients step_coefficients(const dynamics::TimeScheme& scheme, double h_s, double step_before_s,
                                    double velocity_force_1_s) {
     StepCoefficients result;
+    // A step from zero gives the stage parameters, which do not depend on the state.
     const UnitStep zero = unit_step(scheme, h_s, step_before_s, velocity_force_1_s, -1);
     result.inertia_1_s2 = zero.inertia_1_s2;
     result.rate_factor_1_s = zero.rate_factor_1_s;

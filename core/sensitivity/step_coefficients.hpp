@@ -10,6 +10,7 @@ namespace myo::sensitivity {
 
 /// Fields of Kinematics as rows and columns of StepCoefficients. Momentum-like nodal fields come last.
 enum NodalField { x_field, v_field, v_lag_field, force_field, force_lag_field, nodal_fields };
+/// Strain fields correspond to the first nodal fields: strain to x, rate to v, rate_lag to v_lag.
 enum StrainField { strain_field, rate_field, rate_lag_field, strain_fields };
 
 /// Step of an integrator as a linear map, given the stage solutions: one number per pair of fields.
@@ -24,6 +25,7 @@ struct StepCoefficients {
     std::vector<double> inertia_1_s2;     // per stage, see Stage
     std::vector<double> rate_factor_1_s;  // per stage, see Stage
 
+    /// Number of implicit stages per step.
     int stages() const { return static_cast<int>(inertia_1_s2.size()); }
 };
 

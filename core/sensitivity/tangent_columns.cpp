@@ -32,6 +32,7 @@ model::NodalColumns scatter_columns(const model::BlockPattern& pattern, const Ma
 model::NodalColumns mass_times(const model::NodalColumns& fields, const model::MassMatrix& mass) {
     if (fields.size() == 0) return {};
     model::NodalColumns result(fields.rows(), fields.cols());
+    // Each thread writes its own columns (nodes): deterministic without synchronisation. The mass matrix is symmetric.
     parallel_ranges(static_cast<int>(mass.isotropic.outerSize()), 50, [&](int first, int end) {
         for (int j = first; j < end; ++j) {
             result.col(j).setZero();

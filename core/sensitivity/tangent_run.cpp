@@ -96,6 +96,7 @@ public:
             plain.emplace_back(1.0, &momentum);
             return sum_of(plain);
         };
+        // Strains do not involve the mass.
         const auto strain_row = [&](int row) {
             FieldTerms terms;
             for (int c = 0; c < step.strain.cols(); ++c)
@@ -200,6 +201,7 @@ private:
             const MatrixXd B = -explicit_.residuals(solver, stage, x, state.rate, {}, {});
             const model::NodalColumns before = nodal_[x_field];
             nodal_[x_field] = scatter_columns(pattern, solver.solve_linear(K, stage, x, B));
+            // Without softening one solve is exact.
             if (!model_.softening || (nodal_[x_field] - before).norm() <= softening_tolerance * before.norm()) return;
         }
     }

@@ -9,6 +9,9 @@
 
 namespace myo::sensitivity {
 
+// Forward sensitivities follow the run step by step, at a cost proportional to the number of parameters. They supply
+// the Jacobian of residuals for Gauss-Newton methods; the adjoint (adjoint_run.hpp) supplies the gradient of one loss.
+
 /// Derivatives of the motion of k chosen nodes with respect to one parameter, the start first, then after every step.
 struct NodeTangent {
     std::vector<Eigen::Matrix3Xd> positions;   // 3 x k [m per unit]
