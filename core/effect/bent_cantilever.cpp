@@ -21,7 +21,7 @@ Vector4d slope(const Vector4d& y, double load, double shear) {
     return {y(1), -load * (c - g * s), c - g * s, s + g * c};
 }
 
-/// One step of the classical Runge-Kutta method of fourth order along the arc length.
+/// One increment of the classical Runge-Kutta method of fourth order along the arc length.
 Vector4d after(const Vector4d& y, double h, double load, double shear) {
     const Vector4d k1 = slope(y, load, shear), k2 = slope(y + 0.5 * h * k1, load, shear),
                    k3 = slope(y + 0.5 * h * k2, load, shear), k4 = slope(y + h * k3, load, shear);

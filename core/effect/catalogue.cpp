@@ -64,13 +64,13 @@ bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
 }
 
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected) {
-    // stable_sort below keeps the order of declaration within a stage.
+    // stable_sort below keeps the order of declaration within an EffectStage.
     std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
     for (const EffectDeclaration& declaration : effects) {
         order.emplace_back(find_effect(declaration.id), &declaration);
         assert(order.back().first != nullptr);
     }
-    // Order by stage: stress-free shapes refer to the cells as supported, whatever was declared first.
+    // Order by EffectStage: stress-free shapes refer to the cells as supported, whatever was declared first.
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first->stage < b.first->stage; });
     for (const auto& [effect, declaration] : order)

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Unit of the optimiser's variables: a tenth of a signal's unit keeps its first step moderate.
+/// Unit of the optimiser's variables: a tenth of a signal's unit keeps its first update moderate.
 constexpr double value_unit = 0.1;
 
 /// Objective function of the optimiser: loss relative to the start, values in their unit. Logs every evaluation.

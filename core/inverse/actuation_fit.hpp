@@ -90,7 +90,7 @@ struct ActuationFit {
 ///
 /// Uses the limited-memory quasi-Newton method of NLopt (Luksan's variable metric; Liu & Nocedal 1989) with the exact
 /// gradient; each evaluation is one run forwards and backwards. It needed 34 evaluations where MMA needed more than 100
-/// (two antagonists, 80 values). If the model cannot be run at some values, the search steps back.
+/// (two antagonists, 80 values). If the model cannot be run at some values, the search retreats.
 ///
 /// @param start  signals x knots; moved into the bounds
 /// Errors: cancelled or not_converged with the best values so far; failed if the run fails at the start. Asserts that

@@ -19,12 +19,12 @@ Eigen::VectorXd physical_values(const std::vector<Parameter>& parameters, const 
 /// physical_slope() of all parameters.
 Eigen::VectorXd physical_slopes(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
-/// Bounds of a single optimisation step in internal values: up to the bounds of the parameters, and at most a factor of
+/// Bounds of a single update in internal values: up to the bounds of the parameters, and at most a factor of
 /// e squared for parameters over decades.
 struct StepBounds {
     Eigen::VectorXd lower, upper;
 };
-/// Step bounds at the given internal values. Zero is always within them.
+/// Bounds of the next update at the given internal values. Zero is always within them.
 StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
 /// Evaluations of a fit. Repeated points are evaluated once; the best one is kept; all are entered in report and

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Adapter to Ceres, which requests residuals first and the Jacobian only for an accepted step. The parameter block
+/// Adapter to Ceres, which requests residuals first and the Jacobian only for an accepted update. The parameter block
 /// contains the moved parameters; the others keep their place in `internal`.
 class ResidualBlock final : public ceres::CostFunction {
 public:
@@ -53,8 +53,8 @@ private:
     ReusedJacobian& jacobian_;
 };
 
-/// Ends a cancelled fit, and one whose steps change the cost by no more than the rounding of the model: Ceres counts a
-/// step with a small gain as convergence, but keeps shortening a step with an equally small loss.
+/// Ends a cancelled fit, and one whose updates change the cost by no more than the rounding of the model: Ceres counts
+/// a update with a small gain as convergence, but keeps shortening one with an equally small loss.
 class EndFit final : public ceres::IterationCallback {
 public:
     EndFit(const Progress& progress, double relative_decrease)

@@ -20,7 +20,7 @@ struct Parameter {
     double lower = -std::numeric_limits<double>::infinity();
     double upper = std::numeric_limits<double>::infinity();
     double scale = 1.0;  // a change of this size matters
-    /// Non-negative with unknown order of magnitude: the fit moves ln(1 + value / scale), so that its steps are
+    /// Non-negative with unknown order of magnitude: the fit moves ln(1 + value / scale), so that its updates are
     /// relative.
     bool over_decades = false;
 
@@ -30,7 +30,7 @@ struct Parameter {
 
 /// Residuals r (m), in units of their standard deviation, and J = dr/dp (m x n) at p.
 struct ResidualEvaluation {
-    bool ok = false;  // false: the model could not be run; the optimiser steps back
+    bool ok = false;  // false: the model could not be run; the optimiser retreats
     std::string message;
     Eigen::VectorXd residuals;
     Eigen::MatrixXd jacobian;
@@ -123,8 +123,8 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
 
 /// Least squares for Jacobians that cost many evaluations. `residuals` omits derivatives.
 ///
-/// The fit requests a Jacobian at the start, and wherever the last one, updated by Broyden's secant formula, predicts a
-/// step badly. At the end it requests one unless the last requested Jacobian predicts the way from there to 10 %.
+/// The fit requests a Jacobian at the start, and wherever the last one, updated by Broyden's secant formula, predicts
+/// an update badly. At the end it requests one unless the last requested Jacobian predicts the way from there to 10 %.
 /// Source: Broyden 1965, Math. Comp. 19; Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares
 /// problems, 3.4.
 LeastSquaresReport fit_by_secants(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,

@@ -13,8 +13,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Limits of the prediction error: a larger error of a step requests a new Jacobian; at the end, a larger error of the
-/// last requested (or given) Jacobian over the way from there requests one.
+/// Limits of the prediction error: a larger error of an update requests a new Jacobian; at the end, a larger error of
+/// the last requested (or given) Jacobian over the way from there requests one.
 constexpr double bad_secant = 0.5, trusted_end = 0.1;
 
 /// Residuals with their Jacobian at a point, with respect to internal values.
@@ -111,7 +111,7 @@ private:
         const std::vector<bool> flat = without_influence(parameters_, here_.J * slopes().cwiseInverse().asDiagonal());
         for (Index i = 0; i < n; ++i)
             if (flat[static_cast<std::size_t>(i)]) bounds.lower(i) = bounds.upper(i) = 0.0;
-        // Marquardt's damping: bisection for the lambda that brings the step within the radius.
+        // Marquardt's damping: bisection for the lambda that brings the update within the radius.
         MatrixXd A(2 * n, n);
         VectorXd b = VectorXd::Zero(2 * n);
         A.topRows(n) = R;
@@ -192,7 +192,7 @@ private:
         report_.message = progress_.cancelled() ? "stopped by the user" : message;
     }
 
-    /// Broyden's update: the smallest change of the Jacobian that explains the last step.
+    /// Broyden's update: the smallest change of the Jacobian that explains the last change of the residuals.
     void turn(const VectorXd& step, const VectorXd& residuals, const VectorXd& scale) {
         const VectorXd weighted = scale.cwiseAbs2().cwiseProduct(step);
         here_.J += (residuals - here_.r - here_.J * step) * weighted.transpose() / step.dot(weighted);
@@ -206,7 +206,8 @@ private:
     FitEvaluations evaluations_;
     Linear here_;
     Linear anchor_;                                            // point of the last requested or given Jacobian
-    double radius_ = std::numeric_limits<double>::infinity();  // bound on the step, scaled by the column norms
+    double radius_ = std::numeric_limits<double>::infinity();  // trust region: bound on the update, scaled by the
+                                                               // column norms
 };
 
 }  // namespace

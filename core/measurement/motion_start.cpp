@@ -217,7 +217,7 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
     const Eigen::VectorXd displacement = displacement_along_motion(movers, first, count, window);
     const Eigen::VectorXd times = movers.time_s.segment(first, count);
     // A mass that starts from rest moves as t^2. The linear law is for slow drives and is accepted only if many samples
-    // show that it fits better.
+    // show that its error is smaller.
     OnsetLaw law = fit_onset(times, displacement, 2.0);
     if (count >= 6) {
         const OnsetLaw linear = fit_onset(times, displacement, 1.0);

@@ -80,7 +80,7 @@ std::string draw_band(const Series& series, const Scale& x, const Scale& y, cons
     std::string data, back;
     const std::size_t count = std::min({series.x.size(), series.y.size(), series.half_width.size()});
     for (std::size_t i = 0; i <= count; ++i) {
-        // One step beyond the end closes the last run.
+        // One index beyond the end closes the last run.
         const double px = i < count ? x(series.x[i]) : NAN;
         const double upper = i < count ? y(series.y[i] + series.half_width[i]) : NAN;
         const double lower = i < count ? y(series.y[i] - series.half_width[i]) : NAN;

@@ -49,7 +49,7 @@ void make_drawable(double& lowest, double& highest) {
         highest = 1.0;
         return;
     }
-    // Differences and squares of the values must not overflow, steps must not underflow.
+    // Differences and squares of the values must not overflow, spacings must not underflow.
     lowest = std::clamp(lowest, -1e150, 1e150);
     highest = std::clamp(highest, -1e150, 1e150);
     const double size = std::max(std::abs(lowest), std::abs(highest));
@@ -67,7 +67,7 @@ Ticks linear_ticks(double lowest, double highest, int wanted) {
     Ticks ticks{lowest, highest, {}, {}, {}};
     double step = round_step((highest - lowest) / std::max(wanted, 2));
     double first = 0.0, last = 0.0;
-    // Few wanted ticks can give a step with fewer than two multiples in the range: reduce it.
+    // Few wanted ticks can give a spacing with fewer than two multiples in the range: reduce it.
     for (int attempt = 0; attempt < 3; ++attempt) {
         first = std::ceil(lowest / step - 1e-9);
         last = std::floor(highest / step + 1e-9);
@@ -81,7 +81,7 @@ Ticks linear_ticks(double lowest, double highest, int wanted) {
     const int exponent = magnitude >= 5 || magnitude < -3 ? 3 * static_cast<int>(std::floor(magnitude / 3.0)) : 0;
     const double unit = std::pow(10.0, exponent);
     if (exponent != 0) ticks.factor = power_of_ten(exponent);
-    // As many decimals as the step needs, so that neighbouring labels differ.
+    // As many decimals as the spacing needs, so that neighbouring labels differ.
     const int decimals = std::max(0, exponent - floor_log10(step));
     for (double k = first; k <= last; k += 1.0) {
         // Rounding can move a multiple out of the range.
