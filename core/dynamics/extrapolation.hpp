@@ -9,11 +9,13 @@
 
 namespace myo::dynamics {
 
-/// Where a smooth motion goes next: the parabola through its last three positions. Starts anew where loads jump, and
-/// holds its tongue where the velocity changes by two fifths of itself between the positions: the steps do not resolve
-/// the motion.
+/// Predictor for the next stage: quadratic extrapolation of the last three positions.
+///
+/// restart() forgets the history, as is necessary at a jump of the loads. at() returns no prediction if the velocity
+/// changes by more than 40 % between the two intervals, because the steps then do not resolve the motion.
 class Extrapolation {
 public:
+    /// Discards the history and starts with one position, x: 3 x n [m].
     void restart(double time_s, const Eigen::Matrix3Xd& x) {
         points_.clear();
         add(time_s, x);
@@ -22,12 +24,13 @@ public:
     void clear() { points_.clear(); }
     bool known() const { return !points_.empty(); }
 
+    /// Appends a position; only the last three are kept. Times must differ.
     void add(double time_s, const Eigen::Matrix3Xd& x) {
         if (points_.size() == 3) points_.erase(points_.begin());
         points_.emplace_back(time_s, x);
     }
 
-    /// Nothing when fewer than three positions are known or they are too far apart.
+    /// Extrapolated positions, 3 x n [m]; nullopt with fewer than three positions or an unresolved motion.
     std::optional<Eigen::Matrix3Xd> at(double time_s) const {
         if (points_.size() < 3) return std::nullopt;
         const auto velocity = [&](std::size_t k) -> Eigen::Matrix3Xd {
@@ -38,8 +41,8 @@ public:
         return parabola_at(time_s);
     }
 
-    /// The parabola through the last three, whatever the motion does; the straight line or the position where fewer are
-    /// known.
+    /// Lagrange polynomial through the known positions: quadratic with three of them, linear with two, constant with
+    /// one. No check of the velocity change; needs at least one position.
     Eigen::Matrix3Xd parabola_at(double time_s) const {
         Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, points_.back().second.cols());
         for (const auto& [t, position] : points_) {
@@ -52,7 +55,7 @@ public:
     }
 
 private:
-    std::vector<std::pair<double, Eigen::Matrix3Xd>> points_;
+    std::vector<std::pair<double, Eigen::Matrix3Xd>> points_;  // (time [s], positions), oldest first
 };
 
 }  // namespace myo::dynamics

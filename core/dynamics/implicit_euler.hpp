@@ -7,8 +7,13 @@
 
 namespace myo::dynamics {
 
-/// x1 = x0 + h v1, M (v1 - v0)/h = F(x1) + Lambda M v0, as in the paper (eqs. 3 and 10: the velocity force is the
-/// previous step's).
+/// One implicit Euler step: x1 = x0 + h v1, M (v1 - v0)/h = F(x1) + Lambda M v0.
+///
+/// The velocity force Lambda M v0 uses the velocity at the start of the step, as in the paper (eqs. 3 and 10).
+/// @param p     mass, time, h and stage solver
+/// @param s     state at the start of the step; its force and rate are not used
+/// @param next  state at the end; valid only if the step succeeds
+/// @return      false if the stage solve failed
 template <class Solve>
 bool implicit_euler_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& next) {
     Stage stage;

@@ -12,16 +12,20 @@
 
 namespace myo::dynamics {
 
+/// Time integrators of a run. Each is one header of this module.
 enum class Integrator { tr_bdf2, implicit_euler, bdf2, trapezoidal, generalized_alpha };
 
+/// Name of an integrator in files and on the command line.
 std::string to_string(Integrator integrator);
+/// All integrator names, in the order of the enumeration.
 std::vector<std::string> integrator_ids();
+/// Sets `integrator` from its name. Returns false for an unknown name.
 bool parse_integrator(const std::string& id, Integrator& integrator);
 
-/// An integrator with its parameter. Converts from the integrator alone, as most have none.
+/// An integrator with its parameter. Converts implicitly from an Integrator, as most have no parameter.
 struct TimeScheme {
     Integrator integrator = Integrator::tr_bdf2;
-    double rho_inf = 0.5;  // of generalized_alpha, 0 ... 1
+    double rho_inf = 0.5;  // spectral radius at infinity, generalized_alpha only, 0 ... 1
 
     TimeScheme() = default;
     TimeScheme(Integrator which, double spectral_radius_at_infinity = 0.5)
@@ -29,7 +33,9 @@ struct TimeScheme {
     friend bool operator==(const TimeScheme&, const TimeScheme&) = default;
 };
 
-/// One step from `start` to `next`. False where a stage was given up; then `next` is not to be used.
+/// One step of the scheme from `start` to `next`, with one or two stage solves.
+///
+/// @return  false if a stage solve failed; `next` is then invalid
 template <class Solve>
 bool take_step(const TimeScheme& scheme, const StepProblem<Solve>& p, const Kinematics& start, Kinematics& next) {
     switch (scheme.integrator) {

@@ -12,7 +12,7 @@ namespace {
 
 using ConstMatrix3 = Eigen::Map<const Eigen::Matrix3d>;
 
-/// B with every node's vectors turned by W (or W').
+/// W B (or W' B): the three components of every free node are rotated by that node's W.
 Eigen::MatrixXd turned(const model::BlockPattern& pattern, const Eigen::Matrix<double, 9, Eigen::Dynamic>& warp,
                        const Eigen::MatrixXd& B, bool transposed) {
     Eigen::MatrixXd result(B.rows(), B.cols());
@@ -30,7 +30,9 @@ Eigen::MatrixXd turned(const model::BlockPattern& pattern, const Eigen::Matrix<d
     return result;
 }
 
-/// Translations and uniform deformations, turned and stretched bodies' rotations among them: unknowns x 12.
+/// Translations and homogeneous deformations of the body, rigid rotations among them: unknowns x 12.
+///
+/// They form the coarse space of the Schwarz preconditioner, whose subdomains alone cannot transport such motions.
 Eigen::MatrixXd smooth_motions(const model::BlockPattern& pattern, const Eigen::Matrix3Xd& x) {
     const Eigen::Vector3d middle = x.rowwise().mean();
     const double size = (x.colwise() - middle).cwiseAbs().maxCoeff();
@@ -57,6 +59,8 @@ bool LaggedFactor::factorize(const solver::SymmetricSparse& H, const model::Body
 }
 
 bool LaggedFactor::renew(const StageProblem& problem, const Eigen::Matrix3Xd& x, StageReport& report) {
+    // Fibres under compression are the usual cause of an indefinite Hessian; they are projected before the cells, which
+    // costs more of the convergence rate.
     for (const model::HessianKind kind :
          {model::HessianKind::exact, model::HessianKind::positive_fibres, model::HessianKind::positive}) {
         if (kind == model::HessianKind::positive_fibres && problem.model().fibres->empty()) continue;
@@ -74,6 +78,7 @@ bool LaggedFactor::renew_with(const solver::SymmetricSparse& H, const StageProbl
     stale_ = !factorize(H, *problem.model().body, x);
     inertia_1_s2_ = problem.stage().inertia_1_s2;
     factored_rotations_ = model::nodal_rotations(*problem.model().body, x);
+    // At the moment of factorisation R_now = R_factored: W is the identity.
     warp_ = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(Eigen::Matrix3d::Identity().eval().data())
                 .replicate(1, factored_rotations_.cols());
     return !stale_;
@@ -92,18 +97,20 @@ Eigen::MatrixXd LaggedFactor::solve(const model::BlockPattern& pattern, const Ei
 }
 
 bool LaggedFactor::is_stale(double inertia_1_s2) const {
-    // Both stages of a step share their inertia; another one (a shortened step, statics) needs another factor.
+    // Both stages of a TR-BDF2 step share their inertia factor. A different one (shortened step, statics) changes the
+    // matrix and needs a new factor.
     return stale_ || std::abs(inertia_1_s2 - inertia_1_s2_) > 1e-3 * std::abs(inertia_1_s2_);
 }
 
 void LaggedFactor::charge(int iterations, const model::Body& body) {
+    // A fresh exact factor needs 2 iterations; a fresh Schwarz preconditioner is measured by its first solve.
     if (!usual_iterations_) usual_iterations_ = whole_.has_factor() ? 2 : iterations;
     extra_iterations_ += std::max(0, iterations - *usual_iterations_);
     if (extra_iterations_ > iterations_per_factorisation(body)) stale_ = true;
 }
 
-/// Measured on one core with 4,608 unknowns: factorisation 30 Gflop/s and 3 us per cell to assemble, a solve in single
-/// precision 0.2 ns per entry of the factor, forces 0.3 us per cell.
+/// Cost model, measured on one core with 4,608 unknowns: factorisation 30 Gflop/s and 3 us per cell for assembly; a
+/// solve in single precision 0.2 ns per entry of the factor; forces 0.3 us per cell.
 int LaggedFactor::iterations_per_factorisation(const model::Body& body) const {
     const double cells = body.cell_count();
     const double flops = whole_.has_factor() ? whole_.factor_flops() : parts_.factor_flops();

@@ -32,12 +32,14 @@ LinearisedStep::LinearisedStep(StageSolver& solver, Matrix3Xd x, double time_s, 
       velocity_force_1_s_(velocity_force_1_s) {}
 
 const LinearisedStep::LinearStage& LinearisedStep::linear_stage(const Stage& stage) {
+    // The two stages of a step usually have the same matrix; it is assembled once.
     for (const LinearStage& known : stages_)
         if (known.stage.inertia_1_s2 == stage.inertia_1_s2 && known.stage.rate_factor_1_s == stage.rate_factor_1_s)
             return known;
     Stage at_rest = static_stage(*solver_->model().body, time_s_);
     at_rest.inertia_1_s2 = stage.inertia_1_s2;
     at_rest.rate_factor_1_s = stage.rate_factor_1_s;
+    // The stage represents the body at rest at x: rate and velocity vanish there.
     at_rest.rate_history = -stage.rate_factor_1_s * model::strains(solver_->model(), x_);
     if (solver_->model().creep) at_rest.rate_history = at_rest.rate_history.replicate(2, 1).eval();
     at_rest.velocity_history = -stage.rate_factor_1_s * x_;
@@ -50,6 +52,7 @@ Kinematics LinearisedStep::displaced(const Matrix3Xd& u) {
     Kinematics s;
     s.x = u;
     s.v = Matrix3Xd::Zero(3, u.cols());
+    // Force of the displaced body at rest: -K u.
     const solver::SymmetricSparse K = solver_->hessian(static_stage(body, time_s_), x_);
     s.force = model::scatter(body.pattern, -(K.selfadjointView<Eigen::Lower>() * model::gather(body.pattern, u)));
     s.strain = model::strain_tangent(solver_->model(), x_, u);
@@ -62,6 +65,7 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
     const model::Model& model = solver_->model();
     const model::BlockPattern& pattern = model.body->pattern;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {
+        // The deviations of strain rates and velocities have an explicit part, the history, which acts as a load.
         Matrix3Xd load = stage.constant;
         if (model.creep)
             load -= model::viscous_gradient(model, x_,
@@ -88,8 +92,9 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
 
 GrowthPerStep growth_per_step(LinearisedStep& step, const Matrix3Xd& start, int max_steps) {
     const model::BlockPattern& pattern = step.solver().model().body->pattern;
-    // Of a single mode the displacements alone are all parallel, and two parts obey some recurrence from the first step
-    // on, also while a two-step scheme's parasitic roots still die away.
+    // Displacements alone would be parallel for a single mode, and any two components satisfy some recurrence from the
+    // first step on. Velocity and memory are included so that the parasitic roots of two-step schemes must have
+    // decayed.
     const auto observed = [&](const Kinematics& s) {
         const Matrix3Xd lag = s.v_lag.size() > 0 ? s.v_lag : Matrix3Xd::Zero(3, s.v.cols());
         VectorXd y(3 * pattern.unknowns());
@@ -114,9 +119,10 @@ GrowthPerStep growth_per_step(LinearisedStep& step, const Matrix3Xd& start, int 
         history << now, before;
         const Eigen::Vector2d c = history.colPivHouseholderQr().solve(next);
         result.residual = (history * c - next).norm() / size;
-        // Roots of z^2 = c0 z + c1.
+        // Dominant pair: roots of z^2 = c0 z + c1. Complex: |z|^2 = -c1; real: the larger magnitude.
         const double half = 0.5 * c(0), discriminant = half * half + c(1);
         result.spectral_radius = discriminant < 0.0 ? std::sqrt(-c(1)) : std::abs(half) + std::sqrt(discriminant);
+        // The map is linear: normalise to avoid overflow over many steps.
         before = now / size;
         now = next / size;
         scale(state, 1.0 / size);
@@ -133,7 +139,8 @@ CriticalVelocityForce critical_velocity_force(StageSolver& solver, const Matrix3
     result.status = modes.status;
     if (!modes.ok()) return result;
     result.omega_rad_s = modes.modes.front().omega_rad_s;
-    // The squared radius is linear in Lambda for implicit Euler and nearly so for all: a few secant steps.
+    // The squared radius is linear in Lambda for implicit Euler and nearly linear for the others: the secant method
+    // converges in a few iterations.
     const auto excess = [&](double lambda) {
         LinearisedStep step(solver, x, time_s, scheme, h_s, lambda);
         const GrowthPerStep growth = growth_per_step(step, modes.modes.front().shape);

@@ -12,20 +12,21 @@
 namespace myo::dynamics {
 namespace {
 
+/// Termination of the subspace iteration.
 struct ModePolicy {
     int most_iterations = 100;
-    double settled = 1e-7;  // residual, see NaturalModes
-    /// Rounding of the forces of nearly incompressible thin bodies ends the way down earlier. Frequencies are good to
-    /// its square.
+    double settled = 1e-7;  // relative residual of a converged mode, see NaturalModes
+    /// Accepted residual once the iteration stalls: in nearly incompressible thin bodies the rounding of the forces
+    /// ends the decrease earlier. The error of a frequency is of the order of the residual squared.
     double acceptable = 1e-4;
-    double least_fall = 0.7;  // of the residual by an iteration, on the way down
+    double least_fall = 0.7;  // ratio of successive residuals above which the iteration counts as stalled
 };
 constexpr ModePolicy mode_policy;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Columns without order among the unknowns, so that each has a part of every mode.
+/// Start vectors without structure, so that each has a component along every mode. Deterministic: runs repeat.
 MatrixXd start_block(int rows, int columns) {
     MatrixXd block(rows, columns);
     for (int j = 0; j < columns; ++j)
@@ -47,13 +48,14 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
                                           model::times_mass(model::scatter(pattern, V.col(j)), solver.mass(time_s)));
         return result;
     };
-    // The error of mode i falls by (omega_i / omega_(block + 1))^2 per iteration: some more vectors than modes.
+    // The error of mode i decreases by (omega_i / omega_(block + 1))^2 per iteration: more vectors than modes.
     const int block = std::min(std::max(2 * count, count + 4), pattern.unknowns());
     NaturalModes result;
     MatrixXd V = start_block(pattern.unknowns(), block);
     for (result.iterations = 1; result.iterations <= mode_policy.most_iterations; ++result.iterations) {
         V = solver.solve_linear(K, stage, x, inertia_of(V));
         const MatrixXd KV = K.selfadjointView<Eigen::Lower>() * V, MV = inertia_of(V);
+        // Rayleigh-Ritz: best approximations of the modes within the subspace, M-orthonormal.
         const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz(V.transpose() * KV, V.transpose() * MV);
         if (!V.allFinite() || ritz.info() != Eigen::Success || ritz.eigenvalues()(0) <= 0.0) {
             result.status = SolveStatus::not_finite;

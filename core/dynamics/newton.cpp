@@ -26,7 +26,7 @@ bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const MatrixXd& B,
         return factor.solve(body.pattern, V);
     };
     bool fresh = false;
-    // Of many columns every iteration is dear, and those of a factor of this very matrix are some fewer.
+    // With many columns each iteration is expensive, and a factor of this very matrix needs fewer of them.
     const bool pays = B.cols() > factor.iterations_per_factorisation(body);
     if (pays || factor.is_stale(problem.stage().inertia_1_s2)) {
         if (!factor.renew_with(H, problem, x, report)) return false;
@@ -35,6 +35,7 @@ bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const MatrixXd& B,
         factor.turn_to(body, x);
     }
     while (true) {
+        // The Schwarz preconditioner converges more slowly than a factor of the whole matrix.
         const int limit = std::max(factor.is_whole(body.pattern) ? 30 : 500, factor.iterations_per_factorisation(body));
         const solver::ConjugateGradientReport cg = solver::conjugate_gradient(product, metric, B, tolerance, limit,
                                                                               guess);
@@ -44,6 +45,7 @@ bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const MatrixXd& B,
             solution = cg.solution;
             return true;
         }
+        // No convergence with an old factor: renew it once, with H itself.
         if (fresh || !factor.renew_with(H, problem, x, report)) return false;
         fresh = true;
     }
@@ -53,6 +55,8 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
                   Matrix3Xd& x, StageReport& report) {
     const model::Model& model = problem.model();
     const model::Stiffness& stiffness = problem.constants().stiffness;
+    // Mixed method: the pressure of the geometric stiffness is the one predicted by the last linear solve, not the one
+    // of the deformed cell, with which the iteration near nu = 0.5 would need a line search.
     VectorXd pressure = model::pressures(model, stiffness, x);
     Matrix3Xd best = x;
     double best_residual = std::numeric_limits<double>::infinity();
@@ -71,7 +75,7 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
             best = x;
         }
         report.residual = best_residual;
-        // A tolerance below rounding: the residual has stopped falling far below anything physical.
+        // Tolerance below rounding: the residual stagnates far below any physical force.
         const bool at_rounding = without_progress >= 2 && best_residual < 1e-9;
         if (residual <= options.tolerance || at_rounding) {
             x = best;
@@ -79,10 +83,11 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
         }
         if (without_progress > 6) break;
         MatrixXd step;
+        // Inexact Newton: solve the linear system only as accurately as the present residual requires.
         const double accuracy = std::clamp(0.1 * residual, 1e-6, 1e-2);
         if (!solve_by_lagged_factor(now.hessian, -now.residual, accuracy, problem, x, factor, report, step)) {
             if (kind != model::HessianKind::exact || model.fibres->empty()) break;
-            kind = model::HessianKind::positive_fibres;  // muscles that push make the exact one indefinite
+            kind = model::HessianKind::positive_fibres;  // fibres that push make the exact Hessian indefinite
             continue;
         }
         const Matrix3Xd dx = model::scatter(problem.pattern(), step);
@@ -95,20 +100,21 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
     return false;
 }
 
-/// Factors the exact Hessian or, where it is not definite or lately was not, that of positive fibres or of positive
-/// cells. `hessian`: the exact one, on return the one that was factored. `indefinite`: steps still to be taken without
-/// the exact one.
+/// Factors the exact Hessian or, if it is indefinite or recently was, that of positive fibres or of positive cells.
+///
+/// @param indefinite  iterations for which the exact Hessian is skipped
+/// @param hessian     in: exact Hessian; out: the matrix that was factored
 static bool factor_definite(const StageProblem& problem, const Matrix3Xd& x, int& indefinite, LaggedFactor& factor,
                             solver::SymmetricSparse& hessian, StageReport& report) {
     if (indefinite == 0 && factor.renew_with(hessian, problem, x, report)) return true;
-    indefinite = indefinite > 0 ? indefinite - 1 : 1;  // where one Hessian was indefinite the next one mostly is
+    indefinite = indefinite > 0 ? indefinite - 1 : 1;  // an indefinite Hessian is usually followed by another one
     if (!problem.model().fibres->empty()) {
         hessian = problem.evaluate(x, model::HessianKind::positive_fibres).hessian;
         if (factor.renew_with(hessian, problem, x, report)) return true;
     }
     hessian = problem.evaluate(x, model::HessianKind::positive).hessian;
-    // Positive cells leave motions without any stiffness, along which a step would know no end: a small shift along the
-    // mass.
+    // Positive cells can leave motions without any stiffness, along which the correction would be unbounded: a small
+    // shift along the mass bounds it.
     const solver::SymmetricSparse& inertia = problem.inertia();
     hessian.coeffs() += 1e-6 * hessian.diagonal().sum() / inertia.diagonal().sum() * inertia.coeffs();
     return factor.renew_with(hessian, problem, x, report);
@@ -116,8 +122,8 @@ static bool factor_definite(const StageProblem& problem, const Matrix3Xd& x, int
 
 bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor,
                    Matrix3Xd& x, StageReport& report) {
-    int indefinite = 0;  // steps still to be taken with positive cells
-    int crawling = 0;    // steps in a row of less than a thousandth of what was asked for
+    int indefinite = 0;  // iterations for which the projected Hessian is used
+    int crawling = 0;    // iterations in a row with a line search factor below 1e-3
     for (int iteration = 0; iteration < 5 * options.max_newton_iterations && crawling < 25;
          ++iteration, ++report.newton_iterations) {
         StageProblem::Evaluation now = problem.evaluate(x, model::HessianKind::exact);
@@ -133,6 +139,7 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
         if (!factor.is_whole(problem.pattern()) &&
             !solve_by_lagged_factor(now.hessian, -now.residual, 1e-3, problem, x, factor, report, step))
             return false;
+        // Armijo line search with halving. A direction without descent cannot be improved by it.
         const double slope = now.residual.dot(step.col(0));
         if (!(slope < 0.0)) return false;
         const Matrix3Xd dx = model::scatter(problem.pattern(), step);
@@ -140,7 +147,7 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
         bool accepted = false;
         for (int halving = 0; halving < 40 && !accepted; ++halving, length *= 0.5) {
             const StageProblem::Evaluation trial = problem.evaluate(x + length * dx, model::HessianKind::none);
-            // Below rounding of the potential the residual decides; above it, it would lead round in circles.
+            // If the potential cannot resolve the decrease, the residual decides; elsewhere it would allow cycles.
             const bool rounding = -slope < 1e-9 * std::abs(now.potential) || residual < 1e-3;
             accepted = trial.residual.allFinite() && (trial.potential <= now.potential + 1e-4 * length * slope ||
                                                       (rounding && trial.residual.norm() < 0.9 * now.residual.norm()));

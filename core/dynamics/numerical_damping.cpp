@@ -16,11 +16,12 @@ using Eigen::Matrix4d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-/// A body of one node that moves along x, mass 1, in the time unit h. Its strain is x itself.
+/// Model of one node that moves along x, with mass 1 and h as the unit of time. Its strain is x itself.
 Matrix3Xd node(double value) { return Matrix3Xd(Eigen::Vector3d(value, 0.0, 0.0)); }
 
 Kinematics kinematics(const Vector4d& y, const Oscillator& o) {
     Kinematics s;
+    // Consistent state: the force (M = 1) follows from the equation of motion.
     s.x = node(y(0));
     s.v = node(y(1));
     s.force = node((o.velocity_force_1_s - 2.0 * o.damping_ratio * o.omega_rad_s) * y(1) -
@@ -45,6 +46,8 @@ Matrix4d amplification(const TimeScheme& scheme, const Oscillator& oscillator, d
     model::MassMatrix mass{Eigen::SparseMatrix<double>(1, 1), {}, {}};
     mass.isotropic.insert(0, 0) = 1.0;
     const auto solve = [&](const Stage& stage, StageSolution& solution) {
+        // Stage equation of the test equation: (inertia + omega^2 + 2 zeta omega f) x = constant - 2 zeta omega
+        // history.
         const double stiffness = o.omega_rad_s * o.omega_rad_s, viscosity = 2.0 * o.damping_ratio * o.omega_rad_s;
         const double x = (first(stage.constant) - viscosity * stage.rate_history(0)) /
                          (stage.inertia_1_s2 + stiffness + viscosity * stage.rate_factor_1_s);
@@ -67,11 +70,12 @@ DiscreteVibration discrete_vibration(const TimeScheme& scheme, const Oscillator&
     std::complex<double> root = 1.0;
     Matrix4d A;
     constexpr int
-        parts = 32;  // a thirty-second of the step: the roots of two-step schemes are still far from the principal one
+        parts = 32;  // at h / 32 the parasitic roots of two-step schemes are still far from the principal root
+    // Continuation in h: the root closest to that of the previous, shorter step is the principal one.
     for (int k = 1; k <= parts; ++k) {
         A = amplification(scheme, o, h_s * k / parts);
         const Eigen::Vector4cd roots = A.eigenvalues();
-        // Schemes without memory have roots 0, which are no vibration.
+        // Schemes without memory have zero roots, which represent no vibration.
         const std::complex<double> before = root;
         double nearest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < 4; ++i)
@@ -81,6 +85,7 @@ DiscreteVibration discrete_vibration(const TimeScheme& scheme, const Oscillator&
             }
         root = {root.real(), std::abs(root.imag())};
     }
+    // Exponent of the discrete motion, exp(s h) = root, and the exact damped frequency to compare with.
     const std::complex<double> s = std::log(root) / h_s;
     const double exact = o.omega_rad_s * std::sqrt(1.0 - damping * damping);
     return {-s.real() / std::abs(s), s.imag() / exact - 1.0, spectral_radius(A)};
@@ -99,10 +104,10 @@ double implicit_euler_critical_velocity_force(double omega_rad_s, double h_s, do
 
 double critical_velocity_force(const TimeScheme& scheme, double omega_rad_s, double h_s, double damping_ratio) {
     const auto grows = [&](double lambda) {
-        // Undamped roots of the trapezoidal rule are on the circle to rounding.
+        // The undamped roots of the trapezoidal rule lie on the unit circle to rounding.
         return spectral_radius(amplification(scheme, {omega_rad_s, damping_ratio, lambda}, h_s)) > 1.0 + 1e-12;
     };
-    // Small factors, as growth may end again where the scheme damps by the size of h Lambda.
+    // Bracket in small ratios: growth may end again at larger Lambda, where the scheme damps by the size of h Lambda.
     double stable = 0.0, unstable = 1e-6 * omega_rad_s;
     while (!grows(unstable)) {
         stable = unstable;

@@ -6,7 +6,8 @@
 namespace myo::dynamics {
 namespace {
 
-/// Integral of the product of two nodes' shape gradients over the cell in a lane.
+/// Integral over the cell of the product of two nodes' shape gradients: an entry of the cell's Laplacian. `lane`: index
+/// of the cell in its SIMD pack.
 template <int N, int Q>
 double gradient_product(const model::PackGeometry<N, Q>& geometry, std::size_t lane, int a, int b) {
     double sum = 0.0;
@@ -18,7 +19,8 @@ double gradient_product(const model::PackGeometry<N, Q>& geometry, std::size_t l
     return sum;
 }
 
-/// The mean gradient leaves four motions free; they get a stiffness of the same size.
+/// The same for assumed-strain cells. The mean gradient has four zero-energy modes (hourglass modes); they get a
+/// stiffness of the same size.
 double gradient_product(const model::PackAssumedStrain& geometry, std::size_t lane, int a, int b) {
     double sum = 0.0, half_edge_squared = 0.0;
     for (int j = 0; j < 3; ++j) {
@@ -31,7 +33,7 @@ double gradient_product(const model::PackAssumedStrain& geometry, std::size_t la
     return static_cast<double>(geometry.volume[lane]) * sum;
 }
 
-/// Adds the Laplacian of a block's cells, weighted with their stiffness.
+/// Adds the Laplacian of a block of cells, weighted with 2 mu + lambda of each cell.
 template <class Geometry>
 void add_laplacian(const model::PackedCells<Geometry>& cells, const model::Model& model,
                    std::vector<Eigen::Triplet<double>>& entries) {
@@ -40,6 +42,7 @@ void add_laplacian(const model::PackedCells<Geometry>& cells, const model::Model
         const auto pack = static_cast<std::size_t>(cell / pack_width),
                    lane = static_cast<std::size_t>(cell % pack_width);
         const material::Moduli& m = model.moduli[static_cast<std::size_t>(cell)];
+        // 2 mu + lambda with lambda = kappa - 2/3 mu.
         const double stiffness = 2.0 * m.mu + (m.kappa - 2.0 / 3.0 * m.mu);
         const auto node = [&](int a) {
             return free[static_cast<std::size_t>(cells.lane_nodes[pack][static_cast<std::size_t>(a)][lane])];
@@ -71,7 +74,8 @@ bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report)
     for (int column = 0; column < mass.isotropic.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry)
             add_mass(entry.row(), column, entry.value());
-    // One coordinate serves all: the traces of the blocks, no less than N N n n' along any direction.
+    // The matrix is scalar, so directional masses contribute the trace of their 3 x 3 blocks, an upper bound of the
+    // mass N N n n' along any direction n.
     for (int column = 0; column < mass.directional.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.directional, column); entry; ++entry)
             if (entry.row() % 3 == column % 3) add_mass(entry.row() / 3, column / 3, entry.value());
@@ -84,6 +88,7 @@ bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report)
 }
 
 Eigen::VectorXd ProjectiveMetric::solve(const Eigen::VectorXd& b) const {
+    // The three coordinates are three right-hand sides of the scalar matrix.
     const Eigen::Index nodes = b.size() / 3;
     const Eigen::MatrixXd rows = Eigen::Map<const Eigen::MatrixXd>(b.data(), 3, nodes).transpose();
     const Eigen::MatrixXd solution = factor_.solve(rows).transpose();

@@ -7,6 +7,7 @@ namespace myo::dynamics {
 using Eigen::VectorXd;
 
 void CurvaturePairs::add(const VectorXd& s, const VectorXd& y) {
+    // Curvature condition: without it the update would lose positive definiteness.
     const double sy = s.dot(y);
     if (!(sy > 1e-12 * s.norm() * y.norm())) return;
     if (pairs_.size() == most_) pairs_.erase(pairs_.begin());
@@ -14,6 +15,7 @@ void CurvaturePairs::add(const VectorXd& s, const VectorXd& y) {
 }
 
 VectorXd CurvaturePairs::direction(const VectorXd& g, const std::function<VectorXd(const VectorXd&)>& metric) const {
+    // Two-loop recursion: newest to oldest before the metric, oldest to newest after it.
     VectorXd q = -g;
     std::vector<double> alpha(pairs_.size());
     for (std::size_t i = pairs_.size(); i-- > 0;) {
@@ -36,8 +38,8 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
         result.residual = now.residual.norm() / options.scale;
         if (!std::isfinite(result.residual)) return result;
         if (result.residual <= options.tolerance) {
-            // A guess that is within the tolerance is tried to be corrected all the same, lest what guesses miss adds
-            // up from step to step.
+            // A guess within the tolerance is nevertheless corrected once, because its errors would otherwise
+            // accumulate from step to step.
             if (result.iterations == 0) {
                 const Eigen::Matrix3Xd corrected = x + model::scatter(problem.pattern(), metric(-now.residual));
                 const double left = problem.evaluate(corrected, model::HessianKind::none).residual.norm() /
@@ -55,8 +57,9 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
         ++result.iterations;
         VectorXd p = pairs.direction(now.residual, metric);
         double slope = now.residual.dot(p);
+        // Loss of descent is usually due to old curvature pairs: retry without them.
         if (!(slope < 0.0)) {
-            if (pairs.empty()) return result;  // the metric is of no use here
+            if (pairs.empty()) return result;  // not even the bare metric gives a descent direction
             pairs.clear();
             p = pairs.direction(now.residual, metric);
             slope = now.residual.dot(p);
@@ -69,7 +72,7 @@ QuasiNewtonResult quasi_newton(const StageProblem& problem, const QuasiNewtonOpt
         for (int shortening = 0; shortening < 4; ++shortening, length *= 0.3) {
             trial = x + model::scatter(problem.pattern(), length * p);
             next = problem.evaluate(trial, model::HessianKind::none);
-            // Near the end rounding hides the potential's decrease, and the residual decides.
+            // Close to the solution rounding hides the decrease of the potential; then the residual decides.
             accepted = next.residual.allFinite() && (next.residual.norm() < 0.9 * now.residual.norm() ||
                                                      next.potential <= now.potential + 1e-4 * length * slope);
             if (accepted) break;

@@ -2,8 +2,8 @@
 
 namespace myo::dynamics {
 
-/// How the message of a run that failed in a step ends: what helps there. Of one that found no equilibrium to start
-/// from it is no help.
+/// Ending of the message of a run that failed within a step. Not used if the start equilibrium was not found, because a
+/// smaller step does not help there.
 inline constexpr const char* smaller_step_advice = "try a smaller step";
 
 }  // namespace myo::dynamics

@@ -24,11 +24,12 @@ std::string where_it_failed(double t, double h, const std::string& reason) {
            smaller_step_advice;
 }
 
-/// Steps are halved until they are this part of what they were.
+/// A failing step is halved down to this fraction of its length.
 constexpr double most_parts = 4.0;
 
-/// Whether a step has more energy at its end than loads, muscles and velocity force account for: by a fiftieth of what
-/// moves. Softening takes energy between steps, so that the stiffness of the step counts.
+/// Whether the energy gained in a step exceeds what loads, muscles and velocity force supply by more than 2 % of the
+/// energy that is in motion. Only checked if these are constant over the step. Softening dissipates between steps;
+/// therefore the stiffness of this step is used at both ends.
 bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
     const model::Model& model = solver.model();
     if (model.velocity_force_1_s > 0.0 ||
@@ -43,12 +44,12 @@ bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinem
     };
     const Energy before = energy_at(from), after = energy_at(to);
     const double moved = before.kinetic_J + after.kinetic_J + std::abs(after.internal_J - before.internal_J);
-    // A body at rest moves by the solver's tolerance, and that is no gain.
+    // A body at rest moves within the solver tolerance, which is no gain of energy.
     const double noise = 1e-9 * (std::abs(before.internal_J) + std::abs(before.work_J));
-    return after.total_J() - before.total_J() > 0.02 * moved + noise;  // false where there was none before
+    return after.total_J() - before.total_J() > 0.02 * moved + noise;  // false if an energy is NaN
 }
 
-/// A run on its way: where it stands, and what it keeps from step to step.
+/// State of a run in progress.
 class Run {
 public:
     Run(StageSolver& solver, const SimulationOptions& options, const RunPart& part, const RunObserver& observer)
@@ -67,7 +68,7 @@ public:
             return progress.cancelled() ? ended(RunStatus::cancelled, "stopped at the start") : std::move(trace_);
         while (point_.step < std::min(ends.size(), part_.until_step)) {
             const double end = ends[point_.step];
-            std::vector<double> goals{end};  // the next one last: a step that fails is halved
+            std::vector<double> goals{end};  // stack of targets, the next one last; halving a step pushes its midpoint
             for (const double least = (end - point_.time_s) / most_parts; !goals.empty();) {
                 if (progress.cancelled())
                     return ended(RunStatus::cancelled, "stopped at t = " + std::to_string(point_.time_s) + " s");
@@ -104,7 +105,7 @@ private:
         bool jump_at_end = false;
         std::vector<SolvedStage> solved;
         StageReport last;
-        bool resolved = true;  // every stage lay near where the motion so far pointed
+        bool resolved = true;  // all stage solutions were close to the extrapolated motion
         bool taken = false;
         Kinematics next;
     };
@@ -130,22 +131,25 @@ private:
         trace_.path->positions.push_back(x);
     }
 
-    /// The motion before says nothing of what comes now.
+    /// Discards the prediction history: the past motion does not continue smoothly.
     void start_anew() {
         past_.restart(point_.time_s, point_.state.x);
         aside_.clear();
         if (const Matrix3Xd* beside = near_at(point_.time_s)) aside_.add(point_.time_s, point_.state.x - *beside);
     }
 
+    /// Stage solution of the similar run at this time; null if there is none.
     const Matrix3Xd* near_at(double time_s) const {
         return options_.near ? options_.near->at(time_s, options_.h_s) : nullptr;
     }
 
+    /// Recomputes the force at a jump and informs the observer.
     void set_force(double time_s) {
         set_jump_force(solver_, time_s, point_.state);
         if (observer_.jumped) observer_.jumped(solver_, point_.state, time_s);
     }
 
+    /// Sets the start state, or the state of the run point that the part continues from.
     bool stand_at_start(const std::vector<double>& ends) {
         if (part_.from) {
             point_ = *part_.from;
@@ -159,7 +163,7 @@ private:
         }
         record();
         if (!part_.from) {
-            // A jump within rounding of the start belongs to the start.
+            // A jump within rounding of the start belongs to the start: loads are taken from its right.
             double loads_from = 0.0;
             for (const double jump : jumps_)
                 if (jump > 0.0 && jump <= 1e-6 * options_.h_s) loads_from = jump;
@@ -172,6 +176,7 @@ private:
         return true;
     }
 
+    /// Solves a step without changing the run's state, so that it can be rejected.
     Step take_step_to(double end_s, bool jump_at_end) {
         Step step;
         step.scheme = euler_first_ ? TimeScheme(Integrator::implicit_euler) : options_.integrator;
@@ -179,6 +184,7 @@ private:
         step.jump_at_end = jump_at_end;
         const double h = end_s - point_.time_s;
         const auto solve = [&](Stage& stage, StageSolution& solution) {
+            // Exact comparison with the end is needed below; stage times carry rounding.
             if (std::abs(stage.time_s - end_s) < 1e-9 * h) stage.time_s = end_s;
             stage.before_jump = jump_at_end && stage.time_s == end_s;
             return solve_stage(stage, step, solution);
@@ -189,10 +195,13 @@ private:
         return step;
     }
 
+    /// Solves one stage, with up to three initial guesses, and stores the solution in `step`.
     bool solve_stage(const Stage& stage, Step& step, StageSolution& solution) {
         const model::Body& body = *model().body;
         const std::optional<Matrix3Xd> continued = past_.at(stage.time_s);
         const Matrix3Xd* beside = near_at(stage.time_s);
+        // Initial guess by attempt: 0 prediction (similar run, extrapolation, or constant velocity), 1 last position,
+        // 2 undeformed body.
         const auto guess = [&](int attempt) -> Matrix3Xd {
             if (attempt == 1) return point_.state.x;
             if (attempt == 2) return undeformed_near(body, point_.state.x);
@@ -206,15 +215,16 @@ private:
             count(step.last, trace_);
             return step.last.ok();
         };
-        // A guess that leads nowhere may have turned cells inside out: then from where the body was, and from no strain
-        // at all. Forces are measured against those at the guess, and one that is far off makes little of what is left
-        // of them: it is solved twice.
+        // A poor prediction may contain inverted cells; the fallbacks are the last position and the undeformed body.
+        // The force scale is taken at the guess: for a distant guess it is large and the relative residual is lenient,
+        // so the last attempt is solved twice.
         bool found = false;
         for (int attempt = 0; attempt < 3 && !found; ++attempt) {
             solution.x = held_by(body, guess(attempt));
             found = solve() && (attempt < 2 || solve());
         }
         if (!found) return false;
+        // Resolved: the prediction error is less than 10 % of the displacement since the start of the step.
         step.resolved = step.resolved && continued &&
                         (solution.x - *continued).norm() < 0.1 * (solution.x - point_.state.x).norm();
         solution.strain = model::strains(model(), solution.x);
@@ -228,14 +238,14 @@ private:
         SolvedStage& solved = step.solved.emplace_back();
         if (observer_.stepped) {
             solved = {stage, solution};
-        } else {  // the run itself needs no more of it, and strains and histories of all points are long
+        } else {  // the run needs only time and position; strains and histories of all points are large
             solved.stage.time_s = stage.time_s;
             solved.solution.x = solution.x;
         }
         return true;
     }
 
-    /// Moves on to the end of a step; `grid`: it is one of step_ends().
+    /// Makes the end of a step the current state. `grid`: the end is one of step_ends().
     void stand_after(Step& step, bool grid) {
         if (observer_.stepped)
             observer_.stepped(solver_, step.scheme, point_.time_s, step.end_s - point_.time_s, step.solved);
@@ -243,6 +253,7 @@ private:
         const bool was_euler = std::exchange(euler_first_, false);
         point_.state = std::move(step.next);
         point_.time_s = step.end_s;
+        // Softening is explicit: the peaks of this step soften the next one.
         if (model().softening) {
             raise_peaks(model(), point_.state.x, point_.peak_energy_J_m3);
             solver_.soften(softening_factors(*model().softening, point_.peak_energy_J_m3));
@@ -262,7 +273,7 @@ private:
     Trace trace_;
     RunPoint point_;
     Extrapolation past_;
-    Extrapolation aside_;  // of the difference to the run that is near
+    Extrapolation aside_;  // history of the difference to the similar run `near`
     bool euler_first_ = false;
 };
 

@@ -15,95 +15,109 @@
 
 namespace myo::dynamics {
 
+/// Start of a run: the undeformed shape, or the static equilibrium under the loads of t = 0.
 enum class StartKind { straight, equilibrium };
 
-/// A start of one's own. Clamped nodes are held at rest, whatever is given for them.
+/// Given start values. Clamped nodes stay at rest whatever is given for them.
 struct InitialState {
-    Eigen::Matrix3Xd positions;   // 3 x n [m]; empty: those of the StartKind
+    Eigen::Matrix3Xd positions;   // 3 x n [m]; empty: as StartKind says
     Eigen::Matrix3Xd velocities;  // 3 x n [m/s]; empty: at rest
 };
 
+/// Options of a run.
 struct SimulationOptions {
-    StartKind start = StartKind::straight;  // of a creeping body: unstrained dashpots, or relaxed ones, also at
-                                            // positions of one's own
+    StartKind start = StartKind::straight;  // creeping body: unstrained or relaxed dashpots, also with
+                                            // given initial positions
     InitialState initial;
     TimeScheme integrator;
-    double h_s = 0.005;
+    double h_s = 0.005;  // length of a step
     double end_s = 1.0;  // the run covers [0, end_s]
     SolverOptions solver;
-    int most_iterations = std::numeric_limits<int>::max();  // of Newton, over the whole run: one that takes more is
-                                                            // given up as failed
+    int most_iterations = std::numeric_limits<int>::max();  // Newton iterations of the whole run; the run fails
+                                                            // when it exceeds them
     std::shared_ptr<const StagePath>
-        near;                // a run that moves nearly alike: saves iterations, changes results within the tolerance
-    bool keep_path = false;  // in the trace, for others to be near to
+        near;  // similar run whose stage solutions start ours: fewer iterations, same results within the tolerance
+    bool keep_path = false;  // store the stage solutions in Trace::path, for use as `near`
 
+    /// Given positions take precedence over StartKind::equilibrium.
     bool starts_at_equilibrium() const { return start == StartKind::equilibrium && initial.positions.size() == 0; }
 };
 
+/// Outcome of a run.
 enum class RunStatus { not_run, complete, cancelled, failed };
 
-/// A run: the state after every step, the start first. Where it failed or was cancelled, what came before is kept.
+/// Result of a run: the start state and the state after every step. A failed or cancelled run keeps the part before.
 struct Trace {
     RunStatus status = RunStatus::not_run;
-    std::string message;
-    std::vector<double> times_s;
+    std::string message;                       // reason of a failure
+    std::vector<double> times_s;               // ascending, the start first
     std::vector<Eigen::Matrix3Xd> positions;   // 3 x n [m]
     std::vector<Eigen::Matrix3Xd> velocities;  // 3 x n [m/s]
-    int newton_iterations = 0;
-    int linear_iterations = 0;
+    int newton_iterations = 0;                 // over all stages
+    int linear_iterations = 0;                 // of conjugate gradients
     int factorisations = 0;
-    int stages = 0;
-    double factor_bytes = 0.0;        // of the factor in single precision
-    std::shared_ptr<StagePath> path;  // where it was asked for
+    int stages = 0;                   // solved stages, repeated attempts included
+    double factor_bytes = 0.0;        // memory of the factor (single precision)
+    std::shared_ptr<StagePath> path;  // null unless SimulationOptions::keep_path
     SolverTimes times;
 
     bool complete() const { return status == RunStatus::complete; }
 };
 
-/// Where a run stands between two steps.
+/// State of a run between two steps, sufficient to continue it.
 struct RunPoint {
-    std::size_t step = 0;  // of step_ends(), those reached
+    std::size_t step = 0;  // number of step_ends() reached
     double time_s = 0.0;
     Kinematics state;
-    Eigen::VectorXd peak_energy_J_m3;  // per point, of a body that softens: see raise_peaks()
+    Eigen::VectorXd peak_energy_J_m3;  // per quadrature point, softening bodies only: see raise_peaks()
 };
 
-/// Part of a run: from a point of it (null: from the start) until so many of step_ends() are reached.
+/// Part of a run: from a point (null: the start) until `until_step` of the step_ends() have been reached.
 struct RunPart {
     const RunPoint* from = nullptr;
     std::size_t until_step = std::numeric_limits<std::size_t>::max();
-    bool keep_motion = true;  // in the trace
+    bool keep_motion = true;  // store positions and velocities in the trace
 };
 
-/// Called by the run: at the start, at jumps and after each step. Lets sensitivities follow the run in lockstep.
+/// A stage with its solution, as passed to observers.
 struct SolvedStage {
     Stage stage;
     StageSolution solution;
 };
+/// Callbacks of a run at the start, at jumps and after each step. Sensitivities use them to follow the run.
 struct RunObserver {
-    std::function<void(StageSolver&, const Kinematics&)> started;           // the start state; force not yet set
-    std::function<void(StageSolver&, const Kinematics&, double t)> jumped;  // force at t was set anew for this state
-    std::function<void(StageSolver&, const TimeScheme&, double t, double h, const std::vector<SolvedStage>&)> stepped;
-    std::function<void(const RunPoint&)> stood;  // at the start and after every step, jump included
+    std::function<void(StageSolver&, const Kinematics&)> started;           // start state; force not yet set
+    std::function<void(StageSolver&, const Kinematics&, double t)> jumped;  // force was recomputed at the jump at t
+    std::function<void(StageSolver&, const TimeScheme&, double t, double h, const std::vector<SolvedStage>&)>
+        stepped;                                 // a step of length h from t was taken
+    std::function<void(const RunPoint&)> stood;  // at the start and after every step, jumps included
 };
 
-/// Runs a model from its start state. Steps are h, shortened where a load or a signal jumps between them, and halved,
-/// once or twice, where a step finds no solution or, too long for the motion, gains energy that nothing gave. The trace
-/// holds all of them. Every run starts with virgin cells, softened by no more than its start state. A start without an
-/// energy, with cells turned inside out, is left by one step of implicit Euler, which needs no force there; so is that
-/// of a viscous body whose initial velocities would tear its cells within the step.
+/// Simulates a model from its start state.
+///
+/// Steps have length h. They are shortened to end at jumps of loads and signals, and halved once or twice if a stage
+/// solve fails or if an unresolved step gains energy that no load supplied. The trace contains all of them. Every run
+/// starts with virgin cells, softened by its start state only. Two start states need one implicit Euler step first,
+/// which uses no initial force: one without a finite energy (inverted cells), and one of a viscous body whose initial
+/// velocities would strain a cell by more than half within the step.
+///
+/// @param progress  reports simulated time; cancelling ends the run
+/// @param observer  callbacks; any may be empty
+/// Errors: in Trace::status and Trace::message.
 Trace simulate(const model::Model& model, const SimulationOptions& options, const Progress& progress = {},
                const RunObserver& observer = {});
 
-/// A part of the run of the solver's model. From the same point and with a solver that has solved nothing yet it is the
-/// same to the last bit; what else a solver remembers changes a run within its tolerance.
+/// Simulates a part of the run of the solver's model. Options and errors as for simulate().
+///
+/// With a new solver the result is identical to the last bit to that part of the whole run. The cached factor of a used
+/// solver changes the result within the solver tolerance.
 Trace simulate_part(StageSolver& solver, const SimulationOptions& options, const RunPart& part,
                     const Progress& progress = {}, const RunObserver& observer = {});
 
-/// Sets the force of a state anew from the loads and activations right of a jump.
+/// Recomputes the force of a state from the loads and activations right of a jump.
 void set_jump_force(StageSolver& solver, double time_s, Kinematics& state);
 
-/// The stage that gives the forces at a jump: velocities and strain rates as they are, loads from the right.
+/// Stage whose total forces are those after a jump: velocities and strain rates of the state, loads from the right.
 Stage jump_stage(const Kinematics& state, double time_s);
 
 }  // namespace myo::dynamics

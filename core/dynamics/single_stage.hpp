@@ -8,8 +8,10 @@
 
 namespace myo::dynamics {
 
-/// How a scheme with one stage gets derivatives at the end of a step from values there. It treats positions, momenta
-/// and strains alike: for y with derivative D and remembered slope y',
+/// Coefficients of a scheme with one stage per step.
+///
+/// The scheme treats positions, momenta and strains in the same way: for a quantity y with derivative D and stored
+/// slope y',
 ///   D1  = change (y1 - y0) - slope y'0 - derivative D0,
 ///   y'1 = next_change (y1 - y0) - next_slope y'0.
 struct StepFormula {
@@ -20,7 +22,9 @@ struct StepFormula {
     double next_slope = 0.0;
 };
 
-/// The step of a formula: D1 of the momenta is the total force at the end, velocity force included.
+/// One step of the scheme. D1 of the momenta is the total force at the end of the step, velocity force included.
+///
+/// Returns false if the stage solve failed; `next` is then invalid.
 template <class Solve>
 bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const Kinematics& s, Kinematics& next) {
     const double q = f.change_1_s, lambda = p.velocity_force_1_s;
@@ -34,6 +38,7 @@ bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const 
                                            f.derivative * s.force;  // M a1 = q M (v1 - v0) - force_history
     const Eigen::VectorXd rate_history = f.slope * strain_slope + f.derivative * s.rate;
 
+    // Substituting v1 and M a1 into M a1 = F + Lambda M v1 gives the inertia factor q^2 - Lambda q and the constant.
     Stage stage;
     stage.time_s = p.time_s + p.h;
     stage.inertia_at_s = p.middle_s();
@@ -52,6 +57,7 @@ bool single_stage_step(const StepProblem<Solve>& p, const StepFormula& f, const 
     const Eigen::Matrix3Xd gained = model::times_mass(next.v - s.v, p.mass);
     next.force = q * gained - force_history;
     next.rate = q * strained - rate_history;
+    // Memory is stored relative to the derivatives, see Kinematics.
     next.v_lag = f.next_change_1_s * moved - f.next_slope * x_slope - next.v;
     next.force_lag = f.next_change_1_s * gained - f.next_slope * momentum_slope - next.force;
     next.rate_lag = f.next_change_1_s * strained - f.next_slope * strain_slope - next.rate;

@@ -6,12 +6,15 @@
 
 namespace myo::dynamics {
 
-/// Raises the largest isochoric energy density of every point [J/m3] to that at x, where it has one; empty: virgin
-/// ones. The factors that follow from it are frozen within a step, so that a step stays a minimisation, and the motion
-/// lags behind them by a step: of first order while the softening grows.
+/// Updates the largest isochoric energy density reached at each quadrature point with that at x.
+///
+/// The softening factors are frozen within a step, so that a step remains a minimisation. They lag the motion by one
+/// step, a first-order error while the softening grows.
+/// @param x          node positions, 3 x n [m]
+/// @param peak_J_m3  in/out, one entry per point; empty: virgin. Points with a non-finite energy keep their value.
 void raise_peaks(const model::Model& model, const Eigen::Matrix3Xd& x, Eigen::VectorXd& peak_J_m3);
 
-/// The factors of the elastic moduli at the points.
+/// Factors of the elastic moduli, one per quadrature point.
 Eigen::VectorXd softening_factors(const material::StressSoftening& softening, const Eigen::VectorXd& peak_J_m3);
 
 }  // namespace myo::dynamics

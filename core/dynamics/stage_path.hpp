@@ -7,12 +7,12 @@
 
 namespace myo::dynamics {
 
-/// Where the stages of a run ended, for another run that moves nearly alike to start its own stages from.
+/// Stage solutions of a run, used as initial guesses by a run with a similar motion.
 struct StagePath {
-    std::vector<double> times_s;              // rising
+    std::vector<double> times_s;              // ascending
     std::vector<Eigen::Matrix3Xd> positions;  // 3 x n [m]
 
-    /// Those of a stage that ended within a millionth of `step_s` of the time; null where there is none.
+    /// Positions of the stage within 1e-6 `step_s` of the given time; null if there is none.
     const Eigen::Matrix3Xd* at(double time_s, double step_s) const {
         const double least = time_s - 1e-6 * step_s;
         const auto found = std::lower_bound(times_s.begin(), times_s.end(), least);

@@ -15,9 +15,10 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// The mass over the free unknowns, stored in the body's pattern.
+/// Mass matrix of the free unknowns, lower triangle, in the sparsity pattern of the body.
 solver::SymmetricSparse inertia_in_pattern(const model::Body& body, const model::MassMatrix& mass) {
     solver::SymmetricSparse inertia = body.pattern.zero;
+    // Isotropic part: the same entry for the three coordinates.
     for (int column = 0; column < mass.isotropic.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.isotropic, column); entry; ++entry) {
             const int i = body.pattern.free_index[static_cast<std::size_t>(entry.row())];
@@ -25,6 +26,7 @@ solver::SymmetricSparse inertia_in_pattern(const model::Body& body, const model:
             if (j < 0 || i < j) continue;
             for (int r = 0; r < 3; ++r) inertia.coeffRef(3 * i + r, 3 * j + r) += entry.value();
         }
+    // Directional part, e.g. of masses that act along one direction only: full 3 x 3 blocks.
     for (int column = 0; column < mass.directional.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(mass.directional, column); entry; ++entry) {
             const auto row = static_cast<int>(entry.row());
@@ -33,7 +35,7 @@ solver::SymmetricSparse inertia_in_pattern(const model::Body& body, const model:
             if (i < 0 || j < 0 || 3 * i + row % 3 < 3 * j + column % 3) continue;
             inertia.coeffRef(3 * i + row % 3, 3 * j + column % 3) += entry.value();
         }
-    assert(inertia.nonZeros() == body.pattern.zero.nonZeros());  // nothing couples nodes of different cells
+    assert(inertia.nonZeros() == body.pattern.zero.nonZeros());  // masses couple only nodes that share a cell
     return inertia;
 }
 
@@ -71,6 +73,7 @@ StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, 
 
 StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::HessianKind kind,
                                                 const VectorXd* pressure) const {
+    // NaN makes every iteration that uses this evaluation stop.
     if (heeded_ && heeded_->cancelled()) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         return {none, VectorXd::Constant(inertia().cols(), none), inertia()};
@@ -82,6 +85,7 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::Hessi
     model::InternalInput input;
     input.stiffness = &constants_.stiffness;
     input.activation = &activation_;
+    // With creep, the effective rate F E + H of creep.hpp replaces the strain rate.
     if (viscous_history_.size() > 0)
         input.rate = {viscous_factor(model(), stage_.rate_factor_1_s), &viscous_history_};
     else if (stage_.rate_history.size() > 0)
@@ -94,6 +98,7 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::Hessi
     }
 
     Evaluation result;
+    // Incremental potential: internal energy + 1/2 inertia x'Mx - dead forces x; its gradient is the residual.
     result.potential = internal.energy - dead_.cwiseProduct(x).sum();
     internal.gradient -= dead_;
     if (stage_.inertia_1_s2 != 0.0) {
@@ -114,11 +119,11 @@ double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const
     const double inertial = model::gather(pattern(), stage_.constant - stage_.inertia_1_s2 *
                                                                            model::times_mass(start, mass_span().mass))
                                 .norm();
-    // A body at rest without any force still needs a scale: a millionth of the force that strains it by one.
+    // A body at rest without forces also needs a scale: 1e-6 of the elastic force at unit strain.
     const double volume = model().body->volume_m3;
     const double elastic = 1e-6 * model().moduli.front().mu * std::cbrt(volume * volume);
     model::InternalEnergy
-        at_rest;  // of muscles and force elements: a guess that strains them would make little of what is left of them
+        at_rest;  // forces of muscles and force elements in the rest shape; at a strained guess they could be huge
     at_rest.gradient = Matrix3Xd::Zero(3, start.cols());
     const Matrix3Xd& X = model().body->mesh.nodes;
     model::add_fibres(model(), X, activation_, model::HessianKind::none, at_rest);
@@ -128,10 +133,11 @@ double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const
     return std::max({external + inertial + active, elastic, rounding_of_forces(start) / tolerance, 1e-30});
 }
 
-/// Norm below which the residual is noise: F is known to eps |x| / edge, which the bulk modulus turns into a nodal
-/// force over edge^2, and the inertia of a short step multiplies eps |x| too; n nodes add as sqrt(n). Without it free
-/// vibrations at nu = 0.499 stall at tolerances of 1e-8 (implicit Euler, whose first force after a release is small)
-/// and 1e-9.
+/// Norm below which the residual is rounding noise.
+///
+/// F has an error of eps |x| / edge. The bulk modulus turns it into a nodal force, times edge^2; the inertia of a short
+/// step adds its own multiple of eps |x|; n nodes add as sqrt(n). Without this bound free vibrations at nu = 0.499
+/// stall at tolerances of 1e-8 (implicit Euler, whose first force after a release is small) and 1e-9.
 double StageProblem::rounding_of_forces(const Matrix3Xd& x) const {
     const model::Body& body = *model().body;
     const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff() + x.rowwise().mean().norm();

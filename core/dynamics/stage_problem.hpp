@@ -13,36 +13,45 @@
 
 namespace myo::dynamics {
 
-/// What the stages of one model share.
+/// Data shared by all stages of a model.
 struct StageConstants {
-    const model::Model* model = nullptr;
-    std::vector<model::MassSpan> masses;
+    const model::Model* model = nullptr;  // not owned
+    std::vector<model::MassSpan> masses;  // the mass changes only between the spans
     std::vector<solver::SymmetricSparse>
-        inertia;                 // of each span: its mass over the free unknowns, in the body's pattern
-    model::Stiffness stiffness;  // of the cells as they are: softened ones have less
+        inertia;                 // per span: mass matrix of the free unknowns, in the body's sparsity pattern
+    model::Stiffness stiffness;  // of the cells, softening included
 };
+/// Constants of a model with virgin stiffness. The model must outlive them.
 StageConstants stage_constants(const model::Model& model);
 
-/// Nodal velocities of a stage at x, 3 x n; empty where the stage knows none.
+/// Node velocities of a stage at x, 3 x n [m/s]; empty if the stage has no velocities.
 Eigen::Matrix3Xd stage_velocities(const Stage& stage, const Eigen::Matrix3Xd& x);
 
-/// Where the force elements of a stage at x stand; v: its stage_velocities(), which the state refers to.
+/// Arguments of the force elements for a stage at x. `v`: its stage_velocities(); the result keeps references to x and
+/// v.
 model::ForceState force_state(const Stage& stage, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v);
 
 /// A stage as a minimisation over the free unknowns.
+///
+/// The residual is the gradient of an incremental potential, so that a line search can measure progress.
 class StageProblem {
 public:
-    /// times: where evaluations are entered. heeded: once it is cancelled, evaluations are done at once and not finite,
-    /// so that whoever iterates on them ends. Both may be null.
+    /// @param times   accumulates the evaluation times; may be null
+    /// @param heeded  once cancelled, evaluations return NaN at once, which ends any iteration; may be null
+    /// References to `constants` and `stage` are kept.
     StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times = nullptr,
                  const Progress* heeded = nullptr);
 
+    /// Potential and derivatives at one x.
     struct Evaluation {
         double potential = 0.0;           // [J], up to a constant
-        Eigen::VectorXd residual;         // its gradient [N]
-        solver::SymmetricSparse hessian;  // empty unless asked for
+        Eigen::VectorXd residual;         // gradient of the potential [N], free unknowns
+        solver::SymmetricSparse hessian;  // [N/m], lower triangle; empty unless requested
     };
-    /// pressure: of the geometric stiffness, see InternalInput; null = the current one.
+    /// Evaluates at x, 3 x n [m].
+    ///
+    /// @param kind      none, exact, or projected Hessian
+    /// @param pressure  of the geometric stiffness, per cell, see InternalInput; null: the current pressure
     Evaluation evaluate(const Eigen::Matrix3Xd& x, model::HessianKind kind,
                         const Eigen::VectorXd* pressure = nullptr) const;
 
@@ -50,11 +59,14 @@ public:
     const model::BlockPattern& pattern() const { return model().body->pattern; }
     const StageConstants& constants() const { return constants_; }
     const Stage& stage() const { return stage_; }
+    /// Mass at Stage::inertia_at_s.
     const model::MassSpan& mass_span() const { return constants_.masses[span_]; }
-    const solver::SymmetricSparse& inertia() const { return constants_.inertia[span_]; }  // mass over the free unknowns
+    const solver::SymmetricSparse& inertia() const {
+        return constants_.inertia[span_];
+    }  // mass matrix of the free unknowns
 
-    /// The forces that act on the body, its inertia at the start and what its muscles and force elements do to it at
-    /// rest among them [N]: what a residual is measured against.
+    /// Reference force of the relative residual [N]: external loads, inertia at `start`, and forces of fibres and force
+    /// elements in the rest shape; at least the rounding error of the forces divided by `tolerance`.
     double force_scale(const Eigen::Matrix3Xd& start, double tolerance) const;
 
 private:
@@ -64,10 +76,10 @@ private:
     const Stage& stage_;
     SolverTimes* times_;
     const Progress* heeded_;
-    std::size_t span_;  // of the masses
-    std::vector<double> activation_;
-    Eigen::VectorXd viscous_history_;  // of a creeping body
-    Eigen::Matrix3Xd dead_;            // constant + f_ext
+    std::size_t span_;                 // index of the mass span
+    std::vector<double> activation_;   // per signal, at the time of the stage
+    Eigen::VectorXd viscous_history_;  // H of creep.hpp; creeping body only
+    Eigen::Matrix3Xd dead_;            // constant + f_ext, 3 x n [N]
 };
 
 }  // namespace myo::dynamics

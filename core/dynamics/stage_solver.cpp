@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 StageSolver::StageSolver(const model::Model& model, SolverOptions options)
     : options_(options), constants_(stage_constants(model)), factor_(options.most_factor_entries) {}
 
-// The factor of earlier moduli stays: it is a metric and is renewed where it serves badly.
+// The factor of the earlier moduli is kept: it is only a metric, and is renewed when it converges slowly.
 void StageSolver::soften(const VectorXd& factors) {
     softening_ = factors;
     constants_.stiffness.elastic_factors = model::times_factors(model().point_factors, factors);
@@ -36,7 +36,7 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
     if (fresh && !factor_.renew(problem, x, report)) return false;
     if (!fresh) factor_.turn_to(body, x);
     while (true) {
-        if (fresh) {  // nothing better is at hand than slow progress
+        if (fresh) {  // with a fresh factor there is no better alternative to slow convergence
             options.max_iterations = 60;
             options.slow_contraction = 0.9;
         }
@@ -65,6 +65,7 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
         return report;
     };
     const Matrix3Xd start = x;
+    // Sequence of methods: the chosen one, mixed Newton from its result, mixed Newton from the guess, energy Newton.
     if (options_.strategy == Strategy::projective && projective_.prepare(problem, report)) {
         QuasiNewtonOptions options;
         options.tolerance = options_.tolerance;
@@ -83,10 +84,11 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
         if (lagged_newton(problem, scale, x, report)) return converged();
     }
     if (!x.allFinite()) x = start;
-    if (factor_.is_whole(problem.pattern())) factor_.mark_stale();  // parts serve conjugate gradients for long
+    if (factor_.is_whole(problem.pattern()))
+        factor_.mark_stale();  // a Schwarz preconditioner stays useful longer than a factor
     if (mixed_newton(problem, options_, scale, factor_, x, report)) return converged();
-    // A long way of small descents may end where cells are squeezed and the Hessian is indefinite: Newton does better
-    // from afar.
+    // Many small decreases of the potential can end at squeezed cells with an indefinite Hessian, where Newton's method
+    // fails; from the original guess it often converges.
     Matrix3Xd afresh = start;
     if (mixed_newton(problem, options_, scale, factor_, afresh, report)) {
         x = afresh;
@@ -123,13 +125,14 @@ MatrixXd StageSolver::solve_linear(const solver::SymmetricSparse& H, const Stage
     if (solve_by_lagged_factor(H, B, options_.tangent_tolerance, StageProblem(constants_, stage), x, factor_, unused,
                                solution, guess))
         return solution;
-    // An indefinite Hessian at a converged state (a buckling body): solved with the fresh factor as far as it goes.
+    // Indefinite Hessian at a converged state (a buckling body): direct factorisation in double precision.
     solver::SparseCholesky exact;
     if (exact.factorize(H)) return exact.solve(B);
     return MatrixXd::Constant(B.rows(), B.cols(), std::numeric_limits<double>::quiet_NaN());
 }
 
 Matrix3Xd StageSolver::total_forces(const Stage& stage, const Matrix3Xd& x) {
+    // The residual of the stage without inertia is minus the total force.
     Stage without_inertia = stage;
     without_inertia.inertia_1_s2 = 0.0;
     without_inertia.constant = Matrix3Xd::Zero(3, x.cols());

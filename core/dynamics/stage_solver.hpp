@@ -13,50 +13,60 @@
 
 namespace myo::dynamics {
 
-/// Solves stages of one model. Keeps what is worth keeping between them: mass, factor.
-/// Not to be shared between threads.
+/// Solves the stages of one model. Caches the mass, the factor and the projective metric between solves.
+/// Not thread-safe; the model must outlive the solver.
 class StageSolver {
 public:
     explicit StageSolver(const model::Model& model, SolverOptions options = {});
 
     const model::Model& model() const { return *constants_.model; }
+    /// Mass matrix at an instant [s].
     const model::MassMatrix& mass(double at_s) const {
         return constants_.masses[model::span_at(constants_.masses, at_s)].mass;
     }
+    /// Stiffness of the cells, softening included.
     const model::Stiffness& stiffness() const { return constants_.stiffness; }
 
-    /// Solves end unconverged as soon as this is cancelled: within an evaluation of the forces, or a factorisation.
+    /// Sets the cancel flag. A cancelled solve returns not_converged at its next evaluation or factorisation.
     void heed(const Progress& progress) { heeded_ = progress.with_sink({}); }
 
-    /// The elastic moduli at the points are these parts of the model's from now on; empty: of virgin ones, as at first.
+    /// Multiplies the elastic moduli at the quadrature points by `factors`; empty: virgin moduli, as initially.
     void soften(const Eigen::VectorXd& factors);
     const Eigen::VectorXd& softening() const { return softening_; }
 
-    /// Solves for x, starting from its value, by the strategy of the options. On failure x is the best iterate.
+    /// Solves the stage for x by the strategy of the options, with fallback to Newton's method.
+    ///
+    /// @param x  in: initial guess; out: solution, or the best iterate on failure. 3 x n [m]
+    /// Errors: status and message of the report.
     StageReport solve(const Stage& stage, Eigen::Matrix3Xd& x);
 
-    /// Exact Hessian of the stage at x over the free unknowns.
+    /// Exact Hessian of the stage at x over the free unknowns [N/m].
     solver::SymmetricSparse hessian(const Stage& stage, const Eigen::Matrix3Xd& x);
 
-    /// H^-1 B to the tangent tolerance for the Hessian of the stage at x; B is unknowns x k. `guess`: where to start,
-    /// may be empty. Not finite where H is singular.
+    /// Solves H X = B to options.tangent_tolerance.
+    ///
+    /// @param H      Hessian of the stage at x
+    /// @param B      unknowns x k
+    /// @param guess  initial X; may be empty
+    /// Errors: NaN if H is singular.
     Eigen::MatrixXd solve_linear(const solver::SymmetricSparse& H, const Stage& stage, const Eigen::Matrix3Xd& x,
                                  const Eigen::MatrixXd& B, const Eigen::MatrixXd& guess = {});
 
-    /// External minus internal forces at x for the strain rate of the stage (inertia not included), 3 x n, zero on
-    /// clamped nodes.
+    /// External minus internal forces at x, 3 x n [N], zero on clamped nodes. Strain rates as in the stage; inertia is
+    /// not included.
     Eigen::Matrix3Xd total_forces(const Stage& stage, const Eigen::Matrix3Xd& x);
 
-    /// Entries of the factor at hand.
+    /// Stored entries of the present factor.
     double factor_entries() const { return factor_.factor_entries(); }
 
 private:
+    /// L-BFGS in the metric of the lagged factor; the factor is renewed at most once per solve.
     bool lagged_newton(const StageProblem& problem, double scale, Eigen::Matrix3Xd& x, StageReport& report);
 
     SolverOptions options_;
     Progress heeded_;
     StageConstants constants_;
-    Eigen::VectorXd softening_;
+    Eigen::VectorXd softening_;  // factors of the elastic moduli; empty: virgin
     LaggedFactor factor_;
     ProjectiveMetric projective_;
 };

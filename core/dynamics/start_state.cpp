@@ -10,7 +10,7 @@ using Eigen::Matrix3Xd;
 
 namespace {
 
-/// Whether these velocities turn or strain a cell by more than half of itself within h.
+/// Whether these velocities change a distance between nodes of a cell by more than half within h.
 bool tears(const model::Body& body, const Matrix3Xd& v, double h) {
     const Matrix3Xd& X = body.mesh.nodes;
     for (const auto& cell : body.mesh.cells.colwise())
@@ -20,7 +20,8 @@ bool tears(const model::Body& body, const Matrix3Xd& v, double h) {
     return false;
 }
 
-/// Dashpots that follow the strains of a state at rest, or have not moved yet.
+/// Appends the dashpot strains: relaxed (equal to those of the body at rest) or still at zero. Rates follow from the
+/// evolution law dE_v/dt = (E - E_v) / tau.
 void add_dashpots(const material::MaxwellBranch& branch, bool relaxed, Kinematics& state) {
     const Eigen::Index count = state.strain.size();
     state.strain.conservativeResize(2 * count);
@@ -80,8 +81,10 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
 }
 
 bool needs_euler(const model::Model& model, double h_s, Kinematics& state) {
+    // Regular start: implicit Euler only for violent initial velocities of a viscous body.
     if (state.force.allFinite() && state.strain.allFinite())
         return model.damping_s > 0.0 && tears(*model.body, state.v, h_s);
+    // Inverted cells: start from zero force and rest strains; implicit Euler uses neither.
     state.force.setZero();
     state.strain = model::strains(model, model.body->mesh.nodes);
     if (model.creep) state.strain = state.strain.replicate(2, 1).eval();

@@ -6,23 +6,25 @@
 
 namespace myo::dynamics {
 
-/// Positions with the clamped nodes where the body is held.
+/// Positions x with clamped nodes replaced by their rest positions. 3 x n [m].
 Eigen::Matrix3Xd held_by(const model::Body& body, Eigen::Matrix3Xd x);
 
-/// Strains and their rates at the positions and velocities of the start.
+/// Sets strain and rate of a state from its positions and velocities. `start` decides whether dashpots are relaxed.
 void set_start_strains(const model::Model& model, StartKind start, Kinematics& state);
 
-/// Positions, velocities and strains at t = 0; forces are not set yet. False: there is no such start, and the trace
-/// says why.
+/// Sets positions, velocities and strains at t = 0; forces are not set yet.
+///
+/// Returns false if there is no such start (non-finite values, no equilibrium); the trace then holds the message.
 bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics& state, Trace& trace);
 
-/// Whether the first step has to be one of implicit Euler. Forces and strains of a start without energy are forgotten:
-/// implicit Euler needs none. A viscous body whose velocities would turn or strain a cell by more than half of itself
-/// within h: the trapezoid would take the mean of viscous forces that turn while it does, and feed in many times the
-/// energy of the motion.
+/// Whether the first step must be implicit Euler, which uses no initial force.
+///
+/// True in two cases. (1) Force or strain of the start state is not finite: they are set to those of the rest shape.
+/// (2) The velocities would strain or rotate a cell of a viscous body by more than half within h: the trapezoidal stage
+/// averages viscous forces that rotate during the step, and would add many times the kinetic energy.
 bool needs_euler(const model::Model& model, double h_s, Kinematics& state);
 
-/// Enters a solve in the run's counts.
+/// Adds the counts and times of a solve to those of the run.
 void count(const StageReport& report, Trace& trace);
 
 }  // namespace myo::dynamics

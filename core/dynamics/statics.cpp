@@ -21,12 +21,12 @@ Stage static_stage(const model::Body& body, double time_s) {
 
 namespace {
 
-/// "E = 260000 Pa", of the first cell.
+/// Modulus of the first cell as text, e.g. "E = 260000 Pa".
 std::string modulus_words(const model::Model& model) {
     return "E = " + format_number(material::young_from_moduli(model.moduli.front()).youngs_modulus_Pa, 3) + " Pa";
 }
 
-/// What was sought, how far it got, and what helps.
+/// Error message: what was sought, how far the iteration came, and what may help.
 std::string failure_words(const StageSolver& solver, const StageReport& report) {
     std::string text = "no equilibrium was found under gravity, the loads and the activations at the start: after " +
                        std::to_string(report.newton_iterations) + " iterations ";
@@ -37,20 +37,21 @@ std::string failure_words(const StageSolver& solver, const StageReport& report) 
            "), of density, gravity and loads; smaller loads or a finer mesh may help";
 }
 
-/// With the stiffness that the solver has.
+/// Equilibrium for the current (softened) stiffness of the solver.
 StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     Stage stage = static_stage(*solver.model().body, time_s);
     Eigen::Matrix3Xd start = x;
     StageReport report = solver.solve(stage, x);
     if (report.ok()) return report;
 
-    // A start without forces leads nowhere; nothing of it is worth keeping.
+    // If forces at the guess are not finite, no iteration can start there: use the undeformed body.
     if (!solver.total_forces(stage, start).allFinite()) start = undeformed_near(*solver.model().body, start);
     x = start;
+    // Overdamped motion: implicit steps of a body whose velocity is reset to zero, with inertia 1/h^2 decreasing by 4.
     for (double inertia = 1e5; inertia > 1e-2; inertia *= 0.25) {
         stage.inertia_1_s2 = inertia;
         stage.constant = inertia * model::times_mass(x, solver.mass(stage.inertia_at_s));
-        solver.solve(stage, x);  // only the last one has to converge
+        solver.solve(stage, x);  // intermediate solutions need not converge
         if (!x.allFinite()) break;
     }
     if (!x.allFinite()) x = start;
@@ -75,8 +76,8 @@ void add_work(const StageReport& before, StageReport& report) {
 StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     const std::optional<material::StressSoftening>& softening = solver.model().softening;
     if (!softening) return find_equilibrium(solver, time_s, x);
-    // Under dead loads the strain rises from iteration to iteration, so that points end as soft as their own largest
-    // energy asks for.
+    // Fixed-point iteration for the softening factors, starting from virgin moduli. Under dead loads the strain grows
+    // monotonically, so that each point ends with the factor of its own largest energy.
     solver.soften(Eigen::VectorXd::Ones(solver.model().body->point_count()));
     StageReport report;
     double change = 0.0;

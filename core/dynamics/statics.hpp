@@ -4,15 +4,16 @@
 
 namespace myo::dynamics {
 
-/// Rest under gravity, the loads and the activations just before `time_s`. x: start value in, equilibrium out.
+/// Static equilibrium under gravity, loads and activations just before `time_s`.
 ///
-/// Tries Newton directly; where it fails, follows an overdamped motion with growing steps to the equilibrium.
-///
-/// Of a body that softens: the virgin body brought there, whose factors are those of its own energy; the solver is left
-/// with them. Errors: the report's; factors that do not come to rest.
+/// Tries Newton's method first; if it fails, follows an overdamped motion with growing steps to the equilibrium. A
+/// softening body is loaded from its virgin state, with softening factors consistent with its own energy; the solver
+/// keeps these factors.
+/// @param x  in: initial guess; out: equilibrium. 3 x n [m]
+/// Errors: those of the report, or softening factors that do not converge.
 StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x);
 
-/// The stage that solve_equilibrium solves: no inertia, loads from the left of time_s.
+/// The stage that solve_equilibrium() solves: no inertia, loads from the left of `time_s`.
 Stage static_stage(const model::Body& body, double time_s);
 
 }  // namespace myo::dynamics

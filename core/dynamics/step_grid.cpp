@@ -5,8 +5,8 @@
 
 namespace myo::dynamics {
 
-/// Multiples of h just beside a jump are left out: a step much shorter than h would turn the rounding of positions into
-/// accelerations.
+/// Multiples of h close to a jump (5 % of h) are omitted: a step much shorter than h would amplify the rounding of the
+/// positions to large accelerations.
 std::vector<double> step_ends(const model::Model& model, double h, double end) {
     std::vector<double> ends;
     for (const double t : model::jump_times(model))
@@ -19,7 +19,7 @@ std::vector<double> step_ends(const model::Model& model, double h, double end) {
             ends.push_back(t);
     }
     std::sort(ends.begin(), ends.end());
-    std::vector<double> merged;  // jumps within rounding of each other are one, the last
+    std::vector<double> merged;  // jumps within rounding of each other are merged into the last one
     for (const double t : ends) {
         if (!merged.empty() && t - merged.back() <= 1e-6 * h) merged.pop_back();
         merged.push_back(t);

@@ -6,10 +6,10 @@
 
 namespace myo::dynamics {
 
-/// Ends of the steps of a run, ascending: jumps of the model and multiples of h up to `end`.
+/// Ends of the steps of a run [s], ascending: multiples of h up to `end_s` and the jumps of the model.
 std::vector<double> step_ends(const model::Model& model, double h_s, double end_s);
 
-/// Whether one of these times is t, to within rounding beside h.
+/// Whether t is one of the jumps, within 1e-6 h.
 bool is_jump(const std::vector<double>& jumps, double t, double h_s);
 
 }  // namespace myo::dynamics

@@ -8,15 +8,18 @@
 
 namespace myo::dynamics {
 
-/// TR-BDF2 with gamma = 2 - sqrt(2): second order, L-stable, both stages with the same matrix.
+/// One TR-BDF2 step with gamma = 2 - sqrt(2): second order, L-stable, equal matrices in both stages.
+///
+/// Returns false if a stage solve failed; `next` is then invalid.
 /// Source: Bank et al. 1985; Hosea & Shampine 1996.
 template <class Solve>
 bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& next) {
     const double gamma = 2.0 - std::sqrt(2.0);
-    const double d = 0.5 * gamma * p.h;  // both stages: v = x / d + ...
+    const double d = 0.5 * gamma * p.h;  // both stages have v = x / d + ...
     const double c1 = 1.0 / (gamma * (2.0 - gamma)), c0 = (1.0 - gamma) * (1.0 - gamma) * c1;
     const double lambda = p.velocity_force_1_s;
 
+    // Stage 1, trapezoidal rule over gamma h.
     Stage trapezoid;
     trapezoid.time_s = p.time_s + gamma * p.h;
     trapezoid.inertia_at_s = p.middle_s();
@@ -29,6 +32,8 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     if (!p.solve(trapezoid, middle)) return false;
     const Eigen::Matrix3Xd v1 = (middle.x - s.x) / d - s.v;
 
+    // Stage 2, BDF2 through the start, the middle and the end. With v2 = x2 / d - history the acceleration is
+    // (v2 - c1 v1 + c0 v0) / d.
     Stage bdf2;
     const Eigen::Matrix3Xd history = (c1 * middle.x - c0 * s.x) / d;  // v2 = x2 / d - history
     bdf2.time_s = p.time_s + p.h;
@@ -42,7 +47,7 @@ bool tr_bdf2_step(const StepProblem<Solve>& p, const Kinematics& s, Kinematics& 
     if (!p.solve(bdf2, end)) return false;
     next.v = end.x / d - history;
     next.force = model::times_mass((next.v - c1 * v1 + c0 * s.v) / d, p.mass);
-    next.rate = std::move(bdf2.rate_history);  // in place: these are as long as all points' strains
+    next.rate = std::move(bdf2.rate_history);  // in place: the vectors have one entry per strain measure of all points
     next.rate += end.strain / d;
     next.x = std::move(end.x);
     next.strain = std::move(end.strain);

@@ -4,11 +4,12 @@
 
 namespace myo::dynamics {
 
-/// The trapezoidal rule, Newmark's method with beta = 1/4 and gamma = 1/2: (D0 + D1) / 2 = (y1 - y0) / h. Second order,
-/// keeps the energy of linear vibrations; what is too fast for h rings on undamped. Source: Newmark 1959; Hughes 1987,
-/// ch. 9.
+/// Trapezoidal rule, Newmark's method with beta = 1/4 and gamma = 1/2: (D0 + D1) / 2 = (y1 - y0) / h.
+///
+/// Second order. Conserves the energy of linear vibrations; frequencies that h does not resolve oscillate undamped.
+/// Source: Newmark 1959; Hughes 1987, ch. 9.
 inline StepFormula trapezoidal_formula(double h) {
-    // The slope is the derivative itself.
+    // The stored slope equals the derivative, so the scheme has no memory of its own.
     return {.change_1_s = 2.0 / h, .slope = 1.0, .next_change_1_s = 2.0 / h, .next_slope = 1.0};
 }
 

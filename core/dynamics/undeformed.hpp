@@ -6,8 +6,10 @@
 
 namespace myo::dynamics {
 
-/// The undeformed body nearest to x (3 x n): where it is clamped, or moved and turned as a whole where it is not. Every
-/// law has an energy there, so that a search may start from it.
+/// Stress-free configuration closest to x, 3 x n [m]: the rest shape if nodes are clamped, otherwise the rest shape
+/// moved and rotated as a rigid body to match x.
+///
+/// Every material law is defined there, which makes it a safe start of an iteration.
 Eigen::Matrix3Xd undeformed_near(const model::Body& body, const Eigen::Matrix3Xd& x);
 
 }  // namespace myo::dynamics

@@ -9,17 +9,19 @@ namespace {
 
 constexpr const char* delay_s = "delay_s";
 
+/// a(t) -> a(t - delay), smoothed so that the run depends smoothly on the delay.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double delay = number(parameters, delay_s);
     if (!(delay > 0.0)) return;
     for (fibre::Signal& signal : affected.model.activation) {
         if (signal.times_s.size() < 2) continue;
-        // What stood before the start has been so for ever: the motion of the file begins at t = 0.
+        // The value at the start extends to all earlier times; the motion of the file begins at t = 0.
         for (double& time : signal.times_s) time += delay;
         signal = with_bends_between_steps(signal, affected.options.h_s, affected.options.end_s);
     }
 }
 
+/// Two orders of magnitude, because the response of a long delay is not proportional to that of a short one.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     if (any_signal(moves, search))

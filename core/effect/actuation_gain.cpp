@@ -6,12 +6,14 @@ namespace {
 
 constexpr const char* change = "relative_change";
 
+/// a - 1 -> (1 + change) (a - 1): the passive state a = 1 stays.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double factor = 1.0 + number(parameters, change);
     for (fibre::Signal& signal : affected.model.activation)
         for (double& value : signal.values) value = 1.0 + factor * (value - 1.0);
 }
 
+/// Observable only if some muscle leaves its passive state.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     for (const model::Model& model : search.models)
         for (const fibre::Signal& signal : model.activation)
@@ -22,6 +24,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 }  // namespace
 
+// A relative change of -1 would be no actuation at all: the lower bound.
 Effect actuation_gain() {
     return {"actuation_gain",
             EffectStage::actuation,

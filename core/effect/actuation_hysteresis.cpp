@@ -7,20 +7,22 @@
 namespace myo::effect {
 namespace {
 
-/// Bouc-Wen without smoothing: (1 - h) u + h z, z' = u' (1 - [u' z > 0] |z| / width). Within a sample z' is linear in
-/// z: exact by its exponential. z rests at 0 where u = 0, and has followed u from there to its value before the start:
-/// a constant is reached by less than it says.
+/// Bouc-Wen model without smoothing: (1 - h) u + h z with z' = u' (1 - [u' z > 0] |z| / width).
+///
+/// Within a sample interval the equation for z is linear, and its exponential solution is exact. z is 0 at u = 0 and
+/// has followed u from there to its value before the start: a constant input is not reached in full.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double h = number(parameters, "fraction"), width = number(parameters, "width");
     const auto moved = [width](double z, double du) {
         if (du == 0.0) return z;
         const double direction = du > 0.0 ? 1.0 : -1.0;
         double left = std::abs(du);
-        if (direction * z < 0.0) {  // back to zero on the straight branch
+        if (direction * z < 0.0) {  // unloading to zero: unit slope
             const double straight = std::min(left, std::abs(z));
             z += direction * straight;
             left -= straight;
         }
+        // Loading branch: exponential approach to direction * width.
         return z + (left > 0.0 ? (direction * width - z) * (1.0 - std::exp(-left / width)) : 0.0);
     };
     respond_to_signals(
@@ -37,6 +39,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
         affected);
 }
 
+/// The width is relative to the largest input: hysteresis that saturates early, and one that does not.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     double largest = 0.0;
     for (const model::Model& model : search.models)

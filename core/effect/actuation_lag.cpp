@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* tau_s = "time_constant_s";
 
-/// tau x' = u - x, exact for u linear between samples and across its jumps, where x bends.
+/// tau x' = u - x, integrated exactly for u linear between samples. x is continuous across jumps of u.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     if (!(tau > 0.0)) return;
@@ -17,6 +17,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
         [tau](const std::vector<double>& times, const std::vector<double>& u) {
             std::vector<double> x{u.front()};
             for (std::size_t k = 1; k < u.size(); ++k) {
+                // A jump has h = 0: decay = ramp = 1 leave x unchanged.
                 const double h = times[k] - times[k - 1];
                 const double decay = std::exp(-h / tau), ramp = h > 0.0 ? tau * (1.0 - decay) / h : 1.0;
                 x.push_back(decay * x.back() + (1.0 - ramp) * u[k] + (ramp - decay) * u[k - 1]);
@@ -26,6 +27,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
         affected);
 }
 
+/// Several time constants, because the response is strongly nonlinear in tau.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     if (any_signal(moves, search))

@@ -8,8 +8,10 @@ namespace {
 
 constexpr const char* tau_s = "time_constant_s";
 
-/// x' = u' - x / tau, x(0) = u(0), exact for u linear between samples; it jumps as u does. What was held before the
-/// start has not bled off: the trial begins as it is declared, and bleeding begins at t = 0, of a constant signal too.
+/// x' = u' - x / tau, x(0) = u(0), integrated exactly for u linear between samples; x jumps with u.
+///
+/// The input held before the start has not leaked: the trial begins as declared, and the leak begins at t = 0, for
+/// constant signals as well.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     respond_to_signals(
@@ -26,6 +28,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
         affected);
 }
 
+/// The effect vanishes for tau -> infinity: the probe amount is reciprocal.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     if (any_signal(acts, search))

@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* density = "surface_density_kg_m2";
 
+/// Directional mass along the normals of the free surface: inertia without weight.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     affected.model.directional_masses.push_back(
         model::added_mass(*site.body, model::free_faces(*site.body), number(parameters, density)));

@@ -5,11 +5,13 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+/// Start positions: given ones or the rest shape.
 Matrix3Xd start_of(const Affected& affected) {
     return affected.options.initial.positions.size() > 0 ? affected.options.initial.positions
                                                          : affected.model.body->mesh.nodes;
 }
 
+/// Whether two models have the same unknowns and state variables.
 bool alike(const model::Model& a, const model::Model& b) {
     return a.body->clamped == b.body->clamped && a.creep.has_value() == b.creep.has_value() &&
            a.softening.has_value() == b.softening.has_value();
@@ -23,6 +25,7 @@ std::optional<sensitivity::ModelTangent> affected_tangent(const Affected& under,
     sensitivity::ModelTangent tangent;
     tangent.between = std::make_shared<sensitivity::ModelPair>(sensitivity::ModelPair{under.model, over.model, width});
     tangent.start_m = (start_of(over) - start_of(under)) / width;
+    // Clamped nodes are held; a change of their position acts through the pair of models.
     for (Eigen::Index i = 0; i < tangent.start_m.cols(); ++i)
         if (between.model.body->clamped[static_cast<std::size_t>(i)]) tangent.start_m.col(i).setZero();
     return tangent;

@@ -7,11 +7,16 @@
 
 namespace myo::effect {
 
-/// Derivative of a model and of its start along a number of an effect, from both sides of it: exact where forces,
-/// masses and starts are linear in the number, and otherwise to the square of the width.
+// Effects change models in arbitrary ways, so that their derivatives cannot be coded by hand for each of them.
+
+/// Derivative of a model and its start along a number of an effect, by a central difference.
 ///
-/// width: between the sides, in units of the number. Nothing where both sides have other free nodes than what is
-/// between them, or one is without the memory that it has: there only differences of runs tell.
+/// Exact where forces, masses and start are linear in the number; otherwise the error is of the order of width squared.
+///
+/// @param under, between, over  model with the number decreased, unchanged and increased
+/// @param width                 difference of the number between `over` and `under`, in its unit
+/// @return  nullopt if the models differ in their free nodes, or in having creep or softening; then only differences of
+///          runs give the derivative
 std::optional<sensitivity::ModelTangent> affected_tangent(const Affected& under, const Affected& between,
                                                           const Affected& over, double width);
 

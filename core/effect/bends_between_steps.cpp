@@ -6,12 +6,12 @@
 namespace myo::effect {
 namespace {
 
-/// Stages at the shares c of a step with weights b give means over a step the impulse of a line with slope s, and (Σ b
-/// (c - 1/2)²) / 2 h² s more. Of TR-BDF2, b = (√2/4, √2/4, 1 - √2/2) and c = (0, 2 - √2, 1), that is (√2 - 5/4) / 2 h²
-/// s; a second difference adds up to h s.
+/// Coefficient of the second difference. Stages at the fractions c of a step with weights b give the mean over a step
+/// the impulse of a line with slope s plus (Σ b (c - 1/2)²) / 2 h² s. For TR-BDF2, b = (√2/4, √2/4, 1 - √2/2) and c =
+/// (0, 2 - √2, 1), this is (√2 - 5/4) / 2 h² s; the second difference of a kink sums to h s.
 const double sharpening = 0.5 * (std::sqrt(2.0) - 1.25);
 
-/// The signal's integral from its first knot to t.
+/// Integral of the piecewise linear signal from its first knot to t.
 class Integral {
 public:
     explicit Integral(const fibre::Signal& signal) : signal_(signal), at_knots_{0.0} {
@@ -31,19 +31,21 @@ private:
     std::vector<double> at_knots_;
 };
 
-/// Means and their second difference reach so many steps to each side.
+/// The means and their second difference extend this many steps to each side.
 constexpr double reach = 1.5;
 
+/// Jump of a signal by `change`.
 struct Jump {
     double time_s = 0.0, change = 0.0;
 };
 
-/// Jumps before `until_s`, and the signal without them.
+/// Removes the jumps before `until_s` from the signal and returns them.
 std::vector<Jump> take_jumps(fibre::Signal& signal, double until_s) {
     std::vector<Jump> jumps;
     double taken = 0.0;
     for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
         const bool jumps_here = k > 0 && signal.times_s[k] == signal.times_s[k - 1] && signal.times_s[k] < until_s;
+        // Jumps removed before have already lowered the left value.
         const double change = jumps_here ? signal.values[k] - taken - signal.values[k - 1] : 0.0;
         if (change != 0.0) jumps.push_back({signal.times_s[k], change});
         taken += change;
@@ -52,6 +54,7 @@ std::vector<Jump> take_jumps(fibre::Signal& signal, double until_s) {
     return jumps;
 }
 
+/// The signal plus a step function at the jump, as two knots of equal time.
 fibre::Signal with_jump(const fibre::Signal& signal, const Jump& jump) {
     fibre::Signal result{{}, {}};
     const auto add = [&](double t, double value) {
@@ -79,6 +82,7 @@ fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, 
     if (is_constant(rest)) return signal;
     const Integral integral(rest);
     const auto mean = [&](double t) { return (integral.to(t + 0.5 * h_s) - integral.to(t - 0.5 * h_s)) / h_s; };
+    // Four knots per step, up to one beyond the end.
     const auto count = static_cast<std::size_t>(std::ceil(4.0 * end_s / h_s)) + 2;
     fibre::Signal result{{}, {}};
     for (std::size_t k = 0; k < count; ++k) {
@@ -86,7 +90,7 @@ fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, 
         result.times_s.push_back(t);
         result.values.push_back(around - sharpening * (mean(t + h_s) - 2.0 * around + mean(t - h_s)));
     }
-    result.values.front() = rest.value_before(0.0);  // the body starts under what stood before
+    result.values.front() = rest.value_before(0.0);  // the body starts under the value before t = 0
     for (const Jump& jump : kept) result = with_jump(result, jump);
     return result;
 }

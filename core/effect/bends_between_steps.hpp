@@ -4,19 +4,21 @@
 
 namespace myo::effect {
 
-/// A signal whose bends fall anywhere between the steps of a run, as one that gives the run the same impulses wherever
-/// they fall.
+/// Replaces a signal by one whose impulse in a run does not depend on where its kinks fall between the steps.
 ///
-/// An integrator takes a signal at its stages. Where the signal bends at the share θ of a step, the impulse of the
-/// stages differs from its own by a function of θ times h² and the change of slope, zero where bends are ends of steps:
-/// it does not fall by four with half the step, and it changes as the signal shifts. The result is the mean over a step
-/// around each time less 0.082 times the second difference of these means: at every θ its impulse by TR-BDF2 is that of
-/// a bend at a step's end, and lines stay as they are. Other schemes have an error that is of second order and the same
-/// for all θ. Linear between times h/4 apart up to `end_s`.
+/// An integrator samples a signal at its stages. If the slope changes at the fraction θ of a step, the impulse of the
+/// stages has an error of h² times the change of slope times a function of θ that vanishes at the ends of steps. This
+/// error does not decrease by four with half the step, and it changes as the signal shifts. The result is the mean over
+/// one step around each time, minus 0.082 times the second difference of these means: under TR-BDF2 its impulse equals,
+/// for every θ, that of a kink at the end of a step; linear signals are unchanged. Under other schemes the error is of
+/// second order and the same for all θ. The result is linear between times h/4 apart up to `end_s`.
 ///
-/// A jump is a bend of no length and gets the same impulse: without it a run's derivative with respect to a delay would
-/// be that of nothing until the jump passes a stage. Jumps so near to the start that their mean would reach before it
-/// stay jumps, at which steps end.
+/// A jump is treated as a kink of zero length. Otherwise the derivative of a run with respect to a delay would vanish
+/// until the jump passes a stage. Jumps so close to the start that the mean would reach before it stay jumps; steps end
+/// there.
+///
+/// @param h_s    step of the run [s]
+/// @param end_s  end of the run [s]
 fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, double end_s);
 
 }  // namespace myo::effect

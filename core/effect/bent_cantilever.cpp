@@ -10,31 +10,33 @@ namespace myo::effect {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector4d;  // turn, curvature, along, across
+using Eigen::Vector4d;  // rotation, curvature, along, across
 
-/// Enough for 1e-8 of the length at the most deflection.
+/// Intervals along the beam: error of 1e-8 of the length at the largest deflection.
 constexpr int parts = 128;
 
+/// Right-hand side of the differential equation along the arc length.
 Vector4d slope(const Vector4d& y, double load, double shear) {
     const double c = std::cos(y(0)), s = std::sin(y(0)), g = load * shear * c;
     return {y(1), -load * (c - g * s), c - g * s, s + g * c};
 }
 
-/// Runge and Kutta's step of fourth order.
+/// One increment of the classical Runge-Kutta method of fourth order along the arc length.
 Vector4d after(const Vector4d& y, double h, double load, double shear) {
     const Vector4d k1 = slope(y, load, shear), k2 = slope(y + 0.5 * h * k1, load, shear),
                    k3 = slope(y + 0.5 * h * k2, load, shear), k4 = slope(y + h * k3, load, shear);
     return y + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
 }
 
+/// State at the free end for given curvature at the clamp and load.
 Vector4d end_of(const Vector2d& curvature_and_load, double shear) {
     Vector4d y(0.0, curvature_and_load(0), 0.0, 0.0);
     for (int k = 0; k < parts; ++k) y = after(y, 1.0 / parts, curvature_and_load(1), shear);
     return y;
 }
 
-/// Curvature at the clamp and load that leave no moment at the end and move it by `deflection`, by Newton's method from
-/// values nearby.
+/// Shooting: curvature at the clamp and load such that the end has no moment and the given deflection, by Newton's
+/// method from a nearby solution `at`.
 Vector2d solve(double deflection, double shear, Vector2d at) {
     const auto error = [&](const Vector2d& p) {
         const Vector4d end = end_of(p, shear);
@@ -46,6 +48,7 @@ Vector2d solve(double deflection, double shear, Vector2d at) {
         const double width = 1e-5 * std::max(1.0, at(1));
         Eigen::Matrix2d J;
         for (int i = 0; i < 2; ++i)
+            // Central differences; the shooting function is smooth.
             J.col(i) = (error(at + width * Vector2d::Unit(i)) - error(at - width * Vector2d::Unit(i))) / (2.0 * width);
         const Vector2d step = J.partialPivLu().solve(now);
         at -= step;
@@ -69,7 +72,8 @@ BeamSection BentCantilever::at(double s) const {
 BentCantilever bent_cantilever(double deflection, double shear) {
     assert(deflection >= 0.0 && shear >= 0.0);
     const double wanted = std::min(deflection, most_deflection);
-    // Small ones bend by load / 3 and shear by load times shear; larger ones are reached in turn.
+    // Small deflections: bending contributes load / 3, shear contributes load times shear. Larger deflections are
+    // reached by continuation.
     Vector2d at = Vector2d::Constant(std::min(wanted, 0.1) / (1.0 / 3.0 + shear));
     for (double reached = std::min(wanted, 0.1);; reached = std::min(wanted, reached + 0.2 * (1.0 - reached))) {
         at = solve(reached, shear, at);

@@ -4,32 +4,32 @@
 
 namespace myo::effect {
 
-/// A section of a beam of unit length that is bent in a plane: how far it has turned, what it bends by, where its
-/// centre is.
+/// Cross-section of a beam of unit length, bent in a plane.
 struct BeamSection {
-    double turn_rad = 0.0;
-    double curvature = 0.0;
-    double along = 0.0, across = 0.0;
+    double turn_rad = 0.0;             // rotation of the section
+    double curvature = 0.0;            // derivative of the rotation along the axis
+    double along = 0.0, across = 0.0;  // position of its centre, in beam lengths
 };
 
-/// A cantilever that a dead force across its end bends, however far its sections turn. Its axis keeps its length;
-/// sections lag behind its slope by the shear, `shear` = E I / (k G A L^2) of a slender one being next to nothing.
+/// Cantilever with a transverse dead force at its end, for arbitrarily large rotations.
 ///
-/// With the turn t of the sections, the load p in E I / L^2 and g = p shear cos t: t'' = -p x', x' = cos t - g sin t,
-/// y' = sin t + g cos t, and no moment at the end. Source: Reissner 1972; without shear Bisshopp & Drucker 1945.
+/// The axis is inextensible. Sections lag behind its slope by the shear; `shear` = E I / (k G A L^2), which is close to
+/// zero for slender beams. With the rotation t of the sections, the load p in units of E I / L^2 and g = p shear cos t:
+/// t'' = -p x', x' = cos t - g sin t, y' = sin t + g cos t, and no moment at the end.
+/// Source: Reissner 1972; without shear Bisshopp & Drucker 1945.
 struct BentCantilever {
-    double load = 0.0, shear = 0.0;
-    std::vector<BeamSection> sections;  // evenly from the clamp to the end
+    double load = 0.0, shear = 0.0;     // dimensionless, see above
+    std::vector<BeamSection> sections;  // equally spaced from the clamp to the end
 
-    /// s: from 0 at the clamp to 1 at the end.
+    /// Section at arc length s, 0 at the clamp, 1 at the end.
     BeamSection at(double s) const;
 };
 
-/// The largest deflection of the end, of its length: a force across it cannot bend it all the way.
+/// Largest deflection of the end in beam lengths. A transverse force cannot bend the beam by its full length.
 inline constexpr double most_deflection = 0.9;
 
-/// The one whose end has moved by `deflection` of its length, 0 ... most_deflection; more is taken for the most. Smooth
-/// below.
+/// Cantilever whose end is deflected by `deflection` beam lengths, 0 ... most_deflection; larger values are truncated.
+/// A smooth function of the deflection below this limit.
 BentCantilever bent_cantilever(double deflection, double shear);
 
 }  // namespace myo::effect

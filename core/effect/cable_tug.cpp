@@ -9,6 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Diagonal of the bounding box [m].
 double body_length(const EffectSite& site) {
     const auto& X = site.body->mesh.nodes;
     return (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
@@ -16,9 +17,10 @@ double body_length(const EffectSite& site) {
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const SurfacePlace place = surface_place(*site.body, vector(parameters, "position_m"));
-    // Without an anchor the cable leaves the surface at a right angle, longer than the motion.
+    // Default anchor: along the surface normal, farther away than any motion of the body.
     Vector3d anchor = place.point + 2.0 * body_length(site) * place.normal;
     if (has(parameters, "anchor_m")) anchor = vector(parameters, "anchor_m");
+    // The spring needs a direction: an anchor on the surface is moved off it.
     if ((anchor - place.point).norm() < 1e-3 * body_length(site)) anchor += 1e-3 * body_length(site) * place.normal;
     affected.model.force_elements.push_back(model::tied_spring(*site.body, place.cell, place.nodes, place.shares,
                                                                anchor, number(parameters, "stiffness_N_m")));
@@ -26,8 +28,8 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 constexpr double probed_stiffness_N_m = 0.2, least_share = 0.1;
 
-/// To first order a spring of direction d acts by its tensor k d d': those of six directions span all symmetric
-/// tensors.
+/// To first order a spring of direction d acts by its tensor k d d'. The tensors of these six directions span all
+/// symmetric tensors.
 std::vector<Vector3d> directions() {
     const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
     return {x, y, z, (x + y).normalized(), (y + z).normalized(), (z + x).normalized()};
@@ -35,8 +37,8 @@ std::vector<Vector3d> directions() {
 
 Vector3d span_of(const EffectParameters& column) { return vector(column, "anchor_m") - vector(column, "position_m"); }
 
-/// The spring nearest to the tensor that the columns add up to: of its largest eigenvalue. Its anchor is outside of the
-/// body, like theirs.
+/// The spring closest to the sum of the column tensors: largest eigenvalue and its eigenvector. Its anchor lies outside
+/// the body, as those of the columns.
 EffectParameters joined(const std::vector<EffectParameters>& columns, const Eigen::VectorXd& multiples) {
     Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
     Vector3d outwards = Vector3d::Zero();
@@ -46,6 +48,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
         outwards += d;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(tensor);
+    // Eigenvalues ascend: column 2 is the stiffest direction. The sign of an eigenvector is arbitrary.
     const Vector3d along = eigen.eigenvectors().col(2);
     EffectParameters result = columns.front();
     const double length = span_of(result).norm();

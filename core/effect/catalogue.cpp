@@ -6,8 +6,8 @@
 
 namespace myo::effect {
 
-/// All effects, in the order of the vocabulary. A new effect is a file of its own and one line here: the name of the
-/// function that it defines.
+/// All effects, in the order of the vocabulary, of lists and of reports. A new effect is a file of its own and one line
+/// here, the name of the function that it defines; tests run over the catalogue.
 // clang-format off
 #define MYOLOOP_EFFECTS(entry) \
     entry(quadratic_drag) \
@@ -70,12 +70,13 @@ bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
 }
 
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected) {
+    // stable_sort below keeps the order of declaration within an EffectStage.
     std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
     for (const EffectDeclaration& declaration : effects) {
         order.emplace_back(find_effect(declaration.id), &declaration);
         assert(order.back().first != nullptr);
     }
-    // Stress-free shapes are those of the cells as they are held, whichever was declared first.
+    // Order by EffectStage: stress-free shapes refer to the cells as supported, whatever was declared first.
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first->stage < b.first->stage; });
     for (const auto& [effect, declaration] : order)

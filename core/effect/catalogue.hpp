@@ -7,18 +7,20 @@
 
 namespace myo::effect {
 
-/// All effects, in the order of the vocabulary. "none" and "unknown" are verdicts, not effects.
+/// All effects, in the order of the vocabulary. "none" and "unknown" are verdicts and not effects.
 const std::vector<Effect>& effect_catalogue();
 
-/// The entry with this id, or null.
+/// Entry with this id; null if there is none.
 const Effect* find_effect(const std::string& id);
 
+/// Ids of all effects, in the order of the catalogue.
 std::vector<std::string> effect_ids();
 
-/// Whether one of these effects varies within cells: their body needs fine_element().
+/// Whether any of these effects varies within cells; their body then requires fine_element().
 bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects);
 
-/// Applies effects stage by stage, within a stage in their order. Asserts that they are of the catalogue.
+/// Applies effects ordered by EffectStage, and by declaration within each of them. Effects for other trials are
+/// skipped. Asserts that all are in the catalogue.
 void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected);
 
 }  // namespace myo::effect

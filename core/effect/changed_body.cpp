@@ -5,6 +5,7 @@
 #include "model/held_nodes.hpp"
 
 namespace myo::effect {
+// Cells and shapes are unchanged: only the unknowns and their sparsity pattern are rebuilt.
 model::BodyPointer released_body(const model::Body& body, const std::vector<int>& nodes) {
     auto released = std::make_shared<model::Body>(body);
     for (const int node : nodes) released->clamped[static_cast<std::size_t>(node)] = false;
@@ -12,6 +13,7 @@ model::BodyPointer released_body(const model::Body& body, const std::vector<int>
     return released;
 }
 
+// Mass, gradients and volumes depend on the nodes: the body is rebuilt.
 model::BodyPointer on_nodes(const model::Body& body, Eigen::Matrix3Xd nodes_m) {
     mesh::VolumeMesh mesh = body.mesh;
     mesh.nodes = std::move(nodes_m);

@@ -6,13 +6,13 @@
 
 namespace myo::effect {
 
-/// The same body, free at nodes that were clamped.
+/// Copy of the body in which the given clamped nodes are free.
 model::BodyPointer released_body(const model::Body& body, const std::vector<int>& nodes);
 
-/// The same body with its nodes elsewhere at rest, 3 x n [m]: the same cells, held at the same nodes.
+/// Copy of the body with other rest positions, 3 x n [m]; cells and clamped nodes are the same.
 model::BodyPointer on_nodes(const model::Body& body, Eigen::Matrix3Xd nodes_m);
 
-/// A body of other elements with the same nodes, held at the same ones.
+/// Copy of the body with another element formulation on the same nodes, clamped at the same ones.
 model::BodyPointer of_kind(const model::Body& body, fem::ElementKind kind);
 
 }  // namespace myo::effect

@@ -8,16 +8,18 @@ namespace {
 
 constexpr const char* bed_stiffness = "stiffness_Pa_per_m";
 
+/// Frees the clamped nodes and supports their faces by distributed springs [Pa/m].
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     std::vector<int> nodes;
     for (int i = 0; i < site.body->node_count(); ++i)
         if (site.body->clamped[static_cast<std::size_t>(i)]) nodes.push_back(i);
     const std::vector<int> faces = model::faces_of_nodes(*site.body, nodes);
-    if (faces.empty()) return;  // held inside, where there is no face to sit on
+    if (faces.empty()) return;  // clamped nodes inside the body have no face for the bed
     affected.model.body = released_body(*affected.model.body, nodes);
     affected.model.force_elements.push_back(model::elastic_bed(*site.body, faces, number(parameters, bed_stiffness)));
 }
 
+/// Rigid clamp = infinite stiffness: the probe amount is reciprocal.
 std::vector<EffectProbe> probes(const EffectSearch&) {
     return {{{{{bed_stiffness, 2e8}}}, bed_stiffness, true, nullptr}};
 }

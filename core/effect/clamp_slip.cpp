@@ -12,10 +12,10 @@ namespace {
 
 constexpr const char* length = "free_length_m";
 
-/// Cells take up the free length as far as so much of the body's length.
+/// The cells absorb the free length over at most this fraction of the body length.
 constexpr double farthest = 0.5;
 
-/// How far in front of the clamp the first node lies that a marker or a muscle hangs on.
+/// Distance from the clamp to the first node that carries a marker or a muscle [m].
 double first_load(const EffectSite& site, const model::Model& model, const ClampAxis& clamp) {
     const mesh::VolumeMesh& mesh = model.body->mesh;
     double first = farthest * clamp.length_m;
@@ -28,12 +28,12 @@ double first_load(const EffectSite& site, const model::Model& model, const Clamp
     return first;
 }
 
-/// Of its depth the clamp's far end takes up the slip by at least so much, more where the slip is long; and what is
-/// left of the clamp.
+/// The shift is distributed over at least this fraction of the clamp depth, more for a long slip; and this fraction of
+/// the depth always remains clamped.
 constexpr double least_taken_up = 0.5, left_of_depth = 0.05;
 
-/// Nodes within edges stay in the middle: one that stayed behind while its edge's end moved by half of it would make
-/// the cell a singular one.
+/// Keeps mid-edge nodes at the middle of their edges: if such a node stayed behind while the end of its edge moved by
+/// half the length, the cell would become singular.
 void straighten(const mesh::VolumeMesh& mesh, Eigen::Matrix3Xd& shift) {
     if (mesh.type != mesh::CellType::tet10) return;
     for (const auto& cell : mesh.cells.colwise())
@@ -42,10 +42,12 @@ void straighten(const mesh::VolumeMesh& mesh, Eigen::Matrix3Xd& shift) {
                                                                        shift.col(cell(mesh::tetrahedron_edges[e][1])));
 }
 
-/// How far nodes lie from their places in a body whose clamp stands further back, 3 x n [m]: what is held moves there,
-/// its far end stays, and the cells in front reach as far, those next to the clamp alone or all that carry nothing. So
-/// the free length grows evenly, with the same unknowns, whether it is a part of a cell or several, and the cells at
-/// the clamp hardly change, which hold a nearly incompressible body the firmer the shorter they are.
+/// Nodal shift for a body whose clamp ends farther back, 3 x n [m].
+///
+/// Clamped nodes move backwards, the far end of the clamp stays, and the cells in front stretch to fill the space:
+/// those next to the clamp, or all that carry no marker or muscle. Thus the free length grows continuously with the
+/// same unknowns, whether it is a fraction of a cell or several cells. The cells at the clamp keep nearly the same
+/// size, which matters because short cells restrain a nearly incompressible body more.
 Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, const ClampAxis& clamp, double free_m) {
     const Eigen::Matrix3Xd& X = model.body->mesh.nodes;
     const double reach = first_load(site, model, clamp),
@@ -55,6 +57,8 @@ Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, con
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const double ahead = clamp.ahead(X.col(i));
         const bool held = site.body->clamped[static_cast<std::size_t>(i)];
+        // Fraction of the slip: 1 at the front of the clamp, decreasing to 0 at its far end and over the cells in
+        // front.
         const double part = held          ? std::min(1.0, (clamp.held_m + ahead) / taken_up_m)
                             : reach > 0.0 ? std::clamp(1.0 - ahead / reach, 0.0, 1.0)
                                           : 0.0;
@@ -72,14 +76,16 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     const mesh::VolumeMesh declared = model.body->mesh;
     const Eigen::Matrix3Xd shift = set_back(site, model, clamp, free_m);
     model.body = on_nodes(*model.body, declared.nodes + shift);
+    // Fibres are defined per cell: adapt them to the moved nodes.
     auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
     for (const fibre::FibreGroup& group : *model.fibres)
         fibres->push_back(fibre::moved_fibres(declared, model.body->mesh, group));
     model.fibres = fibres;
     Eigen::Matrix3Xd& start = affected.options.initial.positions;
+    // Given start positions follow the nodes.
     if (start.size() > 0) start += shift;
 
-    // Nobody moved the markers on the cells at the clamp.
+    // Markers on the shifted cells have not moved on the real body: compensate in the recording.
     for (std::size_t m = 0; m < site.markers.size(); ++m) {
         const Eigen::Vector3d moved = shift(Eigen::all, site.markers[m].nodes) * site.markers[m].weights;
         if (!moved.isZero(0.0)) affected.seen.shifts.push_back({m, -moved, -std::numeric_limits<double>::infinity()});
@@ -89,7 +95,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const ClampAxis clamp = clamp_axis(search.sites.front());
     std::vector<EffectProbe> list;
-    // A clamp that is a face alone has no part that could slip.
+    // A clamp that consists of a face only has no part that could slip.
     if (clamp.held_m > 0.0)
         for (const double part : {0.05, 0.5}) list.push_back(probe({{length, part * clamp.held_m}}, length));
     return list;

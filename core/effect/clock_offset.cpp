@@ -5,6 +5,7 @@ namespace {
 
 constexpr const char* offset = "offset_s";
 
+/// Samples stamped t were taken at t + offset.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     affected.seen.clock_offset_s += number(parameters, offset);
 }
@@ -12,7 +13,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     const double interval = search.sites.front().interval_s;
-    // Not smooth at zero: before the start the body stands still.
+    // Both signs: the response is not smooth at zero, because the body is at rest before the start.
     for (const double frames : {0.3, -0.3, 2.0, -2.0}) list.push_back(probe({{offset, frames * interval}}, offset));
     return list;
 }

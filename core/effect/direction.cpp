@@ -12,7 +12,7 @@ using Eigen::Matrix;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Two unit vectors across the base: where it moves for a small angle each.
+/// Orthonormal basis of the tangent plane at the base: the directions of the two angles.
 Matrix<double, 3, 2> tangents(const Vector3d& base) {
     int least = 0;
     base.cwiseAbs().minCoeff(&least);
@@ -27,6 +27,7 @@ Matrix<double, 3, 2> tangents(const Vector3d& base) {
 Vector3d direction_at(const Vector3d& base, const Vector2d& angles_rad) {
     const double angle = angles_rad.norm();
     if (angle == 0.0) return base;
+    // Exponential map of the sphere; normalised against rounding.
     return (std::cos(angle) * base + std::sin(angle) / angle * (tangents(base) * angles_rad)).normalized();
 }
 
@@ -34,6 +35,7 @@ Vector2d direction_angles(const Vector3d& base, const Vector3d& direction) {
     const Vector2d across = tangents(base).transpose() * direction;
     const double along = base.dot(direction), size = across.norm();
     if (size == 0.0) return along < 0.0 ? Vector2d(std::numbers::pi, 0.0) : Vector2d(Vector2d::Zero());
+    // atan2 is accurate for small angles and for angles near pi.
     return std::atan2(size, along) / size * across;
 }
 

@@ -2,6 +2,7 @@
 
 namespace myo::effect {
 
+// Names as in files and reports.
 std::string to_string(EffectStage stage) {
     switch (stage) {
         case EffectStage::force: return "force";
@@ -19,6 +20,7 @@ const EffectParameterEntry* Effect::parameter(const std::string& name) const {
     return nullptr;
 }
 
+// A missing parameter or one of another type is an error of the caller: at() and get() throw.
 double number(const EffectParameters& parameters, const std::string& name) {
     const EffectParameter& value = parameters.at(name);
     if (const auto* const v = std::get_if<Eigen::VectorXd>(&value)) return v->norm();
@@ -35,6 +37,7 @@ std::string text(const EffectParameters& parameters, const std::string& name) {
 
 bool has(const EffectParameters& parameters, const std::string& name) { return parameters.count(name) > 0; }
 
+// Effects without the parameter `trial` act on all trials.
 bool acts_on(const EffectSite& site, const EffectParameters& parameters) {
     return !has(parameters, "trial") || text(parameters, "trial") == site.trial;
 }

@@ -15,116 +15,130 @@
 
 namespace myo::effect {
 
-/// Number, vector, one name (marker, trial) or several (marker_swap's two markers).
+// An effect is a phenomenon that a declared experiment does not contain: a force, a support, a property of material or
+// actuator, or an error of the measurement. Each entry of the catalogue states its parameters and a function that
+// applies it to the prepared trial. Effects are used in two ways: an experiment declares them, or a diagnosis tries
+// them on the residual of a fit. In the second case the probes of an entry are the start values.
+
+/// Value of a parameter: number, vector, one name (marker, trial) or several names (the markers of marker_swap).
 using EffectParameter = std::variant<double, Eigen::VectorXd, std::string, std::vector<std::string>>;
-/// By name. Vectors and positions are in the mesh frame, at rest.
+/// Values by parameter name. Vectors and positions are in the mesh frame of the rest shape.
 using EffectParameters = std::map<std::string, EffectParameter>;
 
-/// An effect with its parameters: what an experiment declares, or what is tried on it.
+/// An effect with its parameter values: declared by an experiment, or a candidate of a diagnosis.
 struct EffectDeclaration {
     std::string id;
     EffectParameters parameters;
-    bool calibrate = false;
+    bool calibrate = false;  // the parameters are fitted
 };
 
+/// Type of a parameter.
 enum class EffectParameterKind {
     number,
     vector3,            // position or shift
-    direction,          // unit vector: two angles for a fit, see direction.hpp; the scale is in rad
-    number_or_vector3,  // a size, or one with its direction
+    direction,          // unit vector; fitted as two angles (direction.hpp), so that its scale is in rad
+    number_or_vector3,  // a magnitude, or a vector
     axis,               // 0 x, 1 y, 2 z
     marker,
     marker_pair,
     trial,
 };
 
-/// What a parameter may hold, and how a fit moves it.
+/// Declaration of a parameter: type, range and how it is fitted.
 struct EffectParameterEntry {
-    std::string name;  // with the unit
+    std::string name;  // with its unit, e.g. mass_kg
     EffectParameterKind kind = EffectParameterKind::number;
     bool optional = false;
-    double lowest = -std::numeric_limits<double>::max();  // of a number, bounds included
+    double lowest = -std::numeric_limits<double>::max();  // range of a number, bounds included
     double highest = std::numeric_limits<double>::max();
-    double scale = 0.0;         // a change of this size matters: width of the prior. 0: a fit does not move it
-    bool over_decades = false;  // positive, of unknown order of magnitude: a fit moves its logarithm from `scale` on
+    double scale = 0.0;         // a change of this size matters: width of the prior; 0: not fitted
+    bool over_decades = false;  // positive with unknown order of magnitude: ln(1 + value / scale) is fitted
 };
 
-/// What an effect may know of the trial that it acts on.
+/// Data of the trial on which an effect acts.
 struct EffectSite {
-    model::BodyPointer body;  // as declared; its clamped nodes are the declared ones
-    Box held;                 // the clamp
+    model::BodyPointer body;  // as declared, with the declared clamped nodes
+    Box held;                 // clamped box
     std::vector<std::string> marker_names;
-    std::vector<Eigen::Vector3d> marker_rest_m;
-    std::vector<measurement::MarkerBinding> markers;  // on the body's cells
+    std::vector<Eigen::Vector3d> marker_rest_m;       // rest positions [m], mesh frame
+    std::vector<measurement::MarkerBinding> markers;  // bound to the cells of the body
     std::vector<std::string> muscle_names;
     std::string trial;
-    double session_time_s = 0.0;
+    double session_time_s = 0.0;  // time of the trial within the session
     dynamics::StartKind start = dynamics::StartKind::straight;
-    double interval_s = 0.01;  // between samples
-    double end_s = 0.0;        // of the trial
+    double interval_s = 0.01;  // between samples of the recording
+    double end_s = 0.0;        // end of the trial
 };
 
-/// What an effect may change: the model, how it starts, and how it is seen.
+/// What an effect may change: model, start and options of the run, and the recording.
 struct Affected {
     model::Model model;
     dynamics::SimulationOptions options;
     measurement::ObservationError seen;
 };
 
-/// Places and sizes from which a search for the effect starts.
+/// Start values for the search for an effect.
 ///
-/// columns: variants of the effect with small, but finite values, whose predictions less the unaffected ones span what
-/// the effect does to first order: several where it has a direction. `joined` makes one effect of the multiples of the
-/// columns that explain a residual best; null with one column: its parameter `amount` times the multiple, or divided by
-/// it where absence is infinite.
+/// `columns` are variants of the effect with small finite values. Their predictions minus the prediction without the
+/// effect span its first-order response; several columns are needed if the effect has a direction. `joined` converts
+/// the multiples of the columns that best explain a residual into one effect. It is null for a single column: then the
+/// parameter `amount` is multiplied by the multiple, or divided by it (`reciprocal`) if absence means infinity.
 struct EffectProbe {
     std::vector<EffectParameters> columns;
     std::string amount;
     bool reciprocal = false;
     EffectParameters (*joined)(const std::vector<EffectParameters>& columns,
                                const Eigen::VectorXd& multiples) = nullptr;
-    bool large = false;  // of an amount far from small, for what goes with its square: tried where small ones explain
-                         // nothing
+    bool large = false;  // an amount that is not small, for quadratic responses; tried if small ones explain nothing
 };
 
-/// What the search for an effect may know of the whole experiment.
+/// Data of the whole experiment for the choice of start values.
 struct EffectSearch {
-    std::vector<EffectSite> sites;             // of the fit trials
-    std::vector<model::Model> models;          // theirs, with the values of the declared fit
-    double largest_energy_density_J_m3 = 0.0;  // isochoric, of any cell in any trial
+    std::vector<EffectSite> sites;             // of the trials used in the fit
+    std::vector<model::Model> models;          // models of these trials, with the values of the declared fit
+    double largest_energy_density_J_m3 = 0.0;  // isochoric; maximum over cells and trials
     bool damping_is_fitted = false;
 };
 
+/// What an effect changes; effects are applied in this order.
 enum class EffectStage { force, support, material, actuation, measurement };
+/// Name of an EffectStage in files and reports.
 std::string to_string(EffectStage stage);
 
-/// An entry of the catalogue.
+/// Entry of the catalogue.
 struct Effect {
     std::string id;
     EffectStage stage = EffectStage::force;
-    std::string summary;  // one line for a person
+    std::string summary;  // one line for the user
     std::vector<EffectParameterEntry> parameters;
+    /// Changes the model, options or recording of a trial.
     void (*apply)(const EffectSite&, const EffectParameters&, Affected&) = nullptr;
-    std::vector<EffectProbe> (*probes)(const EffectSearch&) = nullptr;  // empty: it cannot show in this experiment
+    std::vector<EffectProbe> (*probes)(const EffectSearch&) =
+        nullptr;  // empty: not observable in this experiment; null: no probes exist
     EffectParameters (*plainest)(const model::Model& declared, const EffectParameters&) =
-        nullptr;                       // the same effect, where several numbers say the same; may be null
-    bool varies_within_cells = false;  // fields of moduli, energies beyond strain squared: see fine_element()
+        nullptr;  // canonical form of equivalent parameters; may be null
+    bool
+        varies_within_cells = false;  // moduli that vary within cells, or energies beyond quadratic: see fine_element()
 
+    /// Declaration of a parameter; null if there is none of this name.
     const EffectParameterEntry* parameter(const std::string& name) const;
 };
 
-/// A parameter's number; of a number_or_vector3 given as a vector its length.
+/// Value of a number; the norm of a number_or_vector3 that is given as a vector. The parameter must exist.
 double number(const EffectParameters& parameters, const std::string& name);
+/// Value of a vector3 or direction. The parameter must exist.
 Eigen::Vector3d vector(const EffectParameters& parameters, const std::string& name);
+/// Value of a name. The parameter must exist.
 std::string text(const EffectParameters& parameters, const std::string& name);
+/// Whether the parameter is given.
 bool has(const EffectParameters& parameters, const std::string& name);
-/// Whether an effect with an optional parameter `trial` acts on this one.
+/// Whether the effect acts on this trial: it has no parameter `trial`, or it names this one.
 bool acts_on(const EffectSite& site, const EffectParameters& parameters);
 
-/// A probe of one number.
+/// Probe with a single column whose parameter `amount` is multiplied.
 EffectProbe probe(EffectParameters at, const std::string& amount);
 
-/// An entry for a number within bounds; see EffectParameterEntry.
+/// Declaration of a required, fitted number; see EffectParameterEntry.
 EffectParameterEntry fitted_number(const std::string& name, double lowest, double highest, double scale,
                                    bool over_decades = false);
 

@@ -5,13 +5,15 @@ namespace {
 
 constexpr const char* excess = "excess_damping_s";
 
+/// Adds to the Kelvin-Voigt damping time.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     affected.model.damping_s += number(parameters, excess);
 }
 
-/// A damping that is fitted anyway has no excess.
+/// Not separable from the damping if that is fitted.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     if (search.damping_is_fitted) return {};
+    // The response is linear in a small damping time.
     return {probe({{excess, 2e-4}}, excess)};
 }
 

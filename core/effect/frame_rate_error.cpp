@@ -5,10 +5,12 @@ namespace {
 
 constexpr const char* error = "relative_error";
 
+/// True rate = declared rate times (1 + error).
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     affected.seen.rate_error += number(parameters, error);
 }
 
+/// Two sizes: the response to a large error is not linear.
 std::vector<EffectProbe> probes(const EffectSearch&) {
     return {probe({{error, 0.002}}, error), probe({{error, 0.02}}, error)};
 }

@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
+/// Gravity rotated by tilt_deg about the axis.
 Vector3d tilted(const Vector3d& gravity, const EffectParameters& parameters) {
     return Eigen::AngleAxisd(degree * number(parameters, "tilt_deg"), vector(parameters, "axis").normalized()) *
            gravity;
@@ -21,11 +22,12 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
     affected.model.gravity_m_s2 = tilted(affected.model.gravity_m_s2, parameters);
 }
 
-/// Small turns add up like vectors.
+/// Small rotations add like vectors.
 EffectParameters joined(const std::vector<EffectParameters>& columns, const Eigen::VectorXd& multiples) {
     Vector3d turn = Vector3d::Zero();
     for (std::size_t i = 0; i < columns.size(); ++i)
         turn += multiples(static_cast<Eigen::Index>(i)) * number(columns[i], "tilt_deg") * vector(columns[i], "axis");
+    // A zero rotation has no axis: keep a small one about the first axis.
     const Vector3d axis = turn.norm() > 0.0 ? turn.normalized() : vector(columns.front(), "axis");
     return {{"tilt_deg", std::max(turn.norm(), 0.01)}, {"axis", Eigen::VectorXd(axis)}};
 }
@@ -35,6 +37,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     if (!(g.norm() > 0.0)) return {};
     int least = 0;
     g.cwiseAbs().minCoeff(&least);
+    // Two axes perpendicular to gravity span all first-order tilts.
     const Vector3d first = g.cross(Vector3d::Unit(least)).normalized(), second = g.cross(first).normalized();
     EffectProbe probe;
     for (const Vector3d& axis : {first, second})
@@ -43,8 +46,8 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return {probe};
 }
 
-/// The smallest turn with which gravity points there: about an axis across it. A part of an axis along gravity does
-/// nothing but make the angle larger.
+/// The smallest rotation with the same direction of gravity: about an axis perpendicular to it. A component of the axis
+/// along gravity has no effect but to enlarge the angle.
 EffectParameters plainest(const model::Model& declared, const EffectParameters& parameters) {
     const Vector3d g = declared.gravity_m_s2, turned = tilted(g, parameters), axis = g.cross(turned);
     if (!(axis.norm() > 0.0)) return parameters;

@@ -14,10 +14,11 @@ using Eigen::VectorXd;
 
 constexpr const char* offset = "offset_m";
 
-/// The middle of what lies in the plane of the free end.
+/// Centre of the bounding box of the nodes in the plane of the free end.
 Vector3d end_centre(const EffectSite& site, const ClampAxis& clamp) {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
     for (const auto& X : site.body->mesh.nodes.colwise()) {
+        // Nodes of the end plane within rounding.
         if (clamp.ahead(X) < (1.0 - 1e-6) * clamp.length_m) continue;
         low = low.cwiseMin(X);
         high = high.cwiseMax(X);
@@ -25,7 +26,8 @@ Vector3d end_centre(const EffectSite& site, const ClampAxis& clamp) {
     return 0.5 * (low + high);
 }
 
-/// E I / (k G A L^2) of the body's mean section, bent along a unit vector, with Cowper's k of a rectangle (1966).
+/// Shear parameter E I / (k G A L^2) of the mean cross-section for bending along a unit vector, with Cowper's shear
+/// coefficient k of a rectangle (1966).
 double shear_of(const EffectSite& site, const model::Model& model, const ClampAxis& clamp, const Vector3d& along) {
     const Eigen::SparseMatrix<double>& volume = site.body->unit_mass;
     const VectorXd y = site.body->mesh.nodes.transpose() * along, of_node = volume * VectorXd::Ones(y.size());
@@ -36,20 +38,27 @@ double shear_of(const EffectSite& site, const model::Model& model, const ClampAx
         sum.mu += m.mu;
         sum.kappa += m.kappa;
     }
+    // The ratio of the sums suffices for Poisson's ratio. E / G = 2 (1 + nu); I / A is the variance of y over the
+    // volume.
     const double nu = material::young_from_moduli(sum).poissons_ratio, k = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
     return 2.0 * (1.0 + nu) / k * off.dot(volume * off) / whole / (clamp.length_m * clamp.length_m);
 }
 
-/// Where hands lift to: against gravity, across the axis; where gravity is along it, along the next coordinate.
+/// Default direction of the offset: against gravity, perpendicular to the axis; if gravity is parallel to the axis, the
+/// next coordinate.
 Vector3d upwards(const Vector3d& gravity, const Vector3d& axis, int axis_number) {
+    // Without gravity: along z.
     const Vector3d up = gravity.norm() > 0.0 ? Vector3d(-gravity.normalized()) : Vector3d(Vector3d::UnitZ());
     const Vector3d across = up - up.dot(axis) * axis;
     return across.norm() > 1e-3 ? Vector3d(across.normalized()) : Vector3d(Vector3d::Unit((axis_number + 1) % 3));
 }
 
-/// Bent like a cantilever by a force across its end, until the end's centre is off by `offset`: sections turn, and the
-/// axis keeps its length, so that the end also comes nearer to the clamp; what the offset has along the axis says
-/// nothing beside that. The body bends in the plane of axis and offset. Sections stay plane and keep their shape.
+/// Start positions of a cantilever bent by a transverse force at its end, such that the centre of the end is displaced
+/// by `offset`.
+///
+/// Sections rotate and stay plane and undeformed; the axis keeps its length, so that the end also approaches the clamp.
+/// The axial component of the offset is therefore not independent and is ignored. Bending is in the plane of axis and
+/// offset.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     if (site.start != dynamics::StartKind::straight) return;
     const ClampAxis clamp = clamp_axis(site);
@@ -70,7 +79,8 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
         const Vector3d X = site.body->mesh.nodes.col(i);
         const double s = clamp.ahead(X) / clamp.length_m;
-        if (s <= 0.0) continue;
+        if (s <= 0.0) continue;  // within the clamp
+        // Displacement of the section centre plus rotation about it; r is the distance from the neutral axis.
         const BeamSection section = bent.at(s);
         const double r = (X - centre).dot(across);
         x.col(i) += (clamp.length_m * (section.along - s) - r * std::sin(section.turn_rad)) * axis;
@@ -79,6 +89,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     affected.options.initial.positions = std::move(x);
 }
 
+/// The offset is a vector: columns add linearly.
 EffectParameters joined(const std::vector<EffectParameters>& columns, const VectorXd& multiples) {
     Vector3d sum = Vector3d::Zero();
     for (std::size_t i = 0; i < columns.size(); ++i)
@@ -88,6 +99,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Vect
     return result;
 }
 
+/// Per trial that starts from the straight shape: the two transverse directions.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     for (const EffectSite& site : search.sites) {

@@ -9,18 +9,20 @@ namespace {
 constexpr const char* ratio = "inertia_ratio";
 constexpr double standard_gravity_m_s2 = 9.80665;
 
-/// Whether the force acts within the run: what is let go at t = 0 has no inertia in it.
+/// Whether the force acts during the run. A weight released at t = 0 contributes no inertia.
 bool hangs(const model::DeadForce& force, double end_s) {
     return force.force_N.norm() > 0.0 && force.from_s < end_s && force.until_s > 0.0;
 }
 
-/// The body hangs on its thread as long as its force acts. It comes and goes without a jerk: one that joins moves along
-/// with the specimen from then on.
+/// Adds to each dead force the inertia of a hanging body, along the line of the force and while it acts. Changes of
+/// mass cause no impulse: a body that is attached moves with the specimen from then on.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+    // Without gravity in the model the weight is converted with standard gravity.
     const double g = affected.model.gravity_m_s2.norm() > 0.0 ? affected.model.gravity_m_s2.norm()
                                                               : standard_gravity_m_s2;
     for (const model::DeadForce& force : affected.model.forces) {
         if (!hangs(force, affected.options.end_s)) continue;
+        // Ratio 1 is the mass whose weight is the declared force.
         model::DirectionalMass body = model::line_mass(force.share, force.force_N,
                                                        number(parameters, ratio) * force.force_N.norm() / g);
         body.from_s = force.from_s;

@@ -5,7 +5,7 @@
 namespace myo::effect {
 namespace {
 
-/// Each cell by itself, with nodes of its own.
+/// Mesh in which each cell has its own nodes.
 mesh::VolumeMesh exploded(const mesh::VolumeMesh& mesh) {
     mesh::VolumeMesh result{mesh.type, Eigen::Matrix3Xd(3, mesh.cells.size()),
                             Eigen::MatrixXi(mesh.cells.rows(), mesh.cells.cols())};
@@ -16,8 +16,8 @@ mesh::VolumeMesh exploded(const mesh::VolumeMesh& mesh) {
     return result;
 }
 
-/// The stress-free shape of each cell is a trapezium that does not fit its neighbours: the body keeps its rest shape
-/// only under stress.
+/// Gives each cell a trapezoidal stress-free shape. The shapes are not compatible with each other, so that the rest
+/// shape of the body is under residual stress.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const double k = number(parameters, "curvature_1_m");
     const auto across = static_cast<Eigen::Index>(number(parameters, "axis"));
@@ -29,9 +29,11 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     for (Eigen::Index c = 0; c < free_cells.cells.cols(); ++c) {
         auto nodes = free_cells.nodes.middleCols(c * per_cell, per_cell);
         const double centre = nodes.row(along).mean();
+        // Length along the axis scaled by 1 + k (distance from the middle): curvature k of the stress-free body.
         nodes.row(along) = centre +
                            (nodes.row(along).array() - centre) * (1.0 + k * (nodes.row(across).array() - middle));
     }
+    // Only the reference shapes of the cells are replaced; nodes, mass and boundary stay those of the rest shape.
     auto bent = std::make_shared<model::Body>(*affected.model.body);
     const model::PackedElements shapes = model::pack_elements(
         fem::make_elements(free_cells, bent->kind, bent->surroundings));
@@ -46,6 +48,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     affected.model.body = bent;
 }
 
+/// The two axes perpendicular to the clamp axis.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const int along = clamp_axis(search.sites.front()).axis;
     std::vector<EffectProbe> list;

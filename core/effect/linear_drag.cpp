@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* coefficient = "coefficient_Pa_s_m";
 
+/// Traction -c v on the free surface.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     affected.model.force_elements.push_back(
         model::surface_drag(*site.body, model::free_faces(*site.body), number(parameters, coefficient), 0.0));

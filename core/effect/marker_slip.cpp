@@ -4,6 +4,7 @@
 namespace myo::effect {
 namespace {
 
+/// Markers that are not on the body (fixed ones) are not compared and are ignored.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const int marker = marker_number(site, text(parameters, "marker"));
     if (marker < 0) return;

@@ -7,7 +7,7 @@ namespace {
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const auto& names = std::get<std::vector<std::string>>(parameters.at("markers"));
     const int first = marker_number(site, names[0]), second = marker_number(site, names[1]);
-    if (first < 0 || second < 0) return;  // of fixed markers: nothing that is compared
+    if (first < 0 || second < 0) return;  // fixed markers are not compared
     affected.seen.swaps.push_back(
         {static_cast<std::size_t>(first), static_cast<std::size_t>(second), number(parameters, "time_s")});
 }

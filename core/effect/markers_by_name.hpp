@@ -4,7 +4,7 @@
 
 namespace myo::effect {
 
-/// Number of a marker on the body; -1 where there is none of this name.
+/// Index of a marker on the body; -1 if no marker has this name.
 int marker_number(const EffectSite& site, const std::string& name);
 
 }  // namespace myo::effect

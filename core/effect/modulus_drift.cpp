@@ -7,11 +7,13 @@ namespace {
 
 constexpr const char* rate = "rate_1_s";
 
+/// Moduli times 1 + rate * session time, at least 0.01.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const double factor = std::max(0.01, 1.0 + number(parameters, rate) * site.session_time_s);
     for (material::Moduli& m : affected.model.moduli) m = {factor * m.mu, factor * m.kappa};
 }
 
+/// Longest time between trials [s].
 double longest_time(const EffectSearch& search) {
     double longest = 0.0;
     for (const EffectSite& site : search.sites)
@@ -19,9 +21,10 @@ double longest_time(const EffectSearch& search) {
     return longest;
 }
 
-/// Trials of one time cannot tell a drift from the modulus.
+/// Observable only with trials at different session times; otherwise a drift equals a change of the modulus.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     if (!(longest_time(search) > 0.0)) return {};
+    // 2 % over the session.
     return {probe({{rate, 0.02 / longest_time(search)}}, rate)};
 }
 

@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-/// Of these points, so many that lie far from each other, beginning with the one farthest from `away`.
+/// Farthest-point sampling: `count` of the points, starting with the one farthest from `away`.
 std::vector<Vector3d> spread(const Matrix3Xd& points, const Vector3d& away, std::size_t count) {
     std::vector<Vector3d> chosen;
     if (points.cols() == 0) return chosen;
@@ -27,12 +27,14 @@ std::vector<Vector3d> spread(const Matrix3Xd& points, const Vector3d& away, std:
         squared_distance.maxCoeff(&farthest);
         const Vector3d next = points.col(farthest);
         if (chosen.empty()) squared_distance.setConstant(std::numeric_limits<double>::max());
+        // Distance of every point to the chosen set; the next point is the one with the largest distance.
         squared_distance = squared_distance.cwiseMin((points.colwise() - next).colwise().squaredNorm());
         chosen.push_back(next);
     }
     return chosen;
 }
 
+/// Mean rest position of the clamped nodes; the origin if there are none.
 Vector3d clamp_centre(const EffectSite& site) {
     Vector3d sum = Vector3d::Zero();
     int count = 0;
@@ -44,10 +46,11 @@ Vector3d clamp_centre(const EffectSite& site) {
     return count > 0 ? Vector3d(sum / count) : Vector3d(sum);
 }
 
-/// Linear shares of a triangle's corners.
+/// Barycentric coordinates of a point in a triangle, clipped to be non-negative.
 Vector3d triangle_shares(const Eigen::Matrix3d& corners, const Vector3d& point) {
     const Vector3d a = corners.col(1) - corners.col(0), b = corners.col(2) - corners.col(0), normal = a.cross(b);
     const double area = normal.squaredNorm();
+    // Ratios of signed areas.
     const double v = normal.dot((point - corners.col(0)).cross(b)) / area,
                  w = normal.dot(a.cross(point - corners.col(0))) / area;
     Vector3d shares(1.0 - v - w, v, w);
@@ -64,14 +67,15 @@ SurfacePlace surface_place(const model::Body& body, const Vector3d& near_m) {
     place.cell = at.cell;
     place.point = at.point;
     const auto node = [&](int i) { return Vector3d(body.mesh.nodes.col(at.nodes(i))); };
+    // The corner nodes of a boundary face are ordered counter-clockwise seen from outside.
     place.normal = (node(1) - node(0)).cross(node(2) - node(0)).normalized();
     if (at.nodes.size() != 6) {
         place.nodes.assign(at.nodes.begin(), at.nodes.end());
         place.shares = at.weights.cwiseMax(0.0) / at.weights.cwiseMax(0.0).sum();
         return place;
     }
-    // Quadratic shapes are negative in parts of the face, as no mass may be: linear ones on the quarter that holds the
-    // point.
+    // The quadratic shape functions of a 6-node face are negative in parts of it, which is inadmissible for masses: use
+    // linear ones on the quarter of the face that contains the point.
     constexpr std::array<std::array<int, 3>, 4> quarters = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
     double nearest = std::numeric_limits<double>::max();
     for (const std::array<int, 3>& quarter : quarters) {
@@ -112,6 +116,7 @@ Matrix3Xd cell_centres(const model::Body& body) {
 ClampAxis clamp_axis(const EffectSite& site) {
     const Matrix3Xd& X = site.body->mesh.nodes;
     const Vector3d lowest = X.rowwise().minCoeff(), highest = X.rowwise().maxCoeff(), size = highest - lowest;
+    // The clamp lies at one end: largest offset of its centre relative to the size in that direction.
     const Vector3d off = clamp_centre(site) - 0.5 * (lowest + highest);
     ClampAxis result;
     off.cwiseAbs().cwiseQuotient(size).maxCoeff(&result.axis);
@@ -123,6 +128,7 @@ ClampAxis clamp_axis(const EffectSite& site) {
             low = std::min(low, X(a, i));
             high = std::max(high, X(a, i));
         }
+    // The last clamped plane is the one towards the free end.
     result.begin_m = result.sign > 0.0 ? high : low;
     result.held_m = std::max(0.0, high - low);
     result.length_m = result.sign > 0.0 ? highest(a) - high : low - lowest(a);

@@ -6,36 +6,38 @@
 
 namespace myo::effect {
 
-/// A point of the rest surface as a sum over nodes of the cell behind it, shares not negative and adding up to 1.
+/// Point of the rest surface as a convex combination of nodes (shares >= 0, sum 1) of the cell behind it.
 struct SurfacePlace {
-    int cell = 0;
+    int cell = 0;  // cell behind the face
     std::vector<int> nodes;
-    Eigen::VectorXd shares;
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();    // nearest to the one asked for [m]
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  // outward
+    Eigen::VectorXd shares;                             // one per node
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();    // surface point nearest to the requested one [m]
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  // outward unit normal
 };
+/// Surface point nearest to `near_m` [m, mesh frame].
 SurfacePlace surface_place(const model::Body& body, const Eigen::Vector3d& near_m);
 
-/// Points of the free surface far from each other, the farthest from the clamp first [m].
+/// `count` face centres of the free surface far from each other, the one farthest from the clamp first [m].
 std::vector<Eigen::Vector3d> spread_surface_points(const EffectSite& site, std::size_t count);
 
-/// Centres of cells far from each other [m].
+/// `count` cell centres far from each other, the one farthest from the clamp first [m].
 std::vector<Eigen::Vector3d> spread_cells(const EffectSite& site, std::size_t count);
 
-/// Centre of each cell at rest, 3 x m [m].
+/// Centre of each cell in the rest shape, 3 x cells [m].
 Eigen::Matrix3Xd cell_centres(const model::Body& body);
 
-/// Along which coordinate, and in which direction, the body stands out of its clamp.
+/// Coordinate axis and direction in which the body protrudes from its clamp.
 struct ClampAxis {
     int axis = 0;
-    double sign = 1.0;
-    double begin_m = 0.0;   // coordinate of the clamp's last held plane
-    double length_m = 0.0;  // from there to the body's end
-    double held_m = 0.0;    // depth of the clamp
+    double sign = 1.0;      // +1 or -1
+    double begin_m = 0.0;   // coordinate of the last clamped plane
+    double length_m = 0.0;  // from this plane to the free end of the body
+    double held_m = 0.0;    // depth of the clamp; 0 if only a face is clamped
 
-    /// How far in front of the last held plane a point lies; negative within the clamp [m].
+    /// Signed distance of a point in front of the last clamped plane [m]; negative within the clamp.
     double ahead(const Eigen::Vector3d& point_m) const { return sign * (point_m(axis) - begin_m); }
 };
+/// The axis along which the clamped nodes are farthest off-centre, relative to the size of the body.
 ClampAxis clamp_axis(const EffectSite& site);
 
 }  // namespace myo::effect

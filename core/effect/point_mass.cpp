@@ -4,14 +4,17 @@
 namespace myo::effect {
 namespace {
 
+/// Attaches the mass to the surface point nearest to the position; it has inertia and weight.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const SurfacePlace place = surface_place(*site.body, vector(parameters, "position_m"));
     Eigen::VectorXd share = Eigen::VectorXd::Zero(site.body->node_count());
     for (std::size_t a = 0; a < place.nodes.size(); ++a)
         share(place.nodes[a]) += place.shares(static_cast<Eigen::Index>(a));
+    // The shares distribute the mass to the nodes of the face.
     affected.model.masses.push_back({std::move(share), number(parameters, "mass_kg")});
 }
 
+/// Probes of 1 % of the body mass at points spread over the surface.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const EffectSite& site = search.sites.front();
     const double body_kg = search.models.front().density_kg_m3 * site.body->volume_m3;

@@ -11,7 +11,9 @@ void scale_stiffness(const EffectSite& site, const std::function<double(const Ei
                      Affected& affected) {
     const Eigen::Matrix3Xd points = model::rest_points(*site.body);
     Eigen::VectorXd factors(points.cols());
+    // The lower bound keeps the stiffness positive.
     for (Eigen::Index i = 0; i < factors.size(); ++i) factors(i) = std::max(0.01, factor(points.col(i)));
+    // Several effects of this kind multiply.
     affected.model.point_factors = model::times_factors(affected.model.point_factors, factors);
 }
 

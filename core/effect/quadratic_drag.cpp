@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* coefficient = "coefficient_kg_m3";
 
+/// Traction proportional to the square of the speed on the free surface.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     affected.model.force_elements.push_back(
         model::surface_drag(*site.body, model::free_faces(*site.body), 0.0, number(parameters, coefficient)));

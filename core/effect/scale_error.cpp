@@ -5,6 +5,7 @@ namespace {
 
 constexpr const char* error = "relative_error";
 
+/// Recorded coordinates times 1 + error, about the mesh origin.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     affected.seen.scale_error += number(parameters, error);
 }

@@ -16,13 +16,13 @@ bool acts(const fibre::Signal& signal) {
 
 namespace {
 
-/// The signal at multiples of `spacing` and on both sides of its jumps.
+/// Samples of the signal at multiples of `spacing`, and on both sides of its jumps.
 fibre::Signal sampled(const fibre::Signal& signal, double spacing, double end_s) {
     const auto count = static_cast<std::size_t>(std::ceil(end_s / spacing)) + 2;
     std::vector<double> jumps = signal.jumps();
     std::erase_if(jumps, [&](double t) { return t < 0.0 || t >= static_cast<double>(count - 1) * spacing; });
     jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
-    // What stood before the start has been so for ever.
+    // The value before the start extends to all earlier times.
     fibre::Signal samples{{0.0}, {signal.value_before(0.0)}};
     const auto add = [&](double t, double value) {
         samples.times_s.push_back(t);
@@ -31,6 +31,7 @@ fibre::Signal sampled(const fibre::Signal& signal, double spacing, double end_s)
     auto jump = jumps.begin();
     for (std::size_t k = 0; k < count; ++k) {
         const double t = static_cast<double>(k) * spacing;
+        // A jump becomes two samples of equal time; one at t = 0 only needs its right value.
         for (; jump != jumps.end() && *jump <= t; ++jump) {
             if (*jump > 0.0) add(*jump, signal.value_before(*jump));
             add(*jump, signal.value(*jump));

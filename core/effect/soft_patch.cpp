@@ -7,6 +7,7 @@
 namespace myo::effect {
 namespace {
 
+/// Modulus factor 1 + r exp(-d² / (2 R²)) with the distance d from the centre.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const Eigen::Vector3d centre = vector(parameters, "centre_m");
     const double r = number(parameters, "relative_change"), R = number(parameters, "radius_m");
@@ -16,6 +17,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
         affected);
 }
 
+/// Patches of 0.3 body sizes at nine cells spread over the body.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const EffectSite& site = search.sites.front();
     const double size = std::cbrt(site.body->volume_m3);

@@ -4,6 +4,7 @@
 namespace myo::effect {
 namespace {
 
+/// Modulus factor linear in one coordinate: 1 - r/2 at its lowest, 1 + r/2 at its highest value.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const auto axis = static_cast<Eigen::Index>(number(parameters, "axis"));
     const Eigen::RowVectorXd coordinate = site.body->mesh.nodes.row(axis);
@@ -17,7 +18,8 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     std::vector<EffectProbe> list;
     for (const double axis : {0.0, 1.0, 2.0}) {
         list.push_back(probe({{"relative_change", 0.05}, {"axis", axis}}, "relative_change"));
-        // Across a body that bends, a small gradient makes one side as much stiffer as the other softer.
+        // Across a bending body the response to a small gradient cancels to first order: one side becomes stiffer by as
+        // much as the other becomes softer. Hence the large probes.
         for (const double change : {1.0, -1.0}) {
             list.push_back(probe({{"relative_change", change}, {"axis", axis}}, "relative_change"));
             list.back().large = true;
@@ -29,7 +31,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 }  // namespace
 
 Effect stiffness_gradient() {
-    // Beyond 2 the modulus would be negative at one end.
+    // Beyond a relative change of 2 the modulus would be negative at one end.
     Effect effect{"stiffness_gradient",
                   EffectStage::material,
                   "the modulus is linear in one coordinate",

@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* c2 = "yeoh_c2";
 
+/// Adds the second term of the Yeoh law to the material.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     affected.model.material = material::strain_stiffening(affected.model.material, number(parameters, c2));
 }

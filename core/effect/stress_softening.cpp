@@ -6,11 +6,13 @@ namespace {
 constexpr const char* damage = "damage_max";
 constexpr const char* scale = "energy_scale_J_m3";
 
+/// No damage is the virgin law without memory, and not softening by zero: it costs no state variable.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     if (number(parameters, damage) > 0.0)
         affected.model.softening = material::StressSoftening{number(parameters, damage), number(parameters, scale)};
 }
 
+/// Energy scales relative to the largest energy density of the declared fit.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     if (search.largest_energy_density_J_m3 > 0.0)
@@ -22,6 +24,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 }  // namespace
 
 Effect stress_softening() {
+    // The upper bound of the damage keeps a positive stiffness.
     Effect effect{"stress_softening",
                   EffectStage::material,
                   "the stress softens with the largest energy that a point has seen",

@@ -6,11 +6,13 @@ namespace {
 constexpr const char* ratio = "modulus_ratio";
 constexpr const char* time = "relaxation_time_s";
 
+/// Adds a Maxwell branch. Ratio 0 adds none, because the dashpot strains would only cost time.
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     if (number(parameters, ratio) > 0.0)
         affected.model.creep = material::MaxwellBranch{number(parameters, ratio), number(parameters, time)};
 }
 
+/// Relaxation times from fast to slow: the ratio is linear to first order, the time is not.
 std::vector<EffectProbe> probes(const EffectSearch&) {
     std::vector<EffectProbe> list;
     for (const double tau : {0.03, 0.2, 1.0}) list.push_back(probe({{ratio, 0.1}, {time, tau}}, ratio));

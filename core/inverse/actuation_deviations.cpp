@@ -19,13 +19,14 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Below this share of the largest eigenvalue a direction is not seen.
+/// Relative eigenvalue below which a direction is not determined at all.
 constexpr double not_seen = 1e-12;
 
-/// A value of which the target makes less is not measured: its course may be any between those beside it.
+/// Values with less information from the target are interpolated by the smoothness rather than measured.
 constexpr double measured_share = 0.5;
 
-/// The activations are linear in the values: d activation / d value, per value (signals running fastest).
+/// Tangents of the model with respect to each value (signal index fastest). The activations are affine in the values,
+/// so that differences from zero values are exact.
 std::vector<sensitivity::ModelTangent> value_tangents(const SoughtSignals& sought, const MatrixXd& values) {
     std::vector<sensitivity::ModelTangent> tangents;
     const MatrixXd none = MatrixXd::Zero(values.rows(), values.cols());
@@ -43,12 +44,12 @@ std::vector<sensitivity::ModelTangent> value_tangents(const SoughtSignals& sough
     return tangents;
 }
 
-/// The information on the values alone, whatever the last six parameters are: the placement, as likely anywhere within
-/// its bounds.
+/// Schur complement: information about the values alone, after eliminating the last six parameters. These are the
+/// placement, with a prior that is uniform within its bounds.
 MatrixXd without_placement(const MatrixXd& information, const PlacementBounds& bounds, double noise_m) {
     const Index n = information.rows() - 6;
     MatrixXd placement = information.bottomRightCorner(6, 6);
-    // The variance of an even distribution.
+    // Variance of a uniform distribution over [-b, b].
     const double translation = bounds.translation_m * bounds.translation_m / 3.0,
                  rotation = bounds.rotation_rad * bounds.rotation_rad / 3.0;
     for (Index i = 0; i < 6; ++i)
@@ -57,7 +58,7 @@ MatrixXd without_placement(const MatrixXd& information, const PlacementBounds& b
            information.topRightCorner(n, 6) * placement.ldlt().solve(information.bottomLeftCorner(6, n));
 }
 
-/// J'J of the compared coordinates, and the sum of their squared residuals.
+/// J'J over the compared coordinates, and the sum of squared residuals.
 struct NormalEquations {
     MatrixXd information;
     double squares = 0.0;
@@ -90,10 +91,10 @@ NormalEquations normal_equations(const ActuationProblem& problem, const sensitiv
     return equations;
 }
 
-/// What the normal equations leave of each value.
+/// Pseudo-inverse of the normal equations.
 struct Weighing {
-    MatrixXd inverse;          // over the directions that are seen
-    Eigen::ArrayX<bool> open;  // values that a direction which nothing sees moves
+    MatrixXd inverse;          // over the determined directions
+    Eigen::ArrayX<bool> open;  // values with a component along an undetermined direction
 };
 
 Weighing weigh(const MatrixXd& precision) {
@@ -113,8 +114,8 @@ Weighing weigh(const MatrixXd& precision) {
     return weighed;
 }
 
-/// Values that the target says less about than the smoothness, values that nothing says anything about, and pairs of
-/// signals that take each other's place.
+/// Warnings: values determined less by the target than by the smoothness, values not determined at all, and pairs of
+/// signals that can replace each other.
 std::vector<std::string> undetermined_words(const SoughtSignals& sought, const Weighing& weighed,
                                             const ActuationDeviations& found) {
     std::vector<std::string> warnings;
@@ -143,7 +144,8 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
             Index alike = 0;
             for (Index k = 0; k < knots; ++k) {
                 const double correlation = std::abs(found.correlation(k * signals + s, k * signals + other));
-                // Markers that say little of a value leave it to the smoothness, which ties nothing between signals.
+                // Values with little information come from the smoothness, which does not correlate different signals:
+                // a lower correlation is significant there.
                 const bool told_badly = std::min(found.from_target(s, k), found.from_target(other, k)) < 0.75;
                 alike += correlation > (told_badly ? 0.95 : 0.999) ? 1 : 0;
             }
@@ -156,12 +158,12 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
     return warnings;
 }
 
-/// The largest rate that each signal has where its target is seen [1/s]; a rate counts by how much of its two ends the
-/// target makes.
+/// Largest rate of each signal over the knots that the target measures [1/s]. A rate counts as measured by the smaller
+/// information of its two ends.
 VectorXd own_rates(const SoughtSignals& sought, const MatrixXd& values, const VectorXd& from_target,
                    const MatrixXd& D) {
     const Index signals = values.rows();
-    // What is left when all values are at `before` is the constant: rates are 0 there.
+    // Rates are affine in the values and vanish if all values equal `before`.
     VectorXd before(values.size());
     for (Index i = 0; i < before.size(); ++i) before(i) = sought.signals[static_cast<std::size_t>(i % signals)].before;
     const VectorXd rates = D * (values.reshaped() - before);
@@ -175,13 +177,13 @@ VectorXd own_rates(const SoughtSignals& sought, const MatrixXd& values, const Ve
     return largest;
 }
 
-/// Standard deviations of an estimate with the smoothness in its loss: what the noise does, and what the smoothness may
-/// hide.
+/// Standard deviations of an estimate whose loss contains the smoothness: effect of the noise, and possible bias.
 ///
-/// With A the target's and P = w D'D the smoothness's part of the normal equations the estimate is (A + P)^-1 A times
-/// the truth plus noise. The noise makes the covariance sigma^2 (A + P)^-1 A (A + P)^-1, and the truth's own rates D a
-/// shift of (A + P)^-1 w D' (D a), which is at most the sum of the absolute entries of a row times the largest rate. To
-/// take the smoothness for knowledge of the rates instead says that these are sigma / sqrt(w), tighter with every
+/// With the parts A (target) and P = w D'D (smoothness) of the normal equations, the estimate is (A + P)^-1 A times the
+/// truth plus noise. The noise gives the covariance sigma^2 (A + P)^-1 A (A + P)^-1. The true rates D a give a bias of
+/// (A + P)^-1 w D' (D a), bounded by the sum of the absolute entries of a row times the largest rate. Interpreting the
+/// smoothness as prior information about the rates would imply a prior of sigma / sqrt(w), which becomes tighter with
+/// every marker; with this interpretation values in a gap were up to 13 of their deviations off.
 /// marker (that was the case: values in a gap lay up to 13 of their deviations off).
 void set_deviations(const ActuationProblem& problem, const NormalEquations& equations, const MatrixXd& values,
                     double noise_m, ActuationDeviations& found) {

@@ -9,31 +9,35 @@
 
 namespace myo::inverse {
 
-/// How well a target determines the values of the signals that follow it, signals x knots.
+/// Accuracy with which a target determines the values of the fitted signals. Matrices are signals x knots.
 struct ActuationDeviations {
     bool found = false;
-    std::string reason;  // why not, a sentence's end
-    /// Standard deviations; NaN where less than half of what is known of a value comes from the target. They hold the
-    /// noise and what the smoothness may hide of a signal whose rate is nowhere larger than it is where it was seen.
+    std::string reason;  // reason if not found: the end of a sentence
+    /// Standard deviations; NaN where less than half of the information about a value comes from the target. They
+    /// combine the noise with the bias that smoothing may cause in a signal whose rate nowhere exceeds its largest
+    /// observed rate.
     Eigen::MatrixXd deviations;
-    /// The share of what is known of a value that comes from the target, 0 ... 1; the rest is the smoothness (diagonal
-    /// of the resolution matrix, Menke 2018, ch. 4).
+    /// Fraction of the information about a value that comes from the target, 0 ... 1; the rest is the smoothness
+    /// (diagonal of the resolution matrix, Menke 2018, ch. 4).
     Eigen::MatrixXd from_target;
-    Eigen::MatrixXd correlation;  // of all values, signals running fastest
-    double noise_m = 0.0;         // of a coordinate: the given one, or what is left of the residuals where that is more
-    double seconds = 0.0;
-    std::vector<std::string> warnings;  // values and signals that are not told apart
+    Eigen::MatrixXd correlation;        // of all values; the signal index varies fastest
+    double noise_m = 0.0;               // per coordinate: the given noise, or the residual standard deviation if larger
+    double seconds = 0.0;               // computing time
+    std::vector<std::string> warnings;  // values and signals that the markers do not separate
 };
 
-/// More values than these are not worth their tangents: each costs about as much as an eighth of a run.
+/// Largest number of values for which deviations are computed. A tangent costs about an eighth of a run.
 inline constexpr Eigen::Index most_deviations = 200;
 
-/// Standard deviations at the end of a fit, from the Gauss-Newton Hessian of the loss: the residuals' exact derivatives
-/// with respect to every value (one run with tangents), and the smoothness, which is no knowledge but shifts the
-/// values. Values at a bound count as if it were not there.
+/// Standard deviations at the end of a fit, from the Gauss-Newton Hessian of the loss.
 ///
-/// @param noise_m  of a coordinate of the target, one standard deviation
-/// Not found: too many values, or the run was stopped or failed; the reason says which.
+/// The Hessian consists of the exact derivatives of the residuals with respect to every value (one run with tangents)
+/// and of the smoothness term, which is not information but biases the values. Values at a bound are treated as if they
+/// were not bounded.
+///
+/// @param values   fitted values, signals x knots
+/// @param noise_m  standard deviation of a coordinate of the target
+/// Errors: found = false with a reason: too many values, run cancelled or failed.
 ActuationDeviations actuation_deviations(const ActuationProblem& problem, const Eigen::MatrixXd& values, double noise_m,
                                          const Progress& progress = {});
 

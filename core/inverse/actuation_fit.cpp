@@ -17,10 +17,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// What the search moves is a tenth of a signal's unit, so that its first step is not one into the unknown.
+/// Unit of the optimiser's variables: a tenth of a signal's unit keeps its first update moderate.
 constexpr double value_unit = 0.1;
 
-/// The search's view of the problem: the loss over its start, the values in their unit; every evaluation is logged.
+/// Objective function of the optimiser: loss relative to the start, values in their unit. Logs every evaluation.
 class Search {
 public:
     Search(const ActuationProblem& problem, const ActuationFitOptions& options, const Progress& progress,
@@ -29,13 +29,14 @@ public:
 
     void stop_with(nlopt_opt optimiser) { optimiser_ = optimiser; }
 
+    /// Scaled loss at `values`, with its gradient if not null.
     double at(const MatrixXd& values, double* gradient) {
         if (fit_.log.empty() || values != last_values_) evaluate(values);
         if (progress_.cancelled() && optimiser_ != nullptr) nlopt_force_stop(optimiser_);
         MatrixXd slope = last_.gradient;
         double value = last_.loss_m2;
         if (!last_.ok()) {
-            // Far above anything and rising away from the best: a bowl that sends the search back.
+            // Substitute for a failed run: a paraboloid far above the best loss, centred at the best values.
             const MatrixXd away = values - fit_.values;
             const double steepness = 10.0 * fit_.first.loss_m2 / std::max(away.squaredNorm(), 1e-12);
             value = fit_.best.loss_m2 + steepness * away.squaredNorm();
@@ -49,6 +50,7 @@ public:
 
     const ActuationEvaluation& last() const { return last_; }
 
+    /// Norm of the gradient without the components that point out of the bounds.
     double projected_norm(const MatrixXd& values, const MatrixXd& gradient) const {
         double sum = 0.0;
         for (Index s = 0; s < values.rows(); ++s) {
@@ -73,7 +75,7 @@ private:
             const TimedScope scope(line.seconds);
             last_ = evaluate_actuation(problem_, values, inner);
         }
-        if (last_.status == dynamics::RunStatus::cancelled) return;  // ended half-way: none
+        if (last_.status == dynamics::RunStatus::cancelled) return;  // incomplete: not logged
         last_values_ = values;
         line.ok = last_.ok();
         if (line.ok) {
@@ -115,6 +117,7 @@ private:
     Throttle throttle_;
 };
 
+/// Bounds of all values.
 struct Bounds {
     MatrixXd lower, upper;  // signals x knots
 
@@ -124,7 +127,7 @@ struct Bounds {
             upper.row(s).setConstant(sought.signals[static_cast<std::size_t>(s)].upper);
         }
     }
-    /// Units and back leave a value a last bit outside.
+    /// Conversion to optimiser units and back can leave a value one bit outside.
     MatrixXd inside(const MatrixXd& values) const { return values.cwiseMax(lower).cwiseMin(upper); }
 };
 
@@ -133,6 +136,7 @@ struct Objective {
     const Bounds& bounds;
 };
 
+/// Callback of NLopt.
 double objective(unsigned, const double* x, double* gradient, void* data) {
     const Objective& o = *static_cast<Objective*>(data);
     return o.search.at(
@@ -152,6 +156,7 @@ Optimiser bounded_optimiser(const Bounds& bounds, const ActuationFitOptions& opt
     return optimiser;
 }
 
+/// Status and message from the return code of NLopt.
 void set_ending(const ActuationFitOptions& options, const Progress& progress, nlopt_result ended, ActuationFit& fit) {
     if (progress.cancelled()) {
         fit.status = FitStatus::cancelled;
@@ -160,7 +165,7 @@ void set_ending(const ActuationFitOptions& options, const Progress& progress, nl
         fit.status = FitStatus::not_converged;
         fit.message = "it took all of the " + std::to_string(options.max_evaluations) + " evaluations that it may";
     } else if (ended > 0 || fit.best.loss_m2 < fit.first.loss_m2 || fit.gradient_norm_m2 == 0.0) {
-        // The line search also ends where rounding hides any further decrease.
+        // The line search also fails where rounding hides any further decrease; this counts as converged.
         fit.status = FitStatus::converged;
     } else {
         fit.status = FitStatus::not_converged;
@@ -176,6 +181,7 @@ ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Ma
     model.activation = activations_of(problem.sought, values);
     ActuationEvaluation result;
     MarkerTarget target = problem.target;
+    // The placement is optimised inside the loss: by the envelope theorem the gradient is that at fixed placement.
     const auto loss = [&](const sensitivity::NodeMotion& motion) {
         if (problem.placement_bounds) target.placement = best_placement(target, motion, *problem.placement_bounds);
         return mean_square(target, motion);

@@ -15,79 +15,86 @@
 
 namespace myo::inverse {
 
-/// Signals that make the markers of a model follow a target.
+/// Inverse problem: find signals such that the markers of a model follow a target.
 struct ActuationProblem {
     model::Model model;  // its activation is replaced
     dynamics::SimulationOptions options;
     MarkerTarget target;
     SoughtSignals sought;
-    /// So many metres of rms error a signal that changes by 1 per second is worth: loss = mean square residual +
-    /// (smoothness)^2 times the mean square rate of the signals.
+    /// Weight of the smoothness: loss = mean square residual + (smoothness)^2 times the mean square rate of the
+    /// signals. A rate of 1 per second costs as much as this rms error.
     double smoothness_m_s = 1e-4;
-    /// How the cameras stand is sought within these, too: the target is then placed best for every motion. Empty: it
-    /// stands as it does.
+    /// If set, the placement of the target (camera frame) is optimised for every motion within these bounds. Otherwise
+    /// the placement of the target is used.
     std::optional<PlacementBounds> placement_bounds;
 };
 
-/// The loss at some values.
+/// Loss and gradient at given values.
 struct ActuationEvaluation {
     dynamics::RunStatus status = dynamics::RunStatus::not_run;
     std::string message;
     double loss_m2 = 0.0;
-    double rms_m = 0.0;              // of the residuals alone
-    MarkerPlacement placement;       // of the target
+    double rms_m = 0.0;              // root mean square of the residuals, without smoothness
+    MarkerPlacement placement;       // of the target: given or optimised
     Eigen::MatrixXd gradient;        // signals x knots [m2]
-    sensitivity::NodeMotion motion;  // of the markers' nodes
-    int steps = 0;
+    sensitivity::NodeMotion motion;  // of the marker nodes
+    int steps = 0;                   // of the run
 
+    /// Whether the run completed and loss and gradient are finite.
     bool ok() const { return status == dynamics::RunStatus::complete; }
 };
+/// Runs the model forwards and backwards. `values`: signals x knots.
 ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Eigen::MatrixXd& values,
                                        const Progress& progress = {});
 
-/// A line of the log.
+/// One line of the optimisation log.
 struct ActuationIterate {
-    bool ok = false;  // false: the model could not be run there
+    bool ok = false;  // false: the run failed at these values
     double loss_m2 = 0.0;
     double rms_m = 0.0;
-    double gradient_norm_m2 = 0.0;  // of the part that the bounds do not stop
-    double seconds = 0.0;           // of the evaluation
+    double gradient_norm_m2 = 0.0;  // norm of the projected gradient, without components that the bounds block
+    double seconds = 0.0;           // duration of the evaluation
 };
 
 struct ActuationFit;
 
+/// Options of fit_actuation().
 struct ActuationFitOptions {
     int max_evaluations = 100;
-    /// Of the loss in an iteration, below which it has converged. A thirtieth of it lowered the rms error of a noisy
-    /// trace by 0.15 %, for a third as many evaluations again.
+    /// Convergence criterion: relative decrease of the loss per iteration. With a thirtieth of this value the rms error
+    /// of a noisy trace decreased by 0.15 %, for a third more evaluations.
     double relative_decrease = 3e-4;
-    /// A start whose loss is at most the square of this is what is sought: the search ends there. 0: it goes on.
+    /// If the rms error at the start is at most this, the start is accepted without search. 0: always search.
     double met_rms_m = 0.0;
-    /// Gets what is known after every evaluation, on the search's thread. May be empty.
+    /// Called with the present state after every evaluation, on the thread of the search. May be empty.
     std::function<void(const ActuationFit&)> evaluated = {};
 };
 
+/// Result of fit_actuation().
 struct ActuationFit {
     FitStatus status = FitStatus::not_run;
     std::string message;
-    Eigen::MatrixXd start, values;  // signals x knots; values: of the evaluation with the least loss
-    ActuationEvaluation first, best;
-    double gradient_norm_m2 = 0.0;      // at the best
+    Eigen::MatrixXd start, values;      // signals x knots; `values` has the least loss
+    ActuationEvaluation first, best;    // evaluations at the start and at `values`
+    double gradient_norm_m2 = 0.0;      // projected, at `values`
     std::vector<ActuationIterate> log;  // every evaluation, in order
     double seconds = 0.0;
 
+    /// Whether the convergence criterion was met.
     bool converged() const { return status == FitStatus::converged; }
-    /// There are values of at least one evaluation, though the fit may have been stopped or not have converged.
+    /// Whether at least one evaluation succeeded. The fit may have been stopped or not have converged.
     bool usable() const { return first.ok(); }
 };
 
-/// Minimises the loss within the bounds, by NLopt's limited-memory quasi-Newton method on the exact gradient of the run
-/// (Luksan's variable metric; Liu & Nocedal 1989), one run forwards and backwards per evaluation. It took 34 where MMA
-/// took more than 100 (two antagonists, 80 values).
+/// Minimises the loss within the bounds.
 ///
-/// Cancelled or not converged, it gives the best values so far; failed: the model could not be run at the start. Where
-/// it cannot be run elsewhere the search steps back. Progress counts evaluations, with the running one as a fraction.
-/// Asserts that something is sought.
+/// Uses the limited-memory quasi-Newton method of NLopt (Luksan's variable metric; Liu & Nocedal 1989) with the exact
+/// gradient; each evaluation is one run forwards and backwards. It needed 34 evaluations where MMA needed more than 100
+/// (two antagonists, 80 values). If the model cannot be run at some values, the search retreats.
+///
+/// @param start  signals x knots; moved into the bounds
+/// Errors: cancelled or not_converged with the best values so far; failed if the run fails at the start. Asserts that
+/// the problem has values and a target. Progress counts evaluations, the running one as a fraction.
 ActuationFit fit_actuation(const ActuationProblem& problem, const Eigen::MatrixXd& start,
                            const ActuationFitOptions& options = {}, const Progress& progress = {});
 

@@ -10,22 +10,22 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Whether the first knot has the value `before` and is not free: that before t = 0 of a held signal, that at t = 0 of
-/// a linear one which leaves from there.
+/// Whether the first knot has the fixed value `before`: for a held signal that before t = 0, for a linear one that
+/// starts there, the knot at t = 0.
 bool has_fixed_knot(const SoughtSignals& sought) {
     return sought.hold ? !sought.seek_before : sought.from_before && !sought.seek_before;
 }
 
-/// The first value that is the end of a change.
+/// Index of the first value that ends a rate.
 Index first_rate(const SoughtSignals& sought) { return sought.from_before && !sought.seek_before ? 0 : 1; }
 
-/// The first knot of all, free or not [periods].
+/// Index of the first knot, free or not [periods].
 int first_knot(const SoughtSignals& sought) { return sought.hold ? -1 : 0; }
 
 }  // namespace
 
 std::vector<double> knot_times(const SoughtSignals& sought) {
-    // A knot beyond the end of a held signal would act on nothing; a linear one ends at the first knot there.
+    // A held signal needs no knot at or beyond the end; a linear one ends at the first knot there.
     const double spans = std::max(1.0, std::ceil(sought.end_s * sought.frequency_Hz - 1e-9));
     const int count = static_cast<int>(spans) + (sought.hold ? 0 : 1);
     std::vector<double> times;
@@ -66,7 +66,7 @@ MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vect
                                        static_cast<Index>(knot_times(sought).size()));
     for (std::size_t g = 0; g < activation.size(); ++g) {
         const std::vector<double> knots = sought.hold ? fibre::held_sample_gradient(activation[g]) : activation[g];
-        const Index first = static_cast<Index>(knots.size()) - gradient.cols();  // those before it are not free
+        const Index first = static_cast<Index>(knots.size()) - gradient.cols();  // earlier knots are not free
         for (Index k = 0; k < gradient.cols(); ++k)
             gradient(static_cast<Index>(sought.groups[g].signal), k) += sought.groups[g].factor *
                                                                         knots[static_cast<std::size_t>(first + k)];
@@ -94,6 +94,7 @@ double mean_square_rate(const SoughtSignals& sought, const MatrixXd& values, dou
     double sum = 0.0;
     for (Index s = 0; s < values.rows(); ++s)
         for (Index k = first; k < values.cols(); ++k) {
+            // The first rate is measured from `before`, which is constant.
             const double left = k > 0 ? values(s, k - 1) : sought.signals[static_cast<std::size_t>(s)].before;
             const double rate = (values(s, k) - left) * sought.frequency_Hz;
             const double slope = weight * 2.0 * rate * sought.frequency_Hz / count;

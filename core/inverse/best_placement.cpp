@@ -12,10 +12,11 @@ using Eigen::VectorXd;
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// Small rotations converge quadratically: three steps reach rounding.
+/// Small rotations converge quadratically: three iterations reach rounding.
 constexpr int most_steps = 8;
-constexpr double converged = 1e-12;  // a step, over its bounds
+constexpr double converged = 1e-12;  // norm of a change relative to the bounds
 
+/// Placement as (translation, rotation).
 Vector6d as_vector(const MarkerPlacement& placement) {
     return (Vector6d() << placement.translation_m, placement.rotation_rad).finished();
 }
@@ -57,7 +58,7 @@ MarkerPlacement best_placement(const MarkerTarget& target, const sensitivity::No
                     r(row++) = residuals[m](axis, t);
                 }
             }
-        // In units of the bounds, so that metres and radians are alike.
+        // Scaled by the bounds, so that metres and radians are comparable. A zero bound fixes its component.
         const Vector6d here = as_vector(placed.placement);
         const Vector6d unit = most.cwiseMax(1e-300);
         const VectorXd lower = (-most - here).cwiseQuotient(unit), upper = (most - here).cwiseQuotient(unit);

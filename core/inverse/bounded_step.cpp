@@ -10,13 +10,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Nearly parallel columns take many rounds, each of which costs n^2 numbers only.
+/// Nearly parallel columns need many rounds; a round costs n^2 operations only.
 constexpr int most_rounds = 20000;
-constexpr double least_change = 1e-10;  // of the residual's length
+constexpr double least_change = 1e-10;  // relative to the norm of the residual
 
 }  // namespace
 
 VectorXd bounded_step(const MatrixXd& A, const VectorXd& r, const VectorXd& lower, const VectorXd& upper) {
+    // After forming H and the slope, an iteration is independent of the number of rows.
     const MatrixXd H = A.transpose() * A;
     VectorXd slope = A.transpose() * r;
     VectorXd x = VectorXd::Zero(A.cols());
@@ -25,6 +26,7 @@ VectorXd bounded_step(const MatrixXd& A, const VectorXd& r, const VectorXd& lowe
         double most = 0.0;
         for (Index i = 0; i < x.size(); ++i) {
             if (H(i, i) == 0.0) continue;
+            // Exact minimum along coordinate i, clipped to its bounds.
             const double next = std::clamp(x(i) - slope(i) / H(i, i), lower(i), upper(i));
             const double change = next - x(i);
             if (change == 0.0) continue;

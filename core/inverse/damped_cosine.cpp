@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// exp(-rate t) (cos, sin, 1): what the amplitudes and the offset multiply.
+/// Basis functions exp(-rate t) (cos, sin) and 1, multiplied by the amplitudes and the offset.
 MatrixXd basis(const VectorXd& t, double rate, double omega) {
     const Eigen::ArrayXd decay = (-rate * t.array()).exp();
     MatrixXd B(t.size(), 3);
@@ -24,8 +24,8 @@ MatrixXd basis(const VectorXd& t, double rate, double omega) {
     return B;
 }
 
-/// Rate and frequency of y(n + k) = a y(n) + b y(n - k) + c. Samples a fortieth of a second apart determine a swing of
-/// some hertz best.
+/// Exponent of the recurrence y(n + k) = a y(n) + b y(n - k) + c. Samples a fortieth of a second apart determine a
+/// vibration of some hertz best.
 std::complex<double> recurrence_exponent(const VectorXd& t, const VectorXd& y) {
     const double h = (t(t.size() - 1) - t(0)) / static_cast<double>(t.size() - 1);
     const Eigen::Index k = std::clamp<Eigen::Index>(std::lround(0.025 / h), 1, std::max<Eigen::Index>(1, t.size() / 6));
@@ -33,6 +33,7 @@ std::complex<double> recurrence_exponent(const VectorXd& t, const VectorXd& y) {
     MatrixXd A(n, 3);
     A << y.segment(k, n), y.head(n), VectorXd::Ones(n);
     const Eigen::Vector3d c = A.colPivHouseholderQr().solve(y.tail(n));
+    // Root z of z² = a z + b; z = exp(s k h) for the exponent s.
     const std::complex<double> z = 0.5 * (c(0) + std::sqrt(std::complex<double>(c(0) * c(0) + 4.0 * c(1))));
     return std::log(z) / (static_cast<double>(k) * h);
 }
@@ -52,6 +53,7 @@ DampedCosine fit_damped_cosine(const VectorXd& times_s, const VectorXd& values) 
                                             {.name = "cos", .value = start(0) / size},
                                             {.name = "sin", .value = start(1) / size},
                                             {.name = "offset", .value = start(2) / size}};
+    // Amplitudes and offset relative to the initial amplitude: all unknowns are of order 1.
     const auto residuals = [&](const VectorXd& p, const Progress&) {
         const MatrixXd B = basis(t, p(0), p(1));
         ResidualEvaluation evaluation{
@@ -69,7 +71,7 @@ DampedCosine fit_damped_cosine(const VectorXd& times_s, const VectorXd& values) 
     result.ok = true;
     result.rate_1_s = p(0);
     result.omega_rad_s = p(1);
-    // The amplitude belongs to t = 0 of the caller.
+    // Amplitude at t = 0 of the caller's time axis.
     result.amplitude = size * std::hypot(p(2), p(3)) * std::exp(p(0) * times_s(0));
     result.offset = size * p(4);
     result.rms = size * std::sqrt(2.0 * fit.cost_after / static_cast<double>(t.size()));

@@ -12,9 +12,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A number over decades moves by no more than a factor of e squared at once.
+/// Largest change of ln(1 + value / scale) at once: a factor of e squared.
 constexpr double most_decades = 2.0;
 
+/// Quality of an evaluation for the progress message.
 std::string quality_words(const ResidualEvaluation& evaluation) {
     if (!evaluation.ok) return evaluation.message;
     const auto count = static_cast<double>(std::max<Index>(1, evaluation.residuals.size()));
@@ -34,6 +35,7 @@ double internal_value(const Parameter& p, double value) {
     return p.over_decades ? std::log1p(value / p.scale) : value / p.scale;
 }
 double physical_value(const Parameter& p, double internal) {
+    // Exact at the start value, which rounding of the transformation would change.
     if (internal == internal_value(p, p.value)) return p.value;
     return p.over_decades ? p.scale * std::expm1(internal) : internal * p.scale;
 }
@@ -56,6 +58,7 @@ StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const 
         const auto room = [&](double bound) {
             return std::isfinite(bound) ? internal_value(p, bound) - internal(i) : bound;
         };
+        // Zero is always allowed, also where rounding leaves the value outside its bounds.
         bounds.lower(i) = std::min(0.0, std::max(room(p.lower), -most));
         bounds.upper(i) = std::max(0.0, std::min(room(p.upper), most));
     }
@@ -73,9 +76,9 @@ const ResidualEvaluation& FitEvaluations::at(const VectorXd& values) {
     const auto show = [&](double done) {
         progress_.report({"fit", done, most_evaluations_, "evaluations", last_words_});
     };
-    if (report_.evaluations == 0) show(0.0);  // something is seen while the first one is under way
+    if (report_.evaluations == 0) show(0.0);  // shows activity during the first evaluation
     const Progress inside = progress_.with_sink([&](const ProgressEvent& event) {
-        // Whole when evaluated.
+        // Below 1: an evaluation counts as complete only at its end.
         if (throttle_.ready())
             show(report_.evaluations + (event.total > 0.0 ? std::clamp(event.done / event.total, 0.0, 0.999) : 0.0));
     });
@@ -83,7 +86,7 @@ const ResidualEvaluation& FitEvaluations::at(const VectorXd& values) {
     const Stopwatch watch;
     ResidualEvaluation fresh = function_(values, inside);
     iterate.seconds = watch.seconds();
-    if (!fresh.ok && progress_.cancelled()) return stopped_;  // ended half-way
+    if (!fresh.ok && progress_.cancelled()) return stopped_;  // incomplete: not logged
     if (fresh.ok && !std::isfinite(fresh.residuals.squaredNorm())) {
         fresh.ok = false;
         fresh.message = "the sum of squared differences to the data is not a finite number";
@@ -115,6 +118,7 @@ void set_covariance(const std::vector<Parameter>& parameters, const ResidualEval
     report.correlation = MatrixXd::Identity(n, n);
     report.undetermined.clear();
     if (!end.ok || n == 0) return;
+    // Residual variance at least 1: the noise is a lower bound, see fit_least_squares().
     const double freedom = static_cast<double>(std::max<Index>(1, end.residuals.size() - n));
     Identifiability found = identifiability(parameters, end.jacobian,
                                             std::max(1.0, end.residuals.squaredNorm() / freedom));

@@ -5,35 +5,41 @@
 
 namespace myo::inverse {
 
-/// The number that a fit moves, in units of what matters, and back, to the last bit at the parameter's own value; and
-/// the derivative of the way back.
+/// Transformation of a parameter to the internal value that the optimiser moves: value / scale, or ln(1 + value /
+/// scale) over decades. physical_value() is the inverse, exact to the last bit at the parameter's own value;
+/// physical_slope() is its derivative.
 double internal_value(const Parameter& p, double value);
+/// Inverse of internal_value(); exact to the last bit at the parameter's own value.
 double physical_value(const Parameter& p, double internal);
+/// Derivative of physical_value() with respect to the internal value.
 double physical_slope(const Parameter& p, double internal);
 
-/// The same for all numbers of a fit.
+/// The same for all parameters.
 Eigen::VectorXd physical_values(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
+/// physical_slope() of all parameters.
 Eigen::VectorXd physical_slopes(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
-/// How far the numbers may go at once from where they are, in what a fit moves: to their bounds, and over decades by a
-/// factor of e squared.
+/// Bounds of a single update in internal values: up to the bounds of the parameters, and at most a factor of
+/// e squared for parameters over decades.
 struct StepBounds {
     Eigen::VectorXd lower, upper;
 };
+/// Bounds of the next update at the given internal values. Zero is always within them.
 StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const Eigen::VectorXd& internal);
 
-/// The evaluations of a fit: each point once, the best one kept, all of them in the report and its progress.
+/// Evaluations of a fit. Repeated points are evaluated once; the best one is kept; all are entered in report and
+/// progress.
 class FitEvaluations {
 public:
-    /// All are kept by reference.
+    /// Keeps references to all arguments.
     FitEvaluations(const ResidualFunction& function, const LeastSquaresOptions& options, const Progress& progress,
                    LeastSquaresReport& report);
 
-    /// The residuals there; not ok where the model could not be run, or the fit was cancelled. Holds until the third
-    /// new point after it.
+    /// Residuals at `values`; not ok if the model could not be run or the fit was cancelled. The reference is valid
+    /// until the third new point after it.
     const ResidualEvaluation& at(const Eigen::VectorXd& values);
 
-    /// With the least cost so far.
+    /// Evaluation with the least cost so far.
     const ResidualEvaluation& best() const { return best_; }
 
 private:
@@ -46,15 +52,15 @@ private:
     const Progress& progress_;
     double most_evaluations_;
     LeastSquaresReport& report_;
-    Throttle throttle_;  // of what is shown within evaluations, however short these are
+    Throttle throttle_;  // limits progress reports from within evaluations
     std::string last_words_;
     ResidualEvaluation best_;
     std::vector<Point> latest_;
     ResidualEvaluation stopped_{false, "stopped by the user", {}, {}};
 };
 
-/// Sets the report's deviations, correlations and undetermined parameters from the Jacobian of an evaluation, see
-/// identifiability().
+/// Sets deviations, correlations and undetermined parameters of the report from the Jacobian of an evaluation; see
+/// identifiability(). If `end` is not ok, all deviations are NaN.
 void set_covariance(const std::vector<Parameter>& parameters, const ResidualEvaluation& end,
                     LeastSquaresReport& report);
 

@@ -20,7 +20,7 @@ const Parameter& at(const std::vector<Parameter>& parameters, Index i) {
     return parameters[static_cast<std::size_t>(i)];
 }
 
-/// How much the residuals change when each parameter changes by its scale; none where its bounds leave no room.
+/// Change of the residuals if each parameter changes by its scale; 0 for fixed parameters.
 VectorXd influence(const std::vector<Parameter>& parameters, const MatrixXd& J) {
     VectorXd norms(J.cols());
     for (Index i = 0; i < J.cols(); ++i)
@@ -28,7 +28,7 @@ VectorXd influence(const std::vector<Parameter>& parameters, const MatrixXd& J) 
     return norms;
 }
 
-/// Members of the null space that are connected by it: P couples two parameters whose changes compensate each other.
+/// Connected groups in the null space: the projector P couples parameters whose changes compensate each other.
 std::vector<std::vector<Index>> connected(const MatrixXd& P, double least) {
     std::vector<std::vector<Index>> groups;
     std::vector<bool> taken(static_cast<std::size_t>(P.rows()), false);
@@ -48,18 +48,24 @@ std::vector<std::vector<Index>> connected(const MatrixXd& P, double least) {
     return groups;
 }
 
-/// @param P        projector onto the null space, in units of the columns' lengths
-/// @param lengths  of the columns of the parameters in P
+/// Description of a connected group.
+///
+/// @param P        projector onto the null space, in units of the column norms
+/// @param lengths  column norms of the parameters in P
+/// @param seen     indices of these parameters
 Undetermined undetermined_group(const MatrixXd& P, const VectorXd& lengths, const std::vector<Index>& group,
                                 const std::vector<Index>& seen) {
     Undetermined result;
     for (const Index i : group) result.parameters.push_back(seen[static_cast<std::size_t>(i)]);
     const SymmetricEigen own = symmetric_eigen(P(group, group));
+    // The trace of a projector is its rank: the number of combinations not determined.
     result.combinations = static_cast<Index>(group.size()) - static_cast<Index>(std::lround(own.values.sum()));
+    // With one determined combination, its gradient is the direction orthogonal to the null space.
     if (result.combinations == 1) result.gradient = own.vectors.col(0).cwiseProduct(lengths(group));
     return result;
 }
 
+/// "a · b^2 / c" with exponents relative to the first.
 std::string powers(const std::vector<Parameter>& parameters, const std::vector<Index>& members,
                    const VectorXd& exponents) {
     std::string text;
@@ -72,6 +78,7 @@ std::string powers(const std::vector<Parameter>& parameters, const std::vector<I
     return text;
 }
 
+/// "a + 2 b - c" with weights relative to the first.
 std::string sum(const std::vector<Parameter>& parameters, const std::vector<Index>& members, const VectorXd& weights) {
     std::string text;
     for (std::size_t k = 0; k < members.size(); ++k) {
@@ -83,6 +90,7 @@ std::string sum(const std::vector<Parameter>& parameters, const std::vector<Inde
     return text;
 }
 
+/// Text of the determined combination. For positive parameters the relative gradient gives the exponents.
 std::string combination(const std::vector<Parameter>& parameters, const Undetermined& group, const VectorXd& values) {
     const auto& members = group.parameters;
     const bool positive = std::all_of(members.begin(), members.end(),
@@ -106,12 +114,13 @@ std::vector<bool> without_influence(const std::vector<Parameter>& parameters, co
 std::vector<Index> sufficient_parameters(const std::vector<Parameter>& parameters, const MatrixXd& J,
                                          const std::vector<Index>& first, const IdentifiabilityPolicy& policy) {
     const std::vector<bool> flat = without_influence(parameters, J, policy);
-    MatrixXd rest = J;  // what columns add to those that were chosen
+    MatrixXd rest = J;  // parts of the columns orthogonal to the chosen ones
     std::vector<Index> chosen, open;
     const auto take_out = [&](Index i) {
         const double length = rest.col(i).norm();
         if (!(length > 0.0)) return;
         const VectorXd direction = rest.col(i) / length;
+        // Two passes of Gram-Schmidt, because one loses orthogonality for nearly dependent columns.
         for (int pass = 0; pass < 2; ++pass) rest -= direction * (direction.transpose() * rest);
     };
     for (Index i = 0; i < J.cols(); ++i) {
@@ -154,10 +163,12 @@ Identifiability identifiability(const std::vector<Parameter>& parameters, const 
     }
     if (seen.empty()) return result;
 
+    // Normalised columns: eigenvalues of J'J then measure linear dependence only.
     MatrixXd unit = J(Eigen::all, seen);
     const VectorXd lengths = unit.colwise().norm();
     unit.array().rowwise() /= lengths.transpose().array();
     const SymmetricEigen eigen = symmetric_eigen(unit.transpose() * unit);
+    // Eigenvalues are squared singular values.
     const double least = policy.derivative_accuracy * policy.derivative_accuracy * eigen.values.tail(1)(0);
     Index unseen = 0;
     while (unseen < eigen.values.size() && !(eigen.values(unseen) > least)) ++unseen;

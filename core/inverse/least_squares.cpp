@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Ceres asks first for residuals, then, when it accepts the step, for the Jacobian. The block holds the numbers that
-/// are moved; the others keep their places in `internal`.
+/// Adapter to Ceres, which requests residuals first and the Jacobian only for an accepted update. The parameter block
+/// contains the moved parameters; the others keep their place in `internal`.
 class ResidualBlock final : public ceres::CostFunction {
 public:
     ResidualBlock(const std::vector<Parameter>& parameters, const VectorXd& internal,
@@ -53,8 +53,8 @@ private:
     ReusedJacobian& jacobian_;
 };
 
-/// Ends a fit that was cancelled, and one whose steps change the cost by no more than the model's own rounding: Ceres
-/// counts a step that gains little as convergence, but goes on shortening one that loses as little.
+/// Ends a cancelled fit, and one whose updates change the cost by no more than the rounding of the model: Ceres counts
+/// a update with a small gain as convergence, but keeps shortening one with an equally small loss.
 class EndFit final : public ceres::IterationCallback {
 public:
     EndFit(const Progress& progress, double relative_decrease)
@@ -71,6 +71,7 @@ private:
     double relative_decrease_;
 };
 
+/// Ceres options; the dense QR suits few parameters and many residuals.
 ceres::Solver::Options solver_settings(const LeastSquaresOptions& options) {
     ceres::Solver::Options settings;
     settings.linear_solver_type = ceres::DENSE_QR;
@@ -84,7 +85,7 @@ ceres::Solver::Options solver_settings(const LeastSquaresOptions& options) {
     return settings;
 }
 
-/// Moves some of the numbers from where they are; `internal` holds where they ended.
+/// Optimises the parameters `moved` from their present values; `internal` returns the result.
 ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, const std::vector<Eigen::Index>& moved,
                                     int residuals, const LeastSquaresOptions& options, const Progress& progress,
                                     FitEvaluations& evaluations, ReusedJacobian& jacobian, VectorXd& internal) {
@@ -105,8 +106,7 @@ ceres::Solver::Summary move_numbers(const std::vector<Parameter>& parameters, co
     EndFit end(progress, options.relative_decrease);
     settings.callbacks.push_back(&end);
     ceres::Solver::Summary summary;
-    FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres prints whole residual vectors where a model could not be run; the
-                                             // report says it
+    FLAGS_minloglevel = google::GLOG_FATAL;  // otherwise Ceres prints whole residual vectors of failed runs
     ceres::Solve(settings, &problem, &summary);
     internal(moved) = block;
     return summary;
@@ -159,8 +159,8 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
     while (true) {
         summary = move_numbers(parameters, moved, static_cast<int>(first.residuals.size()), options, progress,
                                evaluations, derivatives, internal);
-        // Where others ended, a number that had no influence at the start may have some: the axis of a tilt that was
-        // none.
+        // A parameter without influence at the start may have one at the solution, e.g. the axis of a tilt that was
+        // zero at first: continue with it.
         best = evaluations.best();
         best.jacobian = derivatives.at(report.values, best);
         if (progress.cancelled() || best.jacobian.size() == 0) break;

@@ -18,9 +18,10 @@ Eigen::Index MarkerTarget::coordinates() const {
 
 namespace {
 
+/// Model times of the samples: stamps minus the time shift.
 VectorXd model_times(const MarkerTarget& target) { return target.times_s.array() - target.placement.start_shift_s; }
 
-/// Markers at the model's times; displacements where the target is one.
+/// Marker motion at the model times, before placement; displacements if the target is one.
 measurement::MarkerTracks unplaced(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
     measurement::MarkerTracks tracks = measurement::observe(motion, target.markers, model_times(target));
     if (!target.from_start) return tracks;
@@ -29,12 +30,14 @@ measurement::MarkerTracks unplaced(const MarkerTarget& target, const sensitivity
     return tracks;
 }
 
+/// R x (+ translation) - target; displacements are not translated.
 Matrix3Xd residual_of(const MarkerTarget& target, const Eigen::Matrix3d& R, const Matrix3Xd& x, std::size_t marker) {
     Matrix3Xd residual = R * x - target.positions_m[marker];
     if (!target.from_start) residual.colwise() += target.placement.translation_m;
     return residual;
 }
 
+/// NaN replaced by zero, so that missing targets contribute nothing.
 Matrix3Xd or_zero(const Matrix3Xd& residual) { return residual.array().isFinite().select(residual, 0.0); }
 
 }  // namespace
@@ -69,6 +72,7 @@ SensitiveResiduals target_residuals(const MarkerTarget& target, const sensitivit
 sensitivity::MotionLoss mean_square(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
     const auto count = static_cast<double>(target.coordinates());
     assert(count > 0.0);
+    // Adjoint of the placed residual: 2/count R' residual on the marker; R' is the rotation by the negative vector.
     const Eigen::Matrix3d back_turned = measurement::small_rotation(-target.placement.rotation_rad);
     std::vector<Matrix3Xd> pulls = target_residuals(target, motion);
     double sum = 0.0;
@@ -78,6 +82,7 @@ sensitivity::MotionLoss mean_square(const MarkerTarget& target, const sensitivit
         residual = (2.0 / count * back_turned * residual).eval();
     }
     sensitivity::MotionLoss loss = measurement::pull_on_nodes(motion, target.markers, model_times(target), pulls);
+    // Displacements: each sample also depends on the marker at t = 0, with the opposite sign.
     if (target.from_start) {
         std::vector<Matrix3Xd> back;
         for (const Matrix3Xd& pull : pulls) back.emplace_back(-pull.rowwise().sum());

@@ -9,44 +9,45 @@
 
 namespace myo::inverse {
 
-/// How the cameras' frame and clock stand to the model's: what is at x at time t is seen at R(rotation) x +
-/// translation, stamped t + start_shift. Displacements from the start are turned alone.
+/// Camera frame and clock relative to the model: a point at x at time t is observed at R(rotation) x + translation with
+/// the time stamp t + start_shift. Displacements from the start are only rotated.
 struct MarkerPlacement {
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
-    Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();  // see small_rotation()
+    Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();  // rotation vector, see small_rotation()
     double start_shift_s = 0.0;
 };
 
-/// Where markers shall be.
+/// Target positions of markers.
 struct MarkerTarget {
     measurement::MarkerSet markers;
-    Eigen::VectorXd times_s;                    // T, 0 is the start
-    std::vector<Eigen::Matrix3Xd> positions_m;  // per marker 3 x T; NaN: anywhere
-    bool from_start = false;                    // positions are displacements from where the marker is at t = 0
+    Eigen::VectorXd times_s;                    // T time stamps; 0 is the start
+    std::vector<Eigen::Matrix3Xd> positions_m;  // per marker 3 x T; NaN: not compared
+    bool from_start = false;                    // positions are displacements from the marker position at t = 0
     MarkerPlacement placement;
 
-    /// Coordinates that are compared.
+    /// Number of compared (finite) coordinates.
     Eigen::Index coordinates() const;
 };
 
-/// Marker as placed minus target, 3 x T per marker [m]; NaN where there is no target.
+/// Placed marker minus target, per marker 3 x T [m]; NaN where there is no target.
 std::vector<Eigen::Matrix3Xd> target_residuals(const MarkerTarget& target, const sensitivity::NodeMotion& motion);
 
-/// The same of a run with tangents, with the derivative of the residuals with respect to each parameter:
-/// [parameter][marker] 3 x T.
+/// Residuals with their derivatives, [parameter][marker] 3 x T [m per unit].
 struct SensitiveResiduals {
     std::vector<Eigen::Matrix3Xd> residuals_m;
     std::vector<std::vector<Eigen::Matrix3Xd>> tangents;
 };
+/// Residuals of a run with tangents of the marker nodes.
 SensitiveResiduals target_residuals(const MarkerTarget& target, const sensitivity::SensitiveTrace& run);
 
-/// Mean square of the residuals' coordinates [m2] and its derivative with respect to the motion of the markers' nodes.
+/// Mean square of the residual coordinates [m2] and its derivative with respect to the motion of the marker nodes.
+/// Asserts that coordinates() > 0.
 sensitivity::MotionLoss mean_square(const MarkerTarget& target, const sensitivity::NodeMotion& motion);
 
-/// The derivative of mean_square() with respect to the placement, per unit of each of its fields.
+/// Derivative of mean_square() with respect to each field of the placement.
 MarkerPlacement mean_square_by_placement(const MarkerTarget& target, const sensitivity::NodeMotion& motion);
 
-/// mean_square() as the loss of a run. The target must outlive it.
+/// mean_square() as the loss of a run. Keeps a reference to the target.
 sensitivity::LossOfMotion mean_square_of(const MarkerTarget& target);
 
 }  // namespace myo::inverse

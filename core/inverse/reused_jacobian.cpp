@@ -11,6 +11,7 @@ ReusedJacobian::ReusedJacobian(const std::vector<Parameter>& parameters, const J
                                const LeastSquaresOptions& options, const Progress& progress, LeastSquaresReport& report)
     : parameters_(parameters), jacobian_(jacobian), options_(options), progress_(progress), report_(report) {}
 
+/// Internal values of all parameters, in which the optimiser moves.
 VectorXd ReusedJacobian::internal(const VectorXd& values) const {
     VectorXd moved(values.size());
     for (Eigen::Index i = 0; i < values.size(); ++i)
@@ -18,6 +19,7 @@ VectorXd ReusedJacobian::internal(const VectorXd& values) const {
     return moved;
 }
 
+/// Whether the last Jacobian predicts the residuals at this point, see LeastSquaresOptions::most_surprise.
 bool ReusedJacobian::foretells(const VectorXd& internal, const VectorXd& residuals) const {
     if (last_.size() == 0) return false;
     if (internal == internal_) return true;
@@ -34,6 +36,7 @@ MatrixXd ReusedJacobian::at(const VectorXd& values, const ResidualEvaluation& th
         ++report_.jacobians;
         internal_ = now;
         residuals_ = there.residuals;
+        // Stored with respect to internal values, returned with respect to physical ones.
         last_ = fresh * slopes.asDiagonal();
     }
     return last_ * slopes.cwiseInverse().asDiagonal();

@@ -4,19 +4,20 @@
 
 namespace myo::inverse {
 
-/// The Jacobian of a fit's points: worked out anew where the last one does not foretell the way from there.
+/// Jacobian at the points of a fit, recomputed only where the last one does not predict the residuals.
 ///
-/// Along a way s the residuals change by J s + s'Hs/2 and the Jacobian by Hs: where the last one misses a share of the
-/// change of the residuals, it is wrong by twice that share at the end.
+/// Along a displacement s the residuals change by J s + s'Hs/2 and the Jacobian by Hs. If the last Jacobian misses a
+/// fraction of the change of the residuals, its own relative error at the end is twice that fraction.
 /// Source: Madsen, Nielsen & Tingleff 2004, Methods for non-linear least squares problems, 3.4.
 class ReusedJacobian {
 public:
-    /// All are kept by reference. The jacobian may be empty: the evaluations have theirs, then.
+    /// Keeps references to all arguments. `jacobian` may be empty: the evaluations then contain their Jacobians.
     ReusedJacobian(const std::vector<Parameter>& parameters, const JacobianFunction& jacobian,
                    const LeastSquaresOptions& options, const Progress& progress, LeastSquaresReport& report);
 
-    /// m x n; empty where the model could not be run beside these values. Of a cancelled fit the last there was.
-    /// @param there  what was evaluated at the values
+    /// Jacobian at `values`, m x n. Empty if the model could not be run for the derivatives. After cancellation the
+    /// last Jacobian is returned.
+    /// @param there  evaluation at `values`
     Eigen::MatrixXd at(const Eigen::VectorXd& values, const ResidualEvaluation& there);
 
 private:
@@ -28,8 +29,8 @@ private:
     const LeastSquaresOptions& options_;
     const Progress& progress_;
     LeastSquaresReport& report_;
-    Eigen::VectorXd internal_, residuals_;  // where the last one was worked out
-    Eigen::MatrixXd last_;                  // of what the fit moves
+    Eigen::VectorXd internal_, residuals_;  // point of the last evaluation, internal values
+    Eigen::MatrixXd last_;                  // last Jacobian, with respect to internal values
 };
 
 }  // namespace myo::inverse

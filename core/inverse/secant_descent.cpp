@@ -13,23 +13,24 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A Jacobian is asked for where the last one misses so large a share of a step's change, and at the end where the last
-/// that was asked for, or given, misses so much of the way from there.
+/// Limits of the prediction error: a larger error of an update requests a new Jacobian; at the end, a larger error of
+/// the last requested (or given) Jacobian over the way from there requests one.
 constexpr double bad_secant = 0.5, trusted_end = 0.1;
 
-/// Residuals with their Jacobian at a point, all in the fit's own units.
+/// Residuals with their Jacobian at a point, with respect to internal values.
 struct Linear {
     VectorXd u, r;
     MatrixXd J;
 };
 
-/// Share of the change from one point to another that its Jacobian does not foretell.
+/// Relative prediction error of the change from one point to another.
 double surprise(const Linear& from, const VectorXd& u, const VectorXd& r) {
     const VectorXd change = r - from.r;
     const double length = change.norm();
     return length > 0.0 ? (change - from.J * (u - from.u)).norm() / length : 0.0;
 }
 
+/// Trust-region Gauss-Newton method with Broyden updates; see fit_by_secants().
 class SecantDescent {
 public:
     SecantDescent(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
@@ -77,7 +78,7 @@ private:
     bool may_ask() const { return report_.jacobians < options_.most_jacobians; }
     bool is_exact() const { return report_.jacobians > 0 && anchor_.u == here_.u; }
 
-    /// The Jacobian here, by runs of the model.
+    /// Requests the Jacobian at the present point. Returns false if the model could not be run.
     bool ask() {
         MatrixXd J = jacobian_(physical(here_.u), {true, {}, here_.r, {}}, progress_.with_sink({}));
         ++report_.jacobians;
@@ -87,16 +88,16 @@ private:
         return true;
     }
 
-    /// The Jacobian that was given or asked for last holds here.
+    /// Whether a given or requested Jacobian is valid at the present point, so that convergence can be accepted.
     bool knows_the_end() const {
         return !may_ask() || is_exact() || (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < trusted_end);
     }
 
-    /// The step that leaves least within the bounds and the radius, and what it is foretold to leave. scale: lengths of
-    /// the columns.
+    /// Step that minimises the linearised residual within bounds and radius, and the predicted squared residual `left`.
+    /// `scale`: column norms.
     VectorXd best_step(const VectorXd& scale, double& left) const {
         const Index n = here_.u.size();
-        // Rows of zeros where there are fewer residuals than numbers.
+        // Pad with zero rows if there are fewer residuals than parameters.
         const Index rows = std::max(n, here_.r.size());
         MatrixXd J = MatrixXd::Zero(rows, n);
         VectorXd r = VectorXd::Zero(rows);
@@ -106,11 +107,11 @@ private:
         const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
         const VectorXd c = (qr.householderQ().adjoint() * r).head(n);
         StepBounds bounds = internal_step_bounds(parameters_, here_.u);
-        // Errors of derivatives are no reason to go anywhere.
+        // Do not move parameters without influence: their columns are errors of the derivatives.
         const std::vector<bool> flat = without_influence(parameters_, here_.J * slopes().cwiseInverse().asDiagonal());
         for (Index i = 0; i < n; ++i)
             if (flat[static_cast<std::size_t>(i)]) bounds.lower(i) = bounds.upper(i) = 0.0;
-        // Marquardt's damping: as much as brings the step within the radius.
+        // Marquardt's damping: bisection for the lambda that brings the update within the radius.
         MatrixXd A(2 * n, n);
         VectorXd b = VectorXd::Zero(2 * n);
         A.topRows(n) = R;
@@ -175,7 +176,7 @@ private:
                 if (bad && may_ask() && !ask()) return stop(FitStatus::not_converged, no_derivatives);
                 continue;
             }
-            // The parabola through the cost and its slope here and the cost there.
+            // Minimum of the parabola through the cost and its slope here and the cost there.
             const double slope = 2.0 * here_.r.dot(here_.J * step), curve = now - squares - slope;
             radius_ = length * (curve > 0.0 ? std::clamp(-0.5 * slope / curve, 0.1, 0.5) : 0.5);
             if (is_exact()) continue;
@@ -191,7 +192,7 @@ private:
         report_.message = progress_.cancelled() ? "stopped by the user" : message;
     }
 
-    /// Broyden's update: the Jacobian explains the step just made.
+    /// Broyden's update: the smallest change of the Jacobian that explains the last change of the residuals.
     void turn(const VectorXd& step, const VectorXd& residuals, const VectorXd& scale) {
         const VectorXd weighted = scale.cwiseAbs2().cwiseProduct(step);
         here_.J += (residuals - here_.r - here_.J * step) * weighted.transpose() / step.dot(weighted);
@@ -204,9 +205,9 @@ private:
     LeastSquaresReport report_;
     FitEvaluations evaluations_;
     Linear here_;
-    Linear anchor_;  // where the Jacobian was last asked for, or given
-    double
-        radius_ = std::numeric_limits<double>::infinity();  // of a step, its numbers times the lengths of their columns
+    Linear anchor_;                                            // point of the last requested or given Jacobian
+    double radius_ = std::numeric_limits<double>::infinity();  // trust region: bound on the update, scaled by the
+                                                               // column norms
 };
 
 }  // namespace

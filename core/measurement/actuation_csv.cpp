@@ -10,6 +10,7 @@
 namespace myo::measurement {
 namespace {
 
+/// Muscle names of the header line; the first column must be time_s.
 Result<std::vector<std::string>> muscle_names(const TextLine& header, const std::filesystem::path& path) {
     const std::vector<std::string_view> names = split_fields(header.text, ',');
     const std::string where = at_line(path, header.number);
@@ -64,12 +65,15 @@ Result<ActuationTable> read_actuation_csv(const std::filesystem::path& path) {
             else
                 table.values(static_cast<Eigen::Index>(column) - 1, row) = value;
         }
+        // Line numbers are kept for messages of later checks.
         table.lines.push_back(line.number);
+        // Equal times of two rows are a jump; of three, the middle one would never act.
         const bool jump = row > 0 && table.time_s(row) == table.time_s(row - 1);
         if (jump && row > 1 && table.time_s(row) == table.time_s(row - 2))
             return Error{"is the third row of time " + format_number(table.time_s(row), 9) +
                              " s; two rows of one time are a jump, a third has no meaning",
                          at_line(path, line.number)};
+        // Only a last row that repeats its predecessor may go back in time, see the header.
         if (row > 0 && !jump && !(table.time_s(row) > table.time_s(row - 1))) {
             const bool closes = row == rows - 1 && table.time_s(row) < table.time_s(row - 1);
             if (closes && table.values.col(row) == table.values.col(row - 1)) {

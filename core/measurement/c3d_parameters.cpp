@@ -7,6 +7,7 @@
 namespace myo::measurement {
 namespace {
 
+/// A parameter whose group name is not yet known.
 struct PendingParameter {
     int group = 0;
     std::string name;
@@ -21,6 +22,7 @@ std::string capitals(std::string_view text) {
 
 std::string at_byte(std::size_t offset) { return "at byte " + std::to_string(offset); }
 
+/// Bytes per value.
 std::size_t value_size(C3dParameter::Type type) {
     switch (type) {
         case C3dParameter::Type::text:
@@ -31,6 +33,7 @@ std::size_t value_size(C3dParameter::Type type) {
     return 1;
 }
 
+/// Type of a code byte of the format; false if unknown.
 bool type_of_code(int code, C3dParameter::Type& type) {
     switch (code) {
         case -1: type = C3dParameter::Type::text; return true;
@@ -41,7 +44,7 @@ bool type_of_code(int code, C3dParameter::Type& type) {
     }
 }
 
-// The body of a parameter record from `offset`, behind the word that points to the next record.
+// Body of a parameter record from `offset`, after the word that points to the next record.
 Result<C3dParameter> read_body(const C3dWords& words, std::size_t offset, const std::string& name,
                                const std::string& file) {
     const auto cut_off = [&] {
@@ -68,7 +71,7 @@ Result<C3dParameter> read_body(const C3dWords& words, std::size_t offset, const 
     return parameter;
 }
 
-// Length of the UTF-8 character at the front of `text`, 0 when the bytes are no UTF-8.
+// Length of the UTF-8 character at the start of `text`; 0 if the bytes are not UTF-8.
 std::size_t utf8_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
     const std::size_t length = lead < 0x80                   ? 1
@@ -80,7 +83,7 @@ std::size_t utf8_length(std::string_view text) {
     for (std::size_t i = 1; i < length; ++i) {
         if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
     }
-    if (length > 2) {  // overlong forms, surrogates and values past U+10FFFF
+    if (length > 2) {  // excludes overlong forms, surrogates and values above U+10FFFF
         const auto second = static_cast<unsigned char>(text[1]);
         if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second >= 0xA0) || (lead == 0xF0 && second < 0x90) ||
             (lead == 0xF4 && second >= 0x90))
@@ -99,6 +102,7 @@ std::string clean_c3d_text(std::string_view text) {
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
         const auto c = static_cast<unsigned char>(text[0]);
+        // Invalid byte: encode its Latin-1 code point as two bytes of UTF-8.
         if (length == 0) {
             result += static_cast<char>(0xC0U | (c >> 6U));
             result += static_cast<char>(0x80U | (c & 0x3FU));
@@ -134,6 +138,7 @@ std::vector<std::string> C3dParameters::texts(const std::string& name) const {
     const auto found = entries_.find(name);
     if (found == entries_.end() || found->second.type != C3dParameter::Type::text) return result;
     const C3dParameter& parameter = found->second;
+    // The first dimension is the length of each string.
     const std::size_t length = parameter.dimensions.empty() ? 1 : parameter.dimensions[0];
     if (length == 0) return result;
     for (std::size_t i = 0; i + length <= parameter.count; i += length) {
@@ -145,10 +150,12 @@ std::vector<std::string> C3dParameters::texts(const std::string& name) const {
 Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t start, const std::string& file) {
     std::map<int, std::string> groups;
     std::vector<PendingParameter> pending;
-    // Records follow each other by offsets; each one moves forward, so the walk ends.
+    // Records are chained by offsets. Each offset moves forward, so the loop terminates.
+    // The section begins with four bytes: two reserved, number of blocks, processor.
     std::size_t at = start + 4;
     while (words.holds(at, 2) && words.byte(at) != 0) {
-        const auto name_length = static_cast<std::size_t>(std::abs(int{words.signed_byte(at)}));  // negative = locked
+        const auto name_length = static_cast<std::size_t>(
+            std::abs(int{words.signed_byte(at)}));  // a negative length marks a locked record
         const int group = words.signed_byte(at + 1);
         const std::size_t pointer = at + 2 + name_length;
         if (!words.holds(pointer, 2)) {
@@ -156,6 +163,7 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
         }
         const std::string name = capitals(clean_c3d_text(words.text(at + 2, name_length)));
         const std::size_t step = words.word(pointer);
+        // Negative group number: definition of a group; positive: parameter of that group.
         if (group < 0) {
             groups[-group] = name;
         } else if (group > 0) {
@@ -166,14 +174,14 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
             return Error{
                 "the parameter record " + at_byte(at) + " belongs to no group; the parameter section is damaged", file};
         }
-        if (step == 0) break;  // the last record of some writers
+        if (step == 0) break;  // end mark of some writers
         if (step < 2) {
             return Error{
                 "the parameter record " + at_byte(at) + " points into itself; the parameter section is damaged", file};
         }
         at = pointer + step;
     }
-    // A parameter may stand before the record that names its group.
+    // A parameter may precede the record that names its group: resolve names at the end.
     std::map<std::string, C3dParameter> entries;
     for (const PendingParameter& entry : pending) {
         const auto group = groups.find(entry.group);

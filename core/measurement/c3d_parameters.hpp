@@ -10,27 +10,28 @@
 
 namespace myo::measurement {
 
-/// One parameter of the parameter section; its values stay in the file until they are asked for.
+/// One parameter of the parameter section. Values are decoded from the file on request.
 struct C3dParameter {
     enum class Type { text, byte, word, real };
     Type type = Type::byte;
-    std::vector<std::size_t> dimensions;  // the first one runs fastest; none = a single value
-    std::size_t offset = 0;               // of the values, from the start of the file
-    std::size_t count = 0;                // number of values (characters for text)
+    std::vector<std::size_t> dimensions;  // the first index varies fastest; empty: a single value
+    std::size_t offset = 0;               // of the values, from the start of the file [bytes]
+    std::size_t count = 0;                // number of values; of characters for text
 };
 
-/// The parameter section, addressed by "GROUP:NAME" in capitals.
+/// The parameter section of a C3D file, addressed by "GROUP:NAME" in capitals.
 class C3dParameters {
 public:
     C3dParameters(C3dWords words, std::map<std::string, C3dParameter> entries)
         : words_(words), entries_(std::move(entries)) {}
 
+    /// Whether the parameter exists.
     bool contains(const std::string& name) const { return entries_.count(name) > 0; }
-    /// Value i as a number, 16-bit words taken as unsigned; nothing when absent, too short, or text.
+    /// Value i as a number, 16-bit words as unsigned; nullopt if absent, too short, or text.
     std::optional<double> number(const std::string& name, std::size_t i = 0) const;
-    /// Whether the parameter is there and holds 16-bit words.
+    /// Whether the parameter exists and consists of 16-bit words.
     bool is_word(const std::string& name) const;
-    /// The strings of a text parameter, blanks and zero bytes trimmed, as valid UTF-8; empty when absent.
+    /// Strings of a text parameter as valid UTF-8, without surrounding blanks and zero bytes; empty if absent.
     std::vector<std::string> texts(const std::string& name) const;
 
 private:
@@ -38,16 +39,16 @@ private:
     std::map<std::string, C3dParameter> entries_;
 };
 
-/// Walks the records of the parameter section.
+/// Reads the records of the parameter section.
 ///
 /// @param start  byte offset of the section
-/// @param file   name for messages
-/// Error: a record that runs over the end of the file, an unknown type; says the byte offset.
+/// @param file   file name for messages
+/// Errors (with byte offset): a record beyond the end of the file; an unknown type; a record without group.
 /// Source: the C3D file format, www.c3d.org, "The parameter section".
 Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t start, const std::string& file);
 
-/// Blanks, tabs and zero bytes removed on both sides, control characters left out; bytes that are no UTF-8 are taken as
-/// Latin-1.
+/// Text without surrounding blanks, tabs and zero bytes and without control characters. Bytes that are not UTF-8 are
+/// decoded as Latin-1.
 std::string clean_c3d_text(std::string_view text);
 
 }  // namespace myo::measurement

@@ -14,25 +14,27 @@ namespace myo::measurement {
 namespace {
 
 constexpr std::size_t block_size = 512;
-// Ten kilometres: no camera measures this, but a damaged file easily holds it.
+// Ten kilometres: beyond any capture volume, but easily reached in a damaged file.
 constexpr double largest_coordinate_m = 1e4;
 
-// Where the samples stand and how they are written.
+// Position and encoding of the samples in the file.
 struct Layout {
     std::size_t points = 0;
     std::size_t frames = 0;
-    std::size_t analog_per_frame = 0;
-    std::size_t data_offset = 0;
-    bool real = true;    // 32-bit floats, else 16-bit integers times `scale`
-    double scale = 1.0;  // of integers and of residuals, always positive
+    std::size_t analog_per_frame = 0;  // analog values per frame, to be skipped
+    std::size_t data_offset = 0;       // from the start of the file [bytes]
+    bool real = true;                  // 32-bit floats; else 16-bit integers times `scale`
+    double scale = 1.0;                // of integers and of residuals, positive
     double rate_Hz = 0.0;
     double metres_per_unit = 1.0;
 
     std::size_t word_size() const { return real ? 4 : 2; }
+    // A point has four words: x, y, z, and residual with camera mask.
     std::size_t frame_size() const { return (4 * points + analog_per_frame) * word_size(); }
     std::size_t end() const { return data_offset + frames * frame_size(); }
 };
 
+/// Decodes the points of a C3D file. The parameters take precedence over the header.
 class Reader {
 public:
     Reader(C3dWords words, C3dParameters parameters, std::string file)
@@ -58,12 +60,13 @@ private:
 
 bool usable_count(double value) { return std::isfinite(value) && value >= 1.0 && value < 4294967296.0; }
 
-// The frame count by falling authority: LONG_FRAMES, FRAMES, the TRIAL range, the header's range.
-// FRAMES as a 16-bit word says at most "65535 or more", and some writers keep only its low word.
+// Frame count, in order of precedence: LONG_FRAMES, FRAMES, the TRIAL range, the range in the header.
+// FRAMES as a 16-bit word holds at most "65535 or more", and some writers store only its low word.
 double Reader::frame_count() const {
     const std::optional<double> long_frames = parameters_.number("POINT:LONG_FRAMES");
     if (long_frames && usable_count(*long_frames)) return *long_frames;
     double trial = 0.0;
+    // TRIAL fields are 32-bit numbers stored as two 16-bit words.
     const auto long_word = [&](const std::string& name) -> double {
         const std::optional<double> low = parameters_.number(name, 0);
         if (!low) return 0.0;
@@ -77,6 +80,7 @@ double Reader::frame_count() const {
     const bool word_is_full = parameters_.is_word("POINT:FRAMES") && frames >= 65535.0;
     const bool low_word_only = parameters_.is_word("POINT:FRAMES") && usable_count(trial) && trial > 65535.0 &&
                                std::fmod(trial, 65536.0) == frames;
+    // FRAMES is trusted unless it is saturated or equals only the low word of the TRIAL range.
     if (usable_count(frames) && !word_is_full && !low_word_only) return frames;
     if (usable_count(trial)) return trial;
     if (usable_count(frames)) return frames;
@@ -87,7 +91,7 @@ Result<double> Reader::unit(std::optional<double> unit_override) const {
     if (unit_override) return *unit_override;
     const std::vector<std::string> units = parameters_.texts("POINT:UNITS");
     std::string name;
-    // Some writers store one string per axis or one character per string.
+    // Some writers store one string per axis, others one character per string.
     if (!units.empty())
         name = units.size() == 2 && units[0].size() == 1 && units[1].size() == 1 ? units[0] + units[1] : units[0];
     if (name.empty()) return failure("POINT:UNITS is missing, so the length unit is not known; give it explicitly");
@@ -100,16 +104,16 @@ Result<double> Reader::unit(std::optional<double> unit_override) const {
 double Reader::analog_rate_ratio(double rate_Hz) const {
     const double ratio = parameters_.number("ANALOG:RATE").value_or(0.0) / rate_Hz;
     if (std::isfinite(ratio) && ratio >= 0.5 && ratio < 65536.0) return std::round(ratio);
-    return std::max(1.0, static_cast<double>(words_.word(18)));  // header: analog samples per frame
+    return std::max(1.0, static_cast<double>(words_.word(18)));  // header word: analog samples per frame
 }
 
-// Whether the samples reach into the last block of the file.
+// Whether the samples end within the last block of the file, as they do if the counts are right.
 bool Reader::fills_file(const Layout& layout) const {
     return layout.end() <= words_.size() && words_.size() - layout.end() < block_size;
 }
 
-// Point and analog counts stand in the parameters and in the header. The parameters are the master; where the header
-// disagrees, the size of the file has to confirm one of the two.
+// Point and analog counts are stored in the parameters and in the header. The parameters take precedence; if the two
+// disagree, the file size must confirm one of them.
 Result<void> Reader::choose_counts(Layout& layout) const {
     const auto header_points = static_cast<std::size_t>(words_.word(2));
     const auto header_analog = static_cast<std::size_t>(words_.word(4));
@@ -142,10 +146,12 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     Layout layout;
     const double scale = parameters_.number("POINT:SCALE").value_or(words_.real(12));
     if (!std::isfinite(scale) || scale == 0.0) return failure("POINT:SCALE is not a number other than 0");
+    // Format convention: a negative scale means float data.
     layout.real = scale < 0.0;
     layout.scale = std::abs(scale);
 
     layout.rate_Hz = parameters_.number("POINT:RATE").value_or(0.0);
+    // Fall back to the header.
     if (!(layout.rate_Hz > 0.0)) layout.rate_Hz = words_.real(20);
     if (!std::isfinite(layout.rate_Hz) || layout.rate_Hz < 1e-6 || layout.rate_Hz > 1e7) {
         return failure("POINT:RATE is no frame rate (" + format_number(layout.rate_Hz) + " Hz)");
@@ -154,6 +160,7 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     if (!usable_count(frames)) return failure("holds no frames (POINT:FRAMES)");
     layout.frames = static_cast<std::size_t>(frames);
 
+    // DATA_START counts blocks of 512 bytes from 1; block 1 is the header.
     const double header_start = words_.word(16);
     double start = parameters_.number("POINT:DATA_START").value_or(header_start);
     if (!(start >= 2.0)) start = header_start;
@@ -173,6 +180,7 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     return layout;
 }
 
+// Labels of the points, made unique. Long lists continue in LABELS2, LABELS3, ...
 std::vector<std::string> Reader::labels(std::size_t points) const {
     std::vector<std::string> result;
     for (int part = 1; result.size() < points; ++part) {
@@ -211,6 +219,7 @@ Result<Recording> Reader::samples(const Layout& layout) const {
                 position(axis) = layout.real ? words_.real(offset) : layout.scale * words_.signed_word(offset);
             }
             const double fourth = layout.real ? words_.real(at + 12) : static_cast<double>(words_.signed_word(at + 6));
+            // See read_c3d() for the occlusion rules.
             const bool occluded = !(fourth >= 0.0) || position.hasNaN() || (fourth == 0.0 && position.isZero(0.0));
             position *= layout.metres_per_unit;
             if (!occluded && !(position.cwiseAbs().maxCoeff() <= largest_coordinate_m)) {
@@ -218,7 +227,7 @@ Result<Recording> Reader::samples(const Layout& layout) const {
                                std::to_string(t + 1) + " (byte " + std::to_string(at) +
                                "); the file is damaged or its unit wrong");
             }
-            // The low byte of the fourth word counts the residual in steps of the scale, in float files as well.
+            // The low byte of the fourth word is the residual in units of the scale, in float files as well.
             const double steps = std::fmod(std::trunc(fourth), 256.0);
             recording.tracks[i].col(t) = occluded ? Eigen::Vector3d::Constant(nan) : position;
             recording.residual_m[i](t) = occluded ? nan : steps * layout.scale * layout.metres_per_unit;

@@ -8,8 +8,8 @@
 namespace myo::measurement {
 namespace {
 
-// VAX F format: sign, 8 exponent bits with bias 128, mantissa 0.1f. Exponent 0 is zero, or reserved when the sign is
-// set.
+// VAX F format: sign, 8 exponent bits with bias 128, mantissa 0.1f. Exponent 0 means zero, or the reserved operand if
+// the sign is set.
 double vax_real(std::uint32_t pattern) {
     const bool negative = (pattern >> 31U) != 0;
     const int exponent = static_cast<int>((pattern >> 23U) & 0xFFU);
@@ -32,6 +32,7 @@ std::uint8_t C3dWords::byte(std::size_t offset) const {
 }
 
 std::uint16_t C3dWords::word(std::size_t offset) const {
+    // DEC and Intel store the low byte first, SGI the high byte.
     const unsigned first = byte(offset);
     const unsigned second = byte(offset + 1);
     const unsigned value = processor_ == C3dProcessor::sgi ? (first << 8U | second) : (second << 8U | first);
@@ -39,6 +40,7 @@ std::uint16_t C3dWords::word(std::size_t offset) const {
 }
 
 double C3dWords::real(std::size_t offset) const {
+    // A float is two 16-bit words, whose order depends on the processor.
     const std::uint32_t first = word(offset);
     const std::uint32_t second = word(offset + 2);
     switch (processor_) {

@@ -7,27 +7,33 @@
 
 namespace myo::measurement {
 
-/// The machine whose number formats a C3D file uses; the values are the file's own codes.
+/// Number format of a C3D file, named after the processor. The values are the codes in the file.
 enum class C3dProcessor : std::uint8_t { intel = 84, dec = 85, sgi = 86 };
 
-/// The bytes of a C3D file, read as numbers of one processor.
+/// Bytes of a C3D file, decoded in the number format of one processor.
 ///
-/// Offsets count from the start of the file. Every read is checked by the caller with `holds`; inside, only asserted.
+/// Offsets count from the start of the file. The caller checks the range with holds(); the reads only assert it.
+/// The bytes are not copied and must outlive the object.
 class C3dWords {
 public:
     C3dWords(std::string_view bytes, C3dProcessor processor) : bytes_(bytes), processor_(processor) {}
 
     std::size_t size() const { return bytes_.size(); }
-    /// Whether `count` bytes from `offset` lie inside the file; safe against overflow.
+    /// Whether `count` bytes from `offset` lie within the file. Safe against integer overflow.
     bool holds(std::size_t offset, std::size_t count) const {
         return offset <= bytes_.size() && count <= bytes_.size() - offset;
     }
+    /// `count` bytes as text.
     std::string_view text(std::size_t offset, std::size_t count) const;
+    /// Unsigned byte.
     std::uint8_t byte(std::size_t offset) const;
+    /// Byte as two's complement.
     std::int8_t signed_byte(std::size_t offset) const { return static_cast<std::int8_t>(byte(offset)); }
+    /// Unsigned 16-bit word.
     std::uint16_t word(std::size_t offset) const;
+    /// 16-bit word as two's complement.
     std::int16_t signed_word(std::size_t offset) const { return static_cast<std::int16_t>(word(offset)); }
-    /// 32-bit float; NaN for the reserved operand of DEC.
+    /// 32-bit float; NaN for the reserved operand of the DEC format.
     double real(std::size_t offset) const;
 
 private:
@@ -35,7 +41,7 @@ private:
     C3dProcessor processor_;
 };
 
-/// The processor of a code byte, or nothing when the code is not one of the format's three.
+/// Processor of a code byte; nullopt if the code is not one of the three of the format.
 std::optional<C3dProcessor> c3d_processor(std::uint8_t code);
 
 }  // namespace myo::measurement

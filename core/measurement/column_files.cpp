@@ -12,6 +12,8 @@ namespace {
 
 bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 
+/// Index of a header name.
+/// Errors: missing (with the closest name) or duplicate.
 Result<std::size_t> column_index(const std::vector<std::string>& names, const std::string& name,
                                  const std::string& where) {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -57,6 +59,7 @@ Result<Recording> read_mapped_csv(const std::filesystem::path& path, const Heade
     }
     if (mapping.time_column && !positive(mapping.seconds_per_unit))
         return Error{"the header mapping gives no unit of time", path.string()};
+    // 1,5 would be ambiguous.
     if (mapping.decimal_comma && mapping.separator == ',') {
         return Error{"a comma cannot be both decimal mark and separator", path.string()};
     }

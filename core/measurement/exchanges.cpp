@@ -12,17 +12,18 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector3d;
-using Names = std::vector<std::size_t>;  // the label that each marker bears
+using Names = std::vector<std::size_t>;  // the label that each marker carries
 
-/// Of the distance to its own label, that to the one a marker has moved to.
+/// Largest ratio of the distance to the new label and to the own label for a move.
 constexpr double much_nearer = 0.25;
 
-/// Where a marker was seen last, twice.
+/// The last two visible samples of a marker.
 struct Past {
     Index sample = -1, sample_before = -1;
     Vector3d last = Vector3d::Zero(), before = Vector3d::Zero();
 
     bool known() const { return sample >= 0; }
+    /// Predicted position: linear extrapolation from two directly preceding samples, otherwise the last position.
     Vector3d foretold(Index at) const {
         return sample == at - 1 && sample_before == at - 2 ? Vector3d(2.0 * last - before) : last;
     }
@@ -34,6 +35,7 @@ struct Past {
     }
 };
 
+/// Follows the markers through the recording and keeps track of the label that each of them carries.
 class Follower {
 public:
     explicit Follower(const std::vector<Eigen::Matrix3Xd>& tracks)
@@ -41,7 +43,7 @@ public:
         std::iota(names_.begin(), names_.end(), std::size_t{0});
     }
 
-    /// The labels that the markers bear in a sample, the samples before having been followed.
+    /// Labels of the markers in sample `at`. Samples must be visited in order.
     const Names& follow(Index at) {
         rename(at);
         for (std::size_t i = 0; i < names_.size(); ++i)
@@ -50,12 +52,13 @@ public:
     }
 
 private:
+    /// Distance between the prediction of a marker and the sample of a label; infinite if either is unknown.
     double distance(std::size_t marker, std::size_t label, Index at) const {
         if (!past_[marker].known() || !is_seen(tracks_[label], at)) return std::numeric_limits<double>::infinity();
         return (tracks_[label].col(at) - past_[marker].foretold(at)).norm();
     }
 
-    /// The label to which a marker has moved, if it has.
+    /// The label to which a marker has moved, if any.
     std::optional<std::size_t> moved_to(std::size_t marker, Index at) const {
         const double own = distance(marker, names_[marker], at);
         if (!(own < std::numeric_limits<double>::infinity())) return std::nullopt;
@@ -64,12 +67,13 @@ private:
             if (distance(marker, l, at) < distance(marker, label, at)) label = l;
         const double there = distance(marker, label, at);
         if (label == names_[marker] || !(there < much_nearer * own)) return std::nullopt;
+        // Mutual: no other marker may be closer to that label.
         for (std::size_t other = 0; other < names_.size(); ++other)
             if (other != marker && distance(other, label, at) <= there) return std::nullopt;
         return label;
     }
 
-    /// Two markers that were lost together and come back the other way round, wherever that is.
+    /// Whether two markers lost together reappear with reversed relative position, wherever they are.
     bool turned_round(std::size_t i, std::size_t j, Index at) const {
         if (!past_[i].known() || past_[i].sample != past_[j].sample || past_[i].sample == at - 1) return false;
         if (!is_seen(tracks_[names_[i]], at) || !is_seen(tracks_[names_[j]], at)) return false;
@@ -78,6 +82,7 @@ private:
         return (now + before).norm() < much_nearer * (now - before).norm();
     }
 
+    /// Determines the moves at a sample and applies those that form closed cycles.
     void rename(Index at) {
         std::vector<std::optional<std::size_t>> moved;
         for (std::size_t i = 0; i < names_.size(); ++i) moved.push_back(moved_to(i, at));
@@ -87,14 +92,14 @@ private:
                     moved[i] = names_[j];
                     moved[j] = names_[i];
                 }
-        // A marker that surely bears another's name leaves that one, lost before, only its own, wherever it has gone
-        // meanwhile.
+        // If marker i has certainly taken the label of marker j, which was lost before, then j can only have the label
+        // of i, wherever j has moved in the meantime.
         for (std::size_t i = 0; i < names_.size(); ++i)
             for (std::size_t j = 0; j < names_.size(); ++j)
                 if (moved[i] && *moved[i] == names_[j] && !moved[j] && past_[j].known() && past_[j].sample < at - 1 &&
                     is_seen(tracks_[names_[i]], at))
                     moved[j] = names_[i];
-        // Those whose new label nobody left, or whose own nobody took, close no ring.
+        // Discard moves that form no cycle: the new label was not given up, or the old label was not taken.
         for (bool changed = true; changed;) {
             changed = false;
             const auto left = [&](std::size_t label) {
@@ -120,7 +125,7 @@ private:
     std::vector<Past> past_;
 };
 
-/// Markers that were ever exchanged with each other, directly or by others: for each its group, named by one of them.
+/// Connected components of markers that were ever exchanged: for each marker the index of its group.
 std::vector<std::size_t> groups_of(const std::vector<Names>& names) {
     std::vector<std::size_t> group(names.empty() ? 0 : names.front().size());
     std::iota(group.begin(), group.end(), std::size_t{0});
@@ -147,6 +152,7 @@ std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks) 
         for (std::size_t i = 0; i < tracks.size(); ++i)
             if (group[i] == g) members.push_back(i);
         if (members.size() < 2) continue;
+        // A group is in its exchanged state while any member carries a foreign label.
         const auto exchanged = [&](Index t) {
             return std::any_of(members.begin(), members.end(),
                                [&](std::size_t i) { return names[static_cast<std::size_t>(t)][i] != i; });
@@ -160,12 +166,14 @@ std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks) 
                 if (std::any_of(names.begin() + first, names.begin() + end,
                                 [&](const Names& now) { return now[i] != i; }))
                     markers.push_back(i);
+            // An exchange that lasts to the end is kept, see the header.
             if (end < count) exchanges.push_back({markers, first, end});
             first = end;
         }
     }
     for (const Exchange& exchange : exchanges)
         for (Index t = exchange.first; t < exchange.end; ++t) {
+            // Copy first: the assignments are a permutation.
             std::vector<Vector3d> there;
             for (const std::size_t i : exchange.markers)
                 there.push_back(tracks[names[static_cast<std::size_t>(t)][i]].col(t));

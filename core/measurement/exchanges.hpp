@@ -7,23 +7,27 @@
 
 namespace myo::measurement {
 
-/// Markers that bore each other's names for a while.
+// Faults of labelling in recordings: exchanged labels (here), excursions of a track (excursions.hpp) and spikes
+// (spikes.hpp). They are restored or hidden when a trial is read; faults that only a model can reveal stay.
+
+/// An interval in which markers carried each other's labels.
 struct Exchange {
-    std::vector<std::size_t> markers;  // ascending, at least two
+    std::vector<std::size_t> markers;  // indices, ascending, at least two
     Eigen::Index first = 0, end = 0;   // samples [first, end)
 };
 
-/// Puts tracks back that were exchanged for a while, as a camera system does that loses sight of markers and names them
-/// anew.
+/// Restores tracks whose labels were temporarily exchanged, as happens when a camera system loses several markers and
+/// relabels them.
 ///
-/// Each track is foretold from one sample to the next, linearly, over a gap by where it was last seen. Names have moved
-/// where tracks are each other's nearest, four times nearer than their own, and close a ring: a body that moves on, or
-/// a marker that jumps to where no other was, makes none. Two that were lost together have, too, where they come back
-/// the other way round, and one that was lost alone where another takes its name. Names that are never given back stay
-/// as they are: that is an effect of the catalogue (`marker_swap`) or two wrong labels, and a model must tell.
+/// Each track is predicted from sample to sample by linear extrapolation; over a gap by the last position. Labels have
+/// moved if (1) each track is closest to another track's prediction, four times closer than to its own, and these
+/// assignments form a cycle; a moving body, or a marker that jumps to a free position, forms none. Labels have also
+/// moved if (2) two markers lost together reappear with reversed relative position, or (3) a marker lost alone
+/// reappears where its label was taken by another one. Exchanges that are never reversed are kept: they may be the
+/// effect `marker_swap` of the catalogue or two wrong labels, which only a model can decide.
 ///
-/// @param tracks one for each marker, 3 x T [m], NaN where occluded; put back in place
-/// @return in the order of time
+/// @param tracks  in/out, one per marker, 3 x T [m], NaN where occluded
+/// @return        the exchanges that were reversed, in order of time
 std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks);
 
 }  // namespace myo::measurement

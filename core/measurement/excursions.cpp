@@ -11,21 +11,23 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
+// Thresholds of the header; least_opposition is the least cosine between opposite jumps.
 constexpr double least_deviations = 20.0, least_ratio = 6.0, least_opposition = 0.5, most_unequal = 2.0;
 constexpr std::size_t shortest = 4;
-/// Steps nearby, on each side, that tell how far a track departs from its velocity by itself; of all so many at least.
+/// Intervals on each side that measure the usual jumps of a track, and how many of them must be known.
 constexpr std::size_t nearby = 6, least_nearby = 4;
-/// Steps beside a jump whose velocities it takes part in.
+/// Intervals beside a jump whose velocities are affected by it.
 constexpr std::size_t touched = 1;
+/// Other markers that must be visible at a jump.
 constexpr std::size_t least_others = 2;
-/// Missing samples among the four of a step: over a longer gap velocities tell nothing.
+/// Missing samples among the four of an interval: over a longer gap the velocities are not meaningful.
 constexpr Index most_missing = 3;
 
-/// From a seen sample of a track to the next.
+/// Interval between consecutive visible samples of a track.
 struct Step {
-    Index before = 0, after = 0;  // samples
-    bool known = false;
-    Vector3d jump = Vector3d::Zero();
+    Index before = 0, after = 0;       // samples
+    bool known = false;                // whether `jump` could be computed
+    Vector3d jump = Vector3d::Zero();  // displacement minus that of the mean neighbouring velocity [m]
 };
 
 std::vector<Step> steps_of(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s) {
@@ -47,10 +49,10 @@ std::vector<Step> steps_of(const Eigen::Matrix3Xd& track, const Eigen::VectorXd&
     return steps;
 }
 
+/// Whether interval i shares velocities with interval j.
 bool is_beside(std::size_t i, std::size_t j) { return (i > j ? i - j : j - i) <= touched; }
 
-/// Whether the step at `place` departs from the velocity much farther than those nearby, the excursion's other end
-/// aside.
+/// Whether the jump at `place` is much larger than those nearby, excluding the other end of the excursion.
 bool stands_out(const std::vector<Step>& steps, std::size_t place, std::size_t other_end) {
     double largest = 0.0;
     std::size_t told = 0;
@@ -62,7 +64,7 @@ bool stands_out(const std::vector<Step>& steps, std::size_t place, std::size_t o
     return told >= least_nearby && steps[place].jump.norm() > least_ratio * largest;
 }
 
-/// Whether the other markers go on as before while this one jumps.
+/// Whether no other marker jumps at the same time, with enough markers visible.
 bool is_alone(const std::vector<std::vector<Step>>& steps, std::size_t marker, const Step& own) {
     std::size_t told = 0;
     for (std::size_t m = 0; m < steps.size(); ++m) {
@@ -77,6 +79,7 @@ bool is_alone(const std::vector<std::vector<Step>>& steps, std::size_t marker, c
     return told >= least_others;
 }
 
+/// Whether two jumps are opposite and of similar length.
 bool are_there_and_back(const Step& away, const Step& back) {
     const double there = away.jump.norm(), here = back.jump.norm();
     return away.jump.dot(back.jump) < -least_opposition * there * here &&
@@ -98,15 +101,18 @@ std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& trac
             if (own[i].known && own[i].jump.norm() > least_deviations * sigma_m(static_cast<Index>(m)) &&
                 is_alone(steps, m, own[i]))
                 jumps.push_back(i);
-        // The shortest first, so that a marker that slips between two excursions ends neither.
+        // Shortest first, so that a marker that slips between two excursions does not pair with either of them.
         for (std::size_t length = shortest; 2 * length <= own.size(); ++length)
             for (const std::size_t away : jumps) {
                 const std::size_t back = away + length;
                 if (!std::binary_search(jumps.begin(), jumps.end(), back) || !are_there_and_back(own[away], own[back]))
                     continue;
                 if (!stands_out(own, away, back) || !stands_out(own, back, away)) continue;
+                // The excursion begins with the sample after the first jump and ends before the sample after the
+                // second.
                 const Excursion found{m, own[away].after, own[back].before + 1,
                                       std::max(own[away].jump.norm(), own[back].jump.norm())};
+                // Excursions of one marker must not overlap.
                 const bool apart = std::all_of(excursions.begin(), excursions.end(), [&](const Excursion& e) {
                     return e.marker != m || e.end <= found.first || found.end <= e.first;
                 });

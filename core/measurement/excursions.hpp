@@ -7,27 +7,29 @@
 
 namespace myo::measurement {
 
-/// A marker that was taken for something else for a while.
+/// An interval in which a track followed something other than its marker.
 struct Excursion {
-    std::size_t marker = 0;
-    Eigen::Index first = 0, end = 0;  // samples [first, end) of its track
-    double jump_m = 0.0;              // the larger of the two, away and back
+    std::size_t marker = 0;           // index of the track
+    Eigen::Index first = 0, end = 0;  // samples [first, end)
+    double jump_m = 0.0;              // the larger of the jumps away and back
 };
 
-/// Tracks that jump away within a sample and back later, four samples or more between, half of the record at most:
-/// reflections and unnamed markers that a camera system follows until it finds the right one again. (Shorter ones are
-/// spikes; what stays away has slipped.)
+/// Finds excursions: the track jumps away within one sample and jumps back later.
 ///
-/// A jump is what the mean velocity of both sides leaves of the way from one seen sample to the next. Of an excursion
-/// both stand out: by twenty deviations of the noise, six times as far as the track departs from its velocity nearby,
-/// and six times as far as any other marker does in that moment, of which two have to be seen: a body that is struck,
-/// or that follows a load faster than it is filmed, moves more than one. They point against each other, and neither is
-/// more than twice the other.
+/// The cause is a reflection or an unlabelled marker that the camera system follows until it recovers the right one. An
+/// excursion lasts at least four samples and at most half of the recording. Shorter ones are spikes; a marker that does
+/// not return has slipped.
 ///
-/// @param tracks  one for each marker, 3 x T [m], NaN where occluded
-/// @param time_s  T, ascending
-/// @param sigma_m of each marker, deviation of the noise per coordinate; 0 where it is not known
-/// @return in the order of time
+/// The jump of a sample interval is its displacement minus that of the mean velocity of both neighbouring intervals.
+/// Both jumps of an excursion must exceed 20 standard deviations of the noise, six times the largest jump nearby in the
+/// same track, and six times the jump of every other marker at that time, of which at least two must be visible: a body
+/// that is struck, or follows a load faster than the frame rate, moves several markers. The two jumps have opposite
+/// directions, and their ratio is at most two.
+///
+/// @param tracks   one per marker, 3 x T [m], NaN where occluded
+/// @param time_s   T, ascending
+/// @param sigma_m  per marker, standard deviation of the noise per coordinate; 0 if unknown
+/// @return         in order of time
 std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& tracks, const Eigen::VectorXd& time_s,
                                        const Eigen::VectorXd& sigma_m);
 

@@ -12,6 +12,7 @@ std::vector<MarkerGaps> gap_map(const Recording& recording) {
         for (Eigen::Index t = 0; t < recording.sample_count(); ++t) {
             if (is_seen(recording.tracks[i], t)) continue;
             ++marker.occluded_samples;
+            // Extend the current gap or open a new one.
             if (!marker.gaps.empty() && marker.gaps.back().last == t - 1)
                 marker.gaps.back().last = t;
             else
@@ -28,6 +29,7 @@ std::vector<Eigen::Index> repeated_samples(const Recording& recording) {
     std::vector<Eigen::Index> repeats;
     for (Eigen::Index t = 1; t < recording.sample_count(); ++t) {
         bool any_seen = false;
+        // A marker that stays hidden counts as unchanged; one that appears or disappears is new data.
         const bool same = std::all_of(recording.tracks.begin(), recording.tracks.end(),
                                       [&](const Eigen::Matrix3Xd& track) {
                                           const bool seen = is_seen(track, t);

@@ -15,14 +15,16 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 template <class Shape>
+/// Shape functions and gradients dN/dX at a point of the cell; `middle` is the start of the Newton iteration for xi.
 void set_shape(MarkerBinding& binding, const Eigen::Matrix3Xd& X, const Vector3d& point, const Vector3d& middle) {
     const Vector3d xi = fem::reference_coordinates<Shape>(X, point, middle);
     const auto D = Shape::derivatives(xi);
     binding.weights = Shape::values(xi);
+    // dN/dX = dN/dxi (dX/dxi)^-1.
     binding.gradient = D * (X * D).inverse();
 }
 
-/// Below a billionth of a metre an offset is rounding of the rest position.
+/// An offset below 1e-9 m is rounding of the rest position; the marker then does not need the rotation.
 bool on_surface(const MarkerBinding& binding) { return binding.standoff_m() < 1e-9; }
 
 }  // namespace
@@ -55,6 +57,7 @@ Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x,
     if (on_surface(binding)) return surface;
     const Matrix3d F = x * binding.gradient;
     const Matrix3d dF = dx * binding.gradient;
+    // dR = dR/dF : dF, both 3 x 3 matrices stored as vectors of 9.
     const Eigen::Matrix<double, 9, 1> dR = material::polar_rotation_derivative(F, material::polar_rotation(F)) *
                                            Eigen::Map<const Eigen::Matrix<double, 9, 1>>(dF.data());
     return surface + Eigen::Map<const Matrix3d>(dR.data()) * binding.offset;
@@ -63,6 +66,8 @@ Vector3d marker_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x,
 Eigen::Matrix3Xd marker_pull(const MarkerBinding& binding, const Eigen::Matrix3Xd& x, const Vector3d& pull) {
     const Eigen::Matrix3Xd surface = pull * binding.weights.transpose();
     if (on_surface(binding)) return surface;
+    // Adjoint of surface + R(F) offset: the adjoint of R is pull offset', that of F follows with dR/dF transposed, and
+    // that of x with the shape gradients.
     const Matrix3d F = x * binding.gradient;
     const Matrix3d on_rotation = pull * binding.offset.transpose();
     const Eigen::Matrix<double, 9, 1> on_F = material::polar_rotation_derivative(F, material::polar_rotation(F))

@@ -17,8 +17,9 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Triple = std::array<Index, 3>;
 
-constexpr std::size_t base_triples = 24;  // that are looked for; one of them is seen unless most markers are hidden
+constexpr std::size_t base_triples = 24;  // searched triples; at least one is visible unless most markers are hidden
 
+/// Columns of the visible points.
 std::vector<Index> usable(const Matrix3Xd& places) {
     std::vector<Index> columns;
     for (Index i = 0; i < places.cols(); ++i)
@@ -30,7 +31,7 @@ double area(const Matrix3Xd& places, const Triple& t) {
     return 0.5 * (places.col(t[1]) - places.col(t[0])).cross(places.col(t[2]) - places.col(t[0])).norm();
 }
 
-/// Triangles of markers, the largest first.
+/// Triangles of markers, largest area first. Large triangles determine the motion best; degenerate ones are excluded.
 std::vector<Triple> wide_triples(const Matrix3Xd& rest_m, double tolerance_m) {
     std::vector<Triple> triples;
     for (Index i = 0; i < rest_m.cols(); ++i)
@@ -44,7 +45,7 @@ std::vector<Triple> wide_triples(const Matrix3Xd& rest_m, double tolerance_m) {
     return triples;
 }
 
-/// Closest pairs first, each marker and each place once.
+/// Greedy assignment, closest pairs first; each marker and each point is used once.
 Eigen::VectorXi nearest_pairs(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, const RigidMotion& motion,
                               double tolerance_m) {
     struct Pair {
@@ -68,7 +69,7 @@ Eigen::VectorXi nearest_pairs(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, 
     return seen;
 }
 
-/// The motion of matched pairs: rigid where they determine it, else a shift with the rotation as it is.
+/// Motion of the matched pairs: rigid if they determine it, otherwise a translation with the given rotation.
 RigidMotion motion_of(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, const Eigen::VectorXi& seen,
                       const Eigen::Matrix3d& rotation) {
     const auto count = (seen.array() >= 0).count();
@@ -80,6 +81,7 @@ RigidMotion motion_of(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, const Ei
     return {rotation, (to - rotation * from).rowwise().mean()};
 }
 
+/// Alternates assignment and motion, as in iterative closest point, until the assignment no longer changes.
 MarkerMatch refined(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, RigidMotion motion, double tolerance_m) {
     MarkerMatch match;
     match.seen = nearest_pairs(rest_m, seen_m, motion, tolerance_m);
@@ -97,19 +99,24 @@ MarkerMatch refined(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, RigidMotio
     return match;
 }
 
+/// Collects the assignments with the largest number of matched markers.
 class Search {
 public:
     Search(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, double tolerance_m)
         : rest_m_(rest_m), seen_m_(seen_m), tolerance_m_(tolerance_m) {}
 
+    /// Tries every translation that maps one point to one marker, at fixed rotation.
     void try_shifts(const Eigen::Matrix3d& rotation) {
         for (Index m = 0; m < rest_m_.cols(); ++m)
             for (Index s = 0; s < seen_m_.cols(); ++s)
                 keep(refined(rest_m_, seen_m_, {rotation, rest_m_.col(m) - rotation * seen_m_.col(s)}, tolerance_m_));
     }
 
+    /// Tries all triples of points whose side lengths agree with those of the marker triple.
     void try_triple(const Triple& t) {
         const auto side = [](const Matrix3Xd& p, Index a, Index b) { return (p.col(a) - p.col(b)).norm(); };
+        // Distances are invariant under rigid motions. Each of two points may be off by the tolerance: slack of twice
+        // it.
         const double ab = side(rest_m_, t[0], t[1]), ac = side(rest_m_, t[0], t[2]), bc = side(rest_m_, t[1], t[2]),
                      slack = 2.0 * tolerance_m_;
         for (Index a = 0; a < seen_m_.cols(); ++a)
@@ -128,10 +135,11 @@ public:
             }
     }
 
-    /// The best; among equals the one nearest to the rotation.
+    /// The assignment with the smallest residual; among equally good ones the one closest to the expected rotation.
     MarkerMatch best(const Eigen::Matrix3d& expected) const {
         double least = found_.front().rms_m;
         for (const MarkerMatch& match : found_) least = std::min(least, match.rms_m);
+        // Residuals within this range cannot be distinguished from the best one.
         const double equal = std::max(1.5 * least, 0.25 * tolerance_m_);
         const MarkerMatch* chosen = nullptr;
         int equals = 0;
@@ -151,11 +159,12 @@ public:
     bool empty() const { return found_.empty(); }
 
 private:
-    /// Only those that explain most markers, each once.
+    /// Keeps assignments with the largest number of markers, each once.
     void keep(MarkerMatch match) {
         if (match.count() == 0) return;
         if (!found_.empty() && match.count() < found_.front().count()) return;
         if (!found_.empty() && match.count() > found_.front().count()) found_.clear();
+        // The same assignment may be reached from several triples.
         for (const MarkerMatch& known : found_)
             if (known.seen == match.seen) return;
         found_.push_back(std::move(match));
@@ -178,7 +187,8 @@ Result<MarkerMatch> match_markers(const Matrix3Xd& rest_m, const Matrix3Xd& seen
     Search search(rest_m, places, tolerance_m);
     for (const Triple& triple : wide_triples(rest_m, tolerance_m)) search.try_triple(triple);
     if (search.empty()) search.try_shifts(expected);
-    MarkerMatch match = search.best(expected);  // a shift always explains one marker
+    MarkerMatch match = search.best(expected);  // not empty: a translation always matches one marker
+    // Indices of visible points back to columns of seen_m.
     for (int& seen : match.seen)
         if (seen >= 0) seen = static_cast<int>(columns[static_cast<std::size_t>(seen)]);
     return match;

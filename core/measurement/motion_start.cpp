@@ -16,11 +16,13 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Reference window in samples: its end lies `lag` before the sample.
 struct Window {
     Eigen::Index lag;
     Eigen::Index length;
 };
 
+/// Samples that are not repetitions of their predecessor.
 std::vector<Eigen::Index> new_samples(const Recording& recording) {
     const std::vector<Eigen::Index> repeats = repeated_samples(recording);
     std::vector<Eigen::Index> samples;
@@ -39,6 +41,7 @@ Recording take_samples(const Recording& recording, const std::vector<Eigen::Inde
     return result;
 }
 
+/// Both lengths have a minimum in samples, so that the median suppresses the noise.
 Window reference_window(const Recording& recording, const MotionStartOptions& options) {
     const auto samples = [&](double seconds, double least) {
         return static_cast<Eigen::Index>(std::clamp(std::round(seconds * recording.rate_Hz), least, 1e6));
@@ -46,8 +49,8 @@ Window reference_window(const Recording& recording, const MotionStartOptions& op
     return {samples(options.reference_lag_s, 8.0), samples(options.reference_length_s, 16.0)};
 }
 
-// Where the marker was shortly before sample t: the median of the reference window, the first seen samples near the
-// beginning, where the window is cut short. Nothing when it was never seen there.
+// Position of the marker shortly before sample t: median of the reference window, which is shorter near the beginning
+// of the recording; if nothing is visible there, the first visible sample after it. nullopt if there is none before t.
 std::optional<Eigen::Vector3d> reference(const Eigen::Matrix3Xd& track, Eigen::Index t, const Window& window) {
     const Eigen::Index last = std::max<Eigen::Index>(t - window.lag, 0);
     const Eigen::Index first = std::max<Eigen::Index>(last - window.length + 1, 0);
@@ -63,7 +66,7 @@ std::optional<Eigen::Vector3d> reference(const Eigen::Matrix3Xd& track, Eigen::I
     return Eigen::Vector3d(median(samples.row(0)), median(samples.row(1)), median(samples.row(2)));
 }
 
-// Distance of every sample from the reference; NaN where it is not known.
+// Distance of every sample from its reference; NaN where unknown.
 Eigen::VectorXd departures(const Eigen::Matrix3Xd& track, const Window& window) {
     Eigen::VectorXd result = Eigen::VectorXd::Constant(track.cols(), nan);
     for (Eigen::Index t = 1; t < track.cols(); ++t) {
@@ -74,7 +77,7 @@ Eigen::VectorXd departures(const Eigen::Matrix3Xd& track, const Window& window) 
     return result;
 }
 
-// The largest value that `count` known samples in a row reach; unknown ones are passed over.
+// Largest value that `count` consecutive known samples reach; unknown samples are skipped.
 double sustained_peak(const Eigen::VectorXd& values, int count) {
     std::vector<double> known;
     for (const double value : values) {
@@ -103,7 +106,7 @@ Eigen::VectorXd group_departure(const std::vector<Eigen::VectorXd>& markers) {
     return result;
 }
 
-// First sample from which the departure stays above `limit` for `count` known samples.
+// First sample from which the departure exceeds `limit` for `count` consecutive known samples.
 std::optional<Eigen::Index> first_sustained(const Eigen::VectorXd& departure, double limit, int count) {
     std::optional<Eigen::Index> first;
     int run = 0;
@@ -119,7 +122,8 @@ std::optional<Eigen::Index> first_sustained(const Eigen::VectorXd& departure, do
     return std::nullopt;
 }
 
-// Back from `t` to the first sample of the unbroken departure above `threshold`; unknown samples do not break it.
+// Goes back from `t` to the first sample of the connected departure above `threshold`; unknown samples do not interrupt
+// it.
 Eigen::Index trace_back(const Eigen::VectorXd& departure, Eigen::Index t, double threshold) {
     Eigen::Index first = t;
     for (Eigen::Index k = t - 1; k >= 0; --k) {
@@ -130,8 +134,8 @@ Eigen::Index trace_back(const Eigen::VectorXd& departure, Eigen::Index t, double
     return first;
 }
 
-// Mean displacement of the movers along their own direction of motion, from sample `first` on; the direction is that of
-// the last of the `count` samples, so that noise does not add up as it does in a distance.
+// Mean displacement of the moving markers along their own direction of motion, from sample `first` on. The direction is
+// that of the last of the `count` samples: a projection averages the noise, which a distance would accumulate.
 Eigen::VectorXd displacement_along_motion(const Recording& movers, Eigen::Index first, Eigen::Index count,
                                           const Window& window) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(count);
@@ -149,7 +153,7 @@ Eigen::VectorXd displacement_along_motion(const Recording& movers, Eigen::Index 
     return (seen.array() > 0.0).select(sum.array() / seen.array().max(1.0), nan);
 }
 
-// A law d = (slope (t - start))^power through the given displacements.
+// Onset law d = (slope (t - start))^power for given displacements.
 struct OnsetLaw {
     double start_s = 0.0;
     double slope = 0.0;
@@ -159,10 +163,12 @@ struct OnsetLaw {
     double at(double t) const { return t > start_s ? std::pow(slope * (t - start_s), power) : 0.0; }
 };
 
+// Weighted least-squares fit of the onset law for a given power.
 OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displacement, double power) {
     OnsetLaw law;
     law.power = power;
-    // A line through d^(1/power); weights turn errors of the root back into errors of d, which are all alike.
+    // Linear regression of d^(1/power). The weights convert errors of the root to errors of d, which have equal
+    // variance.
     double weight = 0.0;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     const auto for_each_point = [&](const auto& visit) {
@@ -196,13 +202,13 @@ OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displac
     return law;
 }
 
-// The time of the onset between the samples.
+// Onset time between the samples.
 double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eigen::Index first, double peak,
                   double threshold, const Window& window) {
     const double at_first = movers.time_s(first);
     const double still = movers.time_s(first - 1);
-    // The beginning of the motion only: up to a fifth of the peak (half of it for fast bodies, to have three samples),
-    // and at most as many samples as the reference is old.
+    // Use the beginning of the motion only: up to a fifth of the peak (half of it for the first three samples, for fast
+    // bodies), and at most as many samples as the lag of the reference.
     const auto belongs = [&](Eigen::Index k) {
         return k < window.lag && first + k < departure.size() && departure(first + k) < (k < 3 ? 0.5 : 0.2) * peak;
     };
@@ -210,16 +216,16 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
     while (belongs(count)) ++count;
     const Eigen::VectorXd displacement = displacement_along_motion(movers, first, count, window);
     const Eigen::VectorXd times = movers.time_s.segment(first, count);
-    // A mass that starts from rest moves as t^2. A line is for slow drives, of which many samples show that it fits
-    // better.
+    // A mass that starts from rest moves as t^2. The linear law is for slow drives and is accepted only if many samples
+    // show that its error is smaller.
     OnsetLaw law = fit_onset(times, displacement, 2.0);
     if (count >= 6) {
         const OnsetLaw linear = fit_onset(times, displacement, 1.0);
         if (linear.squared_error < 0.25 * law.squared_error) law = linear;
     }
     if (!std::isfinite(law.squared_error)) return 0.5 * (still + at_first);
-    // The law may exceed the last still sample and the first moving one by the threshold, not more; and it is not to be
-    // trusted farther out than half the length of its support.
+    // Bounds of the extrapolation: the law may exceed the last still and the first moving sample by at most the
+    // threshold, and extend beyond its data by at most half of their duration.
     const auto time_to_reach = [&](double d) { return std::pow(std::max(d, 0.0), 1.0 / law.power) / law.slope; };
     const double first_displacement = std::isnan(displacement(0)) ? departure(first) : displacement(0);
     const double earliest = std::max({still - time_to_reach(threshold),
@@ -240,7 +246,8 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
         return result;
     }
     result.time_s = recording.time_s(0);
-    // Repeats carry no time of their own: without them the steps between samples are those of the motion.
+    // Repeated samples have no time of their own: without them the sample intervals are those of the motion.
+    // 1. Departure of each marker from its recent position, and selection of the moving markers.
     const std::vector<Eigen::Index> samples = new_samples(recording);
     const Result<Recording> chosen = select_labels(take_samples(recording, samples),
                                                    labels.empty() ? recording.labels : labels);
@@ -266,6 +273,7 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
         result.message = "no marker moves";
         return result;
     }
+    // 2. Departure of the group, and noise of the moving markers.
     const Recording movers = select_labels(*chosen, result.movers).value();
     const Eigen::VectorXd group = group_departure(moving);
     const double peak = sustained_peak(group, options.sustained_samples);
@@ -276,35 +284,38 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
         if (!std::isnan(value)) known.push_back(value);
     }
     std::sort(known.begin(), known.end());
-    // In a still recording the departures differ little among each other, whatever the kind of the noise.
+    // In a still recording all departures have similar size, whatever the type of noise: compare with a low quantile.
     const double quiet = known.empty() ? 0.0 : known[known.size() / 5];
     if (!(peak > std::max(10.0 * result.noise_m, 5.0 * quiet))) {
         result.message = "no marker leaves its rest clearly: the largest departure is " + format_number(1e3 * peak, 3) +
                          " mm";
         return result;
     }
+    // 3. First certain motion.
     const std::optional<Eigen::Index> gross = first_sustained(group, options.gross_fraction * peak,
                                                               options.sustained_samples);
     if (!gross) {
         result.message = "no sustained motion";
         return result;
     }
+    // 4. Threshold of the search backwards.
     result.threshold_m = std::max(options.noise_factor * result.noise_m, 0.002 * peak);
     if (*gross >= 12) {
         std::vector<double> before;
         for (Eigen::Index t = 1; t < *gross; ++t) {
             if (!std::isnan(group(t))) before.push_back(group(t));
         }
-        // Noise is not only white: what the markers did before counts as well (2.5 medians are about 4 deviations).
+        // Noise need not be white: departures before the motion count as well (2.5 medians are about 4 deviations).
         if (!before.empty()) {
             const double usual = median(
                 Eigen::Map<Eigen::VectorXd>(before.data(), static_cast<Eigen::Index>(before.size())));
             result.threshold_m = std::max(result.threshold_m, std::min(2.5 * usual, options.gross_fraction * peak));
         }
     }
+    // 5. First moving sample and the onset between the samples.
     const Eigen::Index first = trace_back(group, *gross, result.threshold_m);
     if (first <= 1) {
-        // Sample 0 is its own reference: whether the body rested then cannot be told.
+        // Sample 0 is its own reference: whether the body was at rest then is unknown.
         result.message = "the motion has begun by the second sample, so the start is taken at the first one, " +
                          seconds_text(result.time_s) + "; give the start if the recording begins later";
         return result;

@@ -11,19 +11,21 @@
 namespace myo::measurement {
 namespace {
 
-// Sixth differences pass 1e-4 of a 6 Hz vibration at 100 Hz, fifth ones 5 times as much. Still higher orders would only
-// see noise near half the frame rate, where cameras have less of it.
+// Sixth differences pass 1e-4 of a 6 Hz vibration at 100 Hz, fifth ones 5 times as much. Higher orders would respond
+// only to noise near half the frame rate, where cameras have less of it.
 constexpr Eigen::Index order = 6;
 constexpr std::array<double, order + 1> binomials{1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0};
-constexpr double white_gain = 924.0;  // sum of the squared binomials
+constexpr double white_gain = 924.0;  // sum of the squared binomial coefficients
+// Windows in samples: short enough to find still intervals, long enough for a stable mean square.
 constexpr Eigen::Index longest_window = 21;
 constexpr Eigen::Index shortest_window = 6;
+// The iteration starts from this quantile of the windows and keeps windows up to the still quantile of chance.
 constexpr double start_quantile = 0.1;
 constexpr double still_quantile = 0.98;
 
-// Quantile of chi^2 / degrees of freedom, by Wilson and Hilferty 1931 (a cube of a normal variable).
+// Quantile of chi^2 / degrees of freedom by the approximation of Wilson and Hilferty 1931 (cube of a normal variable).
 double mean_square_quantile(double probability, double freedom) {
-    // Normal quantile by Abramowitz and Stegun 26.2.23, good to 5e-4.
+    // Normal quantile by Abramowitz and Stegun 26.2.23, accurate to 5e-4.
     const double tail = std::min(probability, 1.0 - probability);
     const double t = std::sqrt(-2.0 * std::log(tail));
     const double z = t - (2.515517 + 0.802853 * t + 0.010328 * t * t) /
@@ -32,7 +34,8 @@ double mean_square_quantile(double probability, double freedom) {
     return std::pow(1.0 - spread + (probability < 0.5 ? -z : z) * std::sqrt(spread), 3.0);
 }
 
-// Degrees of freedom of the mean of `window` squared differences in three coordinates; neighbours share samples.
+// Effective degrees of freedom of the mean of `window` squared differences in three coordinates; neighbouring
+// differences are correlated because they share samples.
 double degrees_of_freedom(Eigen::Index window) {
     double squares = 1.0;
     for (Eigen::Index lag = 1; lag <= std::min<Eigen::Index>(order, window - 1); ++lag) {
@@ -40,13 +43,15 @@ double degrees_of_freedom(Eigen::Index window) {
         for (Eigen::Index k = 0; k + lag <= order; ++k) {
             covariance += binomials[static_cast<std::size_t>(k)] * binomials[static_cast<std::size_t>(k + lag)];
         }
+        // Variance of a mean of correlated terms: sum of squared correlations, weighted by the number of pairs at each
+        // lag.
         const double correlation = covariance / white_gain;
         squares += 2.0 * (1.0 - static_cast<double>(lag) / static_cast<double>(window)) * correlation * correlation;
     }
     return 3.0 * static_cast<double>(window) / squares;
 }
 
-// Runs of seen samples, repeats taken out.
+// Runs of consecutive visible samples, repetitions removed, long enough for one difference.
 std::vector<Eigen::Matrix3Xd> runs_of(const Eigen::Matrix3Xd& track, const std::vector<Eigen::Index>& repeats) {
     std::vector<Eigen::Matrix3Xd> runs;
     std::vector<Eigen::Index> run;
@@ -64,7 +69,7 @@ std::vector<Eigen::Matrix3Xd> runs_of(const Eigen::Matrix3Xd& track, const std::
     return runs;
 }
 
-// Squared length of the differences, per coordinate and unit of white noise.
+// Squared norm of the differences per coordinate, scaled to unit gain for white noise.
 Eigen::VectorXd squared_differences(const Eigen::Matrix3Xd& run) {
     Eigen::VectorXd squares(run.cols() - order);
     for (Eigen::Index t = 0; t < squares.size(); ++t) {
@@ -75,6 +80,7 @@ Eigen::VectorXd squared_differences(const Eigen::Matrix3Xd& run) {
     return squares;
 }
 
+// Smallest difference between distinct values of a coordinate: an estimate of the rounding unit.
 double smallest_step(const Eigen::Matrix3Xd& track) {
     double step = 0.0;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -85,21 +91,23 @@ double smallest_step(const Eigen::Matrix3Xd& track) {
         std::sort(values.begin(), values.end());
         for (std::size_t k = 1; k < values.size(); ++k) {
             const double gap = values[k] - values[k - 1];
-            // Decimal text is not exact in binary: equal steps differ by rounding, and so do equal values after
-            // scaling.
+            // Decimal text is not exact in binary: equal differences, and equal values after scaling, differ by
+            // rounding.
             if (gap > 1e-12 && (step == 0.0 || gap < step)) step = gap;
         }
     }
     return step;
 }
 
-// Variance of the still windows: windows within the range of chance define it, and it defines that range.
+// Variance of the still windows, by fixed-point iteration: the limit of still windows depends on the variance, and the
+// variance on the windows below the limit.
 double still_variance(std::vector<double> means, double freedom) {
     std::sort(means.begin(), means.end());
     const auto low = static_cast<std::size_t>(start_quantile * static_cast<double>(means.size()));
+    // Start from a low quantile of the windows, which is unaffected if at least that fraction is still.
     double variance = means[low] /
                       mean_square_quantile(std::max(start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
-    double kept_mean = 0.0;  // of chi^2 / freedom, given that it is below the still quantile
+    double kept_mean = 0.0;  // mean of chi^2 / freedom below the still quantile: corrects the truncation
     constexpr int steps = 200;
     for (int k = 0; k < steps; ++k)
         kept_mean += mean_square_quantile(still_quantile * (k + 0.5) / steps, freedom) / steps;
@@ -127,6 +135,7 @@ NoiseEstimate estimate(const Eigen::Matrix3Xd& track, const std::vector<Eigen::I
     if (window < shortest_window) return result;
 
     std::vector<double> means;
+    // Windows overlap by half.
     for (const Eigen::VectorXd& run : squares) {
         for (Eigen::Index t = 0; t + window <= run.size(); t += std::max<Eigen::Index>(window / 2, 1)) {
             means.push_back(run.segment(t, window).mean());
@@ -166,7 +175,7 @@ NoiseEstimate estimate_track_noise(const Eigen::Matrix3Xd& track) {
 double rounding_step(const std::vector<Eigen::Matrix3Xd>& tracks) {
     constexpr std::array<double, 12> per_metre{2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
     constexpr int least_changes = 20;
-    constexpr double exact = 1e-6;  // of a step: decimal text is not exact in binary
+    constexpr double exact = 1e-6;  // relative to a unit: decimal text is not exact in binary
     int changes = 0;
     for (const Eigen::Matrix3Xd& track : tracks)
         for (Eigen::Index t = 1; t < track.cols(); ++t)

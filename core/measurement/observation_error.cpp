@@ -8,6 +8,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
+/// Swaps of labels, then the scale: the part that is linear in the tracks.
 void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& tracks,
                         const Eigen::VectorXd& stamped_s) {
     for (const MarkerSwap& swap : error.swaps)
@@ -19,12 +20,14 @@ void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& t
 
 }  // namespace
 
+// Sample k is stamped k / declared rate but was taken at k / true rate, plus the offset.
 Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd& stamped_s) {
     return stamped_s.array() / (1.0 + error.rate_error) + error.clock_offset_s;
 }
 
 std::vector<Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks,
                                    const Eigen::VectorXd& stamped_s) {
+    // Shifts act on the marker itself and hence precede the exchange of labels.
     for (const MarkerShift& shift : error.shifts)
         for (Index t = 0; t < stamped_s.size(); ++t)
             if (stamped_s(t) >= shift.from_s) tracks[shift.marker].col(t) += shift.shift_m;

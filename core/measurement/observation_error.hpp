@@ -8,37 +8,39 @@
 
 namespace myo::measurement {
 
-/// Two markers that carry each other's name from a time on.
+/// Two markers whose labels are exchanged from a time on.
 struct MarkerSwap {
     std::size_t first = 0, second = 0;
-    double from_s = 0.0;
+    double from_s = 0.0;  // by the time stamps of the recording
 };
 
-/// A marker that sits elsewhere from a time on.
+/// A marker that is displaced on the body from a time on.
 struct MarkerShift {
     std::size_t marker = 0;
     Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();  // mesh frame
-    double from_s = 0.0;
+    double from_s = 0.0;                                // by the time stamps of the recording
 };
 
-/// How a recording differs from what it says of itself.
+/// Systematic errors of a recording.
 struct ObservationError {
-    double clock_offset_s = 0.0;  // a sample stamped t was taken at t + offset
-    double rate_error = 0.0;      // the true rate is the declared one times 1 + error
-    double scale_error = 0.0;     // all coordinates are times 1 + error, about the mesh origin
+    double clock_offset_s = 0.0;  // a sample stamped t was taken offset later
+    double rate_error = 0.0;      // true rate = stated rate times (1 + error)
+    double scale_error = 0.0;     // all coordinates are multiplied by 1 + error, about the mesh origin
     std::vector<MarkerSwap> swaps;
     std::vector<MarkerShift> shifts;
 };
 
-/// When samples stamped with these times were taken [s].
+/// True times of samples with these time stamps [s]: t / (1 + rate_error) + clock_offset_s.
 Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd& stamped_s);
 
-/// What cameras report of tracks (per marker 3 x T [m], samples stamped `stamped_s`): shifts, then swaps, then the
-/// scale.
+/// Tracks as recorded: shifts, then swaps, then the scale are applied to the true tracks.
+///
+/// @param tracks     one per marker, 3 x T [m], mesh frame
+/// @param stamped_s  T, time stamps of the samples
 std::vector<Eigen::Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tracks,
                                           const Eigen::VectorXd& stamped_s);
 
-/// The same of derivatives of the tracks, for which shifts are constants.
+/// Derivatives of the recorded tracks from those of the true tracks; shifts are constant and drop out.
 std::vector<Eigen::Matrix3Xd> seen_tangents(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tangents,
                                             const Eigen::VectorXd& stamped_s);
 

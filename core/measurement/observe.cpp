@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// x(t) of the nodes from their series of positions and velocities.
+/// Nodal field at one time from the series of positions and velocities.
 template <class Positions, class Velocities>
 Matrix3Xd combine(const HermiteWeights& w, const Positions& x, const Velocities& v) {
     Matrix3Xd result = w.x0 * x(w.step) + w.v0 * v(w.step);
@@ -30,6 +30,7 @@ MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vect
         set.bindings.push_back(bind_marker(mesh, locator, rest));
         set.nodes.insert(set.nodes.end(), set.bindings.back().nodes.begin(), set.bindings.back().nodes.end());
     }
+    // Many markers share nodes: only their union has to be kept of a run.
     std::sort(set.nodes.begin(), set.nodes.end());
     set.nodes.erase(std::unique(set.nodes.begin(), set.nodes.end()), set.nodes.end());
     for (const MarkerBinding& binding : set.bindings) {
@@ -55,8 +56,10 @@ SensitiveTracks observe(const sensitivity::SensitiveTrace& run, const MarkerSet&
     const auto v = [&](std::size_t k) -> Matrix3Xd { return run.trace.velocities[k](Eigen::all, markers.nodes); };
     for (Eigen::Index t = 0; t < samples; ++t) {
         const HermiteWeights w = hermite_weights(run.trace.times_s, times_s(t));
+        // The velocity of a marker is its tangent along the nodal velocities.
         const Matrix3Xd now = combine(w, x, v), rate = combine(w.rate(), x, v);
         std::vector<Matrix3Xd> d;
+        // Interpolation is linear, so tangents use the same weights.
         for (const sensitivity::NodeTangent& tangent : run.tangents)
             d.push_back(combine(
                 w, [&](std::size_t k) -> const Matrix3Xd& { return tangent.positions[k]; },
@@ -104,6 +107,7 @@ sensitivity::MotionLoss pull_on_nodes(const sensitivity::NodeMotion& motion, con
     const auto v = [&](std::size_t k) -> const Matrix3Xd& { return motion.velocities[k]; };
     for (Eigen::Index t = 0; t < times_s.size(); ++t) {
         const HermiteWeights w = hermite_weights(motion.times_s, times_s(t));
+        // Reverse of observe(): markers to nodes, then nodes at time t to the two ends of the step interval.
         const Matrix3Xd now = combine(w, x, v);
         Matrix3Xd on_nodes = none;
         for (std::size_t m = 0; m < pulls.size(); ++m) {
@@ -111,6 +115,7 @@ sensitivity::MotionLoss pull_on_nodes(const sensitivity::NodeMotion& motion, con
             on_nodes(Eigen::all, markers.positions[m]) += marker_pull(
                 markers.bindings[m], columns(now, markers.positions[m]), pulls[m].col(t));
         }
+        // Transposed Hermite interpolation.
         loss.d_positions[w.step] += w.x0 * on_nodes;
         loss.d_velocities[w.step] += w.v0 * on_nodes;
         if (w.x1 != 0.0) loss.d_positions[w.step + 1] += w.x1 * on_nodes;

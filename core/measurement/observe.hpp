@@ -11,38 +11,44 @@
 
 namespace myo::measurement {
 
-/// Markers bound to a body, with the nodes that they need.
+/// Markers bound to a body, with the nodes they depend on.
 struct MarkerSet {
     std::vector<MarkerBinding> bindings;
-    std::vector<int> nodes;                   // ascending, each once
-    std::vector<std::vector<int>> positions;  // per binding: where its nodes stand in `nodes`
+    std::vector<int> nodes;                   // of all bindings, ascending, unique
+    std::vector<std::vector<int>> positions;  // per binding: indices of its nodes in `nodes`
 };
+/// Binds the rest positions [m, mesh frame] of all markers.
 MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m);
 
-/// Markers at given times. Between steps the nodes move on cubic Hermite curves through positions and velocities (error
-/// of fourth order in h); before 0 they rest, after the last step they stay.
+/// Marker motion at given times.
 struct MarkerTracks {
-    std::vector<Eigen::Matrix3Xd> positions;   // per marker 3 x T [m]
-    std::vector<Eigen::Matrix3Xd> velocities;  // d position / d t [m/s]
+    std::vector<Eigen::Matrix3Xd> positions;   // per marker, 3 x T [m]
+    std::vector<Eigen::Matrix3Xd> velocities;  // time derivative, 3 x T [m/s]
 };
+/// Marker tracks of a run at the given times.
+///
+/// Between steps the nodes move on cubic Hermite curves through positions and velocities (error of fourth order in h).
+/// Before t = 0 the body rests; after the last step it stays.
 MarkerTracks observe(const dynamics::Trace& trace, const MarkerSet& markers, const Eigen::VectorXd& times_s);
 
-/// The same of a motion of markers.nodes alone.
+/// Marker tracks from the motion of markers.nodes alone.
 MarkerTracks observe(const sensitivity::NodeMotion& motion, const MarkerSet& markers, const Eigen::VectorXd& times_s);
 
-/// The way back: derivatives of a loss with respect to the nodes' motion from those with respect to the marker
-/// positions.
+/// Transpose of observe(): derivatives of a loss with respect to the motion of the nodes, from those with respect to
+/// the marker positions.
 ///
-/// @param pulls  per marker 3 x T [1/m]
-/// @return       d_positions and d_velocities of markers.nodes at the motion's times; value 0
+/// @param pulls  derivative with respect to the marker positions, per marker 3 x T [1/m]
+/// @return       d_positions and d_velocities of markers.nodes at the times of the motion; value 0
 sensitivity::MotionLoss pull_on_nodes(const sensitivity::NodeMotion& motion, const MarkerSet& markers,
                                       const Eigen::VectorXd& times_s, const std::vector<Eigen::Matrix3Xd>& pulls);
 
-/// The same with the derivative of the positions with respect to each parameter: [parameter][marker] 3 x T.
+/// Marker tracks with their derivatives.
 struct SensitiveTracks {
     MarkerTracks tracks;
-    std::vector<std::vector<Eigen::Matrix3Xd>> tangents;
+    std::vector<std::vector<Eigen::Matrix3Xd>>
+        tangents;  // derivatives of the positions, [parameter][marker], 3 x T [m per unit]
 };
+/// Marker tracks of a run with tangents. The tangents must be those of markers.nodes.
 SensitiveTracks observe(const sensitivity::SensitiveTrace& run, const MarkerSet& markers,
                         const Eigen::VectorXd& times_s);
 

@@ -12,7 +12,7 @@ namespace {
 
 struct HeaderNumber {
     double value = 0.0;
-    int line = 0;  // 0 = the header does not have it
+    int line = 0;  // 0: not in the header
 };
 
 struct QtmHeader {
@@ -23,13 +23,15 @@ struct QtmHeader {
     int names_line = 0;
     bool has_time = false;
     std::size_t first_row = 0;  // index into the lines
-};
+};                              // index into the lines
 
+/// Whether a line belongs to the data: it starts with a number, NULL or an empty field.
 bool starts_data(std::string_view first_field) {
     double number = 0.0;
     return first_field.empty() || first_field == "NULL" || parse_number(first_field, number);
 }
 
+/// Second field of a header line as a number; `whole`: it must be an integer.
 Result<HeaderNumber> header_number(const std::vector<std::string_view>& fields, const std::string& key, int line,
                                    const std::filesystem::path& path, bool whole) {
     HeaderNumber number{0.0, line};
@@ -41,6 +43,7 @@ Result<HeaderNumber> header_number(const std::vector<std::string_view>& fields, 
     return number;
 }
 
+/// Reads header lines up to the first data line, or through the line `Frame`.
 Result<QtmHeader> read_header(const std::vector<TextLine>& lines, const std::filesystem::path& path) {
     QtmHeader header;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -60,12 +63,13 @@ Result<QtmHeader> read_header(const std::vector<TextLine>& lines, const std::fil
             const Result<HeaderNumber> number = header_number(fields, std::string(key), lines[i].number, path, true);
             if (!number) return number.error();
             (key == "NO_OF_FRAMES" ? header.frames : header.markers) = *number;
-        } else if (key == "FREQUENCY" && !(fields.size() > 1 && fields[1] == "EXT")) {  // EXT: an external clock
+        } else if (key == "FREQUENCY" && !(fields.size() > 1 && fields[1] == "EXT")) {  // EXT: external clock
             const Result<HeaderNumber> number = header_number(fields, "FREQUENCY", lines[i].number, path, false);
             if (!number) return number.error();
             header.rate_Hz = *number;
         } else if (key == "MARKER_NAMES") {
             for (std::size_t k = 1; k < fields.size(); ++k) header.names.emplace_back(fields[k]);
+            // Exports may end the line with separators.
             while (!header.names.empty() && header.names.back().empty()) header.names.pop_back();
             header.names_line = lines[i].number;
         }
@@ -73,6 +77,7 @@ Result<QtmHeader> read_header(const std::vector<TextLine>& lines, const std::fil
     return header;
 }
 
+/// Checks the names, and the header counts against the content of the file.
 Result<void> check_header(const QtmHeader& header, std::size_t rows, const std::filesystem::path& path) {
     const auto names = static_cast<double>(header.names.size());
     if (header.names.empty()) return Error{"has no MARKER_NAMES", path.string()};
@@ -116,6 +121,7 @@ Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
     table.zero_is_occluded = true;
     table.null_is_occluded = true;
     table.trailing_separator = true;
+    // Coordinates start after frame and time, if present.
     const std::size_t first = header->has_time ? 2 : 0;
     if (header->has_time) {
         table.frame_column = 0;

@@ -55,6 +55,7 @@ Result<Recording> select_labels(const Recording& recording, const std::vector<st
     for (const std::string& label : labels) {
         const std::optional<std::size_t> i = label_index(recording, label);
         if (!i) {
+            // Suggest a similar label; if none is similar, list all of them.
             const std::string near = closest_word(label, recording.labels);
             const std::string hint = near.empty() ? "it has " + join(recording.labels)
                                                   : "the closest one is '" + near + "'";

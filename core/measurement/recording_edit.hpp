@@ -10,23 +10,25 @@
 
 namespace myo::measurement {
 
-/// Index of a label, or nothing.
+/// Index of a label; nullopt if the recording does not contain it.
 std::optional<std::size_t> label_index(const Recording& recording, const std::string& label);
 
-/// The same recording seen from another frame; gaps stay gaps.
+/// The recording transformed to another frame. Gaps stay gaps.
 Recording transform(const Recording& recording, const RigidMotion& motion);
 
-/// The samples first <= k < end; times are kept. Both bounds must lie in [0, sample_count].
+/// Samples first <= k < end; times are not shifted. Asserts that both bounds lie in [0, sample_count].
 Recording slice(const Recording& recording, Eigen::Index first, Eigen::Index end);
 
-/// The samples with from_s <= time <= to_s; times are kept.
+/// Samples with from_s <= time <= to_s; times are not shifted.
 Recording slice_time(const Recording& recording, double from_s, double to_s);
 
-/// Times moved by `by_s`: time_s + by_s.
+/// The recording with `by_s` added to all times.
 Recording shift_time(const Recording& recording, double by_s);
 
-/// The tracks of the given labels in the given order, optionally under new names (same length as labels, or empty).
-/// Error: a label that the recording does not have; the closest one is named.
+/// Tracks of the given labels in the given order, optionally renamed.
+///
+/// @param new_names  as many as labels, or empty
+/// Errors: a label that the recording does not contain; the closest one is suggested.
 Result<Recording> select_labels(const Recording& recording, const std::vector<std::string>& labels,
                                 const std::vector<std::string>& new_names = {});
 

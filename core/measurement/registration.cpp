@@ -11,12 +11,13 @@
 namespace myo::measurement {
 namespace {
 
-// Below this ratio of width to length the turn about the line is noise.
+// Below this ratio of width to length the rotation about the line is determined by noise.
 constexpr double line_ratio = 1e-4;
 
+/// Whether centred points are collinear, by the second-largest extent.
 bool on_a_line(const Eigen::Matrix3Xd& centred, const Eigen::VectorXd& weights) {
     const Eigen::Matrix3Xd scaled = centred * weights.cwiseSqrt().asDiagonal();
-    // Eigenvalues of the moments are squared extents.
+    // Eigenvalues of the second moments are squared extents.
     const Eigen::Vector3d squares = material::signed_svd(scaled * scaled.transpose()).sigma;
     return !(squares(1) > line_ratio * line_ratio * squares(0));
 }
@@ -33,6 +34,7 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
     }
     const Eigen::Index used = (w.array() > 0.0).count();
     if (used < 3) return Error{"rigid registration needs at least 3 points, got " + std::to_string(used), ""};
+    // Normalised weights: sums below are weighted means.
     w /= w.sum();
 
     const Eigen::Vector3d from_mean = from * w;
@@ -43,10 +45,11 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
         return Error{"rigid registration is not determined: all points lie on one line, so the turn about it is free",
                      ""};
     }
+    // The optimal rotation is the polar factor of the cross-covariance; see the sources in the header.
     const Eigen::Matrix3d moments = q * w.asDiagonal() * p.transpose();
 
     Registration result;
-    result.motion.rotation = material::polar_rotation(moments);  // no mirror image
+    result.motion.rotation = material::polar_rotation(moments);  // proper rotation: no reflection
     result.motion.translation = to_mean - result.motion.rotation * from_mean;
     result.residual_m = result.motion.rotation * p - q;
     result.distance_m = result.residual_m.colwise().norm();

@@ -7,20 +7,21 @@
 
 namespace myo::measurement {
 
-/// The rigid motion between two sets of corresponding points, and how well it fits.
+/// Rigid motion between two sets of corresponding points, with its residuals.
 struct Registration {
-    RigidMotion motion;           // from -> to
+    RigidMotion motion;           // frame of `from` -> frame of `to`
     Eigen::Matrix3Xd residual_m;  // 3 x n, motion(from) - to, in the frame of `to`
-    Eigen::VectorXd distance_m;   // n, length of each residual
-    double rms_m = 0.0;           // weighted root mean square of the distances (all three coordinates together)
+    Eigen::VectorXd distance_m;   // n, lengths of the residuals
+    double rms_m = 0.0;           // weighted root mean square of the distances
 };
 
-/// Rotation and translation, no scale and no reflection, with the least weighted sum of squared distances.
+/// Rigid motion (no scale, no reflection) that minimises the weighted sum of squared distances.
 ///
 /// @param from, to  3 x n corresponding points [m]
-/// @param weights   n, not negative; empty = all equal. A point with weight 0 does not pull, but gets a residual
-/// Errors: fewer than three points with weight, points on one line (wider than 1e-4 of its length across counts as not
-/// on a line), values that are not finite. Source: Kabsch 1976; Umeyama 1991 for the sign of the determinant.
+/// @param weights   n, not negative; empty: equal weights. A point of weight 0 does not contribute but gets a residual
+/// Errors: fewer than three points with positive weight; collinear points (width below 1e-4 of the length); values that
+/// are not finite.
+/// Source: Kabsch 1976; Umeyama 1991 for the sign of the determinant.
 Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
                                         const Eigen::VectorXd& weights = Eigen::VectorXd());
 

@@ -10,7 +10,7 @@
 namespace myo::measurement {
 namespace {
 
-// Columns of `track` in [first, end) that were seen.
+// Visible columns of `track` in [first, end).
 Eigen::Matrix3Xd seen_samples(const Eigen::Matrix3Xd& track, Eigen::Index first, Eigen::Index end) {
     Eigen::Matrix3Xd seen(3, end - first);
     Eigen::Index count = 0;
@@ -20,6 +20,7 @@ Eigen::Matrix3Xd seen_samples(const Eigen::Matrix3Xd& track, Eigen::Index first,
     return seen.leftCols(count);
 }
 
+/// Samples within `deviations` robust standard deviations of the median in every coordinate.
 Eigen::Matrix3Xd without_outliers(const Eigen::Matrix3Xd& samples, double deviations) {
     Eigen::Vector3d centre;
     Eigen::Vector3d reach;
@@ -28,14 +29,14 @@ Eigen::Matrix3Xd without_outliers(const Eigen::Matrix3Xd& samples, double deviat
         centre(axis) = median(values);
         reach(axis) = deviations * median_deviation(values, centre(axis));
     }
-    // A marker that never moves by a digit has no spread: leave room for rounding.
+    // A marker whose digits never change has zero deviation: leave room for rounding.
     reach.array() += 1e-12;
     Eigen::Matrix3Xd kept(3, samples.cols());
     Eigen::Index count = 0;
     for (Eigen::Index k = 0; k < samples.cols(); ++k) {
         if (((samples.col(k) - centre).array().abs() <= reach.array()).all()) kept.col(count++) = samples.col(k);
     }
-    // With few coarse samples every one may be an outlier in some coordinate; then the plain mean is the best guess.
+    // With few, coarsely rounded samples most may be outliers in some coordinate; then use all of them.
     return 2 * count > samples.cols() ? Eigen::Matrix3Xd(kept.leftCols(count)) : samples;
 }
 
@@ -45,6 +46,7 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
     const Eigen::Index end = std::min(start_sample, recording.sample_count());
     if (end < 1) return Error{"there is no sample before the start of the motion, so no rest pose", ""};
     Eigen::Index first = 0;
+    // First sample of the averaging interval.
     while (first < end - 1 && recording.time_s(first) < recording.time_s(end - 1) - options.longest_s) ++first;
 
     const auto count = static_cast<Eigen::Index>(recording.labels.size());
@@ -56,7 +58,7 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
     for (Eigen::Index i = 0; i < count; ++i) {
         const auto label = static_cast<std::size_t>(i);
         Eigen::Matrix3Xd samples = seen_samples(recording.tracks[label], first, end);
-        // A marker that was hidden just before the start may have been seen earlier.
+        // A marker hidden just before the start may have been visible earlier.
         if (samples.cols() == 0) samples = seen_samples(recording.tracks[label], 0, first);
         if (samples.cols() == 0) {
             pose.missing.push_back(recording.labels[label]);
@@ -66,6 +68,7 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
         pose.positions_m.col(i) = kept.rowwise().mean();
         pose.samples_used(i) = static_cast<int>(kept.cols());
         if (kept.cols() > 1) {
+            // Pooled over the three coordinates.
             const double squares = (kept.colwise() - pose.positions_m.col(i)).squaredNorm();
             pose.deviation_m(i) = std::sqrt(squares / (3.0 * static_cast<double>(kept.cols() - 1)));
         }

@@ -10,6 +10,7 @@ double median(Eigen::VectorXd values) {
     const auto middle = values.begin() + values.size() / 2;
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2 == 1) return *middle;
+    // After nth_element the lower of the two middle values is the largest of the front part.
     return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 

@@ -10,14 +10,17 @@
 namespace myo::measurement {
 namespace {
 
+/// Decodes the fields of one row at a time; messages contain line and column.
 class RowReader {
 public:
     RowReader(const std::filesystem::path& path, const SampleTable& table) : path_(path), table_(table) {}
 
-    // Splits a row; an error when it is ragged.
+    // Splits a row.
+    // Errors: wrong number of fields.
     Result<void> open(const TextLine& line) {
         line_ = line.number;
         fields_ = split_fields(line.text, table_.separator);
+        // Some exports end every row with a separator.
         if (table_.trailing_separator && fields_.size() == table_.field_count + 1 && fields_.back().empty())
             fields_.pop_back();
         if (fields_.size() == table_.field_count) return {};
@@ -27,6 +30,7 @@ public:
             at_line(path_, line_)};
     }
 
+    /// Number in a column; NaN for a missing value if gaps are allowed.
     Result<double> number(std::size_t column, bool gaps_allowed) const {
         assert(column < fields_.size());
         const std::string_view field = fields_[column];
@@ -47,6 +51,7 @@ public:
         return Error{name + " is '" + std::string(field) + "', expected a number", at_line(path_, line_)};
     }
 
+    /// Position of a marker [m]; NaN if occluded.
     Result<Eigen::Vector3d> position(const MarkerColumns& marker) const {
         Eigen::Vector3d position;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -54,6 +59,7 @@ public:
             if (!coordinate) return coordinate.error();
             position(static_cast<Eigen::Index>(axis)) = *coordinate;
         }
+        // A point with a missing coordinate cannot be compared: occluded as a whole.
         const bool occluded = position.hasNaN() || (table_.zero_is_occluded && position.isZero(0.0));
         if (occluded) return Eigen::Vector3d(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
         return Eigen::Vector3d(position * table_.metres_per_unit);
@@ -69,13 +75,14 @@ private:
 }  // namespace
 
 double median_rate(const Eigen::VectorXd& time_s) {
+    // The median is not affected by dropped frames.
     const Eigen::Index steps = time_s.size() - 1;
     if (steps < 1) return 100.0;
     std::vector<double> step(static_cast<std::size_t>(steps));
     for (Eigen::Index t = 0; t < steps; ++t) step[static_cast<std::size_t>(t)] = time_s(t + 1) - time_s(t);
     const auto middle = step.begin() + steps / 2;
     std::nth_element(step.begin(), middle, step.end());
-    // Times written with few decimals give rates like 99.9999999; nine digits are far more than any clock holds.
+    // Times written with few decimals give rates like 99.9999999: round to nine digits, more than any clock resolves.
     double rate = 0.0;
     return parse_number(format_number(1.0 / *middle, 9), rate) ? rate : 1.0 / *middle;
 }

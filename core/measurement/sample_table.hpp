@@ -13,36 +13,37 @@
 
 namespace myo::measurement {
 
-/// The columns, counted from 0, that hold x, y and z of a marker.
+/// Column indices, from 0, of the x, y and z of a marker.
 struct MarkerColumns {
     std::string label;
     std::array<std::size_t, 3> columns{};
 };
 
-/// How the rows of a text table are to be read as samples.
+/// How to read the rows of a text table as samples.
 struct SampleTable {
     std::vector<MarkerColumns> markers;
-    std::optional<std::size_t> time_column;   // absent: sample k is at k / rate_Hz
+    std::optional<std::size_t> time_column;   // absent: sample k is at time k / rate_Hz
     std::optional<std::size_t> frame_column;  // only checked to be a number
-    double seconds_per_unit = 1.0;            // of the time column
-    double rate_Hz = 0.0;                     // 0 with a time column: the inverse of its median step
+    double seconds_per_unit = 1.0;            // unit of the time column
+    double rate_Hz = 0.0;                     // 0 with a time column: the inverse of the median time step
     double metres_per_unit = 1.0;
-    std::size_t field_count = 0;
+    std::size_t field_count = 0;  // expected number of fields per row
     char separator = ',';
     bool decimal_comma = false;
-    bool zero_is_occluded = false;          // a marker at exactly 0, 0, 0
-    bool null_is_occluded = false;          // the word NULL
-    bool trailing_separator = false;        // one more, empty, field at the end of a row is allowed
+    bool zero_is_occluded = false;          // a marker at exactly 0, 0, 0 is occluded
+    bool null_is_occluded = false;          // the word NULL means occluded
+    bool trailing_separator = false;        // allow one empty field at the end of a row
     std::vector<std::string> column_names;  // for messages; may be empty
 };
 
 /// Reads rows into a recording. A sample with any coordinate missing is occluded as a whole.
 ///
-/// Errors, with file, line and column: no rows, ragged rows, no number where one is expected, times that do not ascend.
+/// Errors (file, line, column): no rows; rows of unequal length; a field that is not a number; times that do not
+/// ascend.
 Result<Recording> read_samples(const std::filesystem::path& path, std::span<const TextLine> rows,
                                const SampleTable& table);
 
-/// Inverse of the median time step [Hz]; 100 for fewer than two samples.
+/// Inverse of the median time step [Hz], rounded to nine digits; 100 for fewer than two samples.
 double median_rate(const Eigen::VectorXd& time_s);
 
 }  // namespace myo::measurement

@@ -15,12 +15,12 @@ using Eigen::Vector3d;
 
 constexpr double least_deviations = 10.0, least_ratio = 6.0;
 constexpr std::size_t longest_run = 3;
-/// Runs nearby whose own distance from a cubic is looked at, on each side; of all so many at least.
+/// Runs on each side that measure the usual deviation of a track from a cubic, and how many of them must exist.
 constexpr std::size_t nearby = 4, least_nearby = 4;
-/// Missing samples within a cubic's points: over a longer gap a cubic tells nothing.
+/// Missing samples among the points of a cubic: over a longer gap the cubic is not meaningful.
 constexpr Index most_missing = 3;
 
-/// The samples that were seen, without those taken out so far.
+/// Visible samples of a track, without the spikes found so far.
 class Seen {
 public:
     Seen(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s) : track_(track), time_s_(time_s) {
@@ -35,8 +35,8 @@ public:
                        samples_.begin() + static_cast<std::ptrdiff_t>(first + length));
     }
 
-    /// Distance of the sample at `place` from the cubic through two samples before and two after the run [first, first
-    /// + length), which holds it. None at the ends and beside gaps.
+    /// Distance of the sample at `place` from the cubic through the two samples before and the two after the run
+    /// [first, first + length), which contains it. nullopt at the ends and next to gaps.
     std::optional<double> distance(std::size_t place, std::size_t first, std::size_t length) const {
         if (first < 2 || first + length + 2 > count()) return std::nullopt;
         const Index points[4] = {samples_[first - 2], samples_[first - 1], samples_[first + length],
@@ -45,7 +45,7 @@ public:
         const Index at = samples_[place];
         Vector3d cubic = Vector3d::Zero();
         for (int i = 0; i < 4; ++i) {
-            double weight = 1.0;  // of Lagrange
+            double weight = 1.0;  // Lagrange weight
             for (int j = 0; j < 4; ++j)
                 if (j != i) weight *= (time_s_(at) - time_s_(points[j])) / (time_s_(points[i]) - time_s_(points[j]));
             cubic += weight * track_.col(points[i]);
@@ -53,7 +53,7 @@ public:
         return (track_.col(at) - cubic).norm();
     }
 
-    /// The least and the largest distance of a run's samples; none where one has none.
+    /// Smallest and largest distance of the samples of a run; nullopt if one of them is unknown.
     struct Range {
         double least = std::numeric_limits<double>::infinity(), largest = 0.0;
     };
@@ -68,7 +68,7 @@ public:
         return range;
     }
 
-    /// How far runs of this length before and after `place` are from their own neighbours; none where too few can tell.
+    /// Largest deviation of runs of this length near `place` from their own neighbours; nullopt if too few are known.
     std::optional<double> unrest_around(std::size_t place, std::size_t length) const {
         double largest = 0.0;
         std::size_t told = 0;
@@ -93,10 +93,13 @@ Spikes find_spikes(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s,
     assert(track.cols() == time_s.size());
     Spikes spikes;
     Seen seen(track, time_s);
+    // Short runs first: a single outlier must not make its neighbours part of a longer run.
     for (std::size_t length = 1; length <= longest_run; ++length)
         for (std::size_t first = 2; first + length + 2 <= seen.count(); ++first) {
+            // Every sample of the run must deviate, hence the least distance.
             const auto out = seen.distances(first, length);
             if (!out || !(out->least > least_deviations * sigma_m)) continue;
+            // Usual deviation without the run, which would otherwise raise it.
             Seen without = seen;
             without.take_out(first, length);
             const std::optional<double> unrest = without.unrest_around(first, length);

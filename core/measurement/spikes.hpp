@@ -6,20 +6,22 @@
 
 namespace myo::measurement {
 
-/// Samples of a track that no motion explains.
+/// Isolated outliers of a track.
 struct Spikes {
     std::vector<Eigen::Index> samples;  // ascending
-    double largest_m = 0.0;             // farthest that one stands out
+    double largest_m = 0.0;             // largest distance from the interpolated motion
 };
 
-/// Runs of one to three samples that stand out from a cubic through their neighbours in time, as a reflection or
-/// another marker taken for this one makes them: by ten deviations of the noise and six times as far as any sample
-/// nearby does without them. What stays where it jumped to (a marker that slips), and a bend of the motion (a body let
-/// go), which the neighbours show, too, are none. Hampel's idea (1974) with a motion in the median's place.
+/// Finds spikes: runs of one to three samples that deviate from a cubic through their neighbours in time.
 ///
-/// @param track   3 x T [m], NaN where occluded
-/// @param time_s  T, ascending
-/// @param sigma_m deviation of the noise per coordinate; 0 where it is not known
+/// The cause is a reflection, or another marker mistaken for this one. Every sample of the run must deviate by more
+/// than ten standard deviations of the noise and six times as far as nearby samples do without the run. A marker that
+/// stays where it jumped to (slip) and a kink of the motion (a released body), which the neighbours show as well, are
+/// no spikes. This is the Hampel filter (1974) with a local motion in place of the median.
+///
+/// @param track    3 x T [m], NaN where occluded
+/// @param time_s   T, ascending
+/// @param sigma_m  standard deviation of the noise per coordinate; 0 if unknown
 Spikes find_spikes(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s, double sigma_m);
 
 }  // namespace myo::measurement

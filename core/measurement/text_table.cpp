@@ -16,6 +16,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::vector<TextLine> split_lines(std::string_view content) {
+    // Byte-order mark of UTF-8.
     if (content.substr(0, 3) == "\xEF\xBB\xBF") content.remove_prefix(3);
     std::vector<TextLine> lines;
     int number = 0;
@@ -39,8 +40,10 @@ std::vector<std::string_view> split_fields(std::string_view line, char separator
         if (i < line.size() && line[i] == '"') quoted = !quoted;
         if (i < line.size() && (quoted || line[i] != separator)) continue;
         std::string_view field = trimmed(line.substr(start, i - start));
+        // Quotes are removed after trimming, so that blanks within them stay.
         if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
         start = i + 1;
+        // Consecutive blanks are one separator.
         if (separator == ' ' && field.empty()) continue;
         fields.push_back(field);
     }
@@ -61,6 +64,7 @@ std::string at_line(const std::filesystem::path& path, int line) { return path.s
 std::string exact_number(double value) {
     if (std::isnan(value)) return "nan";
     char buffer[32];
+    // to_chars gives the shortest exact representation.
     const auto [end, code] = std::to_chars(buffer, buffer + sizeof buffer, value);
     return code == std::errc{} ? std::string(buffer, end) : std::string("nan");
 }

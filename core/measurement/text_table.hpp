@@ -9,30 +9,29 @@
 
 namespace myo::measurement {
 
-/// A line of a text file without its end, and its number counted from 1.
+/// A line of a text file without its line ending.
 struct TextLine {
-    int number = 0;
-    std::string_view text;
+    int number = 0;         // from 1
+    std::string_view text;  // refers to the content passed to split_lines()
 };
 
-/// The lines of a text: a byte-order mark is skipped, CR LF and LF both end a line, blank lines at the end are left
-/// out.
+/// Lines of a text. A byte-order mark is skipped, CR LF and LF both end a line, blank lines at the end are dropped.
 std::vector<TextLine> split_lines(std::string_view content);
 
-/// The fields of a line, blanks around them removed. A separator inside double quotes does not separate, quotes around
-/// a field are dropped; when the separator is a blank, several of them count as one.
+/// Fields of a line without surrounding blanks. Separators within double quotes do not separate, and quotes around a
+/// field are removed. With a blank as separator, consecutive blanks count as one.
 std::vector<std::string_view> split_fields(std::string_view line, char separator);
 
-/// A text of a field without blanks around it.
+/// Text without surrounding blanks, tabs and carriage returns.
 std::string_view trimmed(std::string_view text);
 
-/// A finite number, or NaN for "nan" and for an empty field; false for anything else, infinities included.
+/// Parses a finite number; NaN for "nan" and for an empty field. Returns false otherwise, also for infinities.
 bool parse_sample(std::string_view field, double& value);
 
-/// "file:line"
+/// Position in a file for messages: "file:line".
 std::string at_line(const std::filesystem::path& path, int line);
 
-/// Decimal text that reads back as the same double; "nan" for NaN. Locale-free.
+/// Shortest decimal text that reads back as the same double; "nan" for NaN. Independent of the locale.
 std::string exact_number(double value);
 
 }  // namespace myo::measurement

@@ -10,9 +10,9 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
-constexpr Index most_samples = 600;  // of the longer record: enough for a tenth of a sample by the parabola
+constexpr Index most_samples = 600;  // of the resampled record: sufficient for a tenth of a sample with the parabola
 
-/// Linear between samples; the first value before them, NaN after them.
+/// Linear interpolation; NaN outside the samples, except the first value before them if `rests_before`.
 Eigen::RowVectorXd resampled(const Eigen::VectorXd& time_s, const Eigen::RowVectorXd& values,
                              const Eigen::VectorXd& at_s, bool rests_before) {
     Eigen::RowVectorXd result = Eigen::RowVectorXd::Constant(at_s.size(), std::numeric_limits<double>::quiet_NaN());
@@ -24,6 +24,7 @@ Eigen::RowVectorXd resampled(const Eigen::VectorXd& time_s, const Eigen::RowVect
             continue;
         }
         if (t > time_s[time_s.size() - 1]) break;
+        // at_s ascends: the interval index only moves forward.
         while (k + 2 < time_s.size() && time_s[k + 1] < t) ++k;
         const double w = (t - time_s[k]) / (time_s[k + 1] - time_s[k]);
         result[i] = (1.0 - w) * values[k] + w * values[k + 1];
@@ -31,8 +32,8 @@ Eigen::RowVectorXd resampled(const Eigen::VectorXd& time_s, const Eigen::RowVect
     return result;
 }
 
-/// Pooled over coordinates, each less its mean over the samples that both have; NaN when they share less than a part of
-/// the record.
+/// Correlation coefficient pooled over the coordinates, each about its mean over the shared samples; NaN if less than a
+/// third of the samples are shared or nothing moves.
 double correlation(const std::vector<Eigen::RowVectorXd>& a, const std::vector<Eigen::RowVectorXd>& b) {
     double ab = 0.0, aa = 0.0, bb = 0.0;
     Index shared = 0, all = 0;
@@ -41,6 +42,7 @@ double correlation(const std::vector<Eigen::RowVectorXd>& a, const std::vector<E
         Index n = 0;
         for (Index i = 0; i < a[c].size(); ++i) {
             const double x = a[c][i], y = b[c][i];
+            // `all` counts what the record has, `shared` what both have.
             if (std::isnan(y)) continue;
             ++all;
             if (std::isnan(x)) continue;
@@ -74,7 +76,7 @@ Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, con
     std::vector<Eigen::RowVectorXd> seen;
     for (const Matrix3Xd& track : record)
         for (int axis = 0; axis < 3; ++axis) seen.push_back(resampled(record_time_s, track.row(axis), grid, false));
-    // Reference time 0 may fall anywhere in the record.
+    // Exhaustive search: time 0 of the reference may lie anywhere in the record.
     Eigen::VectorXd scores(count);
     const auto score = [&](double delay) {
         std::vector<Eigen::RowVectorXd> shifted;
@@ -90,6 +92,7 @@ Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, con
         if (!std::isnan(scores[i]) && (best < 0 || scores[i] > scores[best])) best = i;
     }
     if (best < 0) return Error{"nothing moves in one of the records", ""};
+    // Vertex of the parabola through the best score and its neighbours.
     double shift = 0.0;
     if (best > 0 && best + 1 < count && !std::isnan(scores[best - 1]) && !std::isnan(scores[best + 1])) {
         const double bend = scores[best - 1] - 2.0 * scores[best] + scores[best + 1];

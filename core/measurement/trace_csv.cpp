@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> axis_suffixes{"_x_m", "_y_m", "_z_m"};
 
-// Column of each axis of each marker, from the header line.
+// Columns of the axes of each marker, from the header line.
 Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_view>& names,
                                                   const std::string& where) {
     std::vector<MarkerColumns> markers;
@@ -31,6 +31,7 @@ Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_
                          where};
         }
         const std::string label(name.substr(0, name.size() - 4));
+        // Columns of a marker need not be adjacent.
         const auto [entry, is_new] = index.emplace(label, markers.size());
         if (is_new) markers.push_back({label, {absent, absent, absent}});
         std::size_t& place = markers[entry->second].columns[*axis];
@@ -48,6 +49,7 @@ Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_
     return markers;
 }
 
+/// Column name, quoted if the label contains the separator.
 std::string header_name(const std::string& label, std::string_view suffix) {
     const std::string name = label + std::string(suffix);
     return name.find(',') == std::string::npos ? name : "\"" + name + "\"";
@@ -77,6 +79,7 @@ Result<Recording> read_trace_csv(const std::filesystem::path& path) {
 Result<void> write_trace_csv(const std::filesystem::path& path, const Recording& recording) {
     std::string text = "time_s";
     for (const std::string& label : recording.labels) {
+        // Quotes and line ends would not survive reading the header back.
         if (label.empty() || label.find_first_of("\"\n\r") != std::string::npos) {
             return Error{"marker label '" + label + "' cannot stand in a csv header", path.string()};
         }

@@ -7,15 +7,19 @@
 
 namespace myo::measurement {
 
-/// Reads a trace in the csv form of an experiment folder: `time_s,<marker>_x_m,<marker>_y_m,<marker>_z_m,...`, metres.
+/// Reads a trace in the csv format of an experiment folder:
+/// `time_s,<marker>_x_m,<marker>_y_m,<marker>_z_m,...`, in metres.
 ///
-/// `nan` or an empty field occludes the sample. Markers keep the order in which the header first names them; rate_Hz is
-/// the inverse of the median time step. Rows that repeat their predecessor (a polled stream) are kept: see
-/// repeated_samples. Errors, with file and line: no number where one is expected, missing axis, duplicated or unknown
-/// column, times that do not ascend, ragged rows, no rows.
+/// A sample is occluded by `nan` or an empty field. Markers keep the order of their first column; rate_Hz is the
+/// inverse of the median time step. Rows that repeat their predecessor (polled streams) are kept: see
+/// repeated_samples().
+/// Errors (file and line): a field that is not a number; a missing axis; a duplicate or unknown
+/// column; times that do not ascend; rows of unequal length; no rows.
 Result<Recording> read_trace_csv(const std::filesystem::path& path);
 
-/// Writes the same form, `nan` for gaps; numbers read back exactly.
+/// Writes the format of read_trace_csv(), `nan` in gaps. Numbers read back exactly.
+///
+/// Errors: the file cannot be written; a label that a csv header cannot hold.
 Result<void> write_trace_csv(const std::filesystem::path& path, const Recording& recording);
 
 }  // namespace myo::measurement

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::string_view separators = ",;\t ";
 
-/// A number, or what tables write where there is none.
+/// Whether a field is a number or a mark for a missing value.
 bool is_value(std::string_view field) {
     double value;
     return field == "NULL" || parse_sample(field, value);
 }
 
-/// The separator by which a line falls into coordinates of whole markers.
+/// Source of a table without header: the separator that splits the line into whole markers.
 std::optional<TraceSource> headerless(std::string_view line) {
     for (const char separator : separators) {
         const std::vector<std::string_view> fields = split_fields(line, separator);
@@ -61,13 +61,14 @@ Result<Recording> read_trace(const std::filesystem::path& path, const TraceSourc
 Result<TraceSource> guess_trace_source(const std::filesystem::path& path) {
     const Result<std::string> content = read_file(path);
     if (!content) return content.error();
-    // Every C3D file begins with the number of its parameter block and the byte 0x50.
+    // A C3D file begins with the number of its parameter block and the byte 0x50.
     if (content->size() > 512 && static_cast<unsigned char>((*content)[1]) == 0x50)
         return TraceSource{TraceFormat::c3d, {}, {}};
     const std::vector<TextLine> lines = split_lines(*content);
     const auto first = std::find_if(lines.begin(), lines.end(),
                                     [](const TextLine& line) { return !trimmed(line.text).empty(); });
     if (first == lines.end()) return Error{"holds no samples", path.string()};
+    // Qualisys exports may begin with any of these header lines.
     if (first->text.starts_with("NO_OF_") || first->text.starts_with("FREQUENCY") ||
         first->text.starts_with("MARKER_NAMES"))
         return TraceSource{TraceFormat::qtm_tsv, {}, {}};

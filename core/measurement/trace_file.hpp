@@ -9,25 +9,28 @@
 
 namespace myo::measurement {
 
-/// Forms in which motion-capture recordings come.
+/// File formats of motion-capture recordings.
 enum class TraceFormat { csv, qtm_tsv, c3d, columns };
 
-/// The schema's word for a format.
+/// Name of a format in the experiment schema.
 const char* to_string(TraceFormat format);
 
-/// How a file is to be read.
+/// How to read a file.
 struct TraceSource {
     TraceFormat format = TraceFormat::csv;
-    std::optional<ColumnLayout> columns;    // for `columns`
-    std::optional<double> metres_per_unit;  // of a C3D file that names no unit
+    std::optional<ColumnLayout> columns;    // required for the format `columns`
+    std::optional<double> metres_per_unit;  // for a C3D file that states no unit
 };
 
-/// Errors: those of the format's reader.
+/// Reads a recording with the reader of its format.
+/// Errors: those of the reader.
 Result<Recording> read_trace(const std::filesystem::path& path, const TraceSource& source);
 
-/// The format of a file, from its ending and its first lines, and of a table without header its separator and how many
-/// markers fit; these are named "marker 1", "marker 2", ... Unit and rate of such a table are not in it: they are left
-/// 0. Errors: the file cannot be read; it is of no known form.
+/// Detects the format of a file from its first bytes and lines.
+///
+/// For a table without header also the separator and the number of markers, which are named "marker 1", "marker 2", ...
+/// Unit and rate of such a table cannot be detected and stay 0.
+/// Errors: the file cannot be read; unknown format.
 Result<TraceSource> guess_trace_source(const std::filesystem::path& path);
 
 }  // namespace myo::measurement

@@ -8,6 +8,7 @@
 namespace myo::measurement {
 
 std::optional<double> metres_per_unit(std::string_view name) {
+    // Spellings found in motion-capture files, in lower case; \xC2\xB5 is the micro sign in UTF-8.
     static constexpr std::array<std::pair<std::string_view, double>, 24> units{{
         {"m", 1.0},         {"meter", 1.0},       {"meters", 1.0},       {"metre", 1.0},       {"metres", 1.0},
         {"mm", 1e-3},       {"millimeter", 1e-3}, {"millimeters", 1e-3}, {"millimetre", 1e-3}, {"millimetres", 1e-3},

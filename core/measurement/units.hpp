@@ -5,7 +5,7 @@
 
 namespace myo::measurement {
 
-/// Metres per unit of a length's name as files spell it ("mm", "Meters", "in"); nothing when it is not known.
+/// Metres per unit of length from the unit's name in files ("mm", "Meters", "in"); nullopt if unknown.
 std::optional<double> metres_per_unit(std::string_view name);
 
 }  // namespace myo::measurement

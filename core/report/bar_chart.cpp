@@ -8,11 +8,13 @@
 namespace myo::report {
 namespace {
 
+// Right margin for the last tick label, and space above a panel for its axis title [px].
 constexpr double right_margin = 22.0, title_of_panel = 24.0;
 
-// From zero to the value, whichever is above; nothing for a value that cannot be drawn.
+// Bar between zero and the value, in either order; empty if the value cannot be drawn.
 std::string draw_bar(const PlannedAxis& y, const Rectangle& area, double left, double width, double value,
                      std::string_view colour) {
+    // A logarithmic axis has no zero: bars start at its lower end.
     const double base = y.scale(y.scale.logarithmic ? y.scale.lowest
                                                     : std::clamp(0.0, y.scale.lowest, y.scale.highest));
     const double end = std::clamp(y.scale(value), area.top, area.bottom());
@@ -20,7 +22,7 @@ std::string draw_bar(const PlannedAxis& y, const Rectangle& area, double left, d
     return svg_box({left, std::min(base, end), width, std::abs(end - base)}, colour, width > 8.0 ? 1.5 : 0.0);
 }
 
-// Category names under the axis; long ones are turned so that they do not meet.
+// Category names below the axis; long ones are rotated so that they do not overlap.
 std::string draw_categories(const std::vector<std::string>& names, const Rectangle& area, bool turned) {
     std::string out = svg_line(area.left, area.bottom(), area.right(), area.bottom(), ink::axis, 1.0);
     const double slot = area.width / std::max<double>(1.0, static_cast<double>(names.size()));
@@ -35,6 +37,7 @@ std::string draw_categories(const std::vector<std::string>& names, const Rectang
     return out;
 }
 
+/// No legend for a single group.
 std::vector<LegendEntry> legend_of(const BarChart& chart) {
     std::vector<LegendEntry> entries;
     if (chart.groups.size() < 2) return entries;
@@ -47,18 +50,21 @@ std::vector<LegendEntry> legend_of(const BarChart& chart) {
 
 std::string svg(const BarChart& chart) {
     Axis axis = chart.y;
+    // Bars encode values by length: the axis must contain zero.
     axis.include_zero = !axis.logarithmic;
     DataRange range(axis);
     for (const BarGroup& group : chart.groups) {
         assert(group.values.size() == chart.categories.size());
         for (const double value : group.values) range.add(value);
     }
+    // The left margin depends on the tick labels, so the axis is planned for the height first and shifted later.
     PlannedAxis y = plan_axis(axis, range, 0.06, chart.height_px, 0.0);
     const double left = std::max(30.0, label_room(y.ticks));
     const double width = std::max(60.0, chart.width_px - left - right_margin);
     const double count = std::max<double>(1.0, static_cast<double>(chart.categories.size()));
     double widest = 0.0;
     for (const std::string& name : chart.categories) widest = std::max(widest, text_width(name));
+    // Rotate all labels if the widest one is wider than its category.
     const bool turned = widest > width / count - 8.0;
 
     double title_height = 0.0, legend_height = 0.0;
@@ -69,6 +75,7 @@ std::string svg(const BarChart& chart) {
     y.scale.to_px += area.top;
     body += draw_vertical_axis(axis, y, area);
     const double slot = width / count, groups = std::max<double>(1.0, static_cast<double>(chart.groups.size()));
+    // 72 % of a category are bars, the rest separates categories; few bars do not become wider than 56 px.
     const double bar = std::min(0.72 * slot / groups, 56.0);
     for (std::size_t g = 0; g < chart.groups.size(); ++g)
         for (std::size_t i = 0; i < std::min(chart.groups[g].values.size(), chart.categories.size()); ++i)
@@ -76,6 +83,7 @@ std::string svg(const BarChart& chart) {
                 y, area, left + (static_cast<double>(i) + 0.5) * slot + (static_cast<double>(g) - 0.5 * groups) * bar,
                 bar - 1.0, chart.groups[g].values[i], slot_colour(static_cast<int>(g)));
     body += draw_categories(chart.categories, area, turned);
+    // Height of the category labels; rotated ones are cut off at 140 px.
     const double below = turned ? 22.0 + std::min(0.6 * widest, 140.0) : 26.0;
     return open_svg(left + width + right_margin, area.bottom() + below, chart.title) + body + "</svg>\n";
 }
@@ -100,6 +108,7 @@ std::string svg(const Histogram& histogram) {
     for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
         const double from = std::clamp(x.scale(histogram.edges[i]), area.left, area.right());
         const double to = std::clamp(x.scale(histogram.edges[i + 1]), area.left, area.right());
+        // Outside the given range of the axis.
         if (!(to > from)) continue;
         body += draw_bar(y, area, from + 0.5, std::max(0.5, to - from - 1.0), histogram.counts[i], slot_colour(0));
     }

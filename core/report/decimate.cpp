@@ -14,13 +14,14 @@ void append(Polyline& out, const Polyline& in, std::size_t i) {
     out.y.push_back(in.y[i]);
 }
 
-// Points [begin, end) lie in one column and are all finite.
+// Keeps the extremes and ends of the points [begin, end), which lie in one column and are finite.
 void append_run(Polyline& out, const Polyline& in, std::size_t begin, std::size_t end) {
     std::size_t low = begin, high = begin;
     for (std::size_t i = begin; i < end; ++i) {
         if (in.y[i] < in.y[low]) low = i;
         if (in.y[i] > in.y[high]) high = i;
     }
+    // In order of index, without duplicates.
     std::array<std::size_t, 4> keep = {begin, std::min(low, high), std::max(low, high), end - 1};
     for (std::size_t k = 0; k < keep.size(); ++k)
         if (k == 0 || keep[k] != keep[k - 1]) append(out, in, keep[k]);
@@ -33,10 +34,12 @@ Polyline decimate(const Polyline& curve, double columns_per_px) {
     const std::size_t count = curve.x.size();
     if (count < 400) return curve;
     const auto gap = [&](std::size_t i) { return !std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i]); };
+    // Only consecutive points of a column are merged, so that a curve may go back in x.
     const auto column = [&](std::size_t i) { return std::floor(curve.x[i] * columns_per_px); };
     Polyline out;
     for (std::size_t i = 0; i < count;) {
         if (gap(i)) {
+            // Consecutive gaps are reduced to one.
             if (!out.x.empty() && std::isfinite(out.y.back())) {
                 out.x.push_back(std::numeric_limits<double>::quiet_NaN());
                 out.y.push_back(std::numeric_limits<double>::quiet_NaN());

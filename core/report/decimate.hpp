@@ -4,16 +4,16 @@
 
 namespace myo::report {
 
-/// Points of a curve in pixels; a point with NaN is a gap.
+/// Points of a curve in pixels; a NaN point is a gap.
 struct Polyline {
     std::vector<double> x;
     std::vector<double> y;
 };
 
-/// Thins a curve to what a picture can show: of each run of points in one pixel column the first, lowest, highest and
-/// last stay, in their order. Extremes and gaps survive; a curve that is short already is returned as it is.
+/// Reduces a curve to what is visible: of the consecutive points in one pixel column the first, lowest, highest and
+/// last are kept, in order. Extremes and gaps are preserved. Curves of fewer than 400 points are returned unchanged.
 ///
-/// @param columns_per_px  columns per pixel; 2 keeps prints sharp
+/// @param columns_per_px  columns per pixel; 2 is sufficient for sharp prints
 Polyline decimate(const Polyline& curve, double columns_per_px = 2.0);
 
 }  // namespace myo::report

@@ -9,22 +9,26 @@ namespace {
 
 constexpr double row_height = 30.0;
 
+/// Symbol of the reference value.
 std::string diamond(double x, double y) {
     return "<path d=\"M" + pixel(x) + " " + pixel(y - 6.0) + "L" + pixel(x + 5.0) + " " + pixel(y) + "L" + pixel(x) +
            " " + pixel(y + 6.0) + "L" + pixel(x - 5.0) + " " + pixel(y) + "Z\" fill=\"" + std::string(ink::paper) +
            "\" stroke=\"" + std::string(slot_colour(1)) + "\" stroke-width=\"1.8\"/>\n";
 }
 
+/// Symbol of the estimate.
 std::string dot(double x, double y) {
     return "<circle cx=\"" + pixel(x) + "\" cy=\"" + pixel(y) + "\" r=\"4.2\" fill=\"" + std::string(slot_colour(0)) +
            "\"/>\n";
 }
 
+/// Interval with end caps.
 std::string draw_interval(double from, double to, double y) {
     return svg_line(from, y, to, y, slot_colour(0), 2.2) + svg_line(from, y - 5, from, y + 5, slot_colour(0), 1.6) +
            svg_line(to, y - 5, to, y + 5, slot_colour(0), 1.6);
 }
 
+/// One row: grid line, name, interval clipped to the area, reference and estimate, or a note if it cannot be shown.
 std::string draw_row(const ErrorBarRow& row, const PlannedAxis& x, const Rectangle& area, double y) {
     std::string out = svg_line(area.left, y, area.right(), y, ink::grid, 1.0) +
                       svg_text(area.left - 9.0, y + 4.0, row.name,
@@ -54,7 +58,9 @@ std::string svg(const ErrorBarChart& chart) {
         referenced = referenced || row.reference.has_value();
         left = std::max(left, text_width(row.name, 11.5) + 16.0);
     }
+    // References must be visible, so they extend the range.
     for (const ReferenceLine& line : chart.vertical) range.add(line.value);
+    // Long names must leave at least half of the width to the axis.
     left = std::min(left, 0.5 * chart.width_px);
     const double width = std::max(60.0, chart.width_px - left - 22.0);
     const PlannedAxis x = plan_axis(chart.x, range, 0.06, left, left + width);
@@ -67,6 +73,7 @@ std::string svg(const ErrorBarChart& chart) {
             title_height + 6.0, width, legend_height);
     const Rectangle area{left, title_height + legend_height + 12.0, width,
                          row_height * static_cast<double>(std::max<std::size_t>(1, chart.rows.size()))};
+    // Grid first, rows on top of it.
     for (const double value : x.ticks.values)
         body += svg_line(x.scale(value), area.top, x.scale(value), area.bottom(), ink::grid, 1.0);
     body += draw_horizontal_axis(chart.x, x, area, true) + draw_vertical_references(chart.vertical, x.scale, area);

@@ -8,12 +8,14 @@
 namespace myo::report {
 
 double Scale::operator()(double value) const {
+    // Fraction of the range, 0 at `lowest` and 1 at `highest`; linear in the logarithm for a logarithmic axis.
     const double s = logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
                                  : (value - lowest) / (highest - lowest);
     return from_px + s * (to_px - from_px);
 }
 
 void DataRange::add(double value) {
+    // Values that cannot be drawn must not determine the range.
     if (!std::isfinite(value) || (logarithmic && value <= 0.0)) return;
     lowest = std::min(lowest, value);
     highest = std::max(highest, value);
@@ -21,10 +23,12 @@ void DataRange::add(double value) {
 
 PlannedAxis plan_axis(const Axis& axis, const DataRange& data, double padding, double from_px, double to_px) {
     double lowest = data.lowest, highest = data.highest;
+    // Labels need about 80 px side by side and 42 px one above the other.
     const double length = std::abs(to_px - from_px);
     const int wanted = std::clamp(static_cast<int>(length / (to_px > from_px ? 80.0 : 42.0)), 2, 10);
     PlannedAxis plan;
     if (axis.logarithmic) {
+        // Padding of a logarithmic axis is a factor.
         if (lowest > 0.0 && lowest < highest) {
             const double rim = std::pow(highest / lowest, padding);
             lowest /= rim;
@@ -38,9 +42,10 @@ PlannedAxis plan_axis(const Axis& axis, const DataRange& data, double padding, d
             lowest = std::min(lowest, 0.0);
             highest = std::max(highest, 0.0);
         }
+        // Before padding: a constant curve gets a range around its value.
         make_drawable(lowest, highest);
         const double rim = padding * (highest - lowest);
-        // Bars and other axes that stand on zero keep it as their end.
+        // Axes that start at zero keep zero as their end, without padding.
         if (!(axis.include_zero && lowest == 0.0)) lowest -= rim;
         if (!(axis.include_zero && highest == 0.0)) highest += rim;
         lowest = axis.lowest.value_or(lowest);
@@ -53,12 +58,14 @@ PlannedAxis plan_axis(const Axis& axis, const DataRange& data, double padding, d
 
 std::string axis_title(const Axis& axis, const Ticks& ticks) {
     std::string unit = ticks.factor;
+    // The power of ten that the labels were divided by belongs to the unit.
     if (!axis.unit.empty()) unit += (unit.empty() ? "" : " ") + axis.unit;
     if (unit.empty()) return axis.label;
     return axis.label + (axis.label.empty() ? "[" : " [") + unit + "]";
 }
 
 std::string open_svg(double width, double height, const std::string& title) {
+    // role and aria-label make the figure accessible to screen readers.
     const std::string label = escape_markup(title.empty() ? "figure" : title);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixel(width) + " " + pixel(height) +
            "\" role=\"img\" aria-label=\"" + label +
@@ -75,6 +82,7 @@ std::string svg_text(double x, double y, std::string_view text, const TextStyle&
     if (style.bold) out += " font-weight=\"600\"";
     if (style.halo)
         out += " stroke=\"" + std::string(ink::paper) +
+               // paint-order draws the outline below the glyphs.
                "\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
     return out + ">" + escape_markup(text) + "</text>\n";
 }
@@ -96,6 +104,7 @@ std::string svg_box(const Rectangle& box, std::string_view colour, double radius
     return out + "/>\n";
 }
 
+// Mean glyph width of common sans-serif fonts: 0.57 of the font size.
 double text_width(std::string_view text, double size) { return 0.57 * size * character_count(text); }
 
 std::string_view slot_colour(int slot) {
@@ -113,7 +122,9 @@ std::string draw_legend(const std::vector<LegendEntry>& entries, double left, do
     std::string out;
     double x = left, y = top + 12.0;
     for (const LegendEntry& entry : entries) {
+        // 22 px for the symbol and a space of 6 px.
         const double needed = 28.0 + text_width(entry.name, 11.5);
+        // Wrap, but never leave a line empty.
         if (x > left && x + needed > left + width) {
             x = left;
             y += 18.0;

@@ -7,10 +7,10 @@
 
 namespace myo::report {
 
-/// The page's style sheet.
+/// Style sheet of the page, for screen (light and dark) and print.
 std::string_view html_style();
 
-/// A table as HTML.
+/// A table as HTML. Text is escaped.
 std::string html_table(const Table& table);
 
 }  // namespace myo::report

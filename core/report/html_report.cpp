@@ -9,6 +9,7 @@
 namespace myo::report {
 namespace {
 
+/// <name>content</name>; the content must be escaped.
 std::string element(const std::string& name, const std::string& escaped_content) {
     return "<" + name + ">" + escaped_content + "</" + name + ">\n";
 }
@@ -19,6 +20,7 @@ std::string list_of(const std::vector<std::string>& items) {
     return items.empty() ? out : element("ul", out);
 }
 
+/// Splits at blank lines.
 std::string block(const Paragraph& paragraph) {
     std::string out, rest = paragraph.text;
     for (std::size_t end = 0; !rest.empty(); rest.erase(0, end)) {
@@ -31,14 +33,17 @@ std::string block(const Paragraph& paragraph) {
 
 std::string block(const BulletList& list) { return list_of(list.items); }
 
+// Tables have their own file because of the number formats.
 std::string block(const Table& table) { return html_table(table); }
 
 std::string block(const Figure& figure) {
+    // The SVG comes from svg() and is inserted without escaping.
     std::string out = "<figure>\n" + figure.svg;
     if (!figure.caption.empty()) out += element("figcaption", escape_markup(figure.caption));
     return out + "</figure>\n";
 }
 
+/// Empty without warnings.
 std::string block(const WarningBox& box) {
     if (box.lines.empty()) return {};
     std::string out = "<div class=\"warn\" role=\"note\"><strong>";
@@ -48,8 +53,8 @@ std::string block(const WarningBox& box) {
 
 std::string block(const Preformatted& text) { return element("pre", escape_markup(text.text)); }
 
-// Inside a script element HTML knows no entities; the text must hold no "<" (it could end the element) and, for readers
-// of the page as XML, no "&" either. In JSON they can only stand in strings, where \u escapes mean the same.
+// HTML has no entities within a script element, so the text must not contain "<", which could end the element, nor, for
+// XML readers of the page, "&". In JSON both occur within strings only, where \u escapes are equivalent.
 std::string block(const EmbeddedJson& json) {
     std::string safe;
     for (const char c : json_line(json.value)) {
@@ -67,6 +72,7 @@ std::string block(const EmbeddedJson& json) {
 
 std::string blocks(const std::vector<Block>& content);
 
+// Details contain blocks, and blocks may be details: hence the declaration above.
 std::string block(const Details& details) {
     return "<details><summary>" + escape_markup(details.summary) + "</summary>\n" + blocks(details.blocks) +
            "</details>\n";
@@ -78,6 +84,7 @@ std::string blocks(const std::vector<Block>& content) {
     return out;
 }
 
+/// Key figures as a definition list.
 std::string tiles(const std::vector<KeyFigure>& figures) {
     if (figures.empty()) return {};
     std::string out = "<dl class=\"figures\">\n";
@@ -97,7 +104,7 @@ std::string html(const HtmlReport& report) {
     std::string out =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-        // An icon in the page itself: browsers would ask the network for one.
+        // An empty icon in the page prevents browsers from requesting one.
         "<link rel=\"icon\" href=\"data:,\"/>\n<title>" +
         title + "</title>\n<style>" + std::string(html_style()) + "</style>\n</head>\n<body>\n<main>\n<header>\n<h1>" +
         title + "</h1>\n";

@@ -13,29 +13,34 @@
 
 namespace myo::report {
 
-/// A report as a value; html() turns it into one self-contained page: no script, no network, prints well.
+// The page is built from typed blocks instead of HTML text, so that escaping and number formats are decided in one
+// place.
+
+/// A report as a value; html() converts it to one self-contained page without scripts or network access, also for
+/// print.
 ///
 ///     HtmlReport report{.title = "Silicone beam", .summary = {"Calibrated on two trials."}};
 ///     report.sections.push_back({"Fit", {Paragraph{"..."}, Figure{svg(chart), "Tip marker."}, table}});
 ///     write_html(out / "report.html", report);
 
-/// Plain text; markup in it is shown, not obeyed. A blank line starts a new paragraph.
+/// Plain text; markup in it is escaped. A blank line starts a new paragraph.
 struct Paragraph {
     std::string text = {};
 };
 
-/// Unnumbered list.
+/// Unordered list.
 struct BulletList {
     std::vector<std::string> items = {};
 };
 
+/// Column of a table.
 struct Column {
     std::string title = {};
-    std::string unit = {};  // shown under the title; empty for none
-    int digits = 4;         // significant digits of the column's largest number
+    std::string unit = {};  // shown below the title; may be empty
+    int digits = 4;         // significant digits of the largest number in the column
 };
 
-/// Text or a number. A number that is not finite shows as a dash.
+/// Text or a number. A number that is not finite is shown as a dash.
 struct Cell {
     std::variant<std::string, double> content;
     Cell(std::string text) : content(std::move(text)) {}
@@ -45,55 +50,58 @@ struct Cell {
         : content(static_cast<double>(value)) {}
 };
 
-/// Columns whose cells are all numbers are set in figures of equal width, aligned at the point. Rows shorter than the
-/// header are filled with empty cells.
+/// Table. Columns of numbers only use figures of equal width and align the decimal point. Rows shorter than the header
+/// are filled with empty cells.
 struct Table {
     std::string caption = {};
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};
 };
 
-/// An SVG document (from chart.hpp) with a caption.
+/// SVG document (from chart.hpp) with a caption.
 struct Figure {
     std::string svg = {};
     std::string caption = {};
 };
 
+/// Highlighted warnings.
 struct WarningBox {
-    std::vector<std::string> lines = {};  // none = no box
+    std::vector<std::string> lines = {};  // empty: no box
 };
 
-/// Monospaced text as it is.
+/// Monospaced text without formatting.
 struct Preformatted {
     std::string text = {};
 };
 
-/// Machine-readable copy inside the page: <script type="application/json" id="...">, invisible.
+/// Invisible machine-readable data in the page: <script type="application/json" id="...">.
 struct EmbeddedJson {
-    std::string id = {};
+    std::string id = {};  // id attribute, unique in the page
     Json value;
 };
 
 struct Block;
 
-/// Closed until clicked; printed open by browsers that can.
+/// Collapsed content. Browsers that support it print it expanded.
 struct Details {
     std::string summary = {};
     std::vector<Block> blocks = {};
 };
 
+/// Any content of a section. Converts implicitly from each kind.
 struct Block {
     std::variant<Paragraph, BulletList, Table, Figure, WarningBox, Preformatted, EmbeddedJson, Details> content;
     template <class Kind>
     requires(!std::same_as<std::remove_cvref_t<Kind>, Block>) Block(Kind&& kind) : content(std::forward<Kind>(kind)) {}
 };
 
+/// Part of a report with a heading.
 struct Section {
     std::string title = {};
     std::vector<Block> blocks = {};
 };
 
-/// A number worth a tile at the top.
+/// A number shown as a tile at the top of the page.
 struct KeyFigure {
     std::string label = {};
     std::string value = {};  // "2.61 × 10⁵"
@@ -101,19 +109,21 @@ struct KeyFigure {
     std::string note = {};  // "± 0.02", "was 3.1"
 };
 
+/// Content of a report page.
 struct HtmlReport {
     std::string title = {};
     std::vector<std::string> summary = {};  // lines below the title
     std::vector<KeyFigure> key_figures = {};
     WarningBox warnings = {};
     std::vector<Section> sections = {};
-    std::string footer = {};  // versions, options, when
+    std::string footer = {};  // e.g. versions, options, time
 };
 
-/// The page. Well-formed as XML as well; text is escaped, JSON cannot end its script element.
+/// The HTML page. It is also well-formed XML; text is escaped, and embedded JSON cannot end its script element.
 std::string html(const HtmlReport& report);
 
-/// Writes the page at once (temporary name, then renamed).
+/// Writes the page atomically (temporary file, then rename).
+/// Errors: those of writing the file.
 Result<void> write_html(const std::filesystem::path& path, const HtmlReport& report);
 
 }  // namespace myo::report

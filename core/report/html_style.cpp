@@ -2,6 +2,9 @@
 
 namespace myo::report {
 
+// Colours are variables, redefined for dark screens and for print. No external fonts or images: the page is
+// self-contained.
+// Figures keep white paper in dark mode; tables scroll sideways on narrow screens.
 std::string_view html_style() {
     return R"css(
 :root { color-scheme: light dark; --paper: #ffffff; --ink: #1b1f24; --quiet: #57606a; --rule: #d8dee4; --soft: #f6f8fa;

@@ -7,18 +7,19 @@
 namespace myo::report {
 namespace {
 
-// How the numbers of one column are written: with common decimals, so that points stand below each other, unless their
-// sizes differ so much that small ones would lose their digits.
+// Number format of a column: common decimals, so that decimal points align, unless the magnitudes differ so much that
+// small numbers would lose their digits.
 struct NumberFormat {
-    bool numeric = false;
+    bool numeric = false;  // all cells are numbers
     int digits = 4;
-    int decimals = -1;  // -1: each number by itself
+    int decimals = -1;  // common number of decimals; -1: each number separately
     std::string operator()(double value) const {
         if (!std::isfinite(value)) return "–";
         return decimals < 0 ? readable_number(value, digits) : fixed_decimals(value, decimals);
     }
 };
 
+/// Chooses the format from the magnitudes of the numbers in the column.
 NumberFormat format_of_column(const Table& table, std::size_t column) {
     NumberFormat format{.numeric = !table.rows.empty(), .digits = std::max(1, table.columns[column].digits)};
     double smallest = INFINITY, largest = 0.0;
@@ -26,6 +27,7 @@ NumberFormat format_of_column(const Table& table, std::size_t column) {
     for (const std::vector<Cell>& row : table.rows) {
         if (column >= row.size()) continue;
         const double* value = std::get_if<double>(&row[column].content);
+        // A single text cell makes the column a text column; zero and NaN do not influence the format.
         if (value == nullptr) format.numeric = false;
         if (value == nullptr || !std::isfinite(*value) || *value == 0.0) continue;
         smallest = std::min(smallest, std::abs(*value));
@@ -33,13 +35,15 @@ NumberFormat format_of_column(const Table& table, std::size_t column) {
         whole = whole && *value == std::round(*value);
     }
     if (largest == 0.0 || (whole && largest < 1e15)) {
-        format.decimals = 0;  // counts
+        format.decimals = 0;  // integers, e.g. counts
+        // Common decimals for magnitudes within a factor of 1000 only.
     } else if (largest < 1e7 && smallest >= 1e-4 && largest / smallest <= 1e3) {
         format.decimals = std::max(0, format.digits - 1 - static_cast<int>(std::floor(std::log10(largest))));
     }
     return format;
 }
 
+/// Header cell; class "n" aligns numbers to the right.
 std::string header_cell(const Column& column, bool numeric) {
     std::string out = numeric ? "<th scope=\"col\" class=\"n\">" : "<th scope=\"col\">";
     out += escape_markup(column.title);
@@ -48,6 +52,7 @@ std::string header_cell(const Column& column, bool numeric) {
 }
 
 std::string body_cell(const std::vector<Cell>& row, std::size_t column, const NumberFormat& format) {
+    // Short rows are filled.
     if (column >= row.size()) return "<td></td>";
     const auto& content = row[column].content;
     const double* value = std::get_if<double>(&content);

@@ -15,6 +15,7 @@ Json array_of(std::span<const double> values) {
     return array;
 }
 
+/// Invalid UTF-8 in strings becomes U+FFFD instead of an exception.
 constexpr auto replace_bad_bytes = Json::error_handler_t::replace;
 
 }  // namespace
@@ -34,7 +35,7 @@ Json json_columns(const Eigen::Ref<const Eigen::MatrixXd>& points) {
     return array;
 }
 
-// The library writes non-finite numbers as null by itself.
+// The library itself writes non-finite numbers as null.
 std::string json_text(const Json& value) { return value.dump(1, ' ', false, replace_bad_bytes) + "\n"; }
 
 std::string json_line(const Json& value) { return value.dump(-1, ' ', false, replace_bad_bytes); }
@@ -49,11 +50,12 @@ Result<Json> read_json(const std::filesystem::path& path) {
     try {
         return Json::parse(*text);
     } catch (const nlohmann::json::parse_error& error) {
+        // The library reports a byte position; people need the line.
         const std::size_t end = std::min(error.byte, text->size());
         const auto line = 1 + std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(end), '\n');
         return Error{"is not valid JSON near this line", path.string() + ":" + std::to_string(line)};
     } catch (const nlohmann::json::exception&) {
-        // A number too large for a double.
+        // E.g. a number too large for a double.
         return Error{"holds JSON that cannot be read", path.string()};
     }
 }

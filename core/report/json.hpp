@@ -11,31 +11,32 @@
 
 namespace myo::report {
 
-/// JSON with its keys in the order in which they were written.
+/// JSON whose keys keep the order in which they were inserted.
 using Json = nlohmann::ordered_json;
 
-/// A number; null when it is not finite. The key stays, so that a reader can tell "asked, but no value" from "not
-/// asked".
+/// A number; null if not finite. The key remains, so that a reader can distinguish "no value" from "not requested".
 Json json_number(double value);
 
-/// [v0, v1, ...], null where a value is not finite.
+/// [v0, v1, ...] with null for values that are not finite.
 Json json_array(const Eigen::Ref<const Eigen::VectorXd>& values);
+/// The same for a standard vector.
 Json json_array(const std::vector<double>& values);
 
-/// One inner array per column: points of a 3 x n matrix become [[x, y, z], ...].
+/// One inner array per column: the points of a 3 x n matrix become [[x, y, z], ...].
 Json json_columns(const Eigen::Ref<const Eigen::MatrixXd>& points);
 
-/// Text with indentation 1 and a final newline. Non-finite numbers are null wherever they stand, bytes that are not
-/// UTF-8 become U+FFFD: dumping never throws.
+/// JSON text with indentation 1 and a final newline. Non-finite numbers become null and bytes that are not UTF-8 become
+/// U+FFFD, so that serialisation never throws.
 std::string json_text(const Json& value);
 
-/// As json_text, on one line.
+/// As json_text(), on one line.
 std::string json_line(const Json& value);
 
-/// Writes json_text() at once (temporary name, then renamed).
+/// Writes json_text() atomically (temporary file, then rename).
 Result<void> write_json(const std::filesystem::path& path, const Json& value);
 
-/// Reads a JSON file. Error: what read_file says, or the line where the text is broken.
+/// Reads a JSON file.
+/// Errors: those of read_file(), or the line of the syntax error.
 Result<Json> read_json(const std::filesystem::path& path);
 
 }  // namespace myo::report

@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
-// Lengths as pages show them: in millimetres, to three digits.
+// Lengths for reports: in millimetres with three significant digits.
 
 namespace myo::report {
 
-/// "1.23", for where the unit stands beside it.
+/// Number only, e.g. "1.23", for places where the unit is shown separately.
 std::string in_mm(double metres);
 
-/// "1.23 mm".
+/// Number with unit, e.g. "1.23 mm".
 std::string length_words(double metres);
 
-/// A curve's values [mm].
+/// Values converted from m to mm, as a series of a chart.
 std::vector<double> curve_in_mm(const Eigen::VectorXd& metres);
 
 }  // namespace myo::report

@@ -10,14 +10,15 @@
 namespace myo::report {
 namespace {
 
+/// Appearance of a series.
 struct Look {
     std::string_view colour;
     bool line = true;
     bool dots = false;
-    std::string dash;
+    std::string dash;  // SVG dash pattern; empty: solid
 };
 
-// One name has one colour in all panels; names beyond the palette are dashed as well.
+// Slots by name: equal names have equal colours in all panels.
 std::map<std::string, int> slots_of_names(const LineChart& chart) {
     std::map<std::string, int> slots;
     int next = 0;
@@ -27,6 +28,7 @@ std::map<std::string, int> slots_of_names(const LineChart& chart) {
     return slots;
 }
 
+/// Style of a series. Names beyond the palette repeat colours and are dashed instead.
 Look look_of(const Series& series, const std::map<std::string, int>& slots) {
     const int slot = series.colour == automatic_colour ? slots.at(series.name) : series.colour;
     Look look{slot_colour(slot),
@@ -34,13 +36,15 @@ Look look_of(const Series& series, const std::map<std::string, int>& slots) {
               series.style == SeriesStyle::dots || series.style == SeriesStyle::line_and_dots,
               {}};
     if (series.style == SeriesStyle::dashed)
+        // A dashed series keeps its pattern, also beyond the palette.
         look.dash = "6 4";
     else if (slot >= static_cast<int>(series_palette.size()))
         look.dash = "2 3";
     return look;
 }
 
-// A dot is a stroke of no length with round ends: the shortest text for many of them.
+// A dot is a stroke of zero length with round ends: the shortest SVG for many dots.
+// `data`: SVG path commands.
 std::string dots_path(const std::string& data, const Look& look, double diameter) {
     if (data.empty()) return {};
     return "<path d=\"" + data + "\" fill=\"none\" stroke=\"" + std::string(look.colour) + "\" stroke-width=\"" +
@@ -55,6 +59,7 @@ std::string line_path(const std::string& data, const Look& look) {
     return out + "/>\n";
 }
 
+/// Curve with gaps: one path for lines and one for dots.
 std::string draw_curve(const Polyline& curve, const Look& look) {
     std::string lines, dots;
     const auto drawable = [&](std::size_t i) { return std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]); };
@@ -63,18 +68,19 @@ std::string draw_curve(const Polyline& curve, const Look& look) {
         const std::string point = pixel(curve.x[i]) + " " + pixel(curve.y[i]);
         const bool starts = i == 0 || !drawable(i - 1);
         const bool ends = i + 1 == curve.x.size() || !drawable(i + 1);
-        // A sample alone between two gaps would be a line without length.
+        // An isolated sample between two gaps would be an invisible line: draw a dot.
         if (look.dots || (starts && ends)) dots += "M" + point + "h0";
         if (look.line && !(starts && ends)) lines += (starts ? "M" : "L") + point;
     }
     return line_path(lines, look) + dots_path(dots, look, look.dots ? 4.2 : 2.4);
 }
 
-// The band's runs between gaps, each as one closed outline: up along the upper edge, back along the lower.
+// Each part of the band between gaps is a closed outline: forwards along the upper edge, back along the lower one.
 std::string draw_band(const Series& series, const Scale& x, const Scale& y, const Look& look) {
     std::string data, back;
     const std::size_t count = std::min({series.x.size(), series.y.size(), series.half_width.size()});
     for (std::size_t i = 0; i <= count; ++i) {
+        // One index beyond the end closes the last run.
         const double px = i < count ? x(series.x[i]) : NAN;
         const double upper = i < count ? y(series.y[i] + series.half_width[i]) : NAN;
         const double lower = i < count ? y(series.y[i] - series.half_width[i]) : NAN;
@@ -90,6 +96,7 @@ std::string draw_band(const Series& series, const Scale& x, const Scale& y, cons
     return "<path d=\"" + data + "\" fill=\"" + std::string(look.colour) + "\" fill-opacity=\"0.15\"/>\n";
 }
 
+/// Scales a series to pixels and draws its band and curve.
 std::string draw_series(const Series& series, const Scale& x, const Scale& y, const Look& look) {
     Polyline curve;
     const std::size_t count = std::min(series.x.size(), series.y.size());
@@ -114,13 +121,14 @@ std::string draw_horizontal_references(const ChartPanel& panel, const Scale& sca
     return out;
 }
 
+/// Spans in two passes: first the shading, below the grid, then the labels (`words`).
 std::string draw_spans(const ChartPanel& panel, const Scale& scale, const Rectangle& area, bool words) {
     std::string out;
     for (const Span& span : panel.spans) {
         const double from = std::clamp(scale(span.from), area.left, area.right());
         const double to = std::clamp(scale(span.to), area.left, area.right());
         if (!(to > from)) continue;
-        // The words come after the grid, which would run through them.
+        // Labels are drawn after the grid, which would cross them.
         if (words)
             out += svg_text(from + 5.0, area.bottom() - 6.0, span.label, {.halo = true});
         else
@@ -129,6 +137,7 @@ std::string draw_spans(const ChartPanel& panel, const Scale& scale, const Rectan
     return out;
 }
 
+/// One entry per series name.
 std::vector<LegendEntry> legend_of(const LineChart& chart, const std::map<std::string, int>& slots) {
     std::vector<LegendEntry> entries;
     for (const ChartPanel& panel : chart.panels)
@@ -143,6 +152,7 @@ std::vector<LegendEntry> legend_of(const LineChart& chart, const std::map<std::s
     return entries;
 }
 
+/// Common range of x over all panels.
 DataRange range_of_x(const LineChart& chart) {
     DataRange range(chart.x);
     for (const ChartPanel& panel : chart.panels)
@@ -151,6 +161,7 @@ DataRange range_of_x(const LineChart& chart) {
     return range;
 }
 
+/// Range of the values including bands and reference lines.
 DataRange range_of_y(const ChartPanel& panel) {
     DataRange range(panel.y);
     for (const Series& series : panel.series)
@@ -164,15 +175,16 @@ DataRange range_of_y(const ChartPanel& panel) {
     return range;
 }
 
+/// One panel: shading, axes, clipped curves, reference lines. Only the last panel has labels at the x axis.
 std::string draw_panel(const LineChart& chart, const ChartPanel& panel, const Rectangle& area, const PlannedAxis& x,
                        const PlannedAxis& y, const std::map<std::string, int>& slots, bool last) {
     std::string out = draw_spans(panel, x.scale, area, false) + draw_vertical_axis(panel.y, y, area) +
                       draw_horizontal_axis(chart.x, x, area, last) + draw_spans(panel, x.scale, area, true);
-    // An inner document clips by itself, without an id that could clash with another figure of the page.
+    // A nested document clips its content without an id, which could clash with other figures of the page.
     out += "<svg x=\"" + pixel(area.left) + "\" y=\"" + pixel(area.top) + "\" width=\"" + pixel(area.width) +
            "\" height=\"" + pixel(area.height) + "\" viewBox=\"" + pixel(area.left) + " " + pixel(area.top) + " " +
            pixel(area.width) + " " + pixel(area.height) + "\" overflow=\"hidden\">\n";
-    // What was measured lies on top of what was computed: dots leave lines visible, lines hide dots.
+    // Measured dots are drawn on top of computed lines: dots leave lines visible, lines would hide dots.
     for (const bool dots : {false, true})
         for (const Series& series : panel.series)
             if ((series.style == SeriesStyle::dots) == dots)
@@ -190,6 +202,7 @@ std::string svg(const LineChart& chart) {
             assert(series.x.size() == series.y.size() &&
                    (series.half_width.empty() || series.half_width.size() == series.y.size()));
     constexpr double right_margin = 22.0, title_of_panel = 24.0;
+    // A common left margin aligns the panels: the widest labels of all y axes.
     double left = 30.0;
     std::vector<PlannedAxis> y_axes;
     for (const ChartPanel& panel : chart.panels) {
@@ -203,7 +216,7 @@ std::string svg(const LineChart& chart) {
     double title_height = 0.0, legend_height = 0.0;
     std::string body = draw_title(chart.title, left, title_height);
     const std::vector<LegendEntry> entries = legend_of(chart, slots);
-    // One curve without company needs no legend: the axis names it.
+    // A single curve needs no legend: the axis names it.
     if (entries.size() > 1) body += draw_legend(entries, left, title_height + 6.0, width, legend_height);
     double top = title_height + legend_height + 6.0;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
@@ -213,6 +226,7 @@ std::string svg(const LineChart& chart) {
         y.scale.to_px += area.top;
         const bool last = i + 1 == chart.panels.size();
         body += draw_panel(chart, chart.panels[i], area, x, y, slots, last);
+        // Only the last panel needs room for the labels of the x axis.
         top = area.bottom() + (last ? horizontal_axis_height : 8.0);
     }
     return open_svg(left + width + right_margin, top, chart.title) + body + "</svg>\n";

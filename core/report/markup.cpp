@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 constexpr std::string_view minus = "\xE2\x88\x92";        // U+2212
 
-// Length of the UTF-8 sequence at the front, 0 when it is broken, overlong or a surrogate.
+// Length of the UTF-8 sequence at the start; 0 if it is invalid, overlong or a surrogate.
 std::size_t sequence_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
@@ -29,11 +29,12 @@ std::size_t sequence_length(std::string_view text) {
     if (first == 0xED && byte(1) > 0x9F) return 0;
     if (first == 0xF0 && byte(1) < 0x90) return 0;
     if (first == 0xF4 && byte(1) > 0x8F) return 0;
-    // U+FFFE and U+FFFF are no XML characters.
+    // U+FFFE and U+FFFF are not allowed in XML.
     if (first == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE) return 0;
     return length;
 }
 
+/// Entity of a character; empty if it needs none.
 std::string_view entity(char c) {
     switch (c) {
         case '&': return "&amp;";
@@ -45,6 +46,7 @@ std::string_view entity(char c) {
     }
 }
 
+/// Fixed decimals, independent of the locale, "-0.00" as "0.00".
 std::string fixed_ascii(double value, int decimals) {
     std::array<char, 400> buffer;
     const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -64,6 +66,7 @@ std::string with_true_minus(const std::string& text) {
 std::string escape_markup(std::string_view text) {
     std::string out;
     out.reserve(text.size());
+    // Control characters other than tab and line ends are not allowed in XML.
     while (!text.empty()) {
         const std::size_t length = sequence_length(text);
         const bool control = length == 1 && static_cast<unsigned char>(text[0]) < 0x20 && text[0] != '\t' &&
@@ -75,6 +78,7 @@ std::string escape_markup(std::string_view text) {
         } else {
             out += text.substr(0, length);
         }
+        // An invalid byte is replaced by itself; decoding continues with the next byte.
         text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return out;
@@ -82,11 +86,13 @@ std::string escape_markup(std::string_view text) {
 
 int character_count(std::string_view text) {
     return static_cast<int>(
+        // Continuation bytes of UTF-8 have the form 10xxxxxx.
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string pixel(double value) {
     constexpr double outside = 1e5;
+    // NaN would make the whole path invalid SVG.
     if (std::isnan(value)) value = -outside;
     std::string text = fixed_ascii(std::clamp(value, -outside, outside), 2);
     while (text.back() == '0') text.pop_back();
@@ -112,10 +118,11 @@ std::string readable_number(double value, int digits) {
     if (!std::isfinite(value)) return "–";
     if (value == 0.0) return "0";
     std::array<char, 64> buffer;
+    // Scientific format first: its exponent is the one after rounding to `digits`.
     const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                            std::chars_format::scientific, digits - 1);
     assert(code == std::errc{});
-    const std::string text(buffer.data(), end);  // "-2.600e+05": the exponent after rounding
+    const std::string text(buffer.data(), end);  // e.g. "-2.600e+05"
     const std::size_t e = text.find('e');
     const int exponent = std::stoi(text.substr(e + 1));
     if (exponent >= -4 && exponent < 7) return fixed_decimals(value, std::max(0, digits - 1 - exponent));

@@ -5,25 +5,25 @@
 
 namespace myo::report {
 
-/// Range, tick positions and their labels of one axis.
+/// Range, tick positions and tick labels of an axis.
 struct Ticks {
     double lowest = 0.0;
     double highest = 1.0;
-    std::vector<double> values;       // ascending, inside [lowest, highest]
-    std::vector<std::string> labels;  // values divided by `factor`
-    std::string factor;               // "10⁻³" when the labels are scaled, else empty
+    std::vector<double> values;       // ascending, within [lowest, highest]
+    std::vector<std::string> labels;  // of the values divided by `factor`
+    std::string factor;               // e.g. "10⁻³" if the labels are scaled, otherwise empty
 };
 
-/// A drawable range around [lowest, highest]: finite, and wide enough for ticks that differ. An empty or non-finite
+/// Adjusts [lowest, highest] to a drawable range: finite, and wide enough for distinct ticks. An empty or non-finite
 /// range becomes [0, 1].
 void make_drawable(double& lowest, double& highest);
 
-/// Round ticks (1, 2 or 5 times a power of ten) inside a range, about `wanted` of them, at least two. The range is kept
-/// when it is drawable.
+/// Round ticks (1, 2 or 5 times a power of ten) within a range, about `wanted` of them, at least two. A drawable range
+/// is not changed.
 Ticks linear_ticks(double lowest, double highest, int wanted);
 
-/// Ticks at powers of ten inside a positive range, with 2 and 5 in between when there are few decades, and at equal
-/// distances of the value when there is less than that.
+/// Ticks at powers of ten within a positive range; with 2 and 5 times these for few decades, and linear ticks for less
+/// than one decade without two such values.
 Ticks logarithmic_ticks(double lowest, double highest, int wanted);
 
 }  // namespace myo::report

@@ -13,6 +13,8 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+/// Forward run in parts, loss, then the parts backwards. Parts other than the last are run a second time for their
+/// tape.
 class GradientOfRun {
 public:
     GradientOfRun(const model::Model& model, const dynamics::SimulationOptions& options, const LossOfMotion& loss,
@@ -40,6 +42,7 @@ public:
         const MotionLoss loss = loss_.evaluate(result_.motion);
         result_.loss = loss.value;
         for (int part = plan_.parts - 1; part >= 0; --part) {
+            // The last part is still on the tape of the forward run.
             if (part + 1 < plan_.parts && !run_part(part, false)) return std::move(result_);
             if (!transpose_part(loss)) return std::move(result_);
         }
@@ -55,7 +58,8 @@ private:
         return std::move(result_);
     }
 
-    /// Runs a part and keeps its tape. Every part begins with a new solver, so that the second run repeats the first.
+    /// Runs a part and records its tape. Each part starts with a new solver, so that its second run is identical to the
+    /// first.
     bool run_part(int part, bool first_time) {
         tape_ = std::make_unique<RunTape>(plan_.points_every, with_strains_);
         solver_ = std::make_unique<dynamics::StageSolver>(model_, options_.solver);
@@ -66,7 +70,7 @@ private:
         dynamics::RunObserver observer;
         tape_->record(observer);
         dynamics::RunPoint end;
-        bool repeated = part > 0;  // the point that a part begins with ended the last
+        bool repeated = part > 0;  // the first point of a part is the last one of the part before
         observer.stood = [&, taped = std::move(observer.stood)](const dynamics::RunPoint& point) {
             taped(point);
             if (!first_time) return;
@@ -78,6 +82,7 @@ private:
         result_.status = trace.status;
         result_.message = trace.message;
         if (!trace.complete()) return false;
+        // Non-finite start forces mean inverted cells: the run starts with implicit Euler from data without derivative.
         if (tape_->start() && !tape_->start()->state.force.allFinite()) {
             failed("the start has cells turned inside out, so that the run has no gradient");
             return false;
@@ -87,11 +92,13 @@ private:
     }
 
     void keep_motion(const dynamics::RunPoint& point) {
+        // Only the observed nodes are stored for all times; whole states only at the splits.
         result_.motion.times_s.push_back(point.time_s);
         result_.motion.positions.emplace_back(point.state.x(Eigen::all, loss_.nodes));
         result_.motion.velocities.emplace_back(point.state.v(Eigen::all, loss_.nodes));
     }
 
+    /// Takes the tape of a part backwards, adding the loss derivative at each state.
     bool transpose_part(const MotionLoss& loss) {
         while (!tape_->empty()) {
             if (progress_.cancelled()) {
@@ -115,12 +122,15 @@ private:
         return follower_.start(*solver_, options_, tape_->start()->state) || no_derivative(0.0);
     }
 
+    /// Message for a stage or start whose Hessian cannot be solved.
     bool no_derivative(double time_s) {
         failed("at t = " + std::to_string(time_s) + " s the equilibrium is singular, so that the run has no gradient");
         return false;
     }
 
+    /// Adds the loss derivative at the state that the backward pass has reached.
     void add_loss(const MotionLoss& loss) {
+        // States are visited in reverse order.
         const auto at = static_cast<std::size_t>(result_.steps - transposed_);
         const auto add = [&](const std::vector<Matrix3Xd>& d, NodalField field) {
             if (at >= d.size() || d[at].size() == 0) return;
@@ -140,10 +150,10 @@ private:
     bool with_strains_;
     AdjointFollower follower_;
     RunParts plan_;
-    std::vector<dynamics::RunPoint> cuts_;           // starts of the parts but the first
-    std::unique_ptr<dynamics::StageSolver> solver_;  // of the part at hand
+    std::vector<dynamics::RunPoint> cuts_;           // start states of the parts but the first
+    std::unique_ptr<dynamics::StageSolver> solver_;  // of the current part
     std::unique_ptr<RunTape> tape_;
-    int transposed_ = 0;  // steps
+    int transposed_ = 0;  // number of steps
     GradientRun result_;
 };
 

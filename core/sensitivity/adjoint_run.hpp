@@ -11,60 +11,67 @@
 
 namespace myo::sensitivity {
 
-/// Motion of chosen nodes, the start first.
+/// Motion of k chosen nodes, the start first.
 struct NodeMotion {
-    std::vector<double> times_s;
+    std::vector<double> times_s;               // one per state, ascending
     std::vector<Eigen::Matrix3Xd> positions;   // 3 x k [m]
     std::vector<Eigen::Matrix3Xd> velocities;  // 3 x k [m/s]
 };
 
-/// A loss of such a motion and its derivatives, per time as in the motion. Empty: zero.
+/// Loss of a motion and its derivatives, one matrix per time of the motion. Empty vectors or matrices: zero.
 struct MotionLoss {
-    double value = 0.0;
+    double value = 0.0;                          // dimensionless
     std::vector<Eigen::Matrix3Xd> d_positions;   // 3 x k [1/m]
     std::vector<Eigen::Matrix3Xd> d_velocities;  // 3 x k [s/m]
 };
 
+/// A loss as a function of the motion of some nodes.
 struct LossOfMotion {
-    std::vector<int> nodes;
-    std::function<MotionLoss(const NodeMotion&)> evaluate;  // called once, between the run and its transposition
+    std::vector<int> nodes;  // observed nodes, in the order of the columns of NodeMotion
+    std::function<MotionLoss(const NodeMotion&)>
+        evaluate;  // called once, after the forward run and before the backward pass
 };
 
+/// Accuracy and memory of the adjoint.
 struct AdjointOptions {
-    /// Relative residual of the linear solves. Measured on 160 steps of the beam (4,608 DOF) against 1e-12: gradients
-    /// with respect to moduli and signals are off by at most 5e-8 here, 6e-7 at 1e-5.
+    /// Relative residual of the linear solves. Measured on 160 steps of the beam (4,608 DOF) against 1e-12: the error
+    /// of gradients with respect to moduli and signals is at most 5e-8 with this value, 6e-7 with 1e-5.
     double tolerance = 1e-6;
-    /// For what is kept of the run [bytes]; not counted are solver, gradient and motion of the chosen nodes. A run that
-    /// does not fit is cut: states are kept where it is cut, and its parts run twice. Counted with whole steps; those
-    /// that a run halves come on top.
+    /// Memory budget for the stored run [bytes], not counting solver, gradient and motion of the observed nodes. A run
+    /// that exceeds it is split into parts: only the states at the splits are stored, and each part but the last is run
+    /// twice (checkpointing). The estimate assumes unhalved steps; halved steps need more.
     double memory_bytes = 256e6;
-    /// The derivative with respect to damping of a body that has none; costs a pass over the strains per stage.
+    /// Also compute the derivative with respect to damping for an undamped body; one pass over the strains per stage.
     bool damping_of_undamped = false;
-    bool fibre_shapes = false;  // and so directions
+    bool fibre_shapes = false;  // also the derivatives with respect to the fibre shapes, hence directions
 };
 
-/// A run with the gradient of its loss.
+/// Result of simulate_with_gradient().
 struct GradientRun {
-    dynamics::RunStatus status = dynamics::RunStatus::not_run;
+    dynamics::RunStatus status = dynamics::RunStatus::not_run;  // failed and cancelled runs have no gradient
     std::string message;
-    NodeMotion motion;
+    NodeMotion motion;  // of the nodes of the loss
     double loss = 0.0;
-    ModelGradient gradient;  // when complete
-    int steps = 0;
-    int parts = 1;            // into which the run was cut
-    double tape_bytes = 0.0;  // kept of the run at once, at most
+    ModelGradient gradient;   // valid if complete()
+    int steps = 0;            // taken by the run, halved ones included
+    int parts = 1;            // number of parts the run was split into
+    double tape_bytes = 0.0;  // largest memory of the tape, estimated
 
+    /// Whether the gradient is valid.
     bool complete() const { return status == dynamics::RunStatus::complete; }
 };
 
-/// The exact derivative of the discrete run with respect to everything in the model, the adjoint of every step taken
-/// backwards.
+/// Exact gradient of the discrete run with respect to all model parameters, by the adjoint of every step, backwards.
 ///
-/// Costs one exact Hessian and one linear solve per stage, however many parameters there are. Every integrator's step
-/// is transposed by its own coefficients (StepCoefficients). The gradient does not depend on the parts a run is cut
-/// into, but for the tolerance of the solver, which starts anew in each; whether a part is kept or run again makes no
-/// difference at all. Errors: those of simulate(); a body that creeps or softens; a start with cells turned inside out
-/// has no gradient; a budget that does not hold the least.
+/// Costs one exact Hessian and one linear solve per stage, independent of the number of parameters. The steps of all
+/// integrators are transposed through their StepCoefficients. Splitting the run into parts changes the gradient only
+/// within the solver tolerance, because each part starts with a new solver; whether a part is stored or repeated makes
+/// no difference at all.
+///
+/// @param loss     evaluated once, on the complete motion
+/// @param adjoint  accuracy and memory
+/// Errors (status and message): those of simulate(); a creeping or softening body; a start with inverted cells; a
+/// singular equilibrium; a memory budget below the minimum.
 GradientRun simulate_with_gradient(const model::Model& model, const dynamics::SimulationOptions& options,
                                    const LossOfMotion& loss, const AdjointOptions& adjoint = {},
                                    const Progress& progress = {});

@@ -15,7 +15,7 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// to += factor * from, where empty is zero.
+/// to += factor * from; an empty field counts as zero.
 template <class Field>
 void add_to(Field& to, double factor, const Field& from) {
     if (factor == 0.0 || from.size() == 0) return;
@@ -25,6 +25,7 @@ void add_to(Field& to, double factor, const Field& from) {
         to += factor * from;
 }
 
+/// The motion field of a column: state before the step, or stage solution.
 const Matrix3Xd& motion(const StepRecord& record, int column) {
     switch (column) {
         case x_field: return record.start.x;
@@ -34,7 +35,7 @@ const Matrix3Xd& motion(const StepRecord& record, int column) {
     }
 }
 
-/// What the mass is multiplied by in a row of momenta.
+/// The motion that M multiplies in a momentum row. A stage row also has -inertia x, from the left side of its equation.
 Matrix3Xd accelerations(const StepCoefficients& coefficients, const StepRecord& record, int row) {
     Matrix3Xd u = Matrix3Xd::Zero(3, record.start.x.cols());
     for (int c = 0; c < coefficients.nodal.cols(); ++c)
@@ -51,19 +52,20 @@ Matrix3Xd accelerations(const StepCoefficients& coefficients, const StepRecord& 
 VectorXd AdjointFollower::Guess::next(const solver::SymmetricSparse& H, const VectorXd& b) const {
     const Eigen::Index size = last_.cols();
     if (size == 0) return {};
-    // Their differences span the same and are far from parallel.
+    // The differences of successive solutions span the same space but are far from parallel.
     MatrixXd D = last_;
     for (Eigen::Index order = 1; order < size; ++order)
         for (Eigen::Index k = size - 1; k >= order; --k) D.col(k) = D.col(k - 1) - D.col(k);
     for (Eigen::Index k = 0; k < size; ++k) D.col(k) /= std::max(D.col(k).norm(), std::numeric_limits<double>::min());
+    // Galerkin projection: minimise the energy norm of the error within the span of D.
     const MatrixXd G = D.transpose() * solver::symmetric_product(H, D);
     return D * G.ldlt().solve(D.transpose() * b);
 }
 
 void AdjointFollower::Guess::add(const VectorXd& solution) {
     if (solution.isZero(0.0)) return;
-    // Iterations per solve to 1e-6 on the beam with 4, 8, 12 of them: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7 (TR-BDF2);
-    // extrapolating four as a cubic: 2.9, 3.9.
+    // Iterations per solve to 1e-6 on the beam with 4, 8, 12 solutions: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7 (TR-BDF2);
+    // with cubic extrapolation of four: 2.9, 3.9.
     constexpr Eigen::Index most = 8;
     MatrixXd next(solution.size(), std::min(last_.cols() + 1, most));
     next.col(0) = solution;
@@ -81,7 +83,7 @@ const AdjointFollower::Known& AdjointFollower::coefficients(const dynamics::Time
     };
     const auto found = std::find_if(known_.begin(), known_.end(), same);
     if (found != known_.end()) return *found;
-    if (known_.size() > 16) known_.clear();  // steps that differ by rounding
+    if (known_.size() > 16) known_.clear();  // step lengths that differ by rounding fill the cache
     const double lambda = model_.velocity_force_1_s;
     known_.push_back({scheme, h, step_before, step_coefficients(scheme, h, step_before, lambda),
                       step_coefficients_by_velocity_force(scheme, h, step_before, lambda)});
@@ -93,6 +95,8 @@ void AdjointFollower::jump(dynamics::StageSolver& solver, const JumpRecord& at) 
     const model::BlockPattern& pattern = model_.body->pattern;
     Matrix3Xd& adjoint = state_.nodal[force_field];
     if (adjoint.size() == 0) return;
+    // Transpose of force = f(x, rate, v, loads) + Lambda M v, see set_jump_force(). The force adjoint becomes adjoints
+    // of x, v and rate, and is then zero: the force before the jump is overwritten.
     const Matrix3Xd times_M = model::times_mass(adjoint, solver.mass(at.time_s));
     const dynamics::Stage stage = dynamics::jump_stage(s, at.time_s);
     const solver::SymmetricSparse K = solver.hessian(stage, s.x);
@@ -117,12 +121,14 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
     const double middle_s = record.time_s + 0.5 * h;
     const model::MassMatrix& mass = solver.mass(middle_s);
     const auto rows_count = static_cast<std::size_t>(nodal_fields + stages);
-    // Adjoints of the fields after the step and of the stages' constants, momenta also times the mass.
+    // Adjoints of the fields after the step and of the stage constants; momentum rows also multiplied by the mass.
     std::vector<Matrix3Xd> rows(rows_count), mass_rows(rows_count);
     std::vector<VectorXd> strain_rows(static_cast<std::size_t>(strain_fields + stages));
-    std::vector<Matrix3Xd> velocity_rows(static_cast<std::size_t>(stages));  // of the stages' velocity histories
+    std::vector<Matrix3Xd> velocity_rows(
+        static_cast<std::size_t>(stages));  // adjoints of the stages' velocity histories
     std::move(state_.nodal.begin(), state_.nodal.end(), rows.begin());
     std::move(state_.strain.begin(), state_.strain.end(), strain_rows.begin());
+    // Momentum rows depend on the masses and Lambda, which contributes to the gradient.
     for (const int row : {force_field, force_lag_field}) {
         const auto r = static_cast<std::size_t>(row);
         if (rows[r].size() == 0) continue;
@@ -130,13 +136,14 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
         const Matrix3Xd by_velocity_force = accelerations(by_lambda, record, row);
         gradient_.add_momentum(middle_s, rows[r], mass_rows[r], accelerations(plain, record, row), &by_velocity_force);
     }
+    // Column of the transposed map: adjoint of a field before the step or of a stage solution.
     const auto column = [&](int c) {
         Matrix3Xd sum;
         for (int row = 0; row < plain.nodal.rows(); ++row) {
             const auto r = static_cast<std::size_t>(row);
             add_to(sum, plain.nodal(row, c), is_momentum_row(row) && is_motion_column(c) ? mass_rows[r] : rows[r]);
         }
-        // Velocities of a stage depend on motions as rates of strain on strains.
+        // Stage velocities depend on motions with the same coefficients as strain rates on strains.
         const int beside = c < strain_fields ? c : c - nodal_fields + strain_fields;
         if (c < strain_fields || c >= nodal_fields)
             for (int k = 0; k < stages; ++k)
@@ -151,6 +158,8 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
     };
 
     guesses_.resize(static_cast<std::size_t>(stages));
+    // Stages in reverse order. Implicit function theorem: the stage adjoint p solves H p = adjoint of the solution; p
+    // is then the adjoint of the stage constant.
     for (int k = stages - 1; k >= 0; --k) {
         const auto& [stage, solution] = record.solved[static_cast<std::size_t>(k)];
         const auto row = static_cast<std::size_t>(nodal_fields + k);
@@ -170,7 +179,7 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
             strain_rows[static_cast<std::size_t>(strain_fields + k)] = -model::strain_tangent(model_, solution.x,
                                                                                               rows[row]);
         const Matrix3Xd v = model::depends_on_velocity(model_) ? dynamics::stage_velocities(stage, solution.x)
-                                                               : Matrix3Xd();  // nothing else looks at it
+                                                               : Matrix3Xd();  // only force elements use it
         if (model::depends_on_velocity(model_))
             velocity_rows[static_cast<std::size_t>(k)] = -model::velocity_tangent(
                 model_, dynamics::force_state(stage, solution.x, v), rows[row]);
@@ -199,7 +208,8 @@ bool AdjointFollower::start(dynamics::StageSolver& solver, const dynamics::Simul
     const VectorXd& rate = state_.strain[rate_field];
     if (strain.size() > 0) add_to(x, 1.0, model::viscous_gradient(model_, at.x, strain));
     if (rate.size() > 0) {
-        // The rates of the start are the strain tangent along its velocities.
+        // Transpose of rate = strain_tangent(x, v). Its derivative with respect to x is the geometric stiffness of the
+        // viscous potential with `rate` as strain rate.
         add_to(state_.nodal[v_field], 1.0, model::viscous_gradient(model_, at.x, rate));
         if (!at.v.isZero(0.0)) {
             model::Stiffness viscous_only = model::stiffness(model_);
@@ -217,6 +227,7 @@ bool AdjointFollower::start(dynamics::StageSolver& solver, const dynamics::Simul
     initial_.initial_positions = free_part(x);
     initial_.initial_velocities = free_part(state_.nodal[v_field]);
     if (!options.starts_at_equilibrium() || x.size() == 0) return true;
+    // Implicit function theorem for the start equilibrium: its positions are determined by the model, not given.
     const dynamics::Stage stage = dynamics::static_stage(body, 0.0);
     const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x,
                                                 model::gather(body.pattern, initial_.initial_positions));

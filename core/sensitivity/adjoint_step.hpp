@@ -11,47 +11,61 @@
 
 namespace myo::sensitivity {
 
+// Discrete adjoint of a run. A step is a linear map of the state and of its stage solutions (StepCoefficients), and
+// each stage solution follows from the stage equation r(x; constant, histories, parameters) = 0 with the Hessian H =
+// dr/dx. Backwards through a step:
+//   1. the adjoint of each stage solution collects its contributions from the rows of the map, last stage first;
+//   2. p = H^-1 (this adjoint) is the adjoint of the stage constant, H being symmetric;
+//   3. the gradient with respect to a parameter gains -p . dr/dparameter;
+//   4. the adjoint of the state before the step is the transposed map applied to the adjoints of all rows.
+
 /// Derivative of a loss with respect to the Kinematics at some time. Empty fields are zero.
 ///
-/// Strains act through the viscous forces alone, which are linear in the rates by a matrix D of the rest state (see
-/// viscous_gradient): their adjoints are kept without D, as strains. The adjoint of a rate history is then the
-/// strain_tangent along minus the stage's own adjoint, and the pull-back of such a field to the nodes its
+/// Strains act only through the viscous forces, which are linear in the strain rates with a matrix D of the rest state
+/// (see viscous_gradient). The strain adjoints are stored without the factor D, i.e. as strains. Then the adjoint of a
+/// rate history is the strain_tangent along minus the stage adjoint, and pulling such a field back to the nodes is the
 /// viscous_gradient.
 struct KinematicsAdjoint {
-    std::array<Eigen::Matrix3Xd, nodal_fields> nodal;
-    std::array<Eigen::VectorXd, strain_fields> strain;
+    std::array<Eigen::Matrix3Xd, nodal_fields> nodal;   // per NodalField, 3 x n
+    std::array<Eigen::VectorXd, strain_fields> strain;  // per StrainField, one entry per strain measure
 };
 
-/// Takes adjoints of the state backwards through a run and gathers the gradient on the way.
+/// Propagates the adjoint of the state backwards through a run and accumulates the gradient.
 class AdjointFollower {
 public:
-    /// with_strains: the records know the rates of strain.
+    /// @param with_strains  whether the records contain strain rates
+    /// @param fibre_shapes  whether derivatives with respect to fibre shapes are accumulated
     AdjointFollower(const model::Model& model, bool with_strains, bool fibre_shapes);
 
+    /// Adjoint at the present time. The caller adds the derivatives of the loss to it.
     KinematicsAdjoint& state() { return state_; }
 
-    /// From right of a jump to left of it.
+    /// Transposes the recomputation of the force at a jump: from right of the jump to left of it.
     void jump(dynamics::StageSolver& solver, const JumpRecord& at);
-    /// From the end of a step to its start. False: a linear solve failed.
+    /// From the end of a step to its start. Returns false if a linear solve failed.
     bool step(dynamics::StageSolver& solver, const StepRecord& record);
-    /// From the start to what determines it. False: its equilibrium has no derivative.
+    /// From the start state to the data that determine it. Returns false if the start equilibrium is singular.
     bool start(dynamics::StageSolver& solver, const dynamics::SimulationOptions& options,
                const dynamics::Kinematics& at);
 
+    /// The accumulated gradient; call once, at the end.
     ModelGradient take();
 
 private:
-    /// Where to start a stage's linear solves: the solution's best approximation, in energy, by its adjoints of the
-    /// last steps. Source: Fischer 1998, "Projection techniques for iterative solution of Ax = b with successive
-    /// right-hand sides".
+    /// Initial guess for the linear solves of a stage: the best approximation, in the energy norm, within the span of
+    /// the adjoint solutions of the last steps.
+    /// Source: Fischer 1998, "Projection techniques for iterative solution of
+    /// Ax = b with successive right-hand sides".
     class Guess {
     public:
+        /// Energy-optimal guess for H p = b; empty without earlier solutions.
         Eigen::VectorXd next(const solver::SymmetricSparse& H, const Eigen::VectorXd& b) const;
         void add(const Eigen::VectorXd& solution);
 
     private:
-        Eigen::MatrixXd last_;  // columns, the latest first
+        Eigen::MatrixXd last_;  // one column per solution, latest first
     };
+    /// Coefficients of a step, cached because most steps have the same length.
     struct Known {
         dynamics::TimeScheme scheme;
         double h, step_before;
@@ -60,12 +74,12 @@ private:
     const Known& coefficients(const dynamics::TimeScheme& scheme, double h, double step_before);
 
     const model::Model& model_;
-    bool with_strains_;
+    bool with_strains_;  // whether strain adjoints are propagated
     GradientSum gradient_;
-    ModelGradient initial_;
-    KinematicsAdjoint state_;
-    std::vector<Guess> guesses_;
-    std::vector<Known> known_;
+    ModelGradient initial_;       // only the start fields are used
+    KinematicsAdjoint state_;     // adjoint of the state at the present time
+    std::vector<Guess> guesses_;  // one per stage of a step
+    std::vector<Known> known_;    // cache
 };
 
 }  // namespace myo::sensitivity

@@ -10,16 +10,16 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-const Vector3d direction = Vector3d(0.6, -0.5, 0.62).normalized();  // along no axis
+const Vector3d direction = Vector3d(0.6, -0.5, 0.62).normalized();  // parallel to no axis
 
-/// A rough field over the free nodes.
+/// A field over the free nodes that varies from node to node, so that it is orthogonal to no mode.
 Matrix3Xd rough_field(const model::Body& body) {
     Matrix3Xd field(3, body.node_count());
     for (Eigen::Index i = 0; i < field.size(); ++i) field(i) = std::sin(0.3 + 1.7 * static_cast<double>(i));
     return model::scatter(body.pattern, model::gather(body.pattern, field));
 }
 
-/// Shifts E or nu of every cell.
+/// Changes E or nu of every cell by the given amount.
 void shift_elasticity(model::Model& model, double by_modulus, double by_ratio) {
     for (material::Moduli& m : model.moduli) {
         const auto [E, nu] = material::young_from_moduli(m);
@@ -27,14 +27,14 @@ void shift_elasticity(model::Model& model, double by_modulus, double by_ratio) {
     }
 }
 
-/// The model's fibres, to be changed.
+/// Copy of the model's fibres, which models otherwise share, for modification.
 std::vector<fibre::FibreGroup>& own_fibres(model::Model& model) {
     auto copy = std::make_shared<std::vector<fibre::FibreGroup>>(*model.fibres);
     model.fibres = copy;
     return *copy;
 }
 
-/// A cell that can deform, from the middle on: held at all nodes it has no influence.
+/// A cell with at least one free node, searched from the middle of the list: a fully clamped cell has no influence.
 std::size_t movable_cell(const model::Body& body) {
     const int count = body.cell_count();
     for (int i = 0; i < count; ++i) {
@@ -45,6 +45,7 @@ std::size_t movable_cell(const model::Body& body) {
     return 0;
 }
 
+/// E, nu, mu of one cell, damping, density and velocity force.
 void add_material(const model::Model& model, std::vector<CheckedParameter>& list) {
     const auto [E, nu] = material::young_from_moduli(model.moduli.front());
     list.push_back({"Young's modulus", 1e-3 * E,
@@ -64,11 +65,13 @@ void add_material(const model::Model& model, std::vector<CheckedParameter>& list
     list.push_back({"density", 1e-3 * model.density_kg_m3,
                     [](model::Model& m, dynamics::SimulationOptions&, double by) { m.density_kg_m3 += by; },
                     [](const ModelGradient& g) { return g.density_kg_m3; }});
+    // The velocity force may be zero: absolute step.
     list.push_back({"velocity force", 0.01,
                     [](model::Model& m, dynamics::SimulationOptions&, double by) { m.velocity_force_1_s += by; },
                     [](const ModelGradient& g) { return g.velocity_force_1_s; }});
 }
 
+/// Gravity, dead forces, attached and directional masses. Steps are relative to the mass of the body.
 void add_loads(const model::Model& model, std::vector<CheckedParameter>& list) {
     const double mass = model.density_kg_m3 * model.body->volume_m3;
     list.push_back({"gravity", 1e-2,
@@ -91,6 +94,7 @@ void add_loads(const model::Model& model, std::vector<CheckedParameter>& list) {
                         [k](const ModelGradient& g) { return g.directional_masses[k]; }});
 }
 
+/// Fibre stiffness, directions and the knots of the signals.
 void add_fibres(const model::Model& model, const dynamics::SimulationOptions& options,
                 std::vector<CheckedParameter>& list) {
     for (std::size_t g = 0; g < model.fibres->size(); ++g) {
@@ -110,7 +114,8 @@ void add_fibres(const model::Model& model, const dynamics::SimulationOptions& op
                         }});
         const fibre::Signal& signal = model.activation[g];
         for (std::size_t k = 0; k < signal.values.size(); ++k) {
-            // Before the start only the last knot acts.
+            // Of the knots before t = 0 only the last one influences the run.
+            // Knots after the end of the run do not influence it either.
             const bool acts = k + 1 == signal.values.size() || signal.times_s[k + 1] >= 0.0;
             if (acts && signal.times_s[k] <= options.end_s)
                 list.push_back({"activation of " + name + ", knot " + std::to_string(k), 1e-3,
@@ -122,6 +127,7 @@ void add_fibres(const model::Model& model, const dynamics::SimulationOptions& op
     }
 }
 
+/// Parameters of the force elements, with 1e-3 of their own scale as step.
 void add_force_elements(const model::Model& model, std::vector<CheckedParameter>& list) {
     for (std::size_t e = 0; e < model.force_elements.size(); ++e) {
         const std::vector<model::ForceParameter> parameters = model.force_elements[e]->parameters();
@@ -139,6 +145,7 @@ void add_force_elements(const model::Model& model, std::vector<CheckedParameter>
     }
 }
 
+/// Initial positions (unless the run starts at equilibrium) and velocities.
 void add_start(const model::Model& model, const dynamics::SimulationOptions& options,
                std::vector<CheckedParameter>& list) {
     const Matrix3Xd& X = model.body->mesh.nodes;

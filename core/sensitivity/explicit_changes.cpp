@@ -15,13 +15,14 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A model on both sides along a parameter's moduli; to its first order nothing else tells how much energy a cell has
-/// at a position.
+/// Models on both sides along the moduli of a parameter. To first order only the moduli change the energy of a cell at
+/// given positions. The width is 1e-3 of the largest relative change of mu.
 ModelPair pair_along(const model::Model& model, const ModelTangent& parameter) {
     ModelPair pair{model, model, 1.0};
     if (parameter.moduli.empty()) return pair;
     double most = 0.0;
     for (std::size_t c = 0; c < model.moduli.size(); ++c)
+        // Relative change of mu per unit of the parameter; without any the pair is two equal models.
         most = std::max(most, std::abs(parameter.moduli[c].mu / model.moduli[c].mu));
     if (most > 0.0) pair.width = 1e-3 / most;
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
@@ -58,6 +59,7 @@ void ExplicitChanges::add_mass_changes(double at_s, const MotionTerms& motion, m
     Matrix3Xd sum;
     for (std::size_t p = 0; p < changes_.size(); ++p) {
         if (!changes_[p] || !changes_mass(*changes_[p])) continue;
+        // The motion is the same for all parameters: summed once, when needed.
         if (sum.size() == 0) {
             sum = Matrix3Xd::Zero(3, model_.body->node_count());
             for (const auto& [factor, field] : motion)
@@ -78,6 +80,7 @@ MatrixXd ExplicitChanges::viscous_changes(const dynamics::Stage& stage, const Ve
                                           const MatrixXd& d_rates) const {
     const Index count = rates.size() / 2;
     MatrixXd result = d_rates.size() > 0 ? dynamics::viscous_history(model_, stage.rate_factor_1_s, d_rates)
+                                         // Effective rate damping dE/dt + ...: explicit dependence on the damping time.
                                          : MatrixXd::Zero(count, static_cast<Index>(parameters_.size()));
     for (std::size_t p = 0; p < parameters_.size(); ++p)
         if (parameters_[p].damping_s != 0.0)
@@ -91,6 +94,7 @@ MatrixXd ExplicitChanges::residuals(const dynamics::StageSolver& solver, const d
     MatrixXd result = gather_columns(model_.body->pattern, gradient(solver, stage, x, rates, d_rates, d_velocities));
     for (std::size_t p = 0; p < changes_.size(); ++p) {
         if (!changes_[p]) continue;
+        // Pairs of models are evaluated with the softening of the run, which is held here.
         myo::sensitivity::soften(*changes_[p], solver.softening());
         result.col(static_cast<Index>(p)) += held_residual_change(*changes_[p], stage, x);
     }
@@ -105,6 +109,7 @@ model::NodalColumns ExplicitChanges::gradient(const dynamics::StageSolver& solve
         elastic = elastic || !s.elastic.empty();
         viscous = viscous || !s.viscous.empty();
     }
+    // Forces per unit modulus at x are computed once and combined for each parameter.
     model::UnitForces forces;
     if (elastic || viscous)
         forces = model::unit_forces(model_, x, solver.softening(),
@@ -114,15 +119,17 @@ model::NodalColumns ExplicitChanges::gradient(const dynamics::StageSolver& solve
     const MatrixXd changes = model_.creep     ? viscous_changes(stage, rates, d_rates)
                              : with_strains() ? d_rates
                                               : MatrixXd();
+    // Softening factors depend on parameters through the peak energies.
     const MatrixXd d_factors = solver.softening().size() > 0 ? factor_tangents(*model_.softening, pairs_, peaks_)
                                                              : MatrixXd();
     model::NodalColumns result = model::gradient_columns(model_, x, forces, {stiffness_, changes, d_factors});
     for (std::size_t g = 0; g < model_.fibres->size(); ++g) {
-        Matrix3Xd of_group;  // per unit of its activation
+        Matrix3Xd of_group;  // per unit of the group's activation
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
             const std::vector<double> d = activation_tangent(parameters_[p], stage.time_s, stage.before_jump);
             if (d.empty() || d[g] == 0.0) continue;
             if (of_group.size() == 0) {
+                // The energy is linear in the activation: the gradient at unit activation is evaluated once per group.
                 std::vector<double> unit(model_.fibres->size(), 0.0);
                 unit[g] = 1.0;
                 of_group = model::activation_gradient(model_, x, unit);

@@ -14,44 +14,50 @@
 
 namespace myo::sensitivity {
 
-/// What parameters do to the stages of a run other than through the stages' positions: derivatives of residuals,
-/// momenta and strains with these held. Columns are parameters. The model and the parameters outlive it.
+/// Explicit dependence of the stages of a run on parameters: derivatives of residuals, momenta and strains with the
+/// positions held fixed. One column per parameter. The model and the parameters must outlive the object.
 class ExplicitChanges {
 public:
     ExplicitChanges(const model::Model& model, const std::vector<ModelTangent>& parameters);
 
-    /// Derivatives of a stage's residual at x, unknowns x P: along the parameters, and along those of the strain rates,
-    /// of the velocities (both may be empty: zero) and of the softening. rates: the strain rates there, those of
-    /// dashpots included.
+    /// Derivatives of the residual of a stage at x with x held, unknowns x P [N per unit].
+    ///
+    /// They contain the parameters themselves and the changes of strain rates, velocities and softening factors.
+    /// @param rates         strain rates at x, dashpots included [1/s]
+    /// @param d_rates       their derivatives, one column per parameter; empty: zero
+    /// @param d_velocities  derivatives of the stage velocities; empty: zero
     Eigen::MatrixXd residuals(const dynamics::StageSolver& solver, const dynamics::Stage& stage,
                               const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rates, const Eigen::MatrixXd& d_rates,
                               const model::NodalColumns& d_velocities);
 
-    /// strains += their derivatives at x, of a stage's solution.
+    /// Adds to `strains` their derivatives at fixed x, for the solution x of a stage.
     void add_strain_changes(const dynamics::Stage& stage, const Eigen::Matrix3Xd& x, Eigen::MatrixXd& strains) const;
 
-    /// momentum += (dM/dp) (sum of factor times motion of the run itself), M of that time.
+    /// Adds dM/dp u to `momentum`, M at `at_s`, u = sum of factor times motion field of the run itself.
     using MotionTerms = std::vector<std::pair<double, const Eigen::Matrix3Xd*>>;
+    /// The sum u is the same for all parameters; only dM/dp differs.
     void add_mass_changes(double at_s, const MotionTerms& motion, model::NodalColumns& momentum) const;
+    /// Whether the mass matrix depends on any parameter.
     bool change_masses() const;
 
-    /// Of a body that softens: raises the cells' largest energies to those at x, which moves along dx; afresh: of
-    /// virgin cells.
+    /// Softening bodies: updates the peak energies with those at x, whose derivatives are dx.
+    ///
+    /// @param afresh  discard earlier peaks (virgin cells)
     void soften(const Eigen::Matrix3Xd& x, const model::NodalColumns& dx, bool afresh);
 
-    /// Strains act through viscous forces alone.
+    /// Whether strains are needed: they act only through viscous forces.
     bool with_strains() const { return model_.damping_s > 0.0 || model_.creep; }
-    /// Models on both sides, where a parameter has them.
+    /// Models on both sides of a parameter; null if the parameter has none.
     const ModelPair* pair(std::size_t parameter) const {
         return changes_[parameter] ? changes_[parameter]->pair.get() : nullptr;
     }
 
 private:
-    /// Of a creeping body: the change of what viscous stresses are made of, positions held, along the parameters and
-    /// the changes of its strain rates (of both, see creep.hpp).
+    /// Creeping body: derivative of the effective viscous rate (see creep.hpp) at fixed positions, along the parameters
+    /// and the changes of the strain rates of body and dashpots.
     Eigen::MatrixXd viscous_changes(const dynamics::Stage& stage, const Eigen::VectorXd& rates,
                                     const Eigen::MatrixXd& d_rates) const;
-    /// Of dW/dx without what pairs of models tell.
+    /// Derivatives of dW/dx, except what is computed from pairs of models.
     model::NodalColumns gradient(const dynamics::StageSolver& solver, const dynamics::Stage& stage,
                                  const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rates,
                                  const Eigen::MatrixXd& d_rates, const model::NodalColumns& d_velocities) const;
@@ -60,10 +66,10 @@ private:
 
     const model::Model& model_;
     const std::vector<ModelTangent>& parameters_;
-    std::vector<model::Stiffness> stiffness_;          // its derivatives, per parameter
-    std::vector<std::optional<ModelChange>> changes_;  // by pairs of models
-    std::vector<ModelPair> pairs_;                     // of a body that softens
-    PeakTangents peaks_;                               // then
+    std::vector<model::Stiffness> stiffness_;          // derivative of the stiffness, per parameter
+    std::vector<std::optional<ModelChange>> changes_;  // per parameter; only those given by a pair of models
+    std::vector<ModelPair> pairs_;                     // softening body only, per parameter
+    PeakTangents peaks_;                               // softening body only
 };
 
 }  // namespace myo::sensitivity

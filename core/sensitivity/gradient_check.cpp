@@ -9,7 +9,7 @@
 namespace myo::sensitivity {
 namespace {
 
-/// The loss of one run; not a number where it failed, with the reason in `message`.
+/// Loss of one run; NaN if the run failed, with the reason in `message`.
 double loss_of_run(const model::Model& model, const dynamics::SimulationOptions& options, const LossOfMotion& loss,
                    const Progress& progress, std::string& message) {
     NodeMotion motion;
@@ -53,6 +53,7 @@ double GradientCheck::worst_error() const {
 GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOptions options, const LossOfMotion& loss,
                              const std::vector<CheckedParameter>& parameters, AdjointOptions adjoint, int threads,
                              const Progress& progress) {
+    // The noise of a difference quotient is the solver tolerance over the relative step.
     options.solver.tolerance = 1e-10;
     adjoint.tolerance = 1e-10;
     adjoint.fibre_shapes = !model.fibres->empty();
@@ -62,6 +63,7 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
     check.message = run.message;
     if (!run.complete()) return check;
 
+    // Central differences of fourth order: shifts and weights of the five-point formula.
     constexpr double shifts[] = {-2.0, -1.0, 1.0, 2.0}, weights[] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0};
     std::vector<double> losses(4 * parameters.size());
     std::vector<std::string> messages(losses.size());
@@ -70,7 +72,8 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
         const CheckedParameter& parameter = parameters[i / 4];
         model::Model changed = model;
         if (changed.poissons_ratio.empty())
-            changed.poissons_ratio = model::poissons_ratios(model.moduli);  // which derivatives hold
+            changed.poissons_ratio = model::poissons_ratios(
+                model.moduli);  // derivatives hold it, so the differences must, too
         dynamics::SimulationOptions changed_options = options;
         parameter.change(changed, changed_options, shifts[i % 4] * parameter.step);
         losses[i] = loss_of_run(changed, changed_options, loss, progress, messages[i]);
@@ -78,13 +81,14 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
     for (std::size_t p = 0; p < parameters.size(); ++p) {
         GradientCheckRow row{parameters[p].name, parameters[p].derivative(run.gradient)};
         for (std::size_t k = 0; k < 4; ++k) {
+            // A failed run gives NaN; the message names the parameter.
             row.difference += weights[k] * losses[4 * p + k] / parameters[p].step;
             if (std::isfinite(losses[4 * p + k])) continue;
             check.status = progress.cancelled() ? dynamics::RunStatus::cancelled : dynamics::RunStatus::failed;
             check.message = parameters[p].name + ": " + messages[4 * p + k];
             return check;
         }
-        // Runs solved to a tolerance tell no difference of the loss below that part of it.
+        // The loss of a run solved to a tolerance is known to that relative accuracy only.
         const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
         const bool without_influence = larger * parameters[p].step <=
                                        options.solver.tolerance * std::abs(losses[4 * p]);

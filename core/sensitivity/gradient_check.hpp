@@ -8,41 +8,49 @@
 
 namespace myo::sensitivity {
 
-/// A parameter, or a direction in many, along which a gradient is compared with differences.
+/// A parameter, or a direction in a field of parameters, along which the gradient is compared with finite differences.
 struct CheckedParameter {
     std::string name;
-    double step = 0.0;                                                                // of the differences, in its unit
-    std::function<void(model::Model&, dynamics::SimulationOptions&, double)> change;  // by so much
-    std::function<double(const ModelGradient&)> derivative;
+    double step = 0.0;  // of the differences, in the unit of the parameter
+    std::function<void(model::Model&, dynamics::SimulationOptions&, double)>
+        change;                                              // changes the parameter by the given amount
+    std::function<double(const ModelGradient&)> derivative;  // directional derivative from a gradient
 };
 
-/// All that this model depends on: moduli, damping, density, Lambda, gravity, forces, attached and directional masses,
-/// fibres (stiffness, directions, every knot of the signals within the run) and the start. Vectors are taken along one
-/// fixed direction each.
+/// All parameters of a model: moduli, damping, density, Lambda, gravity, forces, attached and directional masses,
+/// fibres (stiffness, directions, every knot of the signals within the run), force elements and the start. Vectors and
+/// fields are checked along one fixed direction each. The list refers to `model`.
 std::vector<CheckedParameter> checked_parameters(const model::Model& model, const dynamics::SimulationOptions& options);
 
+/// Comparison for one parameter.
 struct GradientCheckRow {
     std::string name;
-    double adjoint = 0.0, difference = 0.0;
-    double relative_error = 0.0;  // relative_difference() of both; 0 where neither changes the loss by its tolerance
+    double adjoint = 0.0, difference = 0.0;  // loss per unit of the parameter
+    double relative_error = 0.0;             // relative_difference() of both; 0 if both are below the noise of the loss
 };
 
-/// |a - b| over the larger of both; 0 where both are 0.
+/// |a - b| / max(|a|, |b|); 0 if both are 0.
 double relative_difference(double a, double b);
 
+/// Result of check_gradient().
 struct GradientCheck {
     dynamics::RunStatus status = dynamics::RunStatus::not_run;
     std::string message;
     std::vector<GradientCheckRow> rows;
 
+    /// Whether all rows were computed.
     bool complete() const { return status == dynamics::RunStatus::complete; }
+    /// Median of the relative errors (upper median for an even number); 0 without rows.
     double median_error() const;
+    /// Largest of the relative errors; 0 without rows.
     double worst_error() const;
 };
 
-/// Compares simulate_with_gradient() with central differences of fourth order: four runs per parameter, on up to
-/// `threads` threads. Stages and linear solves are solved to 1e-10, as differences see their noise. Errors: those of
-/// the runs.
+/// Compares simulate_with_gradient() with central differences of fourth order.
+///
+/// Four runs per parameter, on up to `threads` threads. Stages and linear solves are solved to 1e-10, because
+/// differences amplify the solver noise.
+/// Errors: those of the runs, in status and message.
 GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOptions options, const LossOfMotion& loss,
                              const std::vector<CheckedParameter>& parameters, AdjointOptions adjoint = {},
                              int threads = 1, const Progress& progress = {});

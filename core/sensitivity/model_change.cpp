@@ -14,6 +14,8 @@ using Eigen::VectorXd;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+/// (over - under) / width; a matrix of size zero counts as zero. Zero entries are removed so that nonZeros() shows
+/// whether anything changes.
 Sparse difference(const Sparse& over, const Sparse& under, double width) {
     Sparse result;
     if (over.size() == 0 && under.size() == 0) return result;
@@ -27,11 +29,12 @@ Sparse difference(const Sparse& over, const Sparse& under, double width) {
     return result;
 }
 
-/// Of each span in which neither of the two begins or ends.
+/// Difference quotients of the mass on the common refinement of both lists of spans.
 std::vector<model::MassSpan> differences(const std::vector<model::MassSpan>& over,
                                          const std::vector<model::MassSpan>& under, double width) {
     std::vector<model::MassSpan> result;
     for (std::size_t o = 0, u = 0; o < over.size() && u < under.size();) {
+        // The next boundary of either list ends a span of the refinement.
         const double until_s = std::min(over[o].until_s, under[u].until_s);
         result.push_back(
             {until_s, model::mass_matrix(difference(over[o].mass.isotropic, under[u].mass.isotropic, width),
@@ -42,6 +45,7 @@ std::vector<model::MassSpan> differences(const std::vector<model::MassSpan>& ove
     return result;
 }
 
+/// Strains at x with the clamped nodes of this model, dashpots included.
 VectorXd stage_strains(const model::Model& model, const dynamics::Stage& stage, const Matrix3Xd& x) {
     VectorXd result = model::strains(model, dynamics::held_by(*model.body, x));
     if (model.creep) result = dynamics::with_dashpots(*model.creep, stage.rate_factor_1_s, result, stage.rate_history);
@@ -75,7 +79,8 @@ VectorXd held_residual_change(const ModelChange& change, const dynamics::Stage& 
     const auto residual = [&](const dynamics::StageConstants& side) {
         const Matrix3Xd held = dynamics::held_by(*side.model->body, x);
         if (held == x) return dynamics::StageProblem(side, stage).evaluate(x, model::HessianKind::none).residual;
-        // A clamp that stands elsewhere has stood there all the time.
+        // The clamped nodes differ between the models. A displaced clamp is treated as having been there all the time:
+        // its inertia and velocity terms are shifted, so that the displacement causes no velocity.
         dynamics::Stage standing = stage;
         standing.constant += stage.inertia_1_s2 *
                              model::times_mass(held - x,

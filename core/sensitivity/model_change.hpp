@@ -10,37 +10,38 @@
 
 namespace myo::sensitivity {
 
-/// A model on both sides of another along a parameter, by which it may change in any way that leaves the same nodes
-/// free.
+/// Two models on both sides of a third along a parameter. They may differ in any way that keeps the same nodes free.
 struct ModelPair {
     model::Model under, over;
-    double width = 0.0;  // between them, in units of the parameter
+    double width = 0.0;  // parameter difference over - under, in units of the parameter
 };
 
-/// What a pair says of the model between: derivatives per unit of the parameter, exact where the model is linear in it
-/// and otherwise to the square of the width.
+/// Central differences from a pair of models: derivatives per unit of the parameter. Exact where the model is linear in
+/// the parameter, otherwise with an error of the order of width squared.
 struct ModelChange {
     std::shared_ptr<const ModelPair> pair;
-    dynamics::StageConstants under, over;
-    std::vector<model::MassSpan> masses;  // no entries: they stay
+    dynamics::StageConstants under, over;  // constants of both models
+    std::vector<model::MassSpan> masses;   // difference quotient of the mass; no entries: the mass is constant
 };
+/// Prepares the differences of a pair.
 ModelChange model_change(std::shared_ptr<const ModelPair> pair);
 
-/// Whether some mass changes; that of a time, too.
+/// Whether the mass matrix changes, including masses that exist for part of the time only.
 bool changes_mass(const ModelChange& change);
+/// Derivative of the mass matrix at an instant [kg per unit].
 inline const model::MassMatrix& mass_change(const ModelChange& change, double at_s) {
     return change.masses[model::span_at(change.masses, at_s)].mass;
 }
 
-/// Factors of the elastic moduli at the points from now on, as in StageSolver; empty: virgin ones.
+/// Sets the softening factors of the elastic moduli in both models, as StageSolver::soften() does; empty: virgin.
 void soften(ModelChange& change, const Eigen::VectorXd& factors);
 
-/// Derivative of a stage's residual over the free unknowns [N per unit] with its positions, its constant, its histories
-/// and the softening held.
+/// Derivative of the residual of a stage over the free unknowns [N per unit]. Positions of free nodes, constant,
+/// histories and softening factors are held.
 Eigen::VectorXd held_residual_change(const ModelChange& change, const dynamics::Stage& stage,
                                      const Eigen::Matrix3Xd& x);
 
-/// The same of the strains of a stage's solution, those of dashpots included.
+/// Derivative of the strains of a stage solution at fixed x, dashpots included.
 Eigen::VectorXd held_strain_change(const ModelChange& change, const dynamics::Stage& stage, const Eigen::Matrix3Xd& x);
 
 }  // namespace myo::sensitivity

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 double dot(const Matrix3Xd& a, const Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
 
-/// What M p has of the isotropic mass.
+/// Part of M p from the isotropic masses: M p minus the directional part.
 Matrix3Xd isotropic_part(const model::MassMatrix& mass, const Matrix3Xd& p, Matrix3Xd Mp) {
     if (mass.has_directional()) model::add_directional(mass.directional, -p, Mp);
     return Mp;
@@ -28,6 +28,7 @@ material::YoungPoisson young_gradient(const model::Model& model, const ModelGrad
         const auto [E, nu] = material::young_from_moduli(model.moduli[c]);
         const material::Moduli& m = model.moduli[c];
         const material::Moduli& g = gradient.moduli[c];
+        // E: all moduli are proportional to it. nu at fixed E: mu = E / (2 (1 + nu)), kappa = E / (3 (1 - 2 nu)).
         result.youngs_modulus_Pa += (g.mu * m.mu + g.kappa * m.kappa) / E;
         result.poissons_ratio += -g.mu * m.mu / (1.0 + nu) + g.kappa * 2.0 * m.kappa / (1.0 - 2.0 * nu);
     };
@@ -63,9 +64,12 @@ GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
 void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp) {
     model::add_moduli_work(model_, at.x, p, at.rate, moduli_);
     if (!model_.fibres->empty()) {
+        // The work per unit activation is distributed to knots here, per equilibrium; the other works accumulate.
         std::fill(fibres_.by_activation.begin(), fibres_.by_activation.end(), 0.0);
         model::add_fibre_work(model_, at.x, p, model::activations(model_, at.time_s, at.before_jump), fibres_);
+        // A signal is linear between its knots: its value distributes to the two adjacent knots.
         for (std::size_t g = 0; g < fibres_.by_activation.size(); ++g) {
+            // One-sided at a jump: the knot on the side from which the loads are taken.
             const fibre::Signal::Weights w = model_.activation[g].weights(at.time_s, at.before_jump);
             gradient_.activation[g][w.left] -= w.of_left * fibres_.by_activation[g];
             gradient_.activation[g][w.right] -= w.of_right * fibres_.by_activation[g];
@@ -78,13 +82,15 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
     }
     for (std::size_t f = 0; f < model_.forces.size(); ++f) {
         const model::DeadForce& load = model_.forces[f];
+        // `share` distributes the force to the nodes: the derivative is the adjoint at its point of action.
         if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s))
             gradient_.forces_N[f] += p * load.share;
     }
     const Matrix3Xd isotropic_p = isotropic_part(masses_[model::span_at(masses_, at.inertia_at_s)].mass, p,
-                                                 Mp);  // what weighs
+                                                 Mp);  // only isotropic masses have weight
     gradient_.gravity_m_s2 += isotropic_p.rowwise().sum();
     add_isotropic(p, isotropic_p, model_.gravity_m_s2.replicate(1, p.cols()));
+    // Inertia of directional masses and the derivative with respect to Lambda.
     if (at.accelerations) add_momentum(at.inertia_at_s, p, Mp, *at.accelerations, at.by_velocity_force);
 }
 
@@ -101,6 +107,7 @@ void GradientSum::add_momentum(double at_s, const Matrix3Xd& p, const Matrix3Xd&
     if (by_velocity_force) gradient_.velocity_force_1_s += dot(Mp, *by_velocity_force);
 }
 
+// Attached masses separately; the density is proportional to what remains, see take().
 void GradientSum::add_isotropic(const Matrix3Xd& p, const Matrix3Xd& isotropic_p, const Matrix3Xd& u) {
     of_mass_ += dot(isotropic_p, u);
     for (std::size_t k = 0; k < model_.masses.size(); ++k)
@@ -108,7 +115,7 @@ void GradientSum::add_isotropic(const Matrix3Xd& p, const Matrix3Xd& isotropic_p
 }
 
 ModelGradient GradientSum::take() {
-    // Forces are minus the derivatives of the energy.
+    // Forces are minus the energy gradient: hence the signs. Viscous forces are proportional to damping times mu.
     for (std::size_t c = 0; c < moduli_.elastic.size(); ++c) {
         const double viscous = moduli_.viscous[c];
         gradient_.moduli.push_back({-moduli_.elastic[c].mu - model_.damping_s * viscous, -moduli_.elastic[c].kappa});
@@ -121,6 +128,7 @@ ModelGradient GradientSum::take() {
     double attached = 0.0;
     for (std::size_t k = 0; k < model_.masses.size(); ++k)
         attached += model_.masses[k].mass_kg * gradient_.attached_masses_kg[k];
+    // M is linear in the density and the attached masses, so p . M u is the sum of each times its derivative.
     gradient_.density_kg_m3 = model_.density_kg_m3 > 0.0 ? (of_mass_ - attached) / model_.density_kg_m3 : 0.0;
     return std::move(gradient_);
 }

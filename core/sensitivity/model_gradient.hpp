@@ -9,66 +9,71 @@
 
 namespace myo::sensitivity {
 
-/// Derivative of a scalar (a loss) with respect to everything that a run depends on; units are those of the loss per
-/// unit of the name.
+/// Derivative of a scalar (a loss) with respect to all inputs of a run, in units of the loss per unit of the input.
 struct ModelGradient {
-    std::vector<material::Moduli> moduli;  // per cell
+    std::vector<material::Moduli> moduli;  // per cell, [1/Pa]
     double damping_s = 0.0;
     double density_kg_m3 = 0.0;
     double velocity_force_1_s = 0.0;
     Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();
     std::vector<std::vector<double>> activation;  // per fibre group and knot of its signal
-    std::vector<double> fibre_stiffness_Pa;       // per group
+    std::vector<double> fibre_stiffness_Pa;       // per fibre group
     std::vector<std::vector<Eigen::VectorXd>>
-        fibre_shape;                        // per group and point, see FibrePoint::shape; only when asked for
-    std::vector<Eigen::Vector3d> forces_N;  // per dead force
-    std::vector<double> attached_masses_kg;
-    std::vector<double> directional_masses;       // per directional mass: of a factor on it
-    std::vector<Eigen::VectorXd> force_elements;  // per element and parameter
-    Eigen::Matrix3Xd initial_positions;           // 3 x n; zero on clamped nodes and where a run starts at equilibrium
+        fibre_shape;                              // per group and point, see FibrePoint::shape; only on request
+    std::vector<Eigen::Vector3d> forces_N;        // per dead force
+    std::vector<double> attached_masses_kg;       // per attached mass
+    std::vector<double> directional_masses;       // per directional mass: derivative with respect to a factor on it
+    std::vector<Eigen::VectorXd> force_elements;  // per element, one entry per parameter
+    Eigen::Matrix3Xd initial_positions;           // 3 x n; zero on clamped nodes, and for a start at equilibrium
     Eigen::Matrix3Xd initial_velocities;          // 3 x n; zero on clamped nodes
 };
 
-/// With respect to Young's modulus [per Pa] and Poisson's ratio of the law, shifted alike in the given cells (all of
-/// them when empty); each cell has its own from its moduli. Model::poissons_ratio, by which hex8 cells thin, is held:
-/// at rest their energy is stationary in it.
+/// Gradient with respect to Young's modulus [per Pa] and Poisson's ratio of the law.
+///
+/// Both are shifted by the same amount in all given cells (all cells if empty); E and nu of each cell follow from its
+/// moduli. Model::poissons_ratio, which sets the thinning of hex8 cells, is held: at rest their energy is stationary in
+/// it.
 material::YoungPoisson young_gradient(const model::Model& model, const ModelGradient& gradient,
                                       const std::vector<int>& cells = {});
 
-/// With respect to the fibre direction in each cell, 3 x cells (zero where the group has none), for a group whose
-/// fibres have the direction as a free vector: changes of its length count, too. Asserts that the gradient has the
-/// group's shapes.
+/// Gradient with respect to the fibre direction in each cell, 3 x cells; zero in cells without fibres of the group.
+///
+/// The direction is a free vector: changes of its length are included. Asserts that the gradient contains the shapes of
+/// the group.
 Eigen::Matrix3Xd fibre_direction_gradient(const model::Model& model, const ModelGradient& gradient, std::size_t group);
 
-/// Gathers the gradient from the equilibria of a run, each with its adjoint.
+/// Accumulates the gradient from the equilibria of a run (stages, jumps, start), each with its adjoint.
 class GradientSum {
 public:
     GradientSum(const model::Model& model, bool fibre_shapes);
 
-    /// The equilibrium inertia M x + dW/dx = ... of a stage, a jump or the start, solved or evaluated at x.
+    /// Equilibrium inertia M x + dW/dx = ... of a stage, a jump or the start, at the solution x.
     struct Balance {
-        const Eigen::Matrix3Xd& x;
-        const Eigen::Matrix3Xd* v = nullptr;  // for the force elements; null: at rest
-        model::StrainRate rate;  // history null: not known, or no derivative with respect to damping wanted
-        double time_s = 0.0;
-        bool before_jump = false;
-        double inertia_at_s = 0.0;  // see Stage
+        const Eigen::Matrix3Xd& x;                        // 3 x n [m]
+        const Eigen::Matrix3Xd* v = nullptr;              // velocities for the force elements; null: at rest
+        model::StrainRate rate;                           // null history: no derivative with respect to damping
+        double time_s = 0.0;                              // instant of loads and activations
+        bool before_jump = false;                         // loads left of a jump
+        double inertia_at_s = 0.0;                        // see Stage
+        const Eigen::Matrix3Xd* accelerations = nullptr;  // 3 x n: factor of M besides gravity; null: zero
         const Eigen::Matrix3Xd*
-            accelerations = nullptr;  // 3 x n: what the mass is multiplied by, gravity aside; null: nothing
-        const Eigen::Matrix3Xd*
-            by_velocity_force = nullptr;  // 3 x n: the derivative of that with respect to Lambda; null: none
+            by_velocity_force = nullptr;  // 3 x n: derivative of `accelerations` with respect to Lambda; null: zero
     };
-    /// p: the adjoint of its forces, 3 x n [1/N per loss], zero on clamped nodes. Mp: times_mass(p) with the mass of
-    /// then.
+    /// Adds the contribution of one equilibrium.
+    ///
+    /// @param p   adjoint of its forces, 3 x n [loss per N], zero on clamped nodes
+    /// @param Mp  times_mass(p) with the mass at `inertia_at_s`
     void add(const Balance& balance, const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& Mp);
 
-    /// M u, M of that time, enters a momentum with the adjoint p.
+    /// Adds the contribution of a momentum M u with adjoint p, M at `at_s`.
     void add_momentum(double at_s, const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& Mp, const Eigen::Matrix3Xd& u,
                       const Eigen::Matrix3Xd* by_velocity_force);
 
+    /// The gradient; call once, at the end.
     ModelGradient take();
 
 private:
+    /// Contribution of M u for the isotropic masses: density and attached masses.
     void add_isotropic(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& isotropic_p, const Eigen::Matrix3Xd& u);
 
     const model::Model& model_;
@@ -76,7 +81,8 @@ private:
     ModelGradient gradient_;
     model::ModuliWork moduli_;
     model::FibreWork fibres_;
-    double of_mass_ = 0.0;  // p . M u of the isotropic mass: the density's share is what the attached masses leave
+    double of_mass_ = 0.0;  // sum of p . M u over the isotropic mass; the share of the density is this minus that of
+                            // the attached masses
 };
 
 }  // namespace myo::sensitivity

@@ -29,14 +29,18 @@ Eigen::Matrix3Xd force_element_tangent(const model::Model& model, const ModelTan
 
 model::Stiffness stiffness_tangent(const model::Model& model, const ModelTangent& tangent) {
     model::Stiffness derivative;
+    // The activation is a separate part of the tangent.
     derivative.fibres = false;
     derivative.elastic = tangent.moduli;
     derivative.elastic_factors = derivative.viscous_factors = model.point_factors;
+    // With creep the viscous stress is 2 mu dev of the effective rate, which already contains damping.
     if (model.creep) {
+        // The effective rate of creep.hpp has unit viscosity: viscous moduli are the moduli themselves.
         derivative.viscous = tangent.moduli;
         return derivative;
     }
     if (tangent.damping_s == 0.0 && (model.damping_s == 0.0 || tangent.moduli.empty())) return derivative;
+    // Product rule for the viscous moduli damping * (mu, kappa).
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
         const material::Moduli d = tangent.moduli.empty() ? material::Moduli{} : tangent.moduli[c];
         derivative.viscous.push_back({tangent.damping_s * model.moduli[c].mu + model.damping_s * d.mu,
@@ -59,6 +63,7 @@ Eigen::Matrix3Xd gradient_tangent(const model::Model& model, const ModelTangent&
     if (!derivative.elastic.empty() || !derivative.viscous.empty()) {
         model::InternalInput input;
         input.stiffness = &derivative;
+        // The strain rate is given: rate factor 0 and the rate as history.
         if (rate.size() > 0) input.rate = {0.0, &rate};
         gradient = model::internal_energy(model, x, input, model::HessianKind::none).gradient;
     }

@@ -15,6 +15,7 @@ void RunTape::record(dynamics::RunObserver& observer) {
         Block& block = blocks_.back();
         block.steps.push_back({scheme, t, h, {}, {}});
         const auto size = static_cast<std::size_t>(solved.front().solution.x.size());
+        // One reservation per block avoids reallocation of large arrays during the run.
         if (block.positions.empty())
             block.positions.reserve(static_cast<std::size_t>(points_every_) * solved.size() * size);
         for (const dynamics::SolvedStage& s : solved) {
@@ -29,10 +30,12 @@ void RunTape::record(dynamics::RunObserver& observer) {
             blocks_.back().steps.back().jump_s = t;
     };
     observer.stood = [this](const dynamics::RunPoint& point) {
+        // A new block starts with a whole state once the current block is full.
         if (!blocks_.empty() && static_cast<int>(blocks_.back().steps.size()) < points_every_) return;
         blocks_.push_back({{}, {}, point.state});
         if (with_strains_) return;
         dynamics::Kinematics& start = blocks_.back().start;
+        // Strains act through viscous forces only; without damping they need no memory.
         for (VectorXd* strain : {&start.strain, &start.rate, &start.rate_lag}) strain->resize(0);
     };
 }
@@ -44,6 +47,7 @@ StepRecord RunTape::replay(dynamics::StageSolver& solver, const TapedStep& step,
     record.scheme = step.scheme;
     record.time_s = step.time_s;
     record.h_s = step.h_s;
+    // Repeats the step with recorded stage solutions in place of solves.
     const auto solve = [&](dynamics::Stage& stage, dynamics::StageSolution& solution) {
         const TapedStage& taped = step.stages[record.solved.size()];
         stage.time_s = taped.time_s;
@@ -58,7 +62,7 @@ StepRecord RunTape::replay(dynamics::StageSolver& solver, const TapedStep& step,
                                                          step.h_s, model.velocity_force_1_s, solve};
     dynamics::Kinematics next;
     dynamics::take_step(step.scheme, problem, state, next);
-    record.start = std::move(state);
+    record.start = std::move(state);  // state before the step; strains are not needed by the transposition
     for (VectorXd* strain : {&record.start.strain, &record.start.rate, &record.start.rate_lag}) strain->resize(0);
     state = std::move(next);
     if (step.jump_s) {
@@ -83,7 +87,10 @@ std::vector<StepRecord> RunTape::take_last(dynamics::StageSolver& solver) {
 }
 
 TapeBytes tape_bytes(const model::Model& model, const dynamics::TimeScheme& scheme, bool with_strains) {
+    // Multi-step schemes store v_lag, force_lag and rate_lag besides x, v, force, strain and rate.
+    // A scheme has memory if the row of v_lag is not zero.
     const StepCoefficients steps = step_coefficients(scheme, 1.0, 1.0, 0.0);
+    // 3 doubles per node, 1 double per strain measure.
     const double nodal = 24.0 * model.body->node_count(),
                  strain = with_strains ? 8.0 * model.body->strain_count() : 0.0;
     const bool remembers = steps.nodal.row(v_lag_field).any();

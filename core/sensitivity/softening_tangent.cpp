@@ -17,6 +17,7 @@ void raise_peaks(const model::Model& model, const Matrix3Xd& x, const model::Nod
     const VectorXd now = model::isochoric_energy_densities(model, x);
     const auto count = static_cast<Index>(pairs.size());
     MatrixXd derivative(now.size(), count);
+    // Central difference along the parameter: model and positions change together, which gives the total derivative.
     for (Index p = 0; p < count; ++p) {
         const ModelPair& pair = pairs[static_cast<std::size_t>(p)];
         const Matrix3Xd half = 0.5 * pair.width * model::nodal_column(dx, p);
@@ -27,6 +28,7 @@ void raise_peaks(const model::Model& model, const Matrix3Xd& x, const model::Nod
     }
     if (peaks.energy_J_m3.size() == 0) peaks = {VectorXd::Zero(now.size()), MatrixXd::Zero(now.size(), count)};
     for (Index c = 0; c < now.size(); ++c)
+        // Strictly larger: of equal maxima the first one keeps its derivative.
         if (std::isfinite(now(c)) && now(c) > peaks.energy_J_m3(c)) {
             peaks.energy_J_m3(c) = now(c);
             peaks.derivative.row(c) = derivative.row(c);
@@ -40,6 +42,7 @@ MatrixXd factor_tangents(const material::StressSoftening& softening, const std::
         const double W = peaks.energy_J_m3(c);
         for (Index p = 0; p < result.cols(); ++p) {
             const ModelPair& pair = pairs[static_cast<std::size_t>(p)];
+            // Explicit dependence of the law plus the chain rule through the peak energy.
             const double own = (pair.over.softening->factor(W) - pair.under.softening->factor(W)) / pair.width;
             result(c, p) = own + softening.slope(W) * peaks.derivative(c, p);
         }

@@ -10,18 +10,23 @@
 
 namespace myo::sensitivity {
 
-/// Largest isochoric energy densities of the points so far, and their derivatives along parameters. Where points have
-/// it at the same time again and again there is no derivative; there it is that of the first time.
+/// Largest isochoric energy densities reached at the points, and their derivatives along parameters.
+///
+/// A maximum that is attained repeatedly is not differentiable; the derivative is then that of the first time.
 struct PeakTangents {
-    Eigen::VectorXd energy_J_m3;  // point_count
-    Eigen::MatrixXd derivative;   // point_count x parameters
+    Eigen::VectorXd energy_J_m3;  // per quadrature point
+    Eigen::MatrixXd derivative;   // point_count x parameters [J/m3 per unit]
 };
 
-/// raise_peaks() at x, which moves along `dx` per unit of the parameters; pairs: the models on both sides of each.
+/// Updates peaks as dynamics::raise_peaks() does, with derivatives.
+///
+/// @param dx     derivatives of x, one column per parameter
+/// @param pairs  models on both sides of each parameter, for the explicit dependence of the energy
 void raise_peaks(const model::Model& model, const Eigen::Matrix3Xd& x, const model::NodalColumns& dx,
                  const std::vector<ModelPair>& pairs, PeakTangents& peaks);
 
-/// Derivatives of the softening factors, point_count x parameters; the pairs tell those of the law's own numbers.
+/// Derivatives of the softening factors, point_count x parameters. `pairs` supply the dependence on the parameters of
+/// the softening law.
 Eigen::MatrixXd factor_tangents(const material::StressSoftening& softening, const std::vector<ModelPair>& pairs,
                                 const PeakTangents& peaks);
 

@@ -11,7 +11,8 @@ VectorXd measure(double value) { return VectorXd::Constant(1, value); }
 double first(const Matrix3Xd& m) { return m.size() > 0 ? m(0, 0) : 0.0; }
 double first(const VectorXd& v) { return v.size() > 0 ? v(0) : 0.0; }
 
-/// One step from a unit of one nodal field (and of the strain field beside it) or of one stage solution.
+/// Result of one step from a unit value in one nodal field (and the strain field of the same index) or in one stage
+/// solution.
 struct UnitStep {
     std::vector<double> nodal, strain, inertia_1_s2, rate_factor_1_s;
 };
@@ -32,6 +33,7 @@ UnitStep unit_step(const dynamics::TimeScheme& scheme, double h, double step_bef
     mass.isotropic.insert(0, 0) = 1.0;
     UnitStep result;
     std::vector<double> constants, histories;
+    // The stage "solution" is prescribed: the constant and the history show what the step passes to the stage.
     const auto solve = [&](const dynamics::Stage& stage, dynamics::StageSolution& solution) {
         const double value = unit(nodal_fields + static_cast<int>(constants.size()));
         solution = {node(value), measure(value)};
@@ -56,6 +58,7 @@ UnitStep unit_step(const dynamics::TimeScheme& scheme, double h, double step_bef
 StepCoefficients step_coefficients(const dynamics::TimeScheme& scheme, double h_s, double step_before_s,
                                    double velocity_force_1_s) {
     StepCoefficients result;
+    // A step from zero gives the stage parameters, which do not depend on the state.
     const UnitStep zero = unit_step(scheme, h_s, step_before_s, velocity_force_1_s, -1);
     result.inertia_1_s2 = zero.inertia_1_s2;
     result.rate_factor_1_s = zero.rate_factor_1_s;
@@ -65,7 +68,7 @@ StepCoefficients step_coefficients(const dynamics::TimeScheme& scheme, double h_
     for (int column = 0; column < nodal_fields + stages; ++column) {
         const UnitStep step = unit_step(scheme, h_s, step_before_s, velocity_force_1_s, column);
         result.nodal.col(column) = Eigen::Map<const VectorXd>(step.nodal.data(), result.nodal.rows());
-        // The strain fields stand beside the first nodal ones.
+        // Strain fields correspond to the first nodal fields: one unit step serves both matrices.
         const int beside = column < strain_fields ? column : column - nodal_fields + strain_fields;
         if (column < strain_fields || column >= nodal_fields)
             result.strain.col(beside) = Eigen::Map<const VectorXd>(step.strain.data(), result.strain.rows());
@@ -75,6 +78,7 @@ StepCoefficients step_coefficients(const dynamics::TimeScheme& scheme, double h_
 
 StepCoefficients step_coefficients_by_velocity_force(const dynamics::TimeScheme& scheme, double h_s,
                                                      double step_before_s, double velocity_force_1_s) {
+    // Central difference; exact for polynomials of degree two. 1/h is the natural unit of Lambda.
     const double change = 1.0 / h_s;
     StepCoefficients up = step_coefficients(scheme, h_s, step_before_s, velocity_force_1_s + change);
     const StepCoefficients down = step_coefficients(scheme, h_s, step_before_s, velocity_force_1_s - change);

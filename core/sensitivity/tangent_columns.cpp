@@ -32,6 +32,7 @@ model::NodalColumns scatter_columns(const model::BlockPattern& pattern, const Ma
 model::NodalColumns mass_times(const model::NodalColumns& fields, const model::MassMatrix& mass) {
     if (fields.size() == 0) return {};
     model::NodalColumns result(fields.rows(), fields.cols());
+    // Each thread writes its own columns (nodes): deterministic without synchronisation. The mass matrix is symmetric.
     parallel_ranges(static_cast<int>(mass.isotropic.outerSize()), 50, [&](int first, int end) {
         for (int j = first; j < end; ++j) {
             result.col(j).setZero();
@@ -43,7 +44,7 @@ model::NodalColumns mass_times(const model::NodalColumns& fields, const model::M
     return result;
 }
 
-// A few columns at a time, so that the sum stays in the cache.
+// Blocks of entries are summed over all terms, so that the partial sum stays in the cache.
 MatrixXd sum_of(const FieldTerms& terms) {
     MatrixXd result;
     for (const auto& [factor, field] : terms)

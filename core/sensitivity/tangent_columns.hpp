@@ -11,15 +11,17 @@
 
 namespace myo::sensitivity {
 
-/// The free unknowns of nodal fields, unknowns x fields, and back; clamped nodes are zero.
+/// Free unknowns of nodal fields, unknowns x fields.
 Eigen::MatrixXd gather_columns(const model::BlockPattern& pattern, const model::NodalColumns& fields);
+/// Inverse of gather_columns(); clamped nodes are zero.
 model::NodalColumns scatter_columns(const model::BlockPattern& pattern, const Eigen::MatrixXd& unknowns);
 
-/// times_mass() of all fields.
+/// M times each field; empty if `fields` is empty.
 model::NodalColumns mass_times(const model::NodalColumns& fields, const model::MassMatrix& mass);
 
-/// The sum of factor times field; empty fields are zero.
+/// Terms of a linear combination: (factor, field).
 using FieldTerms = std::vector<std::pair<double, const Eigen::MatrixXd*>>;
+/// Sum of factor times field. Empty fields count as zero; empty result if all are.
 Eigen::MatrixXd sum_of(const FieldTerms& terms);
 
 }  // namespace myo::sensitivity

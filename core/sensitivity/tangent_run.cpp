@@ -23,12 +23,12 @@ using Eigen::VectorXd;
 
 constexpr int most_softening_rounds = 200;
 constexpr double softening_tolerance = 1e-9;
-/// Width of the differences at the start, in units of the body's size. Strains are nearly squares of positions: the
-/// error is the square of the width, and rounding over it.
+/// Width of the difference quotients at the start, relative to the size of the body. Strains are nearly quadratic in
+/// the positions: the error consists of a term of width squared and of rounding over width.
 constexpr double start_difference = 1e-5;
 
-/// Carries d(Kinematics)/d(parameter) along a run, all parameters side by side. A step is linear but for the solves of
-/// its stages (see StepCoefficients).
+/// Propagates d(Kinematics)/d(parameter) along a run, all parameters together. A step is linear apart from the solves
+/// of its stages (see StepCoefficients).
 class TangentFollower {
 public:
     TangentFollower(const model::Model& model, const dynamics::SimulationOptions& options,
@@ -60,6 +60,7 @@ public:
     void jump(dynamics::StageSolver& solver, const dynamics::Kinematics& state, double t) {
         if (parameters_.empty()) return;
         const model::BlockPattern& pattern = model_.body->pattern;
+        // Derivative of set_jump_force(): force = -dW/dx(x) + ... with x, v and rate changing.
         const dynamics::Stage stage = dynamics::jump_stage(state, t);
         const solver::SymmetricSparse K = solver.hessian(stage, state.x);
         const MatrixXd held = explicit_.residuals(solver, stage, state.x, state.rate, strain_[rate_field],
@@ -77,10 +78,11 @@ public:
               const std::vector<dynamics::SolvedStage>& solved) {
         if (parameters_.empty()) return;
         const model::Body& body = *model_.body;
-        const double middle_s = t + 0.5 * h;  // for the mass
+        const double middle_s = t + 0.5 * h;  // instant of the mass
         const StepCoefficients step = step_coefficients(scheme, h, step_before_s_, model_.velocity_force_1_s);
         std::vector<model::NodalColumns> solutions(solved.size());
         std::vector<MatrixXd> strains(solved.size());
+        // Row of the step map: derivative of a field after the step or of a stage constant.
         const auto nodal_row = [&](int row) {
             FieldTerms plain, through_mass;
             for (int c = 0; c < step.nodal.cols(); ++c) {
@@ -94,6 +96,7 @@ public:
             plain.emplace_back(1.0, &momentum);
             return sum_of(plain);
         };
+        // Strains do not involve the mass.
         const auto strain_row = [&](int row) {
             FieldTerms terms;
             for (int c = 0; c < step.strain.cols(); ++c)
@@ -103,7 +106,7 @@ public:
             return sum_of(terms);
         };
 
-        // Velocities of a stage depend on motions as rates of strain on strains.
+        // Stage velocities depend on motions with the same coefficients as strain rates on strains.
         const auto velocity_row = [&](int row) {
             FieldTerms terms;
             if (!model::depends_on_velocity(model_)) return model::NodalColumns();
@@ -115,6 +118,7 @@ public:
         };
 
         guesses_.resize(solved.size());
+        // Differentiated stage equation: H dx = d constant - explicit change of the residual at fixed x.
         for (std::size_t k = 0; k < solved.size(); ++k) {
             const auto& [stage, solution] = solved[k];
             const VectorXd rate = stage.rate_factor_1_s * solution.strain + stage.rate_history;
@@ -141,12 +145,12 @@ public:
         nodal_ = std::move(nodal);
         strain_ = std::move(strain);
         clear_clamped();
-        step_before_s_ = step.nodal.row(v_lag_field).any() ? h : 0.0;  // of schemes that look back
+        step_before_s_ = step.nodal.row(v_lag_field).any() ? h : 0.0;  // zero for schemes without memory
         explicit_.soften(solved.back().solution.x, nodal_[x_field], false);
         keep();
     }
 
-    /// Where the next step begins.
+    /// Stores the state from which the next step starts.
     void stood(const dynamics::Kinematics& state) {
         if (explicit_.change_masses()) before_ = {state.x, state.v, state.v_lag};
     }
@@ -154,11 +158,12 @@ public:
     std::vector<NodeTangent> take() { return std::move(kept_); }
 
 private:
-    /// Where to start the linear solves: the polynomial through the solutions of the last four steps, of equal length
-    /// mostly.
+    /// Initial guess of the linear solves: extrapolation of the last four solutions with a polynomial, for steps of
+    /// equal length.
     struct Guess {
-        std::vector<MatrixXd> last;  // the latest first
+        std::vector<MatrixXd> last;  // latest first
         MatrixXd next() const {
+            // Rows: constant, linear, quadratic and cubic extrapolation by one interval.
             constexpr std::array<std::array<double, 4>, 4> weights{
                 {{1.0}, {2.0, -1.0}, {3.0, -3.0, 1.0}, {4.0, -6.0, 4.0, -1.0}}};
             if (last.empty()) return {};
@@ -172,7 +177,7 @@ private:
         }
     };
 
-    /// Motions of the run itself, with their factors.
+    /// Motion fields of the run with their factors in a momentum row.
     ExplicitChanges::MotionTerms moved_of(const StepCoefficients& step, int row,
                                           const std::vector<dynamics::SolvedStage>& solved) const {
         ExplicitChanges::MotionTerms terms;
@@ -184,7 +189,8 @@ private:
         return terms;
     }
 
-    /// Of an equilibrium; that of softened cells is a fixed point (see solve_equilibrium), and so is its derivative.
+    /// Derivative of the start equilibrium. For a softening body the equilibrium is a fixed point (see
+    /// solve_equilibrium()), and its derivative is found by the same iteration.
     void rest(dynamics::StageSolver& solver, const dynamics::Kinematics& state) {
         const Matrix3Xd& x = state.x;
         const model::BlockPattern& pattern = model_.body->pattern;
@@ -195,11 +201,12 @@ private:
             const MatrixXd B = -explicit_.residuals(solver, stage, x, state.rate, {}, {});
             const model::NodalColumns before = nodal_[x_field];
             nodal_[x_field] = scatter_columns(pattern, solver.solve_linear(K, stage, x, B));
+            // Without softening one solve is exact.
             if (!model_.softening || (nodal_[x_field] - before).norm() <= softening_tolerance * before.norm()) return;
         }
     }
 
-    /// Strains and rates of the start by differences of both sides.
+    /// Derivatives of the start strains and rates, by central differences of the positions and models.
     void start_strains(const dynamics::Kinematics& state) {
         for (MatrixXd* field : {&strain_[strain_field], &strain_[rate_field]})
             *field = MatrixXd::Zero(state.strain.size(), static_cast<Index>(parameters_.size()));
@@ -223,13 +230,15 @@ private:
         }
     }
 
-    /// The mass couples clamped nodes to their free neighbours; forces on them are reactions.
+    /// Clamped nodes: the mass couples them to free neighbours, but forces on them are reactions and not part of the
+    /// state.
     void clear_clamped() {
         for (int i = 0; i < model_.body->node_count(); ++i)
             if (model_.body->clamped[static_cast<std::size_t>(i)] && nodal_[force_field].size() > 0)
                 nodal_[force_field].col(i).setZero();
     }
 
+    /// Stores the derivatives of the chosen nodes.
     void keep() {
         for (std::size_t p = 0; p < parameters_.size(); ++p) {
             const auto of_nodes = [&](NodalField field) {
@@ -245,11 +254,11 @@ private:
     const std::vector<ModelTangent>& parameters_;
     const std::vector<int>& nodes_;
     ExplicitChanges explicit_;
-    std::array<Matrix3Xd, 3> before_;  // x, v and v_lag of the run before a step, where masses change
+    std::array<Matrix3Xd, 3> before_;  // x, v and v_lag of the run before a step; used if masses depend on a parameter
     std::array<model::NodalColumns, nodal_fields> nodal_;  // derivatives of the state; empty: zero
-    std::array<MatrixXd, strain_fields> strain_;           // a column per parameter; empty: zero
+    std::array<MatrixXd, strain_fields> strain_;           // one column per parameter; empty: zero
     double step_before_s_ = 0.0;                           // see Kinematics
-    std::vector<Guess> guesses_;                           // per stage of a step
+    std::vector<Guess> guesses_;                           // one per stage of a step
     std::vector<NodeTangent> kept_;
 };
 

@@ -9,22 +9,29 @@
 
 namespace myo::sensitivity {
 
-/// Derivatives of chosen nodes' motion with respect to one parameter, after every step (the start first).
+// Forward sensitivities follow the run step by step, at a cost proportional to the number of parameters. They supply
+// the Jacobian of residuals for Gauss-Newton methods; the adjoint (adjoint_run.hpp) supplies the gradient of one loss.
+
+/// Derivatives of the motion of k chosen nodes with respect to one parameter, the start first, then after every step.
 struct NodeTangent {
     std::vector<Eigen::Matrix3Xd> positions;   // 3 x k [m per unit]
     std::vector<Eigen::Matrix3Xd> velocities;  // 3 x k [m/s per unit]
 };
 
+/// A run with its tangents.
 struct SensitiveTrace {
     dynamics::Trace trace;
-    std::vector<NodeTangent> tangents;  // per parameter; as long as the trace
+    std::vector<NodeTangent> tangents;  // per parameter; one entry per state of the trace
 };
 
-/// simulate() with the exact derivative of the discrete motion with respect to each parameter, in lockstep.
+/// Simulates a model together with the exact derivatives of the discrete motion (forward sensitivities).
 ///
-/// nodes: those whose derivatives are kept. Each stage costs one Hessian and one linear solve per parameter; the stage
-/// recursions are those of the run itself, which are linear but for the stage solves. Parameters share the passes over
-/// cells, mass and factor, so that many together cost a fraction of as many runs.
+/// Each stage costs one Hessian and one linear solve per parameter. The stage recursions are those of the run itself,
+/// which is linear apart from the stage solves. Parameters share the loops over cells, the mass and the factor, so that
+/// many parameters cost a fraction of as many runs.
+///
+/// @param nodes  nodes whose derivatives are stored
+/// Errors: those of simulate(), in trace.status.
 SensitiveTrace simulate_with_tangents(const model::Model& model, const dynamics::SimulationOptions& options,
                                       const std::vector<ModelTangent>& parameters, const std::vector<int>& nodes,
                                       const Progress& progress = {});
