@@ -13,6 +13,8 @@ struct WindowPolicy {
     /// Phase left open by the modulus bounds at the end of a trial; beyond half a period a fit can be off by whole
     /// periods.
     double most_doubt_rad = 3.1;
+    /// Upper limit of that phase: a body declared so wrongly that it vibrates much faster than the recording is not
+    /// searched.
     double most_phase_rad = 200.0;
     int least_samples = 4;        // in the first window
     double seen_departure = 0.2;  // displacement at the onset of motion over the largest one of the marker
