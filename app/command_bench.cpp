@@ -22,12 +22,14 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop bench`.
 struct BenchCall {
-    std::string id;
-    std::string json;
-    std::string figure;
+    std::string id;      // of the case; empty: all
+    std::string json;    // output file; empty: none
+    std::string figure;  // output file of the scaling figure; empty: none
 };
 
+/// One run as JSON. A run executes in a child process and returns its figures in this form.
 report::Json figures_json(const bench::BenchFigures& f) {
     report::Json references = report::Json::array();
     for (const bench::BenchReference& r : f.references)
@@ -75,6 +77,7 @@ void print_heading(const bench::BenchCase& one) {
     print_format("  %9s %7s %9s %7s %7s %9s %8s %7s\n", "", "ms", "and step", "a step", "a step", "factor", "MB", "ms");
 }
 
+/// Comparison with the target error: "; target 2 %, MISSED".
 std::string aimed_at(const report::Json& quantity) {
     if (quantity["target"].is_null()) return "";
     const double target = quantity["target"].get<double>();
@@ -82,21 +85,23 @@ std::string aimed_at(const report::Json& quantity) {
     return "; target " + format_number(100.0 * target, 2) + (met ? " %" : " %, MISSED");
 }
 
-/// A physical result below its row: "tip at rest, dz  -6.74 mm (expected -6.755: -0.2 %)", with what was aimed at if
-/// that is known: "; target 2 %, MISSED".
+/// A physical result below its row: "tip at rest, dz  -6.74 mm (expected -6.755: -0.2 %)", with the target error if
+/// there is one.
 void print_quantity(const report::Json& quantity) {
     const auto number = [&](const char* key, int digits) {
         return quantity[key].is_null() ? std::string("-") : format_number(quantity[key].get<double>(), digits);
     };
     std::string text = number("value", 5) + " " + quantity["unit"].get<std::string>();
     if (!quantity["error"].is_null()) {
-        const double hundredths = std::round(1e4 * quantity["error"].get<double>()) + 0.0;  // what is less is rounding
+        const double hundredths = std::round(1e4 * quantity["error"].get<double>()) +
+                                  0.0;  // smaller differences are rounding; + 0.0 avoids "-0"
         text += " (expected " + number("expected", 5) + ": " + format_number(0.01 * hundredths, 2) + " %" +
                 aimed_at(quantity) + ")";
     }
     print_format("  %*s  %s: %s\n", 71, "", quantity["name"].get<std::string>().c_str(), text.c_str());
 }
 
+// Static cases have no times per step.
 void print_figures(const report::Json& row) {
     const auto optional = [&](const char* key) {
         return row[key].is_null() ? std::string("-") : format_number(row[key].get<double>(), 3);
@@ -120,7 +125,7 @@ void print_figures(const report::Json& row) {
         print_format("  %*s  %s\n", 71, "", note.c_str());
 }
 
-/// Where a run's time went, in its hundredths.
+/// Shares of the solver's parts in the time of a run [%].
 void print_split(const report::Json& row) {
     const double run = row["run_s"].get<double>();
     double rest = 100.0;
@@ -134,7 +139,7 @@ void print_split(const report::Json& row) {
         print_format("  %*s  %srest %s %%\n", 71, "", text.c_str(), format_number(std::max(rest, 0.0), 2).c_str());
 }
 
-/// The exponent of y over x by least squares on logarithms.
+/// Exponent of y ~ x^p, by linear least squares on the logarithms.
 double exponent(const report::Json& rows, const char* y, const char* x) {
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
     for (const report::Json& row : rows) {
@@ -172,7 +177,7 @@ std::string scaling_figure(const report::Json& rows, double time_exponent, doubl
     return report::svg(chart);
 }
 
-/// Exponents of a case whose rows differ in size.
+/// Prints and returns the exponents of a case whose rows differ in size only.
 report::Json print_scaling(const report::Json& rows, const std::string& figure, Console& console, int& status) {
     if (rows.size() < 2) return {};
     const double time = exponent(rows, "ms_per_step", "dofs"), memory = exponent(rows, "peak_memory_bytes", "dofs");
@@ -198,10 +203,12 @@ int run_bench(const BenchCall& call) {
         print_heading(one);
         report::Json rows = report::Json::array();
         for (const bench::BenchRun& run : one.runs) {
+            // A process per run: peak memory is measured per run, and a crash does not end the benchmark.
             const OwnProcessResult process = run_in_own_process([&] {
                 solver::use_one_blas_thread();
                 Result<bench::BenchFigures> figures = Error{"did not run", run.name};
-                parallel_tasks(1, 1, [&](int) { figures = run.run(); });  // one thread, unless the run asks for more
+                parallel_tasks(1, 1,
+                               [&](int) { figures = run.run(); });  // one thread, unless the run itself starts more
                 return report::json_line(figures ? figures_json(*figures)
                                                  : report::Json{{"error", figures.error().text()}});
             });

@@ -15,15 +15,17 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop calibrate`.
 struct CalibrateCall : ExperimentCall {
-    std::vector<std::string> parameters;
+    std::vector<std::string> parameters;  // material parameters to fit; empty: material.calibrate
     bool resume = false;
-    int starts = 1;
+    int starts = 1;  // number of starts of the fit
 };
 
 const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
 
-/// "noise 0.0004, mesh 0.011, step 0.001; " for those parts that are known; nothing where the noise is all.
+/// Parts of the standard deviation that are known: "noise 0.0004, mesh 0.011, step 0.001; "; empty if only the noise
+/// is.
 std::string deviation_parts(const calibration::Calibration& calibration, Eigen::Index row) {
     const calibration::NumericalDeviations& numerical = calibration.numerical;
     if (!(calibration.fit.deviations(row) > 0.0) || (numerical.mesh.size() == 0 && numerical.step.size() == 0))
@@ -43,7 +45,7 @@ std::string parameter_lines(const calibration::Calibration& calibration) {
         const double deviation = calibration.deviation(i);
         std::string spread = std::isfinite(deviation) ? "± " + format_number(deviation, 3) : "not determined";
         if (std::isfinite(deviation))
-            spread.resize(std::max<std::size_t>(spread.size(), 15), ' ');  // the sign has two bytes
+            spread.resize(std::max<std::size_t>(spread.size(), 15), ' ');  // ± has two bytes in UTF-8
         std::snprintf(line, sizeof line, "%s%-34s %12.6g %-14s %s (%sstart %.6g)", i > 0 ? "\n" : "",
                       p.parameter.name.c_str(), calibration.fit.values(row), spread.c_str(), p.unit.c_str(),
                       deviation_parts(calibration, row).c_str(), calibration.fit.start(row));
@@ -101,7 +103,7 @@ Result<void> write_results(const CalibrateCall& call, const setup::Setup& setup,
     return report::write_html(call.out / "report.html", results::calibration_report(setup, calibration, facts));
 }
 
-/// What is written is said to be only a part, when it is.
+/// Reports incomplete results and returns the exit status.
 int end_status(const CalibrateCall& call, const calibration::Calibration& calibration, Console& console) {
     const std::string restart = " written to " + call.out.string() + ", --resume goes on from them";
     if (calibration.stopped) {
@@ -141,6 +143,7 @@ int calibrate_command(const CalibrateCall& call) {
         settings.from = earlier.values;
     }
     for (const std::string& warning : setup->warnings) console.warn(warning);
+    // Checks run before the fit, so that a user can stop a long fit that cannot succeed.
     const std::vector<check::Finding> before = check::check_before(*setup);
     tell_findings(before, opening.told, console);
     const double setup_s = opening.stopwatch.seconds();

@@ -21,15 +21,16 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop diagnose`.
 struct DiagnoseCall : ExperimentCall {
-    std::vector<std::string> without;
-    bool resume = false;
+    std::vector<std::string> without;  // effects that are not considered
+    bool resume = false;               // reuses stored fits
 };
 
 const char* const fits_file = "diagnose_fits.json";
 const char* const augmented_file = "experiment_augmented.toml";
 
-/// The report is also kept under the name of the experiment's folder.
+/// Name of the experiment's folder, under which the report is stored as well.
 std::string report_name(const experiment::Experiment& experiment) {
     return std::filesystem::weakly_canonical(experiment.folder).filename().string();
 }
@@ -138,6 +139,7 @@ int diagnose_command(const DiagnoseCall& call) {
     diagnosis::DiagnoseSettings settings;
     settings.without = call.without;
     settings.fits = call.out / fits_file;
+    // Stored fits are reused on request only: they may belong to other settings.
     if (!call.resume) std::filesystem::remove(*settings.fits);
     const double setup_s = opening.stopwatch.seconds();
     const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(setup, settings, progress);

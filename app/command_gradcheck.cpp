@@ -12,12 +12,14 @@
 namespace myo::app {
 namespace {
 
+/// Largest relative difference between adjoint and finite differences of a passed check.
 constexpr double most_relative_error = 1e-5;
 const char* const complete_check = "the check was complete";
 
+/// Parsed call of `myoloop gradcheck`.
 struct GradcheckCall : ExperimentCall {
     std::string json;
-    int steps = 8;
+    int steps = 8;  // time steps of the checked run
 };
 
 std::string table_of(const sensitivity::GradientCheck& check) {

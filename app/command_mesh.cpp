@@ -24,18 +24,20 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop mesh`.
 struct MeshCall {
     std::filesystem::path file;
-    std::filesystem::path out;
+    std::filesystem::path out;  // VTU file; empty: none
     std::optional<mesh::CellType> type;
-    std::optional<double> resolution_m;
-    std::optional<double> max_volume_m3;
-    std::optional<double> quality;
-    std::optional<double> metres_per_unit;
+    std::optional<double> resolution_m;     // edge length
+    std::optional<double> max_volume_m3;    // of a tetrahedron
+    std::optional<double> quality;          // largest circumradius over shortest edge, tetrahedra
+    std::optional<double> metres_per_unit;  // unit of the file
     bool json = false;
     WorkOptions work;
 };
 
+/// Mesh made or checked, with its quality.
 struct MeshOutcome {
     mesh::VolumeMesh mesh;
     mesh::QualityReport quality;
@@ -56,7 +58,7 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// The surface in metres, joined, outward and of plausible size; what was found on the way goes to the warnings.
+/// Surface in metres with merged vertices, outward and of plausible size; corrections are reported as warnings.
 Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::string>& warnings) {
     if (!call.metres_per_unit) return Error{"a surface file does not say its unit; state m or mm", "--unit"};
     const Result<mesh::SurfaceMesh> read = mesh::read_surface(call.file, *call.metres_per_unit);
@@ -74,6 +76,7 @@ Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::st
     return surface;
 }
 
+/// Checks that the options fit the element and that the number of elements is within the limit.
 Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& surface) {
     if (!call.type) return Error{"choose the element of the mesh: hex8, tet4 or tet10", "--type"};
     const bool hexahedra = *call.type == mesh::CellType::hex8;
@@ -115,6 +118,7 @@ Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress)
     return outcome;
 }
 
+/// Reads a volume mesh and converts it if possible; tet4 to tet10 is the only conversion.
 Result<MeshOutcome> check_volume(const MeshCall& call) {
     if (call.resolution_m || call.max_volume_m3 || call.quality)
         return Error{"is a volume mesh already: its elements can be checked and converted, not made anew",
@@ -168,7 +172,7 @@ std::string outcome_text(const MeshOutcome& outcome) {
     char line[128];
     if (q.volume_error) {
         std::snprintf(line, sizeof line, " (%+.3g %% from the surface's)", 100.0 * *q.volume_error);
-        // What is left of an exact fill is rounding, which would only read as noise.
+        // An exact fill leaves rounding only, which is not worth a number.
         text += std::abs(*q.volume_error) < 1e-8 ? " (that of the surface)" : line;
     }
     std::snprintf(line, sizeof line, "\ndihedral angles %.1f to %.1f degrees\n\n", q.least_dihedral_deg,
@@ -178,7 +182,7 @@ std::string outcome_text(const MeshOutcome& outcome) {
     const int most = *std::max_element(q.histogram.begin(), q.histogram.end());
     for (std::size_t i = 0; i < q.histogram.size(); ++i) {
         const int count = q.histogram[i];
-        // The smallest bar marks a single element among many.
+        // A single element among many still gets a bar of length 1.
         const int length = count == 0 ? 0 : std::max(1, static_cast<int>(std::lround(40.0 * count / most)));
         std::snprintf(line, sizeof line, "\n%.1f-%.1f %8d  ", 0.1 * static_cast<double>(i),
                       0.1 * static_cast<double>(i + 1), count);

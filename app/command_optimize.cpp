@@ -15,6 +15,7 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop optimize`; empty options have the defaults of OptimizeSettings.
 struct OptimizeCall : ExperimentCall {
     std::optional<double> frequency_Hz, smoothness_mm_s, lowest, highest;
     bool hold = false;
@@ -36,7 +37,7 @@ calibration::OptimizeSettings settings_of(const OptimizeCall& call) {
     return settings;
 }
 
-/// ", ± 0.01" of the middle one of those that are determined.
+/// Median standard deviation of the determined values of a signal, ", ± 0.01 (median)".
 std::string deviation_words(const inverse::ActuationDeviations& deviations, Eigen::Index signal) {
     if (!deviations.found) return "";
     std::vector<double> known;
@@ -118,6 +119,7 @@ int optimize_command(const OptimizeCall& call) {
     const calibration::OptimizeSettings settings = settings_of(call);
     const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings);
     if (!problem) return console.refuse(problem.error());
+    // Without --resume the search starts from passive signals, or from the levels before t = 0.
     results::EarlierOptimization from{inverse::unmoved_values(problem->sought)};
     if (call.resume) {
         const Result<results::EarlierOptimization> earlier = results::read_optimization(call.out, setup, *problem);

@@ -20,6 +20,7 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop reproduce`.
 struct ReproduceCall {
     std::string id;
     std::filesystem::path out;
@@ -33,13 +34,13 @@ std::string cell_text(const report::Cell& cell, const report::Column& column) {
     return std::isfinite(value) ? format_number(value, column.digits) : "-";
 }
 
-/// Characters, not bytes, of UTF-8 text.
+/// Number of characters of UTF-8 text: continuation bytes do not count.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
-/// Columns of equal width, titles and units above.
+/// Aligned columns with titles and units above.
 std::string table_text(const report::Table& table) {
     std::vector<std::vector<std::string>> rows(2);
     for (const report::Column& column : table.columns) {

@@ -17,12 +17,13 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop screenshot`.
 struct ScreenshotCall {
     ui::panels::ScreenshotOptions picture;
     std::filesystem::path out;
     std::string theme = "dark";
-    int percent = 100;
-    bool as_opened = false;
+    int percent = 100;       // size of text and controls
+    bool as_opened = false;  // draws without a run
     bool quiet = false;
     bool json_progress = false;
 };
@@ -38,7 +39,7 @@ void parse_size(const std::string& text, ui::panels::ScreenshotOptions& picture)
         throw CLI::ValidationError("--size", "'" + text + "' is not of the form 1600x900, with sides from 320 to 8192");
 }
 
-/// What is opened to be drawn, and what that is read from in turn.
+/// Files that are read for the picture, including those that a project or experiment refers to.
 std::vector<std::filesystem::path> files_drawn(const ui::panels::ScreenshotOptions& picture) {
     std::vector<std::filesystem::path> files{picture.open, picture.import};
     std::filesystem::path source = picture.open;

@@ -15,11 +15,12 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop simulate`.
 struct SimulateCall : ExperimentCall {
-    bool vtu = false;
+    bool vtu = false;  // also writes VTU series
 };
 
-/// About as many frames as an animation needs.
+/// Frames per trial, sufficient for an animation.
 constexpr int series_frames = 100;
 
 std::string values_line(const setup::Setup& setup, const prediction::ParameterValues& values) {
@@ -61,7 +62,7 @@ std::string score_table(const setup::Setup& setup, const prediction::SetupRun& r
 Result<void> write_results(const SimulateCall& call, const setup::Setup& setup, const prediction::SetupRun& run,
                            const results::RunFacts& facts, const Progress& progress) {
     if (run.scores.empty()) return {};
-    // The smallest and most valuable first, as everywhere: the disk may fill.
+    // The smallest and most valuable file first, as in all commands: the disk may become full.
     const report::Json json = results::simulate_json(setup, run, facts);
     if (const Result<void> written = report::write_json(call.out / "simulate.json", json); !written)
         return written.error();
@@ -89,6 +90,8 @@ int simulate_command(const SimulateCall& call) {
     console.print(setup->experiment.name + "\n" + size_line(*setup) + "\n" + values_line(*setup, values));
     const prediction::SetupRun run = prediction::run_with_chosen_steps(*setup, values, progress, call.trial);
     if (!setup->integration && !progress.cancelled()) {
+        // The run may have chosen shorter steps, so the integration is checked afterwards; only new warnings are
+        // printed.
         const auto told = static_cast<std::ptrdiff_t>(setup->warnings.size());
         setup::check_integration(*setup);  // with the steps of the run
         for (auto warning = setup->warnings.begin() + told; warning != setup->warnings.end(); ++warning)

@@ -21,14 +21,15 @@
 namespace myo::app {
 namespace {
 
+/// Parsed call of `myoloop validate`.
 struct ValidateCall {
     validation::ValidationOptions options;
-    bool defaults = false;
+    bool defaults = false;  // validates the defaults of calibrate instead of the diagnosis
     std::filesystem::path out;
     WorkOptions work;
 };
 
-/// "  7  tail+  viscoelastic_creep      5.2 x  viscoelastic_creep  0.97  21 s"
+/// One case: "  7  tail+  viscoelastic_creep      5.2 x  viscoelastic_creep  0.97  21 s".
 std::string record_line(const validation::CaseRecord& r) {
     char line[256];
     const std::string truth = r.kind == validation::CaseKind::deleted ? "(" + r.truth + ")" : r.truth;
@@ -44,6 +45,7 @@ std::string record_line(const validation::CaseRecord& r) {
 
 /// validation.json and validation.html of all cases that the folder holds.
 template <class Record, class Summary>
+/// Writes validation.json and validation.html over all cases of the folder.
 int write_summary(const ValidateCall& call, const Summary& summary, const report::HtmlReport& report, Console& console,
                   const std::vector<Record>& records) {
     if (records.empty()) return status_done;
@@ -64,7 +66,7 @@ int diagnosis_validation(const ValidateCall& call, const Progress& progress, Con
                                                             console.print(record_line(record));
                                                             ++finished;
                                                         });
-    // Once cases are finished, only their records can be at fault.
+    // After the first finished case only writing its record can fail, which is no mistake of the call.
     if (!run) return finished > 0 ? console.fail(run.error()) : console.refuse(run.error());
     const Result<std::vector<validation::CaseRecord>> records = validation::validation_records(call.out);
     if (!records) return console.refuse(records.error());
@@ -109,7 +111,7 @@ int run_validate(ValidateCall call) {
     return status_stopped;
 }
 
-/// "1/4": the first of four shares, as numbers 0 and 4.
+/// Parses "1/4", the first of four shares, to share 0 of 4.
 void read_share(const std::string& text, validation::CaseRange& range) {
     const std::size_t slash = text.find('/');
     double part = 0.0, parts = 0.0;

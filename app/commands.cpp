@@ -5,6 +5,7 @@
 namespace myo::app {
 namespace {
 
+// Global because result files record the call; written once, before any command runs.
 std::vector<std::string> remembered;
 
 }  // namespace

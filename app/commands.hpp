@@ -8,17 +8,21 @@
 
 namespace myo::app {
 
-/// A subcommand: a file command_<name>.cpp and a line in commands.cpp.
+/// A subcommand of the program: a file command_<name>.cpp and a line in commands.cpp.
 struct Subcommand {
     std::string name;
-    std::string summary;
-    /// Adds the command's options and returns what it does; that returns the exit status.
+    std::string summary;  // one line of the help
+    /// Adds the options of the command to `app` and returns the action to run after parsing, which returns the exit
+    /// status.
     std::function<int()> (*declare)(CLI::App& app);
-    std::string former_name = {};  // still understood, with a note; empty: none
+    std::string former_name = {};  // still accepted, with a note; empty: none
 };
+/// All subcommands, in the order of the help.
 const std::vector<Subcommand>& commands();
+/// Names of all subcommands.
 std::vector<std::string> command_names();
 
+// One declaration per file command_<name>.cpp; see Subcommand::declare.
 std::function<int()> declare_simulate(CLI::App& app);
 std::function<int()> declare_diagnose(CLI::App& app);
 std::function<int()> declare_validate(CLI::App& app);
@@ -33,8 +37,9 @@ std::function<int()> declare_frames(CLI::App& app);
 std::function<int()> declare_effects(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);
 
-/// As it was called, for the records.
+/// The call as recorded in result files: program name without its folder, then the arguments.
 const std::vector<std::string>& command_line();
+/// Stores the call; to be called once at the start of main().
 void remember_command_line(int argc, const char* const* argv);
 
 }  // namespace myo::app

@@ -15,6 +15,7 @@
 namespace myo::app {
 namespace {
 
+// Messages are single lines, so that scripts can read them.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -41,7 +42,8 @@ std::string bar_of(double share) {
     return "[" + bar + percent;
 }
 
-/// The bar is of the running evaluation: how many there will be is not known, only their greatest number.
+/// Progress of a fit: the bar shows the running evaluation, as only the largest possible number of evaluations is
+/// known.
 std::string evaluation_bar(const ProgressEvent& event, double elapsed_s) {
     const double complete = std::floor(event.done);
     std::string text = event.task + "  evaluation " + format_number(complete + 1.0, 4) + " " +
@@ -132,14 +134,14 @@ std::string progress_line(const ProgressEvent& event) {
 
 std::string progress_bar(const ProgressEvent& event, double elapsed_s) {
     if (event.unit == "evaluations") return evaluation_bar(event, elapsed_s);
-    // What does not know its end tells how long it has gone on.
+    // Without a known total, the elapsed time is shown.
     if (!(event.total > 0.0))
         return event.task + "  " + duration_words(elapsed_s) + " so far" +
                (event.message.empty() ? "" : "  " + event.message);
     const double share = std::clamp(event.done / event.total, 0.0, 1.0);
     std::string text = event.task + "  " + bar_of(share) + "  " + format_number(event.done, 4) + " of " +
                        format_number(event.total, 4) + " " + event.unit;
-    // The first moments promise nothing.
+    // Early estimates of the remaining time are unreliable.
     if (share > 0.01 && share < 1.0 && elapsed_s > 0.5)
         text += "  " + duration_words(elapsed_s * (1.0 - share) / share) + " left";
     return event.message.empty() ? text : text + "  " + event.message;

@@ -10,9 +10,9 @@
 
 namespace myo::app {
 
-/// Where a command speaks: results to standard output, progress and problems to standard error.
+/// Output of a command: results to standard output, progress and problems to standard error. Thread-safe.
 ///
-/// Progress is a bar with the time left on a terminal, JSON lines when asked for, and nothing otherwise.
+/// Progress is a bar with the remaining time on a terminal, JSON lines on request, and nothing otherwise.
 class Console {
 public:
     Console(bool quiet, bool json_progress);
@@ -20,22 +20,22 @@ public:
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    /// Reports here and stops on Ctrl-C. The console must outlive it.
+    /// Progress that reports to this console and is cancelled by Ctrl-C. The console must outlive it.
     Progress progress();
 
-    /// A result, on standard output; nothing when quiet.
+    /// Prints a result on standard output; nothing if quiet.
     void print(const std::string& text);
 
-    /// "myoloop: warning: ...", on standard error; nothing when quiet.
+    /// Prints "myoloop: warning: ..." on standard error; nothing if quiet.
     void warn(const std::string& text);
 
-    /// "myoloop: ...", one line on standard error, even when quiet.
+    /// Prints "myoloop: ..." as one line on standard error, even if quiet.
     void complain(const std::string& text);
 
-    /// Says what is wrong with the input; the exit status.
+    /// Reports wrong input; returns the exit status.
     int refuse(const Error& error);
 
-    /// Says why results cannot be written; the exit status.
+    /// Reports that results cannot be written; returns the exit status.
     int fail(const Error& error);
 
 private:
@@ -54,11 +54,13 @@ private:
     bool bar_shown_ = false;
 };
 
-/// A progress event as one line: {"event":"progress","task":...,"done":...,"total":...,"unit":...,"message":...}
+/// A progress event as JSON line: {"event":"progress","task":...,"done":...,"total":...,"unit":...,"message":...}
 std::string progress_line(const ProgressEvent& event);
 
-/// "[#####     ]  45 %  1.20 of 2.50 s  8 s left"; of a fit "evaluation 4 [#####     ]  45 %  12 s so far, at most 3
-/// min 02 s left".
+/// Progress bar: "[#####     ]  45 %  1.20 of 2.50 s  8 s left"; for a fit "evaluation 4 [#####     ]  45 %  12 s so
+/// far, at most 3 min 02 s left".
+///
+/// @param elapsed_s  time since the task began
 std::string progress_bar(const ProgressEvent& event, double elapsed_s);
 
 }  // namespace myo::app

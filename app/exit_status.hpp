@@ -2,12 +2,12 @@
 
 namespace myo::app {
 
-/// What the program returns to its caller.
+/// Exit status of the program.
 enum ExitStatus : int {
     status_done = 0,
     status_failed = 1,     // the computation failed
-    status_wrong = 2,      // the call or the input is wrong
-    status_stopped = 130,  // by the user, as a shell says it
+    status_wrong = 2,      // wrong call or input
+    status_stopped = 130,  // interrupted by the user, as shells report it
 };
 
 }  // namespace myo::app

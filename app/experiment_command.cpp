@@ -32,10 +32,11 @@ double physical_memory_bytes() {
     return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
 }
 
+/// Rejects an edge length that would make more elements than the limit, before meshing.
 Result<void> check_resolution(const ExperimentCall& call, const experiment::Experiment& experiment) {
     if (!call.setup.settings.mesh.resolution_m) return {};
     const Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment);
-    if (!surface) return {};  // prepare_setup() says what is wrong with it
+    if (!surface) return {};  // prepare_setup() reports the error
     const fem::ElementKind element = call.setup.settings.mesh.element.value_or(setup::automatic_element(*surface));
     const double edge = *call.setup.settings.mesh.resolution_m;
     const mesh::CountEstimate estimate = mesh::estimate_counts(*surface, fem::cell_type(element), edge);
@@ -45,6 +46,7 @@ Result<void> check_resolution(const ExperimentCall& call, const experiment::Expe
                  "--resolution"};
 }
 
+/// Rejects steps whose stored states would not fit in memory: position and velocity, 6 doubles per node and step.
 Result<void> check_steps(const setup::Setup& setup) {
     double bytes = 0.0, steps = 0.0;
     for (const setup::PreparedTrial& trial : setup.trials) {
@@ -58,7 +60,7 @@ Result<void> check_steps(const setup::Setup& setup) {
                  "--dt"};
 }
 
-/// Reads the experiment and makes sure that results can be written, by this run alone; nothing long yet.
+/// Reads the experiment and reserves the output folder for this run; fast checks only.
 Result<experiment::Experiment> open_experiment(const ExperimentCall& call, std::optional<FolderLock>& lock) {
     if (call.experiment.empty()) return Error{"name an experiment folder", ""};
     if (call.writes_folder && call.out.empty()) return Error{"name a folder for the results", "--out"};
@@ -79,7 +81,7 @@ Result<experiment::Experiment> open_experiment(const ExperimentCall& call, std::
     return experiment;
 }
 
-/// prepare_setup() with limits that keep a slip of the keyboard from filling the memory.
+/// prepare_setup() with limits, so that a typing error does not fill the memory.
 Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Experiment& experiment, Console& console,
                                 const Progress& progress, std::vector<check::Finding>& told) {
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
@@ -125,7 +127,7 @@ OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, co
         opening.status = console.refuse(trial.error());
         return opening;
     }
-    // Commands on one trial work on its model alone.
+    // Commands on one trial use its model without effects.
     if (choice == TrialChoice::one && !experiment->effects.empty()) {
         opening.status = console.refuse(experiment::declaration_error(
             *experiment, "effect[0].id",

@@ -16,75 +16,79 @@
 
 namespace myo::app {
 
-/// When the steps of trials are chosen, where nobody asks for one.
+/// When time steps are chosen, if none is requested.
 enum class StepChoice {
-    before,         // the command runs
-    in_run,         // by the run itself, which looks at its own vibrations
-    half_interval,  // they begin as half a sampling interval: what is sought tells, or each trial runs once, which is
-                    // cheaper than to look for its step
+    before,         // before the command runs
+    in_run,         // by the run, from the vibrations that it shows
+    half_interval,  // half a sampling interval at first; a search adapts it, and a single run does not justify a choice
 };
 
+/// Parsed call of a command on an experiment folder.
 struct ExperimentCall {
-    std::filesystem::path experiment;
-    std::filesystem::path out;
-    bool writes_folder = true;  // false: the command has no --out
+    std::filesystem::path experiment;  // folder or .toml file
+    std::filesystem::path out;         // folder for results
+    bool writes_folder = true;         // false: the command has no --out
     StepChoice step_choice = StepChoice::before;
-    bool fits = false;  // the command fits values, which trials may test
-    /// Files that the command may write for an experiment; none of them may be one that it reads.
+    bool fits = false;  // the command fits values, which validation trials may test
+    /// Files that the command may write for an experiment; none may be an input.
     std::function<std::vector<std::filesystem::path>(const experiment::Experiment&)> outputs;
-    std::string trial;  // of commands with --trial
+    std::string trial;  // for commands with --trial; empty: default
     WorkOptions work;
     SetupOptions setup;
 };
+/// Adds the common options to a command.
 void declare_experiment_call(CLI::App& app, ExperimentCall& call);
 
-/// The traces of all trials and files of these names, in the folder of results: what a command has as outputs.
+/// Traces of all trials and files of these names in the output folder, for ExperimentCall::outputs.
 std::vector<std::filesystem::path> trace_files_and(const ExperimentCall& call, const experiment::Experiment& experiment,
                                                    const std::vector<std::string>& names);
 
+/// Whether a command works on all trials or on one.
 enum class TrialChoice { all, one };
 
-/// How a command on an experiment begins.
+/// A prepared experiment, or the reason to end the command.
 struct OpenedExperiment {
-    std::optional<setup::Setup> setup;  // none: the command ends with `status`, and why has been said
+    std::optional<setup::Setup> setup;  // empty: the command ends with `status`, the reason is printed
     int status = 0;
-    experiment::Experiment experiment;      // all of it
-    Stopwatch stopwatch;                    // since the beginning
-    std::optional<FolderLock> lock = {};    // of the folder of results
-    std::vector<check::Finding> told = {};  // before steps were looked for: with a slip in a unit that may take long
+    experiment::Experiment experiment;    // complete, also if the setup has one trial
+    Stopwatch stopwatch;                  // since the command began
+    std::optional<FolderLock> lock = {};  // on the output folder
+    std::vector<check::Finding> told =
+        {};  // findings printed before the choice of steps, which takes long with a wrong unit
 };
 
-/// Reads and prepares the setup, of one trial alone (with_one_trial) when the command is on one. A call.trial that is
-/// not known is refused either way.
+/// Reads and prepares the experiment of a command, reduced to one trial (with_one_trial) for TrialChoice::one. An
+/// unknown call.trial is rejected in both cases. The integration is checked as well.
 ///
-/// Errors: the call's, the input's, those of the output folder, outputs that would replace an input; --resolution or
-/// --dt that would make more than the memory holds. The integration is checked, too.
-/// @param first_result  what a user who stops it now does not get: "stopped before <first_result>; nothing was written"
+/// @param first_result  for the message after an early cancellation: "stopped before <first_result>; nothing was
+/// written" Errors: in `status`, already printed: those of the call, of the input and of the output folder; outputs
+/// that would replace an input; --resolution or --dt that exceed the memory.
 OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, const std::string& first_result,
                               Console& console, const Progress& progress);
 
-/// What calibrations and searches for signals have first.
+/// First result of calibrations and searches for signals.
 inline constexpr const char* first_evaluation = "the first evaluation was complete";
 
-/// Says so on the console; the exit status of a command stopped before anything was written.
+/// Reports a cancellation before anything was written; returns the exit status.
 int stopped_before(const std::string& first_result, Console& console);
 
-/// Says what checks have found that no warning has said, and that is not among those said before.
+/// Prints findings that no warning states and that are not among those printed before.
 void tell_findings(const std::vector<check::Finding>& findings, const std::vector<check::Finding>& before,
                    Console& console);
 
+/// Facts about this run for result files; peak memory is that of the process so far.
 results::RunFacts run_facts(const ExperimentCall& call, double setup_s);
 
-/// "damping 3 ms is assumed, for none is declared", or empty.
+/// Note on the assumed damping if none is declared, else empty.
 std::string assumed_damping(const setup::Setup& setup);
 
-/// "64 hex8 elements of 5 mm, 2 layers across 10 mm, 375 degrees of freedom, tr_bdf2, 2 threads"
+/// Summary: "64 hex8 elements of 5 mm, 2 layers across 10 mm, 375 degrees of freedom, tr_bdf2, 2 threads".
 std::string size_line(const setup::Setup& setup);
 
-/// "  0.312" for 3.12e-4 m; "-" when there is no number.
+/// Right-aligned millimetres, "  0.312" for 3.12e-4 m; "-" if not finite.
 std::string in_millimetres(double metres);
 
-/// Why a run failed; where a smaller step may help, with the options that choose it and what else may help there.
+/// Reason for a failed run; if a smaller step may help, with the options that may help.
 std::string with_options(const std::string& failure);
 
 }  // namespace myo::app

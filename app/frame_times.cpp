@@ -16,13 +16,15 @@ namespace myo::app {
 namespace {
 
 constexpr int picture_width = 1600, picture_height = 900;
+// Goals for the 95th percentile; a background job may double the time of a frame.
 constexpr double goal_ms = 50.0, busy_goal_ms = 100.0, stroke_goal_ms = 100.0;
 
-// A plate of one layer of 71 x 71 cells: its outside has 20,732 triangles, and a run of it stays short.
+// Plate of one layer of 71 x 71 cells: 20,732 surface triangles, but a short simulation.
 constexpr double plate_m = 0.142, layer_m = 0.002;
-// A bar of 68,208 cells to be painted.
+// Bar of 68,208 cells for painting.
 constexpr double bar_m = 0.182, bar_side_m = 0.0594, bar_cell_m = 0.0021;
 
+/// Declaration of a box; `rest` holds markers, muscles and trials.
 std::string experiment(const std::string& name, const Eigen::Vector3d& size, const std::string& rest) {
     std::ostringstream text;
     text << "schema = \"experiment/1\"\nname = \"" << name << "\"\n[geometry]\nkind = \"box\"\nsize_m = [" << size.x()
@@ -35,7 +37,7 @@ std::string experiment(const std::string& name, const Eigen::Vector3d& size, con
     return text.str();
 }
 
-/// Markers along the plate that swing as nobody has measured: something to draw and to follow.
+/// Plate with moving markers, as something to draw and to follow; the motion is invented.
 Result<void> write_plate(const std::filesystem::path& folder) {
     constexpr int markers = 8, samples = 41;
     std::ostringstream rest, trace;
@@ -60,7 +62,7 @@ Result<void> write_plate(const std::filesystem::path& folder) {
     return write_file(folder / "experiment.toml", experiment("Plate", {plate_m, plate_m, layer_m}, rest.str()));
 }
 
-/// A bar that is only painted; its one trial is there because an experiment needs one.
+/// Bar for painting; its trial exists because an experiment needs one.
 Result<void> write_bar(const std::filesystem::path& folder) {
     if (const auto written = write_file(folder / "still.csv",
                                         "time_s,end_x_m,end_y_m,end_z_m\n0,0.182,0,0\n0.01,0.182,0,0\n");
@@ -73,7 +75,7 @@ Result<void> write_bar(const std::filesystem::path& folder) {
                                  "\"csv\"\nstart = \"straight\"\n"));
 }
 
-/// The workbench off screen, with a watch.
+/// Drives the workbench off screen and measures its frames.
 class Bench {
 public:
     Bench(const Progress& progress, const std::function<void(const FrameTimes&)>& done)
@@ -98,10 +100,11 @@ private:
         const Stopwatch watch;
         if (const auto drawn = window_->draw_frame(picture_width, picture_height, seconds); !drawn)
             return drawn.error();
+        // The time counts until the last pixel is drawn.
         ui::platform::gl::Finish();
         return 1e3 * watch.seconds();
     }
-    /// Until what was asked for is seen and nothing waits.
+    /// Draws frames until the requested state is visible and no input is pending.
     Result<void> settle() {
         for (int frame = 0; frame < 6 || !window_->input().empty(); ++frame)
             if (const auto ms = frame_ms(); !ms) return ms.error();
@@ -124,12 +127,12 @@ private:
         return wait();
     }
 
-    /// Turns the view by a drag, a few pixels each frame, as long as `goes_on` says.
+    /// Rotates the view by dragging a few pixels per frame while `goes_on` holds.
     Result<FrameTimes> turn(const std::string& name, double goal, const std::function<bool(int)>& goes_on) {
         FrameTimes times{name, goal, {}};
         const auto view = window_->items().find("view");
         if (!view) return Error{"the window shows no view", ""};
-        // Beside the body, where no brush takes the drag.
+        // At the edge of the view, where a brush does not take the drag.
         const ImVec2 start{view->lowest.x + 0.5f * view->width(), view->highest.y - 12.0f};
         window_->input().push(ui::platform::MouseMoved{start.x, start.y});
         window_->input().push(ui::platform::MouseButton{0, true, {}});
@@ -185,7 +188,7 @@ private:
         workbench_.execute(ui::commands::Play{false});
         finish(std::move(playing));
 
-        // In the background signals are sought; the view turns while the search plays its best.
+        // A search runs in the background; the view rotates while its best result is played.
         ui::commands::OptimizeRequest request = state().optimize;
         request.max_evaluations = 100;
         workbench_.execute(ui::commands::ChangeOptimize{request});
@@ -197,12 +200,12 @@ private:
                               [&](int k) { return state().busy() && (k < 200 || watch.seconds() < 20.0); });
         if (!searching) return searching.error();
         workbench_.execute(ui::commands::Cancel{});
-        (void)wait();  // stopped before its first evaluation, a search is a failure; here it is not
+        (void)wait();  // a search stopped before its first evaluation reports a failure, which is irrelevant here
         finish(std::move(*searching));
         return {};
     }
 
-    /// From the press of the button until the body's colours have changed and are drawn.
+    /// Time from pressing the brush until the changed colours are drawn.
     Result<void> paint_bar(const std::filesystem::path& folder) {
         if (const auto written = write_bar(folder / "bar"); !written) return written;
         workbench_.execute(ui::commands::ChangeSettings{state().saved_settings, "as opened"});

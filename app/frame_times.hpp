@@ -10,28 +10,31 @@
 
 namespace myo::app {
 
-/// Wall time of every frame of one situation, up to its last pixel.
+/// Wall-clock times of the frames of one situation, up to the last pixel.
 struct FrameTimes {
     std::string name;      // "the view turns"
-    double goal_ms = 0.0;  // for the 95th percentile
+    double goal_ms = 0.0;  // target for the 95th percentile
     std::vector<double> ms;
 
-    /// Nearest rank. @param share  of the frames that took no longer, 0 to 1
+    /// Percentile by nearest rank [ms]; NaN without frames.
+    ///
+    /// @param share  of the frames that were not slower, 0 ... 1
     double percentile(double share) const;
 };
 
+/// Result of the benchmark of the window.
 struct FrameBench {
-    int triangles = 0;      // of the body that is turned and run
-    int painted_cells = 0;  // of the body that is painted
+    int triangles = 0;      // surface triangles of the body that is rotated and simulated
+    int painted_cells = 0;  // cells of the body that is painted
     std::vector<FrameTimes> situations;
 };
 
-/// Draws the workbench off screen at 1600 x 900 with bodies it makes itself: every panel in turn, turning, playing,
-/// turning while signals are sought in the background, and first pixels of brush strokes.
+/// Draws the workbench off screen at 1600 x 900 with bodies of its own: every panel, rotation, playback, rotation
+/// during a search in the background, and first pixels of brush strokes.
 ///
-/// @param folder  that may be written into
-/// @param done    gets each situation as it is measured; may be empty
-/// Errors: the folder cannot be written, the driver refuses to draw, a run fails, cancelled.
+/// @param folder  temporary, writable
+/// @param done    called with each situation when it is measured; may be empty
+/// Errors: the folder cannot be written, the driver cannot draw, a run fails, cancelled.
 Result<FrameBench> bench_frames(const std::filesystem::path& folder, const Progress& progress,
                                 const std::function<void(const FrameTimes&)>& done);
 

@@ -5,12 +5,13 @@
 namespace myo::app {
 namespace {
 
-// Signal handlers reach nothing but globals.
+// A signal handler can only reach global, lock-free state.
 std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_interrupt(int signal) {
     stop.store(true, std::memory_order_relaxed);
+    // The default action of the next signal ends the program at once.
     std::signal(signal, SIG_DFL);
 }
 

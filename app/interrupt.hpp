@@ -4,10 +4,10 @@
 
 namespace myo::app {
 
-/// From now on Ctrl-C (and a polite kill) sets interrupt_flag(); a second one ends the program at once.
+/// From now on SIGINT and SIGTERM set interrupt_flag(); a second signal ends the program at once.
 void catch_interrupts();
 
-/// True once the user asked to stop.
+/// True after the user asked to stop.
 std::atomic<bool>& interrupt_flag();
 
 }  // namespace myo::app

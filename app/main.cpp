@@ -39,7 +39,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// What was left over is a mistake: an option that does not exist, or a word too many.
+/// Message for unparsed arguments: an unknown option, or one argument too many.
 std::string surplus(const CLI::App& app) {
     const std::vector<std::string> rest = app.remaining();
     const auto option = std::find_if(rest.begin(), rest.end(),
@@ -49,7 +49,7 @@ std::string surplus(const CLI::App& app) {
     return "unknown option " + unknown_word(name, option_names(app));
 }
 
-/// Without a command: a file to open in the workbench, or a word that was meant to be a command.
+/// Without a command: opens a file in the workbench, or reports a misspelt command.
 int open_or_complain(const std::string& file, const CLI::App& app) {
     std::error_code code;
     if (!file.empty() && !std::filesystem::exists(file, code)) {
@@ -64,7 +64,7 @@ int open_or_complain(const std::string& file, const CLI::App& app) {
     return closed ? static_cast<int>(status_done) : complain(closed.error().text());
 }
 
-/// Says so if the call uses a command's former name.
+/// Prints a note if a command is called by its former name.
 void note_former_name(const std::string& word) {
     for (const Subcommand& command : commands())
         if (!word.empty() && command.former_name == word)
@@ -107,7 +107,7 @@ int run(int argc, char** argv) {
     return actions.at(chosen.front())();
 }
 
-/// What was printed is a result: where it is lost, the call has failed.
+/// Printed text is a result: if it was lost, the call has failed.
 int with_output(int status) {
     const std::string reason = output_failure();
     if (reason.empty()) return status;

@@ -23,6 +23,7 @@ double number_of(const std::string& option, const std::string& text) {
     return value;
 }
 
+/// Whole number from `lowest` on; the entire word must be a number.
 template <class Integer>
 Integer integer_of(const std::string& option, const std::string& text, Integer lowest) {
     Integer value = 0;
@@ -130,7 +131,7 @@ void add_work_options(CLI::App& app, WorkOptions& options) {
 
 void add_setup_options(CLI::App& app, SetupOptions& options) {
     setup::SetupSettings& settings = options.settings;
-    // First of all, for the options are taken in this order: each of the others may then change what it sets.
+    // Declared first because CLI11 applies options in this order: later options may change what this one sets.
     app.add_flag_callback(
         "--as-published", [&settings] { settings = setup::published_settings(); },
         "the published formulation, for comparison: hex8_full, projective_corotational, equal vertex masses, truncated "

@@ -14,40 +14,49 @@
 
 namespace myo::app {
 
-/// What every command that works for a while takes.
+/// Options of every command that computes for a while.
 struct WorkOptions {
-    int threads = 0;                    // 0: all that the hardware has
-    std::optional<std::uint64_t> seed;  // of random starts; recorded
+    int threads = 0;                    // 0: all hardware threads
+    std::optional<std::uint64_t> seed;  // of random starts; recorded in results
     bool quiet = false;
-    bool json_progress = false;
+    bool json_progress = false;  // progress as JSON lines on standard error
 };
+/// Adds --threads, --seed, --quiet and --json-progress.
 void add_work_options(CLI::App& app, WorkOptions& options);
 
-/// How an experiment is simulated.
+/// Options on how an experiment is simulated.
 struct SetupOptions {
-    setup::SetupSettings settings;  // threads and the spectral radius are set by setup_settings()
+    setup::SetupSettings settings;  // threads and spectral radius are set by setup_settings()
     std::optional<double> spectral_radius;
-    std::vector<std::pair<std::string, std::string>> overrides;  // --set
+    std::vector<std::pair<std::string, std::string>> overrides;  // keys and values of --set
 };
+/// Adds mesh, material, time integration and --set options.
 void add_setup_options(CLI::App& app, SetupOptions& options);
+/// Settings from all parsed options.
 setup::SetupSettings setup_settings(const SetupOptions& options, const WorkOptions& work);
 
-/// Options whose values are checked with one sentence that names the option: "--dt: 'x' is not a number".
+// Options whose values are checked with a single sentence that names the option: "--dt: 'x' is not a number". The
+// target must outlive parsing.
+
+/// A number > 0.
 CLI::Option* add_positive_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                                  const std::string& help);
+/// A finite number.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& help);
 CLI::Option* add_optional_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                                  const std::string& help);
+/// A whole number >= 1.
 CLI::Option* add_count(CLI::App& app, const std::string& name, int& target, const std::string& help);
+/// An element by its id.
 CLI::Option* add_element(CLI::App& app, const std::string& name, std::optional<fem::ElementKind>& target);
 
-/// --unit mm|m, as the length in metres.
+/// --unit mm|m, stored as metres per unit.
 CLI::Option* add_unit(CLI::App& app, std::optional<double>& metres_per_unit);
 
-/// "'voxel' is not known; did you mean 'x'? Known: a, b, c"
+/// Message "'voxel' is not known; did you mean 'x'? Known: a, b, c".
 std::string unknown_word(const std::string& word, const std::vector<std::string>& known);
 
-/// "a,b" -> {"a", "b"}; blanks around the words are dropped, empty words stay.
+/// Splits at commas: "a,b" -> {"a", "b"}; surrounding blanks are removed, empty words are kept.
 std::vector<std::string> split_words(const std::string& text);
 
 }  // namespace myo::app

@@ -11,7 +11,7 @@
 namespace myo::app {
 namespace {
 
-/// Memory held now [bytes], from the second number of /proc/self/statm.
+/// Resident memory now [bytes], from the second number of /proc/self/statm.
 long resident_bytes() {
     std::ifstream file("/proc/self/statm");
     long total = 0, resident = 0;
@@ -37,6 +37,7 @@ OwnProcessResult run_in_own_process(const std::function<std::string()>& work) {
         result.crashed = true;
         return result;
     }
+    // The child returns its peak memory and its text through a pipe; _exit() skips destructors of the parent's objects.
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);

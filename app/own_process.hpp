@@ -5,15 +5,15 @@
 
 namespace myo::app {
 
-/// What a piece of work left when it ran in a process of its own.
+/// Result of work in a child process.
 struct OwnProcessResult {
-    std::string output;              // what it returned
-    long peak_bytes_over_start = 0;  // most memory it held beyond what it started with
+    std::string output;              // text that the work returned
+    long peak_bytes_over_start = 0;  // peak memory above that at the start
     bool crashed = false;
 };
 
-/// Runs `work` in a child process, so that its peak of memory is its own, and returns its text. Call before threads are
-/// started.
+/// Runs `work` in a child process, so that its peak memory is measured separately. Must be called before threads are
+/// started, because fork() copies only the calling thread.
 OwnProcessResult run_in_own_process(const std::function<std::string()>& work);
 
 }  // namespace myo::app

@@ -5,8 +5,8 @@
 
 namespace myo::app {
 
-/// The published measurements and results in data_folder(), which `bench` and `reproduce` read; none where it is
-/// missing.
+/// Published measurements and results in data_folder() that `bench` and `reproduce` read; empty if it is missing.
+/// Commands refuse to overwrite them.
 std::vector<std::filesystem::path> reference_files();
 
 }  // namespace myo::app

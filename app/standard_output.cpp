@@ -11,7 +11,7 @@
 namespace myo::app {
 namespace {
 
-// Standard output is one for the whole program, and so is what is wrong with it.
+// Standard output is global, and so is its state.
 int first_failure = 0;
 
 }  // namespace
@@ -38,7 +38,7 @@ std::string output_failure() { return first_failure == 0 ? "" : std::generic_cat
 void keep_closed_streams_closed() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The lowest free descriptor is this one; it cannot be used in its direction.
+        // open() returns the lowest free descriptor, which is this one; it is opened in the unusable direction.
         const int placeholder = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
         if (placeholder < 0) return;
     }

@@ -17,12 +17,14 @@
 
 namespace {
 
+// Resource limit of this process; 0: none.
 void limit(__rlimit_resource_t resource, unsigned long long value) {
     if (value == 0) return;
     const rlimit bound{static_cast<rlim_t>(value), static_cast<rlim_t>(value)};
     setrlimit(resource, &bound);
 }
 
+// TetGen frees these arrays itself, hence new[].
 void describe(const myo::mesh::TetgenExchange& request, tetgenio& input) {
     input.firstnumber = 0;
     input.numberofpoints = static_cast<int>(request.points.size() / 3);
@@ -73,7 +75,7 @@ int run(const std::string& request_path, const std::string& answer_path, std::st
 
 int main(int argc, char** argv) {
     if (argc != 6) return myo::mesh::worker_status::bad_call;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // no mesh is wanted when nobody waits for it
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends with the caller
 #if !defined(__SANITIZE_ADDRESS__)     // the sanitizer reserves terabytes of address space
     limit(RLIMIT_AS, std::strtoull(argv[4], nullptr, 10));
 #endif

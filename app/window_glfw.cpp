@@ -20,12 +20,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// GLFW reports what went wrong through a callback without context; only the last sentence matters.
+// GLFW reports errors through a callback without context; only the last sentence is needed.
 std::string& last_glfw_error() {
     static std::string text;
     return text;
 }
 
+/// Lifetime of the GLFW library.
 struct GlfwLibrary {
     bool ready = false;
     GlfwLibrary() {
@@ -63,7 +64,7 @@ int key_of(int key) {
     for (const auto& [glfw, imgui] : keys) {
         if (glfw == key) return imgui;
     }
-    // Letters by what is printed on them, so that Ctrl+Z is where the person's layout has it.
+    // Letters by their label, so that Ctrl+Z follows the keyboard layout.
     const char* name = glfwGetKeyName(key, 0);
     if (name == nullptr || name[0] == '\0' || name[1] != '\0') return -1;
     switch (name[0]) {
@@ -111,7 +112,7 @@ void push(GLFWwindow* window, const ui::platform::InputEvent& event) {
 
 void set_callbacks(GLFWwindow* window) {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-        // Screen units become pixels where the two differ.
+        // Screen coordinates to pixels; they differ on high-resolution displays.
         int screen = 1, pixels = 1, ignored = 0;
         glfwGetWindowSize(w, &screen, &ignored);
         glfwGetFramebufferSize(w, &pixels, &ignored);
@@ -128,7 +129,7 @@ void set_callbacks(GLFWwindow* window) {
         push(w, ui::platform::MouseWheel{static_cast<float>(x), static_cast<float>(y)});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
-        // A held key repeats by itself as long as frames are drawn.
+        // ImGui repeats a held key by itself as long as frames are drawn.
         if (action == GLFW_REPEAT) return workbench_of(w).wake();
         const int known = key_of(key);
         if (known >= 0) push(w, ui::platform::KeyPressed{known, action == GLFW_PRESS, modifiers_of(mods)});
@@ -151,7 +152,7 @@ void share_clipboard(GLFWwindow* window) {
     io.GetClipboardTextFn = [](void* data) { return glfwGetClipboardString(static_cast<GLFWwindow*>(data)); };
 }
 
-// The mouse pointers the workbench uses.
+/// Mouse cursors of the workbench.
 class Pointers {
 public:
     Pointers()
@@ -176,7 +177,7 @@ private:
     ImGuiMouseCursor shown_ = ImGuiMouseCursor_Arrow;
 };
 
-/// Keeps a copy of unsaved work for recovery, and preferences as they are now.
+/// Saves unsaved work for recovery once a minute, and changed preferences.
 class Keeper {
 public:
     explicit Keeper(ui::commands::Workbench& workbench)
@@ -189,14 +190,15 @@ public:
         keep_preferences();
     }
 
-    /// Before an end that nobody asked for.
+    /// Saves the latest state before an abnormal end.
     void rescue() {
         keep_preferences();
-        workbench_.finish_autosave();  // of what was a minute ago
+        workbench_.finish_autosave();  // an earlier save that is still running
         if (const auto file = backend::recovery_file(); !file.empty()) workbench_.autosave(file);
         workbench_.finish_autosave();
     }
 
+    /// After a regular end the recovery files are no longer needed.
     void end() {
         keep_preferences();
         workbench_.finish_autosave();
@@ -235,7 +237,7 @@ void take_up(ui::commands::Workbench& workbench) {
         workbench.execute(ui::commands::OfferRecovery{backend::found_recoveries(file.parent_path())});
 }
 
-/// Frames until the person quits, or until none can be drawn.
+/// Main loop: draws frames until the user quits or drawing fails. Without input or a running job it sleeps.
 Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view,
                          Keeper& keeper) {
     Pointers pointers;
@@ -243,7 +245,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
     while (!workbench.state().quit) {
         keeper.tick(Clock::now());
         if (glfwWindowShouldClose(window) == GLFW_TRUE) {
-            // What is unsaved is asked for first.
+            // The workbench asks about unsaved work first.
             glfwSetWindowShouldClose(window, GLFW_FALSE);
             workbench.execute(ui::commands::Quit{});
             view.wake();
@@ -253,7 +255,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
         if (view.must_draw()) {
             glfwPollEvents();
         } else {
-            // A running job's clock ticks even when it reports nothing.
+            // The elapsed time of a running job is displayed even if it reports nothing.
             glfwWaitEventsTimeout(works ? 0.2 : 1.0);
             if (works) view.wake();
             if (!view.must_draw()) continue;
@@ -270,7 +272,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
             !drawn)
             return drawn;
         last = now;
-        if (works && !workbench.state().works()) view.wake();  // what a job brought settles over several frames
+        if (works && !workbench.state().works()) view.wake();  // the result of a job needs several frames to settle
         pointers.apply(window);
         glfwSwapBuffers(window);
     }
@@ -287,7 +289,7 @@ Result<void> run_frames(GLFWwindow* window, ui::commands::Workbench& workbench, 
             keeper.rescue();
         return drawn;
     } catch (...) {
-        keeper.rescue();  // out of memory, above all
+        keeper.rescue();  // e.g. out of memory
         throw;
     }
 }

@@ -9,11 +9,12 @@
 
 namespace myo::app {
 
+/// Initial state of the window.
 struct WindowOptions {
     int width = 1600;  // [screen units]
     int height = 900;
-    std::filesystem::path open;  // experiment folder or mesh; empty = nothing
-    std::optional<float> scale;  // of text and controls; default: the screen's own
+    std::filesystem::path open;  // experiment folder or mesh; empty: none
+    std::optional<float> scale;  // of text and controls; default: that of the screen
 };
 
 /// Opens the workbench in a window and returns when it is closed.

@@ -12,7 +12,7 @@
 namespace myo::backend {
 namespace {
 
-/// The step of the window where a person can mend what a check found; the run's for those that are not here.
+/// Task of the window in which a finding can be remedied; "run" for checks not listed.
 std::string step_of(const std::string& check, bool as_declared) {
     if (check == "residual" && as_declared) return "fit";
     static const std::map<std::string, std::string> steps{
@@ -23,7 +23,7 @@ std::string step_of(const std::string& check, bool as_declared) {
     return known != steps.end() ? known->second : "run";
 }
 
-/// A unit as it is written on paper, and in that of a suitable size: "320 kPa", "1070 kg/m³".
+/// Value with a prefix of suitable size and typographic powers: "320 kPa", "1070 kg/m³".
 std::string number_words(double figure, std::string unit) {
     if (unit == "Pa")
         for (const auto& [size, larger] : {std::pair{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
@@ -34,7 +34,7 @@ std::string number_words(double figure, std::string unit) {
     return format_number(figure, digits) + (unit.empty() ? "" : " " + unit);
 }
 
-/// A frequency error is a share; other figures without unit are plain numbers.
+/// Lengths in a readable unit; the frequency error of the step in percent; other values with their unit.
 std::string figure_words(const check::Finding& finding, double figure) {
     if (!std::isfinite(figure)) return {};
     if (finding.unit == "m" && std::abs(figure) < 1.0) return report::length_words(figure);

@@ -7,10 +7,12 @@
 
 namespace myo::backend {
 
+/// Colour of a level in the window.
 ui::commands::CheckState shown_state(check::CheckLevel level);
 
-/// Findings as the workbench shows them, the worst first.
-/// @param as_declared  see CheckedJob: what such a run leaves is for a fit to mend, not for a diagnosis
+/// Findings as the workbench displays them, worst first.
+///
+/// @param as_declared  see CheckedJob: the residual of such a run is to be reduced by a fit, not by a diagnosis
 ui::commands::CheckRows check_rows(const std::vector<check::Finding>& findings, bool as_declared = false);
 
 }  // namespace myo::backend

@@ -36,7 +36,7 @@ bool has_ending(const fs::path& path, const std::vector<std::string>& endings) {
     return std::find(endings.begin(), endings.end(), lower_case(path.extension().string())) != endings.end();
 }
 
-/// The muscles of the settings; where they leave something open, as the experiment has it.
+/// Muscles of the settings; parts that they leave open are taken from the experiment's muscle of the same origin.
 std::vector<experiment::MuscleDeclaration> declared_muscles(const experiment::Experiment& experiment,
                                                             const ui::commands::Settings& settings) {
     std::vector<experiment::MuscleDeclaration> muscles;
@@ -59,7 +59,7 @@ std::vector<experiment::MuscleDeclaration> declared_muscles(const experiment::Ex
     return muscles;
 }
 
-/// The experiment's own muscles, as they are shown before anything is changed.
+/// Muscles of the experiment before any change.
 std::vector<ui::commands::Muscle> shown_muscles(const experiment::Experiment& experiment) {
     std::vector<ui::commands::Muscle> muscles;
     for (const experiment::MuscleDeclaration& declared : experiment.muscles) {
@@ -74,7 +74,7 @@ std::vector<ui::commands::Muscle> shown_muscles(const experiment::Experiment& ex
     return muscles;
 }
 
-/// Where displacements are compared, both curves start from the declared rest position.
+/// Recording for display. With displacement comparison, both curves start from the declared rest position.
 Matrix3Xd shown_measurement(const setup::Setup& setup, const setup::PreparedTrial& trial, std::size_t marker) {
     Matrix3Xd shown = trial.measured.tracks[marker];
     if (!trial.reference_m.empty())
@@ -103,7 +103,7 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     scene.settings.density_kg_m3 = experiment.material.density_kg_m3;
     scene.settings.damping_s = setup.trials.front().model.damping_s;
     scene.settings.integrator = to_string(setup.settings.integrator);
-    // One step for all trials, as a person sees it.
+    // The window displays a single step for all trials.
     scene.settings.time_step_s = prediction::shortest_step_s(setup);
     scene.settings.muscles = shown_muscles(experiment);
     const MeasuredVibration vibration = dominant_vibration(setup);
@@ -193,7 +193,7 @@ Result<ui::commands::Scene> open_experiment(const fs::path& path, const Progress
 
 namespace {
 
-/// A body alone, in the set-up that a mesh gets.
+/// A body without experiment, with the default set-up of a mesh.
 ui::commands::Scene plain_scene(const fs::path& path, mesh::SurfaceMesh surface) {
     ui::commands::Scene scene;
     scene.path = path;
@@ -218,6 +218,7 @@ Result<ui::commands::Scene> open_volume(const fs::path& path, double metres_per_
     scene.settings.element = read->type;
     scene.settings.resolution_m = mesh::mean_edge_length(*read);
     SceneSource source = source_of(scene);
+    // A volume mesh is kept as it is until the settings request another element or edge length.
     source.mesh = std::make_shared<const setup::BodyMesh>(setup::BodyMesh{
         std::move(*read), fem::default_element(scene.settings.element), scene.settings.resolution_m, std::nullopt, {}});
     scene.source = std::make_shared<const SceneSource>(std::move(source));
@@ -235,6 +236,7 @@ Result<ui::commands::Scene> open_mesh(const fs::path& path, std::optional<double
     if (is_volume_file(path)) return open_volume(path, *metres_per_unit);
     const Result<mesh::SurfaceMesh> read = mesh::read_surface(path, *metres_per_unit);
     if (!read) return read.error();
+    // Unlike an experiment, a mesh that is oriented inward is accepted and flipped.
     const mesh::SurfaceMesh surface = mesh::weld(*read);
     const mesh::SurfaceReport report = mesh::check_surface(surface);
     if (const Result<void> size = mesh::check_plausible_size(report.size); !size)

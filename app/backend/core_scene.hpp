@@ -14,40 +14,48 @@
 
 namespace myo::backend {
 
-/// What a scene was opened from.
+/// Core objects that a scene was opened from.
 struct SceneSource {
     experiment::Experiment experiment;
     mesh::SurfaceMesh surface;
-    std::shared_ptr<const setup::BodyMesh> mesh = {};  // with which it was opened; null: none
+    std::shared_ptr<const setup::BodyMesh> mesh = {};  // mesh at opening; null: none
 };
+/// Source of a scene; every scene of this backend has one.
 const SceneSource& source_of(const ui::commands::Scene& scene);
 
-/// Whether it is what these settings ask for.
+/// Whether a mesh has the element and edge length of the settings.
 bool is_mesh_of(const setup::BodyMesh& mesh, const ui::commands::Settings& settings);
-/// The mesh that is shown, where these settings ask for no other; else null.
+/// The displayed mesh if it has the element and edge length of the settings, else null.
 const setup::BodyMesh* shown_mesh(const ui::commands::MeshedBody& body, const ui::commands::Settings& settings);
 
+/// Element and edge length of the settings.
 setup::MeshRequest mesh_request(const ui::commands::Settings& settings);
+/// Simulation settings of the core from those of the window; uses all hardware threads.
 setup::SetupSettings setup_settings(const ui::commands::Settings& settings);
 
-/// The experiment with the settings' values, effects and muscles in it.
+/// The experiment with material values, effects and muscles of the settings.
 experiment::Experiment with_settings(experiment::Experiment experiment, const ui::commands::Settings& settings);
 
-/// The scene's setup with these settings, on the mesh that is shown where it is theirs.
+/// Setup of a scene with these settings; reuses the displayed mesh if it matches.
+///
+/// @param chosen  simulation settings, usually setup_settings() with a modified step
+/// Errors: those of prepare_setup().
 Result<setup::Setup> scene_setup(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                                  const ui::commands::Settings& settings, const setup::SetupSettings& chosen,
                                  const Progress& progress);
 
-/// Whether a path names an experiment and not a mesh.
+/// Whether a path is an experiment (folder or .toml).
 bool is_experiment(const std::filesystem::path& path);
-/// Whether a file is a surface or a volume mesh, by its ending; whether it is a volume mesh.
+/// Whether a file is a surface or volume mesh, or a volume mesh, by its extension.
 bool is_mesh_file(const std::filesystem::path& path);
 bool is_volume_file(const std::filesystem::path& path);
 
-/// A volume mesh keeps its own elements as long as the settings ask for no others.
-/// Errors: those of the schema; of the mesh readers, an ending that they do not know, a surface that is not closed, an
-/// implausible size.
+/// Opens an experiment as a scene. Errors: those of read_experiment() and prepare_setup().
 Result<ui::commands::Scene> open_experiment(const std::filesystem::path& path, const Progress& progress);
+/// Opens a surface or volume mesh as a scene. A volume mesh keeps its elements until the settings request others.
+///
+/// @param metres_per_unit  unit of the file; meshes do not store it
+/// Errors: no unit, those of the mesh readers, an unknown extension, a surface that is not closed, an implausible size.
 Result<ui::commands::Scene> open_mesh(const std::filesystem::path& path, std::optional<double> metres_per_unit);
 
 }  // namespace myo::backend

@@ -31,7 +31,7 @@ ui::commands::ParameterRow parameter_row(const prediction::ModelParameter& param
     return {shown.name, shown.unit, shown.factor * start, shown.factor * value, shown.factor * deviation};
 }
 
-/// Decides when the best so far is shown again: the pictures shall cost no more than a fifth of the time.
+/// Limits how often the best result is displayed: drawing may take a fifth of the time.
 class Pace {
 public:
     bool due() const { return first_ || since_.seconds() > std::max(0.5, 4.0 * cost_s_); }
@@ -47,7 +47,7 @@ private:
     Stopwatch since_;
 };
 
-/// A run of the trials whose predictions are there.
+/// Displayable run from existing predictions of some trials.
 std::shared_ptr<const ui::commands::RunResult> run_of(const setup::Setup& setup,
                                                       const prediction::ParameterValues& values,
                                                       const std::vector<std::size_t>& trials,
@@ -65,7 +65,7 @@ std::vector<std::size_t> fit_trials(const setup::Setup& setup) {
     return trials;
 }
 
-/// Signals as drawn, at the knots that are looked for.
+/// Signals drawn by the user, sampled at the unknown knots and limited to their bounds.
 Eigen::MatrixXd drawn_values(const setup::Setup& setup, const inverse::ActuationProblem& problem) {
     Eigen::MatrixXd values = inverse::unmoved_values(problem.sought);
     const std::vector<double> times = inverse::knot_times(problem.sought);
@@ -73,7 +73,7 @@ Eigen::MatrixXd drawn_values(const setup::Setup& setup, const inverse::Actuation
         const inverse::SignalShare& share = problem.sought.groups[m];
         const auto row = static_cast<Eigen::Index>(share.signal);
         const inverse::SoughtSignal& signal = problem.sought.signals[share.signal];
-        if (setup.experiment.muscles[m].name != signal.name) continue;  // one that follows
+        if (setup.experiment.muscles[m].name != signal.name) continue;  // a follower
         for (Eigen::Index k = 0; k < values.cols(); ++k)
             values(row, k) = std::clamp(
                 setup.trials.front().model.activation[m].value(times[static_cast<std::size_t>(k)]), signal.lower,
@@ -82,7 +82,7 @@ Eigen::MatrixXd drawn_values(const setup::Setup& setup, const inverse::Actuation
     return values;
 }
 
-/// The settings with signals in the place of those that were drawn.
+/// The settings with these signals in place of the drawn ones.
 ui::commands::Settings with_signals(ui::commands::Settings settings, const std::vector<fibre::Signal>& activation) {
     for (std::size_t m = 0; m < settings.muscles.size() && m < activation.size(); ++m)
         if (settings.muscles[m].follows.empty()) settings.muscles[m].signal = activation[m];
@@ -102,7 +102,7 @@ std::vector<ui::commands::ParameterRow> signal_rows(const inverse::ActuationProb
     return rows;
 }
 
-/// A search for signals, shown while it goes on.
+/// Displays a running search for signals.
 class LiveOptimization {
 public:
     LiveOptimization(const setup::Setup& setup, std::size_t trial, const inverse::ActuationProblem& problem,
@@ -137,8 +137,7 @@ public:
         if (live_) live_(std::make_shared<const ui::commands::SearchView>(view_));
     }
 
-    /// The trial with the signals that were found. Where the search was stopped, no more of the motion than is known by
-    /// then.
+    /// The trial with the final signals. After a cancellation, only the part of the motion that is already known.
     ui::commands::RunResult found(const inverse::ActuationFit& fit) const {
         if (view_.best && shown_.size() > 0 && shown_ == fit.values) return *view_.best;
         if (auto run = run_with(fit.values, fit.best.placement)) return std::move(*run);
@@ -163,7 +162,7 @@ private:
                                                        std::move(predictions), {trial_}));
     }
 
-    /// The trial run with these signals; empty when it was cancelled.
+    /// Simulates the trial with these signals; empty if cancelled.
     std::optional<ui::commands::RunResult> run_with(const Eigen::MatrixXd& signals,
                                                     const inverse::MarkerPlacement& placement) const {
         const setup::Setup setup = with_signals_of(signals);
@@ -181,7 +180,7 @@ private:
     const Progress& progress_;
     const ui::commands::Backend::LiveSearch& live_;
     ui::commands::SearchView view_;
-    Eigen::MatrixXd shown_;  // signals with which view_.best moves
+    Eigen::MatrixXd shown_;  // signals of view_.best
     Pace pace_;
 };
 
@@ -192,7 +191,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
                                                    const ui::commands::Settings& settings, const Progress& progress,
                                                    const ui::commands::Backend::LiveSearch& live) {
     setup::SetupSettings chosen = setup_settings(settings);
-    // A step that nobody set gives way to one that suits the fit.
+    // A step that the user did not set may be replaced by one that suits the fit.
     if (!settings.own_step) chosen.h_s.reset();
     Result<setup::Setup> setup = scene_setup(scene, body, settings, chosen, progress);
     if (!setup) return setup.error();
@@ -267,7 +266,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     Result<setup::Setup> setup = scene_setup(scene, body, settings, setup_settings(settings), progress);
     if (!setup) return setup.error();
     setup::check_integration(*setup);
-    // A step that nobody set gives way to a shorter one that suits the signals.
+    // A step that the user did not set may be shortened to suit the signals.
     if (!settings.own_step) setup->settings.h_s.reset();
     const Result<std::size_t> trial = prediction::find_trial(setup->experiment, request.trial);
     if (!trial) return trial.error();
@@ -286,7 +285,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
                                                                                     progress);
     if (!found.usable())
         return Error{found.stopped ? "stopped before the first evaluation was complete" : found.fit.message, ""};
-    setup::set_step(setup->trials[*trial], one.trials.front().options.h_s);  // the body is shown as it was run
+    setup::set_step(setup->trials[*trial], one.trials.front().options.h_s);  // displayed with the step that was used
     ui::commands::SearchResult result;
     result.title = "Optimised";
     result.settings = with_signals(settings, inverse::activations_of(problem->sought, found.fit.values));

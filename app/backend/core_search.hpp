@@ -6,15 +6,18 @@
 
 namespace myo::backend {
 
-/// The declared fit of a scene with measured trials. Cancelled, it gives the best values so far; an error when there
-/// are none.
+/// Fits the unknowns of a scene with measured trials.
+///
+/// @param live  called after every evaluation, on this thread; may be empty
+/// Errors: those of scene_setup(); no usable values. Cancelled, it returns the best values so far.
 Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& scene,
                                                    const ui::commands::MeshedBody& body,
                                                    const ui::commands::Settings& settings, const Progress& progress,
                                                    const ui::commands::Backend::LiveSearch& live);
 
-/// Signals of all muscles that follow none, beginning with those that are drawn. Cancelled likewise.
-/// Errors: no such trial, knots closer than steps, no value between the bounds.
+/// Searches signals of all muscles that follow none, starting from the drawn ones.
+///
+/// Errors: no such trial, knots closer than steps, no value between the bounds. Cancelled as above.
 Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& scene,
                                                   const ui::commands::MeshedBody& body,
                                                   const ui::commands::Settings& settings,

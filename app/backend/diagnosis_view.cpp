@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* declared_key = "declared";
 constexpr const char* missing_force_key = "missing force";
-constexpr int about_patches = 48, about_moments = 48;
+constexpr int about_patches = 48, about_moments = 48;  // force patches on the body, and times per trial
 constexpr std::size_t most_with_forces = 8;
 
 std::string capitalised(std::string text) {
@@ -35,7 +35,7 @@ std::string capitalised(std::string text) {
 std::string key_of(const std::vector<effect::EffectDeclaration>& effects) {
     std::vector<std::string> ids;
     for (const effect::EffectDeclaration& effect : effects) ids.push_back(effect.id);
-    std::sort(ids.begin(), ids.end());  // a pair is the same whichever was first
+    std::sort(ids.begin(), ids.end());  // the order of a pair does not matter
     return join(ids, "+");
 }
 
@@ -70,8 +70,8 @@ ui::commands::AddedEffect added(const effect::EffectDeclaration& effect) {
     return result;
 }
 
-/// A flat vector in metres on the samples of the trials: [trial][marker] 3 x T, NaN elsewhere; trials without a sample
-/// stay empty.
+/// A flat residual vector [m] on the samples of the trials: [trial][marker] 3 x T, NaN elsewhere; trials without
+/// samples stay empty.
 std::vector<std::vector<Matrix3Xd>> on_samples(const setup::Setup& setup, const diagnosis::FitData& data,
                                                const VectorXd& flat_m) {
     std::vector<std::vector<Matrix3Xd>> result(setup.trials.size());
@@ -87,7 +87,7 @@ std::vector<std::vector<Matrix3Xd>> on_samples(const setup::Setup& setup, const 
     return result;
 }
 
-/// Root mean square of a flat residual in each trial [m]; NaN for those that it has no sample of.
+/// Root mean square of a flat residual per trial [m]; NaN for trials without samples.
 std::vector<double> rms_of_trials(const setup::Setup& setup, const diagnosis::FitData& data, const VectorXd& residual) {
     std::vector<double> squares(setup.trials.size(), 0.0), count(setup.trials.size(), 0.0), result;
     for (const statistics::ResidualSeries& series : data.layout.series) {
@@ -111,7 +111,7 @@ double score_of(const prediction::SetupRun& run, const std::string& trial, doubl
     return score ? score->rms_m : otherwise;
 }
 
-/// The fit that a row shows; null for those without.
+/// The fit that a row displays, or null.
 const diagnosis::JudgedFit* fit_of(const diagnosis::Diagnosis& d, const std::string& key) {
     if (key == declared_key) return &d.declared;
     for (const diagnosis::Candidate& candidate : d.candidates)
@@ -121,12 +121,13 @@ const diagnosis::JudgedFit* fit_of(const diagnosis::Diagnosis& d, const std::str
     return nullptr;
 }
 
+/// Builds the displayed form of a diagnosis, complete or in progress.
 class View {
 public:
     View(const DiagnosisSource& source, const diagnosis::Diagnosis& d) : source_(source), setup_(source.setup), d_(d) {}
 
     ui::commands::DiagnosisView take() {
-        // The stages before this know nothing to show.
+        // Nothing can be displayed before the declared fit.
         if (!d_.declared.usable()) return std::move(view_);
         view_.complete = d_.complete() && !d_.verdict.because.empty();
         view_.stopped = d_.stopped;
@@ -174,7 +175,7 @@ private:
         }
     }
 
-    /// With the names of effects as a person reads them, and what the trials say that took no part.
+    /// Explanation of the verdict with readable effect names and the error on validation trials.
     std::string reason() const {
         std::string text = capitalised(d_.verdict.because);
         if (d_.verdict.kind == diagnosis::VerdictKind::effects)
@@ -222,7 +223,7 @@ private:
         if (numbers.size() > 1) row.brief = std::to_string(numbers.size()) + " values";
         if (numbers.size() != 1) return;
         row.brief = diagnosis::estimate_words(numbers.front());
-        row.one_number = row.value.ends_with(row.brief);  // else words follow it
+        row.one_number = row.value.ends_with(row.brief);  // otherwise words follow the number
     }
 
     ui::commands::DiagnosisRow fitted_row(const std::string& key, const std::string& name,
@@ -232,7 +233,7 @@ private:
         row.name = name;
         row.chosen = key == chosen_;
         row.fitted = true;
-        // What the verdict stands on was fitted once more at the end.
+        // The fit behind the verdict was repeated at the end.
         const diagnosis::JudgedFit& last = row.chosen && d_.augmented.usable() ? d_.augmented : fit;
         set_value(row, last.fit);
         row.rms_m = last.rms_m;
@@ -266,7 +267,7 @@ private:
             row.key = id;
             row.name = results::effect_name(id);
             row.value = "not fitted";
-            // To first order, without a fit.
+            // Linear prediction, without a fit.
             row.predicted_m = on_samples(setup_, d_.data, -candidate.score.predicted.cwiseProduct(d_.data.noise_m));
         }
         row.explained = candidate.score.usable() ? candidate.score.test.explained : no_number;
@@ -291,7 +292,7 @@ private:
                                 fitted_row(key_of(pair.fit.effects),
                                            results::effect_name(diagnosis::names_of(pair.fit.effects)), pair));
         std::stable_sort(fitted.begin(), fitted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        // A verdict leaves out what is not needed: of equals it names the simpler one.
+        // The verdict omits unnecessary effects: among equivalent fits it names the simplest, which is displayed first.
         std::stable_partition(fitted.begin(), fitted.end(), [](const auto& row) { return row.second.chosen; });
         for (auto& [criterion, row] : fitted) view_.rows.push_back(std::move(row));
         for (const diagnosis::Candidate& candidate : d_.candidates)
@@ -326,6 +327,7 @@ private:
     ui::commands::DiagnosisView view_;
 };
 
+/// Resultant forces per patch over time.
 ui::commands::PatchForces in_patches(const diagnosis::BodyPatches& patches, const std::vector<double>& times,
                                      const std::vector<Matrix3Xd>& forces) {
     ui::commands::PatchForces result;
@@ -371,6 +373,7 @@ void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& d, ui
             rows.push_back(&row);
     }
     for (ui::commands::DiagnosisRow* row : rows) row->force.resize(setup.trials.size());
+    // One task per row and trial; reasons are collected separately because rows are shared between tasks.
     std::vector<std::string> why(rows.size() * setup.trials.size());
     parallel_tasks(static_cast<int>(why.size()), setup.settings.threads, [&](int task) {
         const std::size_t t = static_cast<std::size_t>(task) % setup.trials.size();

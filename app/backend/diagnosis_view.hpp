@@ -7,24 +7,23 @@
 
 namespace myo::backend {
 
-/// What was diagnosed.
+/// Input of a diagnosis.
 struct DiagnosisSource {
     const setup::Setup& setup;
-    std::size_t
-        file_effects = 0;  // effects that the experiment's file declares; those behind them were added in the workbench
+    std::size_t file_effects = 0;  // number of effects declared in the file; later ones were added in the workbench
     ui::commands::Settings settings;
 };
 
-/// What is known of a diagnosis, complete or not; without forces.
+/// Displayed form of a diagnosis, complete or in progress; without forces.
 ui::commands::DiagnosisView diagnosis_view(const DiagnosisSource& source, const diagnosis::Diagnosis& diagnosis);
 
-/// The forces of the fitted effects along the motion, that of the model with the verdict's effects for these, else of
-/// the declared model; and the missing force. Some evaluations of the body's forces for each: about a second. Asserts a
-/// complete diagnosis.
+/// Adds the forces of the fitted effects along the motion, and the missing force. The motion is that of the model with
+/// the verdict's effects for these, otherwise of the declared model. Costs several evaluations of the body's forces
+/// each: about a second. Asserts a complete diagnosis.
 void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& diagnosis,
                 ui::commands::DiagnosisView& view);
 
-/// An added effect as an experiment declares it, to be fitted along.
+/// An effect added in the window as an experiment declares it, with calibrate = true.
 effect::EffectDeclaration declaration(const ui::commands::AddedEffect& effect);
 
 }  // namespace myo::backend

@@ -11,11 +11,11 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Later crossings may be noise.
+/// Later zero crossings may be noise.
 constexpr int most_crossings = 9;
 
-/// Takes frequency and damping from a damped cosine through the longest stretch without gaps, where that is what the
-/// samples are: a short record does not come to rest, and its crossings depend on what is taken for rest.
+/// Replaces frequency and damping by those of a damped cosine, fitted to the longest interval without gaps, if it
+/// describes the samples. A short record does not come to rest, so its crossings depend on the assumed rest value.
 void fit_free_vibration(const VectorXd& times_s, const VectorXd& values, MeasuredVibration& found) {
     Eigen::Index first = 0, count = 0;
     for (Eigen::Index t = 0, start = 0; t <= values.size(); ++t) {
@@ -28,7 +28,8 @@ void fit_free_vibration(const VectorXd& times_s, const VectorXd& values, Measure
                                                                  values.segment(first, count));
     const double fitted_Hz = fit.omega_rad_s / (2.0 * std::numbers::pi);
     const VectorXd about = values.segment(first, count).array() - fit.offset;
-    // A motion that is driven, or of several modes, leaves much and swings otherwise than it crosses.
+    // A driven motion or one of several modes leaves a large residual, and its frequency differs from that of the
+    // crossings.
     const bool fits = fit.ok && fit.rms < 0.5 * about.norm() / std::sqrt(static_cast<double>(count)) &&
                       std::abs(fitted_Hz / found.frequency_Hz - 1.0) < 0.4;
     if (!fits || !(fit.rate_1_s > 0.0)) return;

@@ -27,7 +27,7 @@ std::vector<ui::commands::Example> bundled_examples() {
         ignored.clear();
         if (!examples.empty()) break;
     }
-    // What has most to look at comes first.
+    // Examples with the most trials come first.
     std::sort(examples.begin(), examples.end(), [&](const ui::commands::Example& a, const ui::commands::Example& b) {
         return trials[a.path] != trials[b.path] ? trials[a.path] > trials[b.path] : a.path < b.path;
     });

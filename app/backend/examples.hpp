@@ -6,7 +6,7 @@
 
 namespace myo::backend {
 
-/// The bundled examples: beside the program's sources, or where it was installed. Empty when they are in neither place.
+/// Bundled examples, from the source tree or the installation; empty if neither is found.
 std::vector<ui::commands::Example> bundled_examples();
 
 }  // namespace myo::backend

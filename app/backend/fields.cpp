@@ -16,7 +16,7 @@ struct FieldInput {
     const mesh::VolumeMesh& mesh;
     const ui::commands::SimulatedTrial& motion;
     std::size_t frame;
-    const RunModels* models;  // may be null: of a body alone
+    const RunModels* models;  // null for a run without models
     const model::Model* model;
 
     const Eigen::Matrix3Xd& x() const { return motion.frames[frame]; }
@@ -29,6 +29,7 @@ struct FieldInput {
 
 VectorXd displacement(const FieldInput& in) { return (in.x() - in.mesh.nodes).colwise().norm(); }
 
+/// Central difference of the displayed frames, one-sided at both ends.
 VectorXd velocity(const FieldInput& in) {
     const std::size_t before = in.frame > 0 ? in.frame - 1 : 0,
                       after = std::min(in.frame + 1, in.motion.frames.size() - 1);
@@ -46,13 +47,14 @@ VectorXd activation(const FieldInput& in) {
     return in.at_nodes(cells);
 }
 
+/// A displayable field.
 struct Field {
     ui::commands::FieldKind kind;
-    bool of_model;  // needs the run's models
+    bool of_model;  // requires the models of the run
     VectorXd (*values)(const FieldInput&);
 };
 
-// Every field is a function and a line here.
+/// All fields; a new one is a function and a line here.
 const std::vector<Field>& catalogue() {
     static const std::vector<Field> all{
         {{"displacement", "Displacement |u|", "mm", 1e-3, false,

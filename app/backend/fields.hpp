@@ -7,14 +7,15 @@
 
 namespace myo::backend {
 
-/// What the fields of a run are made from: the models of its trials, on one mesh.
+/// Models of the trials of a run, all on one mesh; fields are evaluated on them.
 struct RunModels {
     std::vector<model::Model> trials;
 };
 
+/// Names, units and explanations of all fields.
 const std::vector<ui::commands::FieldKind>& field_catalogue();
 
-/// Values at the nodes [SI]; empty for a run without models or a field that is not in the catalogue.
+/// Values of a field at the nodes [SI] in one frame; empty if the id is unknown or the run has no model on this mesh.
 Eigen::VectorXd field_values(const std::string& id, const ui::commands::MeshedBody& body,
                              const ui::commands::RunResult& run, std::size_t trial, std::size_t frame);
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files up to this size are read while a person waits; it takes some tens of milliseconds [bytes].
+/// Larger files are not read for a preview; this size takes some tens of milliseconds [bytes].
 constexpr std::uintmax_t largest_read = 8'000'000;
 
 std::string size_label(std::uintmax_t bytes) {
@@ -61,7 +61,7 @@ std::vector<ui::commands::ReportLine> project_lines(const fs::path& path) {
     return lines;
 }
 
-/// Meshes do not say their unit: what the size is in those that make a body of it.
+/// Meshes do not store a unit: sizes are listed for each unit that gives a plausible body.
 void add_sizes(const Eigen::Matrix3Xd& places, std::vector<ui::commands::ReportLine>& lines) {
     const Eigen::Vector3d size = mesh::bounding_box(places).size();
     struct Unit {
@@ -95,7 +95,7 @@ std::vector<ui::commands::ReportLine> mesh_lines(const fs::path& path) {
 
 std::vector<ui::commands::ReportLine> recording_lines(const fs::path& path) {
     const Result<ui::commands::RecordingFile> file = read_recording_file(path, {});
-    if (!file) return {};  // other tables end like them
+    if (!file) return {};  // other tables have the same extensions
     const measurement::Recording& recording = *file->recording;
     constexpr std::size_t most_names = 8;
     std::vector<std::string> names(

@@ -7,9 +7,9 @@
 
 namespace myo::backend {
 
-/// What is known of a file before it is opened: of experiments and projects what they declare, of meshes their size and
-/// elements, of recordings their markers, frames, rate and duration. Empty when nothing. Of large files only their
-/// size, so that choosing goes on.
+/// Summary of a file before it is opened: declarations of experiments and projects; size and elements of meshes;
+/// markers, frames, rate and duration of recordings. Of large files only the size, so that browsing stays fast. Empty
+/// if unknown.
 std::vector<ui::commands::ReportLine> preview_of(const std::filesystem::path& path);
 
 }  // namespace myo::backend

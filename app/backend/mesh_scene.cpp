@@ -16,7 +16,7 @@
 namespace myo::backend {
 namespace {
 
-constexpr double release_s = 1.0;
+constexpr double release_s = 1.0;  // simulated time
 
 }  // namespace
 
@@ -26,6 +26,7 @@ experiment::Experiment mesh_scene_experiment(const mesh::SurfaceMesh& surface, c
     experiment.description =
         "Mesh without an experiment: silicone, held at the lower end of its longest axis and released under gravity.";
     const Box bounds = mesh::bounding_box(surface.vertices);
+    // The clamp is a thin box at the lower end of the longest axis.
     int axis = 0;
     bounds.size().maxCoeff(&axis);
     const double margin = 1e-3 * bounds.size()(axis);
@@ -59,7 +60,7 @@ ui::commands::Settings mesh_scene_settings(const experiment::Experiment& experim
 
 namespace {
 
-/// What effects may know of a run without measurement.
+/// Context for effects in a run without measurement.
 effect::EffectSite site_of(const experiment::Experiment& experiment, const model::BodyPointer& body) {
     effect::EffectSite site;
     site.body = body;

@@ -8,14 +8,18 @@
 
 namespace myo::backend {
 
-/// A set-up for a mesh that comes without an experiment: silicone, held at the lower end of its longest axis, released
-/// from its rest shape under gravity (0, 0, -9.81) m/s2 for one second. It has no trials with data.
+/// Default set-up of a mesh without experiment: silicone, clamped at the lower end of its longest axis, released from
+/// the rest shape under gravity (0, 0, -9.81) m/s2 for one second. It has no trials with data.
 experiment::Experiment mesh_scene_experiment(const mesh::SurfaceMesh& surface, const std::string& name);
+/// The displayed trial of this set-up.
 ui::commands::SceneTrial mesh_scene_trial();
+/// Initial settings of the window for this set-up, with the default mesh of the surface.
 ui::commands::Settings mesh_scene_settings(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface);
 
-/// Runs that set-up with the settings in it, on the body that is shown. Errors: it was meshed with other settings; no
-/// node at the held end.
+/// Simulates this set-up with the settings, on the displayed mesh.
+///
+/// @param only  limits the simulated time; empty: all
+/// Errors: the mesh belongs to other settings; no node at the clamped end; an unknown material law.
 Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                                                const ui::commands::Settings& settings,
                                                const std::optional<ui::commands::RunExtent>& only,

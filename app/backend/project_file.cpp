@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 const std::string schema = "myoloop-project/1";
 
+/// A boolean view option and its key.
 struct ViewSwitch {
     const char* key;
     bool ui::commands::ViewOptions::*value;
@@ -41,14 +42,14 @@ std::string effect_value(const ui::commands::AddedEffect::Value& value) {
     return toml::toml_list(std::get<std::vector<double>>(value), toml::toml_number);
 }
 
-/// What follows the muscle's name in a mask's: "-0123456789abcdef.csv".
+/// Suffix of a mask file after the muscle's name: "-0123456789abcdef.csv".
 std::string mask_tail(std::uint64_t hash) {
     char text[24];
     std::snprintf(text, sizeof text, "-%016" PRIx64 ".csv", hash);
     return text;
 }
 
-/// Named after its content, so that it never changes.
+/// File name from the content of the mask, so that a file never changes after it was written.
 std::string mask_name(const std::string& muscle, const fibre::PaintedMask& mask) {
     Fingerprint print;
     print.add(mask.cell_size_m);
@@ -61,7 +62,7 @@ std::string mask_name(const std::string& muscle, const fibre::PaintedMask& mask)
     return name + mask_tail(print.value());
 }
 
-/// Whether a file may have been named by mask_name: what a person put beside the masks is not ours to remove.
+/// Whether a file name has the form of mask_name(): other files in the folder must not be removed.
 bool is_mask_name(const std::string& name) {
     const std::string form = mask_tail(0);
     if (name.size() <= form.size()) return false;
@@ -72,8 +73,7 @@ bool is_mask_name(const std::string& name) {
     return std::equal(tail.begin(), tail.end(), form.begin(), fits);
 }
 
-/// Masks that a project file names and that lie in its own folder of files; none where there is no such file or it
-/// cannot be read.
+/// Masks that a project file references in its own folder; none if the file is missing or unreadable.
 std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
     std::set<std::string> names;
     std::error_code ignored;
@@ -91,8 +91,8 @@ std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
     return names;
 }
 
-/// Whether another project file in the same folder, a copy or a backup, names this mask. Their text is searched, so
-/// that those of editors and older ones, which may not be readable as projects, count as well.
+/// Whether another project file in the folder, such as a backup, references this mask. The text is searched, so that
+/// files that cannot be parsed count as well.
 bool is_named_beside(const fs::path& file, const std::string& mask) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(fs::absolute(file, ignored).parent_path(), ignored)) {
@@ -101,12 +101,12 @@ bool is_named_beside(const fs::path& file, const std::string& mask) {
                                         std::string::npos;
         if (!may_be_project || fs::equivalent(entry.path(), file, ignored)) continue;
         const Result<std::string> text = read_file(entry.path());
-        if (!text || text->find(mask) != std::string::npos) return true;  // one that cannot be read may name it
+        if (!text || text->find(mask) != std::string::npos) return true;  // an unreadable file may reference it
     }
     return false;
 }
 
-/// A path as seen from a folder, where it lies near; else whole.
+/// Relative path if it is at most three levels up, else the absolute one.
 std::string seen_from(const fs::path& path, const fs::path& folder) {
     std::error_code ignored;
     const fs::path near = fs::weakly_canonical(path, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
@@ -189,7 +189,7 @@ fibre::Signal read_signal(const toml::TomlReader& muscle, const toml::TomlValue&
     return signal;
 }
 
-/// @param warnings  gets the masks that are not there: they are lost, the rest of the project is not
+/// @param warnings  receives missing masks: their paint is lost, the rest of the project is read
 std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& document, const toml::TomlValue& root,
                                                        const fs::path& folder, std::vector<std::string>& warnings) {
     std::vector<ui::commands::Muscle> muscles;
@@ -283,7 +283,7 @@ ui::commands::Settings read_settings(const toml::TomlReader& document, const tom
         "time", {"integrator", "step_s", "own_step", "spectral_radius", "velocity_force_1_s"});
     s.integrator = time.text("integrator");
     s.time_step_s = time.number("step_s", within(ui::commands::time_step_limits));
-    s.own_step = time.boolean_or("own_step", true);  // as in files from before there was a choice
+    s.own_step = time.boolean_or("own_step", true);  // files from before this key had a step set by the user
     s.spectral_radius = time.number_or("spectral_radius", s.spectral_radius,
                                        within(ui::commands::spectral_radius_limits));
     s.velocity_force_1_s = time.number_or("velocity_force_1_s", 0.0, within(ui::commands::velocity_force_limits));
@@ -363,6 +363,7 @@ Result<void> write_project_file(const fs::path& file, const ui::commands::Projec
         text += muscle_text(muscle, mask);
     }
     text += view_text(project.view);
+    // Masks are written before the project file and removed after it, so an interruption leaves a consistent project.
     const std::set<std::string> before = named_masks(file, files);
     if (const Result<void> written = write_file(file, text); !written) return written;
     for (const std::string& mask : before)

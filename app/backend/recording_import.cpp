@@ -32,7 +32,7 @@ namespace {
 
 constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
 
-/// Letters and digits in small, so that "Tip - 2" is "tip_2".
+/// Letters and digits in lower case, so that "Tip - 2" equals "tip_2".
 std::string plain(const std::string& name) {
     std::string result;
     for (const char c : name)
@@ -41,6 +41,7 @@ std::string plain(const std::string& name) {
     return result;
 }
 
+/// Signed permutation matrix: axes[i] is the recorded axis (1 ... 3, negative: reversed) that becomes axis i.
 Eigen::Matrix3d rotation_of(const std::array<int, 3>& axes) {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
     for (int i = 0; i < 3; ++i)
@@ -49,7 +50,7 @@ Eigen::Matrix3d rotation_of(const std::array<int, 3>& axes) {
     return rotation;
 }
 
-/// Places before the start, in the cameras' frame.
+/// Mean positions before the start, camera frame [m]; NaN if not visible.
 Matrix3Xd places_before(const ui::commands::RecordingFile& file, double start_s) {
     const Result<measurement::RestPose> pose = measurement::rest_pose_before(*file.recording, start_s);
     return pose ? pose->positions_m : Matrix3Xd::Constant(3, static_cast<Index>(file.recording->labels.size()), unseen);
@@ -63,7 +64,8 @@ const ui::commands::SceneMarker* declared(const std::vector<ui::commands::SceneM
 }
 
 bool is_bundled(const ui::commands::Scene& scene) {
-    static const std::vector<ui::commands::Example> examples = bundled_examples();  // they do not come and go
+    static const std::vector<ui::commands::Example>
+        examples = bundled_examples();  // constant during a session of the program
     std::error_code ignored;
     return std::any_of(examples.begin(), examples.end(), [&](const ui::commands::Example& example) {
         return fs::equivalent(example.path, scene.path, ignored);
@@ -72,6 +74,7 @@ bool is_bundled(const ui::commands::Scene& scene) {
 
 bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
 
+/// First reason why the choices cannot become a trial; empty if they can.
 std::string problem_of(const ui::commands::Scene& scene, const ui::commands::ImportChoices& choices,
                        const ui::commands::ImportView& view) {
     if (rotation_of(choices.axes).determinant() < 0.5) return "The axes mirror the body: turn one of them round.";
@@ -122,7 +125,7 @@ Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
                                                                         : "Table without header";
     if (source->columns) {
         file.asks_unit = file.asks_rate = true;
-        // As motion capture mostly has it, until a person says otherwise.
+        // Usual values of motion capture until the user states others.
         if (!file.reading.metres_per_unit) file.reading.metres_per_unit = 1e-3;
         if (file.reading.rate_Hz <= 0.0) file.reading.rate_Hz = 100.0;
         source->columns->metres_per_unit = *file.reading.metres_per_unit;
@@ -173,6 +176,7 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
             view.target_m.col(i) = own->rest_m;
         if (view.target_m.col(i).allFinite() && seen.col(i).allFinite()) pairs.push_back(i);
     }
+    // Registration by all pairs of recorded and known positions; three non-collinear ones also determine the rotation.
     const Matrix3Xd from = seen(Eigen::all, pairs), to = view.target_m(Eigen::all, pairs);
     view.rotation = rotation_of(choices.axes);
     const std::string number = std::to_string(pairs.size()) + (pairs.size() == 1 ? " marker" : " markers");
@@ -187,7 +191,7 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
         view.placed_by = "Shifted by " + number +
                          (choices.turns ? "; three that are not on one line turn it, too." : ".");
     } else {
-        // Somewhere in sight: middle on middle.
+        // Without pairs the centre of the markers is placed at the centre of the body, so that they are visible.
         Vector3d sum = Vector3d::Zero();
         int finite = 0;
         for (Index i = 0; i < count; ++i)
@@ -225,7 +229,7 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
         for (std::size_t m = 0; m < markers.size(); ++m)
             if (const int label = match->seen[static_cast<Index>(m)]; label >= 0)
                 proposed.markers[static_cast<std::size_t>(label)].name = markers[m].name;
-        // What the names say counts where places alone leave it open, or do not fit.
+        // Names decide if positions are ambiguous or do not match.
         Index named = 0;
         std::vector<ui::commands::ImportedMarker> by_name(labels.size());
         for (std::size_t i = 0; i < labels.size(); ++i)
@@ -243,7 +247,7 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
         const Vector3d place = view.before_m.col(static_cast<Index>(i));
         if (proposed.markers[i].rest_m || !place.allFinite()) continue;
         const mesh::BoundaryPoint nearest = mesh::closest_boundary_point(surface, place);
-        if (nearest.distance > 0.1 * size) continue;  // on the mount, or something else
+        if (nearest.distance > 0.1 * size) continue;  // on the mount, or no marker of the body
         proposed.markers[i].rest_m = nearest.point;
         if (proposed.markers[i].name.empty()) proposed.markers[i].name = ui::commands::marker_name(labels[i]);
     }
@@ -307,7 +311,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
     for (const ui::commands::SceneMarker& own : declared_scene_markers(scene)) {
         const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
                                         [&](const ui::commands::ImportedMarker& m) { return m.name == own.name; });
-        // A declared marker that nobody recorded is a gap from beginning to end.
+        // A declared marker that was not recorded is occluded throughout.
         add(own.name, found != choices.markers.end()
                           ? placed.tracks[static_cast<std::size_t>(found - choices.markers.begin())]
                           : Matrix3Xd::Constant(3, placed.sample_count(), unseen));
@@ -320,6 +324,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
     if (elsewhere) folder = choices.folder;
     if (const Result<void> added = experiment::add_trial(folder, trial); !added) {
         std::error_code ignored;
+        // The copy is removed if the trial could not be added.
         if (elsewhere) fs::remove_all(folder, ignored);
         return added.error();
     }

@@ -6,18 +6,34 @@
 
 namespace myo::backend {
 
+/// Reads a recording and finds its start; see Backend::read_recording().
+///
+/// Errors: those of the readers; fewer than two samples.
 Result<ui::commands::RecordingFile> read_recording_file(const std::filesystem::path& path,
                                                         const ui::commands::ReadingOptions& options);
+/// All declared markers of a scene, on the body and fixed, with rest positions [m].
 std::vector<ui::commands::SceneMarker> declared_scene_markers(const ui::commands::Scene& scene);
+/// Registration of a recording with the current choices, residuals [m] and the first problem.
 ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const ui::commands::RecordingFile& file,
                                         const ui::commands::ImportChoices& choices);
+/// Assigns labels to declared markers by position and name; without declared markers, extends three placed ones to all.
+///
+/// Errors: no assignment found; fewer than three markers placed.
 Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands::Scene& scene,
                                                               const ui::commands::MeshedBody& body,
                                                               const ui::commands::RecordingFile& file,
                                                               const ui::commands::ImportChoices& choices);
+/// Start of the recording [s] by correlation with a simulated run.
+///
+/// @param time_s  sample times of the run
+/// Errors: no common marker; correlation below 0.5.
 Result<double> align_recording(const ui::commands::Scene& scene, const ui::commands::SimulatedTrial& run,
                                const Eigen::VectorXd& time_s, const ui::commands::RecordingFile& file,
                                const ui::commands::ImportChoices& choices);
+/// Writes the recording as a trial: to the experiment, to a copy of it, or to a new experiment for a mesh.
+///
+/// @return   folder of the experiment
+/// Errors: ImportView::problem; a file cannot be written.
 Result<std::filesystem::path> add_recording_trial(const ui::commands::Scene& scene,
                                                   const ui::commands::Settings& settings,
                                                   const ui::commands::RecordingFile& file,

@@ -8,7 +8,7 @@
 namespace myo::backend {
 namespace {
 
-/// Ends a motion with its last step that is not after `end_s`.
+/// Truncates a trace after its last step not later than `end_s`.
 void cut(dynamics::Trace& trace, double end_s) {
     const auto after = std::upper_bound(trace.times_s.begin(), trace.times_s.end(), end_s * (1.0 + 1e-9));
     const auto kept = static_cast<std::size_t>(after - trace.times_s.begin());
@@ -24,7 +24,7 @@ prediction::SetupRun short_run(const setup::Setup& setup, const prediction::Para
     const Stopwatch watch;
     const Eigen::VectorXd& sampled = setup.trials[trial].measured.time_s;
     const Eigen::Index samples = sampled.size();
-    // Effects see the whole trial, and cameras what was a little later or earlier.
+    // Effects act on the whole trial, and the observation may need slightly later times.
     effect::Affected affected = prediction::affected_trial(setup, trial, values);
     const double beyond_s = samples > 0 ? std::max(0.0, affected.options.end_s - sampled(samples - 1)) : 0.0;
     affected.options.end_s = std::min(affected.options.end_s, end_s + beyond_s);

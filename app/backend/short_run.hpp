@@ -4,8 +4,8 @@
 
 namespace myo::backend {
 
-/// One trial, as far as `end_s`: step for step as in a whole run. Samples after that are NaN, the other trials have
-/// status not_run.
+/// One trial up to `end_s`, identical step by step to a full run. Later samples are NaN, other trials have status
+/// not_run.
 prediction::SetupRun short_run(const setup::Setup& setup, const prediction::ParameterValues& values, std::size_t trial,
                                double end_s, const Progress& progress = {});
 

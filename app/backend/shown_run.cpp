@@ -13,8 +13,8 @@ using Eigen::Matrix3Xd;
 
 namespace {
 
-/// Frames of a trace up to `end_s`, thinned so that a long run of a large body stays within some 200 MB. Runs go on
-/// past the data as far as the start may be shifted; body and markers are shown together.
+/// Frames of a trace up to `end_s`, thinned to about 200 MB. Runs extend beyond the data because the start may shift;
+/// body and markers end together.
 void add_frames(const dynamics::Trace& trace, double end_s, ui::commands::SimulatedTrial& shown) {
     const double bytes = 24.0 * static_cast<double>(trace.positions.front().cols() *
                                                     static_cast<Eigen::Index>(trace.positions.size()));
@@ -46,7 +46,7 @@ ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::S
             add_frames(prediction.trace,
                        sampled.size() > 0 ? sampled(sampled.size() - 1) : prediction.trace.times_s.back(), shown);
         for (std::size_t m = 0; m < setup.marker_names.size() && prediction.ok(); ++m) {
-            // The prediction in the form in which it is compared: measurement plus residual, but without the gaps.
+            // Prediction in the compared form (measurement plus residual), but without gaps.
             Matrix3Xd track = measurement::small_rotation(run.values.rotation_rad) * prediction.positions_m[m];
             track.colwise() += run.values.translation_m;
             if (!setup.trials[t].reference_m.empty())

@@ -5,11 +5,10 @@
 
 namespace myo::backend {
 
-/// A run as the workbench shows it. Frames are thinned so that a long run of a large body stays within some 200 MB a
-/// trial.
+/// A run as the workbench displays it, with frames thinned to about 200 MB per trial.
 ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::SetupRun& run);
 
-/// The vibrations that the trials of a run show, of steps_seen_in() it.
+/// Adds the dominant frequency of each trial from steps_seen_in().
 void add_vibrations(const std::vector<setup::TrialStep>& seen, ui::commands::RunResult& shown);
 
 }  // namespace myo::backend

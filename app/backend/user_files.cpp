@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 
 const std::string recovery_stem = "unsaved-";
 
+/// Folder by the XDG base directory specification; empty if neither the variable nor HOME is set.
 fs::path folder_of(const char* variable, const char* below_home) {
     const char* const named = std::getenv(variable);
     if (named && *named) return fs::path(named) / "myoloop";
@@ -31,7 +32,7 @@ std::string quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text)
         if (c != '\'') result += c;
-    return result + "'";  // a literal string of TOML; a path with that sign in it is not kept
+    return result + "'";  // TOML literal string; paths with an apostrophe are not stored
 }
 
 std::string list(const std::vector<fs::path>& paths) {
@@ -78,6 +79,7 @@ ui::commands::Preferences read_document(const toml::TomlValue& root) {
     return p;
 }
 
+/// Whether a process exists; a signal 0 without permission counts as existing.
 bool is_alive(long process) { return process > 0 && (kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM); }
 
 }  // namespace

@@ -10,18 +10,19 @@
 
 namespace myo::backend {
 
-/// Where preferences lie: $XDG_CONFIG_HOME/myoloop/preferences.toml, else below ~/.config. Empty when neither is known.
+/// Path of the preferences: $XDG_CONFIG_HOME/myoloop/preferences.toml, else below ~/.config; empty if neither is known.
 std::filesystem::path preferences_file();
 
-/// A missing file gives the defaults. Errors: those of TOML, unknown keys, values out of range.
+/// Reads preferences; a missing file gives the defaults. Errors: those of TOML, unknown keys, values out of range.
 Result<ui::commands::Preferences> read_preferences(const std::filesystem::path& file);
+/// Writes preferences. Errors: the file cannot be written.
 Result<void> write_preferences(const std::filesystem::path& file, const ui::commands::Preferences& preferences);
 
-/// Where this process keeps its unsaved work: in $XDG_STATE_HOME/myoloop, else below ~/.local/state. Empty when neither
+/// Path for the unsaved work of this process: in $XDG_STATE_HOME/myoloop, else below ~/.local/state; empty if neither
 /// is known.
 std::filesystem::path recovery_file();
 
-/// Unsaved work of processes that are gone, the oldest first.
+/// Unsaved work of processes that no longer exist, oldest first.
 std::vector<std::filesystem::path> found_recoveries(const std::filesystem::path& folder);
 
 }  // namespace myo::backend

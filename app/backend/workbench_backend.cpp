@@ -48,6 +48,7 @@ std::string formatted(const char* format, double value) {
     return text;
 }
 
+/// Backend of the window on the core; each method delegates to a file of this folder.
 class CoreBackend final : public ui::commands::Backend {
 public:
     std::vector<ui::commands::Choice> materials() const override {
@@ -244,11 +245,12 @@ public:
             *setup, prediction::declared_values(*setup));
         if (only) return shown_run(*setup, short_run(*setup, values, only->trial, only->end_s, progress));
         setup::check_integration(*setup);
-        // With the step that is shown, and a shorter one where nobody set it and what moves asks for that.
+        // A step that the user did not set may be shortened if the motion requires it.
         if (!settings.own_step) setup->settings.h_s.reset();
         const prediction::SetupRun run = prediction::run_with_chosen_steps(*setup, values, progress);
         ui::commands::RunResult shown = shown_run(*setup, run);
         if (!settings.own_step) shown.time_step_s = prediction::shortest_step_s(*setup);
+        // Checks on an incomplete run would be misleading.
         if (progress.cancelled()) return shown;
         const std::vector<setup::TrialStep> seen = prediction::steps_seen_in(*setup, run);
         add_vibrations(seen, shown);
@@ -340,7 +342,7 @@ public:
                                                  const ui::commands::Settings& settings, const Progress& progress,
                                                  const LiveDiagnosis& live) override {
         setup::SetupSettings chosen = setup_settings(settings);
-        // Steps that nobody set are the diagnosis' to choose.
+        // A step that the user did not set is chosen by the diagnosis.
         if (!settings.own_step) chosen.h_s.reset();
         Result<setup::Setup> setup = scene_setup(scene, body, settings, chosen, progress);
         if (!setup) return setup.error();

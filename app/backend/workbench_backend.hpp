@@ -6,10 +6,10 @@
 
 namespace myo::backend {
 
-/// The workbench's work, done by the core.
+/// Backend of the workbench that computes with the core.
 ///
-/// A mesh file without an experiment gets a plain set-up, so that it can be run at once: held at the lower end of its
-/// longest axis and released under gravity.
+/// A mesh file without experiment gets a default set-up and can be run at once: clamped at the lower end of its longest
+/// axis and released under gravity.
 std::shared_ptr<ui::commands::Backend> make_core_backend();
 
 }  // namespace myo::backend

@@ -11,11 +11,13 @@
 namespace myo::bench {
 namespace {
 
+// Edge length and cell counts of the published arm.
 constexpr double edge_m = 3.571e-3;
 constexpr int across = 12, along = 27;
 
 /// The cells of a mesh for which `keep` holds at their middle, with the nodes that they use.
 template <class Keep>
+/// Submesh of the cells whose midpoint satisfies `keep`, with the nodes that they use, renumbered.
 mesh::VolumeMesh cells_where(const mesh::VolumeMesh& mesh, const Keep& keep) {
     mesh::VolumeMesh kept;
     kept.type = mesh.type;
@@ -48,6 +50,7 @@ model::Model arm_model() {
     mesh::VolumeMesh mesh = cells_where(
         mesh::box_hex_mesh({Eigen::Vector3d::Zero(), size}, {across, across, along}),
         [&](const Eigen::Vector3d& middle) {
+            // Voxelised annulus: outer radius 6 cells, inner radius 2.4 cells.
             const double radius = std::hypot(middle(0) - 0.5 * size(0), middle(1) - 0.5 * size(1)) / edge_m;
             return radius < 6.0 && radius > 2.4;
         });
@@ -61,6 +64,7 @@ model::Model arm_model() {
         mesh, {Eigen::Vector3d::Zero(), Eigen::Vector3d(2 * edge_m, size(1), size(2))}, upwards, 2e5, "muscle 2"));
     fibre::Signal first{{}, {}}, second{{}, {}};
     for (int k = 0; k <= 4; ++k)
+        // Two rows per time make a jump: the levels are piecewise constant.
         for (const int level : {k - 1, k}) {
             if (level < 0) continue;
             first.times_s.push_back(0.05 * k);

@@ -4,10 +4,12 @@
 
 namespace myo::bench {
 
-/// A hanging cylinder with a hole, 43 x 43 x 96 mm of 3.57 mm cubes, and two antagonist muscles along it in the outer
-/// two layers of cells: like the pneumatic arm of the paper with its actuation AC2, a1 = 1 + 2 x and a2 = 1 - x, here
-/// with x rising by 0.5 every 50 ms up to 2, the strongest that the paper allows. Source: Dubied et al. 2022, sec. V
-/// (geometry, stiffness of the muscles 200 kPa).
+/// Hanging hollow cylinder, 43 x 43 x 96 mm of 3.57 mm cubes, with two antagonist muscles in the outer two layers of
+/// cells.
+///
+/// Modelled on the pneumatic arm of the paper with its actuation AC2, a1 = 1 + 2 x and a2 = 1 - x; here x rises by 0.5
+/// every 50 ms up to 2, the strongest actuation that the paper allows.
+/// Source: Dubied et al. 2022, sec. V (geometry, stiffness of the muscles 200 kPa).
 model::Model arm_model();
 
 }  // namespace myo::bench

@@ -12,19 +12,21 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-/// Sections lean by half: as far as 27 degrees, over a length of four heights from the upright ends.
+/// Shears the cross sections by a slope of 0.5, that is up to 27 degrees, with ramps of four heights at both ends,
+/// which stay upright.
 void shear(const BarShape& bar, int axis, Matrix3Xd& nodes) {
     const double extent = axis == 1 ? bar.width_m : bar.height_m, ramp = 4.0 * bar.height_m;
     for (auto X : nodes.colwise())
         X(0) += 0.5 * (X(axis) - 0.5 * extent) * std::min({1.0, X(0) / ramp, (bar.length_m - X(0)) / ramp});
 }
 
+// Nodes stay on the faces that they lie on, so the shape of the bar does not change.
 void move_at_random(const Vector3d& size, const Eigen::Vector3i& bricks, Matrix3Xd& nodes) {
     std::mt19937 random(1);
     const Vector3d most = 0.2 * size.cwiseQuotient(bricks.cast<double>());
     for (auto X : nodes.colwise())
         for (int a = 0; a < 3; ++a) {
-            // The engine's numbers are the same everywhere; those of the library's distributions are not.
+            // The generator is portable; the distributions of the standard library are not.
             const double shift = 2.0 * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 1.0;
             if (X(a) > 1e-9 * size(a) && X(a) < (1.0 - 1e-9) * size(a)) X(a) += shift * most(a);
         }

@@ -10,22 +10,25 @@
 
 namespace myo::bench {
 
-/// How the cells of a bar are skewed.
+/// Distortion of the cells of a bar.
 enum class Skew {
     none,
-    plan,   // sections lean by half along y, seen from above
-    side,   // by half along z, seen from the side; both stand upright at the ends
-    nodes,  // nodes moved at random by up to a fifth of a cell, along axes on whose sides they do not lie
+    plan,   // cross sections sheared by 0.5 along y
+    side,   // sheared by 0.5 along z; both kinds stay upright at the ends
+    nodes,  // inner coordinates moved at random by up to a fifth of a cell; nodes stay on their faces
 };
 
-/// The bar filled by bricks, or by six tetrahedra for each. Edges stay straight.
+/// Mesh of a bar from bricks, each split into six tetrahedra for tetrahedral elements. Edges stay straight.
+///
+/// @param bricks  numbers along x, y, z
+/// @return        nodes [m], clamped end at x = 0
 mesh::VolumeMesh bar_mesh(const BarShape& bar, fem::ElementKind element, const Eigen::Vector3i& bricks,
                           Skew skew = Skew::none);
 
-/// Bricks so many times as long as they are high, with so many layers across the height and the width.
+/// Numbers of bricks with `layers` across height and width and length over height `aspect`.
 Eigen::Vector3i bar_bricks(const BarShape& bar, int layers, double aspect);
 
-/// "sheared in plan" and so on; empty for none.
+/// Readable name, "sheared in plan"; empty for none.
 std::string name_of(Skew skew);
 
 }  // namespace myo::bench

@@ -19,7 +19,8 @@ mesh::VolumeMesh beam_mesh(const BenchBeam& beam, const Box& box) {
                : mesh::tet_box_mesh(box, beam.cells, fem::cell_type(beam.element));
 }
 
-/// The least that a step has to read: factor and elements once per iteration, the factor both ways.
+/// Lower bound of the time per step [ms] from memory traffic: per iteration, the elements are read once and the factor
+/// twice (forward and backward substitution).
 double limit_ms(const dynamics::Trace& trace, const model::Model& model) {
     if (trace.stages == 0 || trace.factor_bytes <= 0.0) return 0.0;
     const double element_bytes = std::visit(
@@ -43,10 +44,11 @@ double thread_time_s() {
 }
 
 double read_bandwidth(double bytes) {
+    // A sum reads the array once and writes nothing; the best of several passes excludes interruptions.
     const std::vector<float> data(std::max<std::size_t>(1024, static_cast<std::size_t>(bytes / sizeof(float))), 1.0f);
     const Eigen::Map<const Eigen::VectorXf> values(data.data(), static_cast<Eigen::Index>(data.size()));
     double best = 0.0;
-    volatile float sink = 0.0f;
+    volatile float sink = 0.0f;  // keeps the sum from being optimised away
     const int passes = std::clamp(static_cast<int>(2e8 / (4.0 * static_cast<double>(data.size()))), 3, 200);
     for (int pass = 0; pass < passes; ++pass) {
         const double start = thread_time_s();

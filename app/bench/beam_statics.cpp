@@ -24,6 +24,7 @@ Eigen::Vector3d tip_displacement(const model::Model& model, const Eigen::Matrix3
     Box edge = mesh::bounding_box(model.body->mesh.nodes);
     edge.lowest(0) = edge.highest(0);
     edge.highest(2) = edge.lowest(2);
+    // Lower edge of the end face: highest x, lowest z.
     const std::vector<int> nodes = mesh::nodes_in_box(model.body->mesh, edge);
     return (x(Eigen::all, nodes) - model.body->mesh.nodes(Eigen::all, nodes)).rowwise().mean();
 }

@@ -11,30 +11,35 @@
 
 namespace myo::bench {
 
-/// Gravity where the paper's beam was measured [m/s2].
+/// Gravity at the place where the paper's beam was measured [m/s2].
 inline constexpr double beam_gravity_m_s2 = 9.80709;
 
-/// Where refinement takes the lower edge of the tip of bench_beam() under gravity.
+/// Mesh-independent deflection of the lower edge of the tip of bench_beam() under gravity.
 struct ConvergedBeam {
     double poissons_ratio = 0.0;
-    double dz_mm = 0.0;
+    double dz_mm = 0.0;  // along z
 };
-/// Source at 0.499: a quadratic element with linear pressures (-6.745 at 91 thousand unknowns) puts it at -6.755 +-
-/// 0.01. At the others: `myoloop bench converged`, where hex8 extrapolates to it (at 0.499 to -6.759) and tet10 is
+/// Source at nu = 0.499: a quadratic element with linear pressures (-6.745 at 91 thousand unknowns) puts it at -6.755
+/// +- 0.01. At the others: `myoloop bench converged`, where hex8 extrapolates to it (at 0.499 to -6.759) and tet10 is
 /// within 0.2 % on its last mesh.
 inline constexpr std::array<ConvergedBeam, 3> converged_beam{{{0.3, -7.000}, {0.49, -6.775}, {0.499, -6.755}}};
 
-/// bench_beam() at that gravity, with this Poisson's ratio.
+/// bench_beam() with this gravity and Poisson's ratio.
 model::Model static_beam(const BenchBeam& beam, double poissons_ratio);
 
-/// Equilibrium of a beam under its loads, 3 x n [m]. Error: none was found.
+/// Static equilibrium under the loads of the model.
+///
+/// @return   node positions, 3 x n [m]
+/// Errors: no equilibrium was found.
 Result<Eigen::Matrix3Xd> beam_equilibrium(const model::Model& model);
 
-/// Mean displacement [m] of the nodes on the lower edge of the tip, which is where x is highest. The end turns as it
-/// sinks, so its upper edge sinks 0.1 mm more under gravity.
+/// Mean displacement [m] of the nodes on the lower edge of the tip, at the highest x. The end face rotates, so its
+/// upper edge sinks 0.1 mm more under gravity.
+///
+/// @param x  node positions, 3 x n [m]
 Eigen::Vector3d tip_displacement(const model::Model& model, const Eigen::Matrix3Xd& x);
 
-/// dz of that [mm] in equilibrium; adds the time to the figures and takes over the mesh's size.
+/// dz of tip_displacement() [mm] in equilibrium; adds the time and the size of the mesh to `figures`.
 Result<double> measured_tip_dz_mm(const model::Model& model, BenchFigures& figures);
 
 }  // namespace myo::bench

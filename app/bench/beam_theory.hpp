@@ -4,12 +4,12 @@
 
 namespace myo::bench {
 
-/// A straight bar along x of rectangular section, held at x = 0; it bends along z.
+/// A straight bar along x of rectangular cross section, clamped at x = 0; bending along z.
 ///
-/// The formulas below are beam theory: sections contract freely, also at the held end, where a solid cannot. For
-/// nu = 0.5 that makes a solid stiffer by the bending of a sixteenth of its height: for gravity 0.6 % at L/h = 40
-/// (from the converged sag of the case locking, L/h = 3.3). Where a law is not linear, the fibres of a section want to
-/// contract by different amounts; beam theory lets each of them.
+/// The formulas below are beam theory: cross sections contract freely, also at the clamp, where a solid cannot. For
+/// nu = 0.5 this makes a solid stiffer by the bending of a sixteenth of its height: for gravity 0.6 % at L/h = 40 (from
+/// the converged sag of the case locking, L/h = 3.3). If a law is nonlinear, the fibres of a section contract by
+/// different amounts; beam theory permits that.
 struct BarShape {
     double length_m = 0.2;
     double width_m = 0.005;               // along y
@@ -20,39 +20,39 @@ struct BarShape {
 
     double area_m2() const { return width_m * height_m; }
     double bending_stiffness_N_m2() const;  // E I
-    double shear_modulus_Pa() const;
+    double shear_modulus_Pa() const;        // E / (2 (1 + nu))
 };
 
-/// Deflection of the free end under the bar's weight [m], shear included. Source: Timoshenko 1921.
+/// Deflection of the free end under the weight of the bar [m], shear included. Source: Timoshenko 1921.
 double sag_under_gravity(const BarShape& bar, double gravity_m_s2);
 
-/// First frequency of bending [rad/s] with rotary inertia and shear to first order of (height / length)^2.
+/// First bending frequency [rad/s] with rotary inertia and shear, to first order in (height / length)^2.
 /// Source: Blevins 1979, table 8-1 and, for the integrals of the mode, appendix C.
 double first_bending_rad_s(const BarShape& bar);
 
-/// Torque per twist of the whole bar [N m/rad]. Source: Timoshenko & Goodier 1970, sec. 109 (Saint-Venant's series).
+/// Torque over twist of the whole bar [N m/rad]. Source: Timoshenko & Goodier 1970, sec. 109 (Saint-Venant's series).
 double torsion_stiffness_N_m(const BarShape& bar);
 
-/// The neo-Hookean law of the schema with Yeoh's second term c2, softened by the largest energy: damage_max, scale.
+/// The neo-Hookean law of the schema with Yeoh's second coefficient c2, softened as a function of the largest energy.
 struct StretchLaw {
-    double yeoh_c2 = 0.0;
-    double damage_max = 0.0;
-    double energy_scale_J_m3 = 1.0;
+    double yeoh_c2 = 0.0;            // relative to the first coefficient
+    double damage_max = 0.0;         // limit of the relative loss of stress
+    double energy_scale_J_m3 = 1.0;  // energy density over which the softening develops
 };
 
-/// Nominal stress of a fibre of the bar at a strain [Pa]: it contracts sideways until nothing presses there.
+/// Nominal uniaxial stress [Pa] at a strain; the lateral stretch follows from zero lateral stress.
 double uniaxial_stress(const BarShape& bar, const StretchLaw& law, double strain);
 
-/// Deflection of the free end under a force there [m], to first order of the slope: the curvature of every section
-/// balances the moment, which is the law's stress integrated over the height.
+/// Deflection of the free end under a transverse force there [m], to first order in the slope. The curvature of each
+/// section balances the moment, with the stress of the law integrated over the height.
 double end_load_deflection(const BarShape& bar, const StretchLaw& law, double force_N);
 
-/// Deflection of the free end [m] towards the stiffer side of a bar that is pulled by a force in its axis. The modulus
-/// is linear across the height, E (1 + relative_change (z/h - 1/2)).
+/// Deflection of the free end [m] towards the stiffer side of a bar under axial tension, with a modulus linear across
+/// the height: E (1 + relative_change (z/h - 1/2)).
 double deflection_of_graded_bar(const BarShape& bar, double relative_change, double pull_N);
 
-/// Deflection of the free end [m] by a muscle that fills the upper half, of stiffness w, and wants to be shorter by
-/// `contraction`, a small part of its length: a bar of the two moduli E and E + w without force and moment.
+/// Deflection of the free end [m] due to a muscle in the upper half with stiffness w and rest length shorter by the
+/// fraction `contraction` << 1: a bimaterial bar of moduli E and E + w without resulting force and moment.
 double deflection_by_half_muscle(const BarShape& bar, double stiffness_Pa, double contraction);
 
 }  // namespace myo::bench

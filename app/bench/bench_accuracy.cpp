@@ -16,11 +16,11 @@
 namespace myo::bench {
 namespace {
 
-/// Largest errors aimed at. Volume resists bending most in what is nearly incompressible.
+/// Target errors. Volumetric stiffness resists bending most in nearly incompressible material.
 constexpr double stiffness_target = 0.02, nearly_incompressible_target = 0.03, torsion_target = 0.06,
                  field_target = 0.05;
 
-/// One mesh of the bar, 40 times as long as it is high, at one Poisson's ratio.
+/// One mesh of the bar (length over height 40) at one Poisson's ratio.
 struct AccuracyRow {
     std::string name;
     fem::ElementKind element = fem::ElementKind::hex8;
@@ -56,9 +56,9 @@ void add_torsion(const BarShape& bar, const model::Model& model, SmallMotions& m
         {"torsion stiffness", 1e3 * stiffness, "N mm", 1e3 * torsion_stiffness_N_m(bar), torsion_target});
 }
 
-/// A modulus that is linear across the thickness makes a bar bend that is pulled.
+/// A modulus that varies linearly over the thickness couples tension and bending.
 void add_gradient(const BarShape& bar, model::Model model, const Eigen::VectorXd& tip, BenchFigures& figures) {
-    constexpr double relative_change = 1.0, pull_N = 2e-6;  // a strain of 3e-7; the problem is linear
+    constexpr double relative_change = 1.0, pull_N = 2e-6;  // a strain of 3e-7: linear
     const auto z = model::rest_points(*model.body).row(2).transpose().array().eval();
     model.point_factors = (1.0 + relative_change * (z / bar.height_m - 0.5)).matrix();
     SmallMotions motions(model);
@@ -69,6 +69,7 @@ void add_gradient(const BarShape& bar, model::Model model, const Eigen::VectorXd
 
 void add_muscle(const BarShape& bar, model::Model model, const Eigen::VectorXd& tip, BenchFigures& figures) {
     constexpr double stiffness_Pa = 1e5, contraction = 1e-4;
+    // The muscle fills the upper half, so its line of action is a quarter of the height off the axis.
     const Box upper{{-1.0, -1.0, 0.5 * bar.height_m}, {1.0, 1.0, 1.0}};
     model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::vector<fibre::FibreGroup>{
         fibre::fibres_in_box(model.body->mesh, upper, Eigen::Vector3d::UnitX(), stiffness_Pa, "upper")});
@@ -79,8 +80,8 @@ void add_muscle(const BarShape& bar, model::Model model, const Eigen::VectorXd& 
                                   1e3 * deflection_by_half_muscle(bar, stiffness_Pa, contraction), field_target});
 }
 
-/// Change by a law of the deflection [%] under an end force that strains the outer fibre at the held end by 6e-4: the
-/// deflection is 1.7 % of the length, so that the curve of the bar does not count.
+/// Relative change of the deflection by a law [%] under an end force. The outer strain at the clamp is 6e-4 and the
+/// deflection 1.7 % of the length, so that geometric nonlinearity is negligible.
 class EndLoad {
 public:
     EndLoad(const BarShape& bar, model::Model model, const Eigen::VectorXd& tip) : bar_(bar), model_(std::move(model)) {
@@ -126,13 +127,14 @@ private:
 
     BarShape bar_;
     model::Model model_;
-    std::optional<double> plain_m_;
+    std::optional<double> plain_m_;  // deflection with the linear law, computed once
 };
 
 Result<void> add_laws(const BarShape& bar, const model::Model& model, const Eigen::VectorXd& tip,
                       BenchFigures& figures) {
     EndLoad load(bar, model, tip);
-    // The stress of the outer fibre at the held end is doubled if nu is near 1/2; its energy is half the scale.
+    // The coefficients are chosen so that the effect is large: the stress of the outer fibre at the clamp doubles (nu
+    // close to 1/2), and its energy is half of the softening scale.
     const double strain = load.outer_strain();
     const StretchLaw stiffening{1.0 / (6.0 * strain * strain), 0.0, 1.0};
     const StretchLaw softening{0.0, 0.3, bar.youngs_modulus_Pa * strain * strain};
@@ -149,7 +151,7 @@ Result<BenchFigures> measure_accuracy(const AccuracyRow& row) {
     const BarShape bar = bar_of(row);
     const mesh::VolumeMesh mesh = bar_mesh(bar, row.element, row.bricks, row.skew);
     const model::Model model = held_bar(bar, row.element, mesh);
-    // Effects that vary within cells have a body of their own, as in every experiment.
+    // Effects that vary within cells use their own element, as in every experiment.
     const model::Model fine = held_bar(bar, fem::fine_element(row.element), mesh);
     const Eigen::VectorXd tip = free_end_share(*model.body);
     BenchFigures figures;
@@ -166,7 +168,7 @@ Result<BenchFigures> measure_accuracy(const AccuracyRow& row) {
     return figures;
 }
 
-/// Mid-nodes count: tetrahedra of bricks twice as long as hexahedra have as many nodes along the bar.
+/// Mid-nodes count: with bricks twice as long, tetrahedra have as many nodes along the bar as hexahedra.
 double usual_aspect(fem::ElementKind element) { return fem::cell_type(element) == mesh::CellType::tet10 ? 2.0 : 1.0; }
 
 std::string with_layers(fem::ElementKind element, int layers) {

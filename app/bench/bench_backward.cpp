@@ -11,7 +11,7 @@
 namespace myo::bench {
 namespace {
 
-/// A value per step, one period a second about 1.
+/// Sine about 1 with a period of one second and one knot per step.
 fibre::Signal wave(double amplitude, const dynamics::SimulationOptions& options) {
     fibre::Signal signal{{}, {}};
     for (double t = 0.0; t < options.end_s + 0.5 * options.h_s; t += options.h_s) {
@@ -21,7 +21,7 @@ fibre::Signal wave(double amplitude, const dynamics::SimulationOptions& options)
     return signal;
 }
 
-/// The beam with two antagonists.
+/// The beam with two antagonist muscles in its outer layers.
 model::Model muscled_beam(const BenchBeam& beam, const dynamics::SimulationOptions& options) {
     model::Model model = bench_beam(beam);
     auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
@@ -35,8 +35,8 @@ model::Model muscled_beam(const BenchBeam& beam, const dynamics::SimulationOptio
     return model;
 }
 
-/// The way back of a run's gradient with respect to all moduli and signals, beside the run alone. The loss looks at the
-/// nodes of a tip.
+/// Time of the backward pass for the gradient with respect to all moduli and signals, compared with the forward run.
+/// The loss is a function of the nodes of the tip.
 Result<BenchFigures> backward(const std::string& name, const model::Model& model, const Box& tip,
                               const dynamics::SimulationOptions& options,
                               const std::vector<BenchReference>& references) {
@@ -54,6 +54,7 @@ Result<BenchFigures> backward(const std::string& name, const model::Model& model
             result.value += 0.5 * distance.squaredNorm();
             result.d_positions.push_back(distance);
         }
+        // The loss is evaluated between the passes, so the clock restarts here.
         start = thread_time_s();
         return result;
     };
@@ -66,7 +67,7 @@ Result<BenchFigures> backward(const std::string& name, const model::Model& model
     figures.cells = model.body->cell_count();
     figures.steps = run.steps;
     figures.h_s = options.h_s;
-    figures.goal_ms = 0.8 * forward_ms;
+    figures.goal_ms = 0.8 * forward_ms;  // the backward pass should take less time than the forward run
     figures.references = references;
     figures.note = "forward alone " + format_number(forward_ms, 3) + " ms/step, backward over forward " +
                    format_number(figures.ms_per_step() / forward_ms, 3) + ", kept of the run " +

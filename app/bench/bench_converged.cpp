@@ -11,9 +11,9 @@
 namespace myo::bench {
 namespace {
 
-/// The soft beam with cells that shrink towards the clamp and the edges. The stress is infinite along the clamp's edge,
-/// so equal cells converge with h^1.2 only at nu = 0.5; graded ones keep the second order, and the limit can be
-/// extrapolated. Tetrahedra take half the grading along the beam: flat ones spoil what it gains.
+/// The soft beam with cells graded towards the clamp and the edges. The stress is singular along the edge of the clamp,
+/// so uniform meshes converge with h^1.2 only at nu = 0.5; graded ones keep second order, and the limit can be
+/// extrapolated. Tetrahedra use half the grading along the beam, as flat ones lose what it gains.
 model::Model graded_beam(fem::ElementKind element, int n, double poissons_ratio) {
     const Box box{Eigen::Vector3d::Zero(), Eigen::Vector3d(0.1, 0.03, 0.03)};
     const Eigen::Vector3i cells(4 * n, 2 * n, 2 * n);
@@ -36,9 +36,9 @@ model::Model graded_beam(fem::ElementKind element, int n, double poissons_ratio)
     return model;
 }
 
-/// Limit of d(h) = d + c h^p from three meshes, each of half the edge length of the one before. Given only where the
-/// observed p comes near the 2 of smooth solutions: hex8's does; tet10, still far from it on its first mesh, is a check
-/// by its last.
+/// Richardson limit of d(h) = d + c h^p from three meshes with halved edges. Reported only if the observed p is close
+/// to 2, as for smooth solutions: that of hex8 is; tet10 is not yet asymptotic on its first mesh and serves as a check
+/// by its last one.
 Result<BenchFigures> extrapolated(fem::ElementKind element, const ConvergedBeam& known) {
     const int first = fem::cell_type(element) == mesh::CellType::tet10
                           ? 1

@@ -9,21 +9,21 @@
 namespace myo::bench {
 namespace {
 
-/// Small, and the same in the reference: bodies so soft sag by their length under g.
+/// Small enough for a linear response, and equal in the reference: such soft bodies sag by their length under g.
 constexpr double small_gravity_m_s2 = 0.1;
 
-/// A box held at x = 0 as a linear elastic solid: E and density of the paper's beam, nu = 0.49.
+/// A box clamped at x = 0 as a linear elastic solid: E and density of the paper's beam, nu = 0.49.
 struct SolvedBox {
     std::string name;
     BarShape shape;
     double sag_mm = 0.0;        // mean of the free end under small_gravity_m_s2
-    double first_Hz = 0.0;      // of bending along z
-    double torsion_N_mm = 0.0;  // torque over the mean rotation of the free end, see unit_torque()
+    double first_Hz = 0.0;      // bending along z
+    double torsion_N_mm = 0.0;  // torque over mean rotation of the free end, see unit_torque()
 };
 
-/// Source: a program that shares nothing with this one, hexahedra of 27 nodes with discontinuous linear pressures
-/// (Bathe 2014, sec. 4.4.3) on meshes graded towards edges and support, at most 114, 104, 154 and 138 thousand
-/// unknowns; extrapolated from the last three, which changes the values by less than 0.2 %.
+/// Source: an independent program, hexahedra of 27 nodes with discontinuous linear pressures (Bathe 2014, sec. 4.4.3)
+/// on meshes graded towards edges and support, at most 114, 104, 154 and 138 thousand unknowns; extrapolated from the
+/// last three meshes, which changes the values by less than 0.2 %.
 const std::array<SolvedBox, 4> solved_boxes{{
     {"bar 100 x 30 x 30 mm", {0.1, 0.03, 0.03}, 0.069782, 7.3289, 100.68},
     {"column 100 x 5 x 5 mm", {0.1, 0.005, 0.005}, 2.4097, 1.27363, 0.077801},
@@ -31,7 +31,7 @@ const std::array<SolvedBox, 4> solved_boxes{{
     {"plate 100 x 50 x 5 mm", {0.1, 0.05, 0.005}, 2.14766, 1.35116, 1.9307},
 }};
 
-/// Largest errors that MeshPolicy aims at.
+/// Errors that MeshPolicy aims at.
 constexpr double bending_goal = 0.02, twist_goal = 0.06;
 
 Result<BenchFigures> measure_default_mesh(const SolvedBox& box, fem::ElementKind element) {
@@ -46,6 +46,7 @@ Result<BenchFigures> measure_default_mesh(const SolvedBox& box, fem::ElementKind
     const Eigen::VectorXd tip = free_end_share(*model.body);
     const Eigen::Matrix3Xd torque = unit_torque(*model.body);
     SmallMotions motions(model);
+    // All quantities follow from linear solves about the rest shape, with one factorisation per mesh.
     const double sag = -small_gravity_m_s2 * (motions.under(motions.weight_N()) * tip).z();
     const double twist = torque.cwiseProduct(motions.under(torque)).sum();
     const double first_Hz = motions.first_bending().omega_rad_s / (2.0 * std::numbers::pi);

@@ -10,6 +10,7 @@ BenchCase bench_elements() {
         BenchBeam beam;
         fem::parse_element(id, beam.element);
         beam.damping_s = 0.003;
+        // Meshes with similar numbers of nodes, so that the time per step compares the elements.
         beam.cells = fem::cell_type(beam.element) == mesh::CellType::hex8   ? Eigen::Vector3i(23, 7, 7)
                      : fem::cell_type(beam.element) == mesh::CellType::tet4 ? Eigen::Vector3i(20, 6, 6)
                                                                             : Eigen::Vector3i(10, 3, 3);

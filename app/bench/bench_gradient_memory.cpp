@@ -7,7 +7,8 @@
 namespace myo::bench {
 namespace {
 
-/// Forwards and backwards through a run whose loss is the distance of the tip from its start at the end.
+/// Forward and backward pass with a limited memory for stored states. The loss is half the squared displacement of the
+/// tip at the end.
 Result<BenchFigures> gradient_within(double budget_bytes, const BenchBeam& beam, int steps) {
     const double made = thread_time_s();
     const model::Model model = bench_beam(beam);

@@ -11,14 +11,15 @@
 namespace myo::bench {
 namespace {
 
+/// Vertical displacement of one node in static equilibrium [mm].
 Result<double> rest_dz_mm(const model::Model& model, int node) {
     const Result<Eigen::Matrix3Xd> x = beam_equilibrium(model);
     if (!x) return x.error();
     return 1e3 * ((*x)(2, node) - model.body->mesh.nodes(2, node));
 }
 
-/// Our run of the published formulation beside the trace of the published program; without the data, beside its rest
-/// alone.
+/// Our run of the published formulation compared with the trace of the published program; if the data are missing, with
+/// its static position only.
 Result<BenchFigures> beside_trace(const PublishedTrace& published) {
     const std::filesystem::path path = data_folder() / "design/reference" / published.file;
     std::optional<NodeTrace> reference;
@@ -45,7 +46,7 @@ Result<BenchFigures> beside_trace(const PublishedTrace& published) {
                                       {}});
     else
         figures.note = "without its trace: MYOLOOP_DATA names no folder of the data, and ../shared is none";
-    model::Model light = model;  // its vertices still alike, its total mass that of the body
+    model::Model light = model;  // equal vertex masses, scaled to the true total mass of the body
     light.density_kg_m3 *= light.density_kg_m3 * light.body->volume_m3 / model::mass_matrix(light).nodal_kg.sum();
     for (const auto& [name, variant, expected] :
          {std::tuple{"node at rest, dz", &model, published.rest_dz_mm},
@@ -61,7 +62,7 @@ Result<BenchFigures> beside_trace(const PublishedTrace& published) {
 /// pressures at 91 thousand unknowns (-24.80).
 constexpr double converged_loaded_dz_mm = -24.83;
 
-/// The default model of the same beam at its true size, beside the converged deflection.
+/// The default model of the same beam at its true size, compared with the converged deflection.
 Result<BenchFigures> honest(const Eigen::Vector3i& cells) {
     const BenchBeam beam{fem::ElementKind::hex8, cells, "neo_hookean", 0.003};
     Result<BenchFigures> figures = measure_run("default model, TR-BDF2", beam,

@@ -4,8 +4,8 @@
 namespace myo::bench {
 namespace {
 
-/// A run of the beam let go under gravity, with the figures of DiffPD (projective dynamics with L-BFGS, and its Newton)
-/// for the same steps: our measurements of the published program on a machine of the same class.
+/// Release of the beam under gravity, with the times of DiffPD (projective dynamics with L-BFGS, and its Newton solver)
+/// for the same steps, as measured with the published program on a machine of the same class.
 BenchRun release(const std::string& name, const BenchBeam& beam, dynamics::Integrator integrator, int steps,
                  double tolerance, std::optional<double> goal_ms, const std::vector<BenchReference>& references,
                  dynamics::Strategy strategy = dynamics::Strategy::automatic) {
@@ -21,8 +21,8 @@ BenchRun release(const std::string& name, const BenchBeam& beam, dynamics::Integ
             }};
 }
 
-/// What DiffPD accepts: 0.6 % of the weight (its tolerance is 1e-4 of |M x| / h^2). Our residuals are over the weight
-/// and the inertia at the start of a step, up to twice as much.
+/// Residual that DiffPD accepts: 0.6 % of the weight (its tolerance is 1e-4 of |M x| / h^2). Our residuals are relative
+/// to weight plus inertia at the start of a step, up to twice as much.
 constexpr double diffpd_tolerance = 3e-3;
 
 }  // namespace

@@ -10,7 +10,7 @@ BenchCase bench_scaling() {
                      {}};
     for (const auto& [length, width] : {std::pair{13, 4}, {23, 7}, {32, 9}, {40, 12}, {60, 18}, {90, 27}}) {
         const Eigen::Vector3i cells(length, width, width);
-        const int steps = width < 18 ? 20 : 5;
+        const int steps = width < 18 ? 20 : 5;  // few steps of the largest meshes, to limit the run time
         result.runs.push_back(
             {std::to_string(length) + " x " + std::to_string(width) + " x " + std::to_string(width), [cells, steps] {
                  const BenchBeam beam{fem::ElementKind::hex8_full, cells, "projective_corotational"};

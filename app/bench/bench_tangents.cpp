@@ -31,7 +31,7 @@ Result<BenchFigures> tangents(int count) {
     figures.limit_ms = 0.0;
     figures.note = "forward alone " + std::to_string(std::lround(1e3 * forward->ms_per_step())) + " us/step";
     if (count == 40)
-        figures.goal_ms = 6.0 * forward->ms_per_step();  // the tangents themselves at most five times forward
+        figures.goal_ms = 6.0 * forward->ms_per_step();  // forward run plus tangents of at most five times its time
     if (!trace.trace.complete()) return Error{trace.trace.message, figures.name};
     return figures;
 }

@@ -19,7 +19,7 @@ BenchCase bench_tetrahedra() {
                  Result<BenchFigures> figures = measure_run(
                      name, beam, bench_options(dynamics::Integrator::implicit_euler, 0.01, steps, tolerance));
                  if (!figures || width > 7) return figures;
-                 // The published mesh, TetGen's, has 3,834 DOF; ours is of Kuhn's tetrahedra.
+                 // The published mesh, from TetGen, has 3,834 DOF; ours consists of Kuhn tetrahedra.
                  if (steps == 10)
                      figures->references = {{"DiffPD projective, first 10 steps, 3,834 DOF", 3800.0},
                                             {"DiffPD Newton", 290.0}};

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-/// The part of the bounds where x is lowest or highest.
+/// Face of the bounding box at the lowest x (clamped) or at the highest x (free).
 Box end_of(const mesh::VolumeMesh& mesh, bool free) {
     Box box = mesh::bounding_box(mesh.nodes);
     (free ? box.lowest(0) : box.highest(0)) = free ? box.highest(0) : box.lowest(0);
@@ -37,7 +37,7 @@ model::Model held_bar(const BarShape& bar, fem::ElementKind element, mesh::Volum
 
 Eigen::VectorXd free_end_share(const model::Body& body) {
     Box end = end_of(body.mesh, true);
-    end.highest(0) += mesh::region_tolerance(body.mesh);  // a face in a side of the box counts
+    end.highest(0) += mesh::region_tolerance(body.mesh);  // includes faces that lie in the side of the box
     const mesh::SurfaceIntegral integral = mesh::surface_weights(body.mesh, body.boundary, end);
     return integral.weight / integral.area;
 }
@@ -54,6 +54,7 @@ Matrix3Xd unit_torque(const model::Body& body) {
         forces.col(i) = share(i) * Vector3d::UnitX().cross(arm);
         torque += arm.cross(forces.col(i)).x();
     }
+    // Scaled to 1 N m: then work and mean rotation agree.
     return forces / torque;
 }
 
@@ -78,6 +79,7 @@ BendingMode SmallMotions::first_bending() {
     mode.shape = under(weight_);
     double squared = 0.0;
     for (int iteration = 0; iteration < 20; ++iteration) {
+        // Inverse iteration with mass-normalised shapes.
         const Matrix3Xd inertia = model::times_mass(mode.shape, solver_.mass(0.0));
         mode.shape = under(inertia);
         const Matrix3Xd next = model::times_mass(mode.shape, solver_.mass(0.0));

@@ -63,6 +63,7 @@ model::Model published_beam(const PublishedTrace& trace, model::MassModel mass) 
 int published_node(const mesh::VolumeMesh& mesh) {
     const Box box = mesh::bounding_box(mesh.nodes);
     const Eigen::Vector3d corner(box.highest(0), box.lowest(1), box.highest(2));
+    // Mean edge from volume and number of cells: all cells are cubes of one size.
     const double edge = std::cbrt(box.size().prod() / static_cast<double>(mesh.cell_count()));
     Eigen::Index node = 0;
     (mesh.nodes.colwise() - (corner - Eigen::Vector3d(0.0, 0.0, edge))).colwise().squaredNorm().minCoeff(&node);

@@ -13,43 +13,50 @@
 namespace myo::bench {
 
 /// A run of the published simulator (DiffPD with the set-up of Dubied et al. 2022) of which the trace of one node is
-/// kept.
+/// stored.
 ///
-/// The body is the part of the 100 x 30 x 30 mm beam that whole cubes of the edge fill, from the tip at x = 0 to the
-/// clamp; gravity acts along -z, the force on the nodes of the tip's upper edge alike. The node lies on the tip, y = 0,
-/// one cell below the top.
+/// The body is the part of the 100 x 30 x 30 mm beam that whole cubes fill, from the tip at x = 0 to the clamp. Gravity
+/// acts along -z, the force equally on all nodes of the tip's upper edge. The node lies on the tip at y = 0, one cell
+/// below the top.
 struct PublishedTrace {
-    std::string file;  // in design/reference of the data folder, columns time,x,y,z in s and m
-    double edge_m = 0.0;
-    double tip_force_N = 0.0;
+    std::string file;          // in design/reference of the data folder; columns time,x,y,z in s and m
+    double edge_m = 0.0;       // of the cubes
+    double tip_force_N = 0.0;  // along z
     double h_s = 0.01;
-    double residual = 6e-3;        // at which its steps were accepted, over the weight: its tolerance times |M x| / h^2
-    double rest_dz_mm = 0.0;       // its node at rest, by a tightly solved static run of the same program
-    double true_mass_dz_mm = 0.0;  // the same with all vertex masses scaled to the body's true mass
+    double residual = 6e-3;        // accepted residual over the weight: its tolerance times |M x| / h^2
+    double rest_dz_mm = 0.0;       // node at rest, from a tightly converged static run of the same program
+    double true_mass_dz_mm = 0.0;  // the same with vertex masses scaled to the true mass of the body
 };
+/// All stored traces.
 const std::vector<PublishedTrace>& published_traces();
 
-/// The formulation as published: hex8_full, projective corotational energy, truncated voxels, equal vertex masses
-/// unless told.
+/// The published formulation: hex8_full, projective corotational energy, truncated voxels; equal vertex masses by
+/// default.
 model::Model published_beam(const PublishedTrace& trace, model::MassModel mass = model::MassModel::equal_vertices);
 
-/// A vertical force on the upper edge of the tip, where x and z are highest, its nodes alike.
+/// Vertical force on the upper edge of the tip (highest x and z), equal on all its nodes.
 model::DeadForce force_on_upper_tip_edge(const mesh::VolumeMesh& mesh, double force_N);
 
-/// On the tip face, y lowest, one cell below the top.
+/// Index of the traced node: tip face, lowest y, one cell below the top.
 int published_node(const mesh::VolumeMesh& mesh);
 
+/// Trajectory of one node.
 struct NodeTrace {
     std::vector<double> times_s;
     Eigen::Matrix3Xd positions;  // 3 x n [m]
 };
-/// Error: missing or not four numbers a line, with file and line.
+/// Reads a CSV file with a heading and the columns time, x, y, z.
+///
+/// Errors: the file is missing or a line does not hold four numbers, with file and line.
 Result<NodeTrace> read_node_trace(const std::filesystem::path& path);
 
-/// Where the measured data lie: MYOLOOP_DATA, or ../shared from the folder the program is called in.
+/// Folder of the measured data: MYOLOOP_DATA, or ../shared relative to the working directory.
 std::filesystem::path data_folder();
 
-/// Largest distance between a run's node and the trace at the trace's times, over the largest deflection in the trace.
+/// Largest distance between a run's node and the trace at the times of the trace, over the largest deflection in the
+/// trace.
+///
+/// @param run  contains the times of the trace among its own
 double trace_deviation(const dynamics::Trace& run, int node, const NodeTrace& trace);
 
 }  // namespace myo::bench

@@ -15,9 +15,12 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+/// Rotation about the axis of the arm, z.
 Matrix3d about_axis(double angle) { return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix(); }
 
-/// What a pose is fitted to, in the model's frame; NaN: not compared.
+/// Target of a pose fit in the model frame; NaN: not compared.
+///
+/// As published, x and z of the tip centre. Otherwise all coordinates, rotated so that the arm bends along x.
 Matrix3Xd goal_of(const ArmVariant& variant, const Matrix3Xd& pose) {
     if (variant.body.published) {
         Matrix3Xd goal = Matrix3Xd::Constant(3, pose.cols(), std::nan(""));
@@ -33,6 +36,7 @@ Matrix3Xd goal_of(const ArmVariant& variant, const Matrix3Xd& pose) {
     return goal;
 }
 
+/// Distance of the fitted model to the tip markers, rms over coordinates [m], in the frame of the recording.
 double marker_rms(const ArmVariant& variant, const PoseFit& fit, const Matrix3Xd& pose) {
     const Matrix3d turned = variant.body.published ? Matrix3d::Identity() : about_axis(bending_direction({pose}));
     const Matrix3Xd error = turned * fit.pose.displacement_m.rightCols(pose.cols() - 1) -
@@ -59,6 +63,7 @@ Result<FittedArm> fit_arm(const std::shared_ptr<const TipResponse>& response, co
                           const std::vector<RobotTrial>& trials, Instant instant, const Progress& progress) {
     FittedArm arm{variant, response, {}, {}, {}, {}};
     if (!response->rest().ok) return Error{response->rest().message, variant.name + " at rest"};
+    // Each fit starts from the previous pressure, so the arm follows one equilibrium branch.
     PoseFit last = unmoved(*response);
     for (const RobotTrial& trial : trials) {
         const Matrix3Xd pose = pose_at(trial, instant);
@@ -89,11 +94,13 @@ ArmPrediction predict_arm(const FittedArm& arm, const std::vector<std::size_t>& 
         if (std::abs(arm.pressures_mbar[i] - pressure_mbar) < std::abs(arm.pressures_mbar[nearest] - pressure_mbar))
             nearest = i;
     }
+    // The map is made from the known trials only; the equilibrium starts at the nearest of them.
     const bool published = arm.variant.body.published;
     const MuscleConfiguration& configuration = arm.response->configuration();
     ArmPrediction result;
     result.signals = (published ? polynomial_map(pressures, signals) : map_from_rest(pressures, signals, lengths))
                          .at(pressure_mbar);
+    // Polynomials can leave the admissible range between or beyond the known pressures.
     result.signals = result.signals.cwiseMax(configuration.lower).cwiseMin(configuration.upper);
     const TipPose pose = arm.response->at(result.signals, arm.fits[nearest].pose.x);
     if (pose.ok) result.tip_m = about_axis(published ? 0.0 : bending_direction(poses)) * pose.tracked_m();

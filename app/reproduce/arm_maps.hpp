@@ -10,46 +10,53 @@
 
 namespace myo::reproduce {
 
-/// When a pose is compared: 0.7 s after the onset, or at the end of the record.
+/// Instant at which a pose is compared: 0.7 s after the onset, or the end of the record.
 enum class Instant { after_0_7_s, end };
 inline constexpr Instant both_instants[] = {Instant::after_0_7_s, Instant::end};
+/// "0.7 s" or "end".
 std::string to_string(Instant instant);
 
-/// The pose of a trial then, 3 x points [m]: mean of 0.04 s around, or of the last 0.1 s.
+/// Pose of a trial at this instant, 3 x points [m]: mean of 0.04 s around it, or of the last 0.1 s.
 Eigen::Matrix3Xd pose_at(const RobotTrial& trial, Instant instant);
 
-/// A way to model the arm. As published, x and z of the tip centre are fitted and the map is a plain polynomial.
-/// Otherwise the arm bends in a plane through its axis whose direction is the recordings', and the map begins at rest.
+/// A model of the arm. As published, x and z of the tip centre are fitted and the map is a plain polynomial. Otherwise
+/// the arm bends in a plane through its axis with the direction of the recordings, and the map starts at rest.
 struct ArmVariant {
     std::string name;
     MuscleBodyOptions body;
     MuscleConfiguration configuration;
-    bool fit_markers = false;  // x, y, z of the tip markers instead of the tip centre
+    bool fit_markers = false;  // fits x, y, z of the tip markers instead of the tip centre
 };
 
-/// A variant fitted to the poses of all trials at an instant, each by itself.
+/// A variant fitted to the poses of all trials at one instant, each trial separately.
 struct FittedArm {
     ArmVariant variant;
-    std::shared_ptr<const TipResponse> response;
-    std::vector<Eigen::Matrix3Xd> measured_m;  // per trial, 3 x points
+    std::shared_ptr<const TipResponse> response;  // equilibria of the body, shared by variants and threads
+    std::vector<Eigen::Matrix3Xd> measured_m;     // per trial, 3 x points
     std::vector<double> pressures_mbar;
     std::vector<PoseFit> fits;
-    std::vector<double> marker_rms_m;  // over x, y, z of the tip markers
+    std::vector<double> marker_rms_m;  // per trial, over x, y, z of the tip markers
 
-    int simulations() const;
+    int simulations() const;  // of all fits
 };
-/// Errors: geometry, a pose that was not reached; "stopped".
+/// Fits constant signals to the pose of every trial.
+///
+/// Errors: geometry, a pose that cannot be reached; "stopped" if cancelled.
 Result<FittedArm> fit_arm(const std::shared_ptr<const TipResponse>& response, const ArmVariant& variant,
                           const std::vector<RobotTrial>& trials, Instant instant, const Progress& progress);
 
-/// What a variant says of a pressure when it knows some of the trials only.
+/// Prediction for a pressure from a map through some of the trials.
 struct ArmPrediction {
-    Eigen::VectorXd signals;
-    Eigen::Vector3d tip_m = Eigen::Vector3d::Constant(std::nan(""));  // NaN: no equilibrium at these signals
+    Eigen::VectorXd signals;  // from the map, limited to the admissible range
+    Eigen::Vector3d tip_m = Eigen::Vector3d::Constant(
+        std::nan(""));  // displacement of the tip centre; NaN: no equilibrium at these signals
 };
+/// Predicts the tip at a pressure.
+///
+/// @param known  indices of the trials that define the map, ascending
 ArmPrediction predict_arm(const FittedArm& arm, const std::vector<std::size_t>& known, double pressure_mbar);
 
-/// The measure: |predicted - measured| / |measured| of the tip centre's displacement.
+/// Error measure |predicted - measured| / |measured| of the displacement of the tip centre.
 double relative_error(const Eigen::Vector3d& predicted_m, const Eigen::Vector3d& measured_m);
 
 }  // namespace myo::reproduce

@@ -14,9 +14,11 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Half width, chamber limits, half web, length and end caps of the plain arm [m].
 constexpr double half = 22.2e-3, inner = 16.2e-3, web = 3e-3, length = 0.1, cap = 5e-3;
 const Box outside{{-half, -half, 0.0}, {half, half, length}};
 
+/// Hexahedra of the full block, with grid planes at all walls, so that removed cells leave exact chambers.
 mesh::VolumeMesh grid_mesh(double edge) {
     return mesh::hex_mesh(mesh::grid_lines(
         outside, edge, {{{-inner, -web, web, inner}, {-inner, -web, web, inner}, {cap, length - cap}}}));
@@ -28,6 +30,7 @@ bool in_chamber(const Vector3d& X) {
     return between(X(0)) && between(X(1)) && X(2) > cap && X(2) < length - cap;
 }
 
+/// The block without the cells of the chambers.
 mesh::VolumeMesh plain_mesh(double edge) {
     mesh::VolumeMesh mesh = grid_mesh(edge);
     std::vector<int> kept;
@@ -37,6 +40,7 @@ mesh::VolumeMesh plain_mesh(double edge) {
     return mesh::without_unused_nodes(mesh);
 }
 
+/// Material of the paper, clamped at the top.
 model::Model silicone(mesh::VolumeMesh mesh, fem::ElementKind kind) {
     const double top = mesh.nodes.row(2).maxCoeff();
     const std::vector<int> clamped = mesh::nodes_in_box(mesh, {{-1.0, -1.0, top - 1e-6}, {1.0, 1.0, top + 1e-6}});
@@ -49,6 +53,7 @@ model::Model silicone(mesh::VolumeMesh mesh, fem::ElementKind kind) {
     return model;
 }
 
+/// Midpoints of the four edges of the lower face: -x, +x, -y, +y.
 measurement::MarkerSet face_points(const mesh::VolumeMesh& mesh) {
     const Box box = mesh::bounding_box(mesh.nodes);
     const Vector3d middle = 0.5 * (box.lowest + box.highest);
@@ -89,6 +94,7 @@ Result<ChamberedArm> make_chambered_arm(const ReproduceSettings& settings, doubl
         ++arm.chambers;
         double x = 0.0;
         for (const int face : chamber) x += body.mesh.nodes(Eigen::all, body.boundary.nodes.col(face)).row(0).mean();
+        // Chambers with their centre at +x are pressurised.
         if (x > 0.0) arm.walls.insert(arm.walls.end(), chamber.begin(), chamber.end());
     }
     if (arm.walls.empty())

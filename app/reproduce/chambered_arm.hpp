@@ -8,24 +8,27 @@
 
 namespace myo::reproduce {
 
-/// An arm with pressure chambers: the paper's fine mesh of its arm was not published, so this one is plain and our own.
-/// Outside 44.4 x 44.4 x 100 mm, walls of 6 mm, a cross of webs 6 mm thick between four chambers of square section;
-/// hangs from z = 0.1 m. Without ribs, flat walls of 3 mm balloon below 200 mbar.
+/// An arm with pressure chambers. The fine mesh of the paper's arm was not published; this one is a plain substitute.
+///
+/// Outer size 44.4 x 44.4 x 100 mm, walls of 6 mm, a cross of 6 mm webs between four chambers of square section; hangs
+/// from z = 0.1 m. Without ribs, flat walls of 3 mm balloon below 200 mbar.
 struct ChamberedArm {
-    model::Model model;             // chambers without pressure
-    measurement::MarkerSet points;  // middles of the lower face's sides
-    std::vector<int> walls;         // of the chambers at +x
-    int chambers = 0;               // all of them
+    model::Model model;             // without pressure
+    measurement::MarkerSet points;  // midpoints of the lower face's edges
+    std::vector<int> walls;         // boundary faces of the chambers at +x
+    int chambers = 0;               // number of closed cavities
 };
 
-/// The file of a geometry of one's own, in mm, standing as the plain arm does: closed cavities are its chambers.
+/// Optional geometry of the user, in mm and in the pose of the plain arm; its closed cavities are the chambers.
 std::filesystem::path chamber_geometry_file(const ReproduceSettings& settings);
 
-/// From that file where it is there, otherwise the plain arm. Errors: those of the file and of the mesher; no chamber
-/// at +x.
+/// The arm from that file if it exists, otherwise the plain arm.
+///
+/// @param edge_m  edge length of the cells
+/// Errors: those of the file and of the mesher; no chamber at +x.
 Result<ChamberedArm> make_chambered_arm(const ReproduceSettings& settings, double edge_m);
 
-/// The plain arm with its chambers filled, muscles along z in place of those at +x (the first) and at -x.
+/// The plain arm with filled chambers and muscles along z in place of those at +x (first muscle) and -x.
 MuscleBody filled_arm(double edge_m, int muscles);
 
 }  // namespace myo::reproduce

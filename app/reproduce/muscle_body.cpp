@@ -17,15 +17,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double muscle_stiffness_Pa = 2e5;  // of the scripts
+// Of the published scripts.
+constexpr double muscle_stiffness_Pa = 2e5;
 
-/// A point fixed to the material: the mean of some points of a mesh of axis-aligned hexahedra, on it or inside.
+/// Binding of a material point, the mean of several points on or inside a mesh of axis-aligned hexahedra. Markers bind
+/// to the surface; this point may lie inside, so trilinear shape functions are used.
 measurement::MarkerBinding tracked_point(const mesh::VolumeMesh& mesh, const std::vector<Vector3d>& points) {
     std::map<int, double> share;
     for (const Vector3d& point : points) {
         double nearest = std::numeric_limits<double>::infinity();
         Eigen::Index cell = 0;
-        Vector3d best = Vector3d::Zero();  // coordinates in the cell, -1 ... 1
+        Vector3d best = Vector3d::Zero();  // reference coordinates, -1 ... 1
         for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
             const Box box = mesh::bounding_box(mesh.nodes(Eigen::all, mesh.cells.col(c)));
             const Vector3d inside = point.cwiseMax(box.lowest).cwiseMin(box.highest);
@@ -49,7 +51,7 @@ measurement::MarkerBinding tracked_point(const mesh::VolumeMesh& mesh, const std
     return binding;
 }
 
-/// The tracked point first, then the markers on the surface.
+/// Tracked point first, then the markers on the surface.
 measurement::MarkerSet observed_points(const mesh::VolumeMesh& mesh, const std::vector<Vector3d>& tracked,
                                        const std::vector<Vector3d>& markers) {
     measurement::MarkerSet set = measurement::marker_set(mesh, markers);
@@ -57,6 +59,7 @@ measurement::MarkerSet observed_points(const mesh::VolumeMesh& mesh, const std::
     set.nodes.insert(set.nodes.end(), set.bindings.front().nodes.begin(), set.bindings.front().nodes.end());
     std::sort(set.nodes.begin(), set.nodes.end());
     set.nodes.erase(std::unique(set.nodes.begin(), set.nodes.end()), set.nodes.end());
+    // Node lists and positions of the set are rebuilt for the additional binding.
     set.positions.clear();
     for (const measurement::MarkerBinding& binding : set.bindings) {
         set.positions.emplace_back();
@@ -67,8 +70,8 @@ measurement::MarkerSet observed_points(const mesh::VolumeMesh& mesh, const std::
     return set;
 }
 
-/// The columns of cubes, counted from the body's lowest side, whose middles lie in the box: the published program took
-/// whole cells.
+/// Columns of cubes, counted from the lowest side of the body, whose centres lie in the box: the published program
+/// selected whole cells.
 Box whole_columns(const Box& box, const Box& body, const Box& mesh, double edge) {
     Box columns = mesh;
     const double low = box.lowest(0) - body.lowest(0), high = box.highest(0) - body.lowest(0);
@@ -142,6 +145,7 @@ Result<MuscleBody> make_muscle_body(const ReproduceSettings& settings, const Mus
     model.fibres = std::move(fibres);
     std::vector<Vector3d> points;
     for (const Vector3d& point : robot.tracked) {
+        // Truncated voxels shrink the body; the tracked point keeps its relative position.
         const Vector3d share = (point - body.lowest).cwiseQuotient(body.size());
         points.push_back(options.published ? Vector3d(bounds.lowest + share.cwiseProduct(bounds.size())) : point);
     }

@@ -70,6 +70,7 @@ std::array<mesh::BoundaryPoint, 3> bind_beam_points(const model::Model& model) {
     const mesh::BoundaryLocator locator(mesh, model.body->boundary);
     std::array<mesh::BoundaryPoint, 3> points;
     for (std::size_t i = 0; i < 3; ++i) {
+        // Same relative position in a body that truncated voxels made smaller.
         const Eigen::Vector3d share = (beam_surface_points()[i] - whole_beam.lowest).cwiseQuotient(whole_beam.size());
         points[i] = mesh::closest_boundary_point(locator, box.lowest + share.cwiseProduct(box.size()));
     }

@@ -13,8 +13,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index highest_degree = 4;  // of the paper's curves
+constexpr Index highest_degree = 4;  // as the paper's curves
 
+/// Vandermonde matrix of pressures in bar, from power `first`; bar keeps its entries near 1.
 MatrixXd powers(const std::vector<double>& pressures_mbar, Index first, Index count) {
     MatrixXd A(static_cast<Index>(pressures_mbar.size()), count);
     for (Index i = 0; i < A.rows(); ++i)
@@ -39,6 +40,7 @@ PressureMap map_from_rest(const std::vector<double>& pressures_mbar, const Matri
                           const std::vector<double>& displacements_m) {
     assert(!pressures_mbar.empty() && signals.cols() == static_cast<Index>(pressures_mbar.size()) &&
            displacements_m.size() == pressures_mbar.size());
+    // Weights of the inverse displacement turn absolute errors into relative ones.
     const VectorXd weights = Eigen::Map<const VectorXd>(displacements_m.data(), signals.cols()).cwiseInverse();
     const MatrixXd A = weights.asDiagonal() * powers(pressures_mbar, 1, std::min(highest_degree, signals.cols()));
     const MatrixXd b = weights.asDiagonal() * (signals.transpose().array() - 1.0).matrix();

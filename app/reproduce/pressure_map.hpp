@@ -6,22 +6,23 @@
 
 namespace myo::reproduce {
 
-/// Signals over pressure: a polynomial for each.
+/// Muscle signals as polynomials of the pressure.
 struct PressureMap {
     Eigen::MatrixXd coefficients;  // signals x powers of the pressure in bar, from power 0
 
+    /// Signals at a pressure.
     Eigen::VectorXd at(double pressure_mbar) const;
 };
 
-/// The paper's: of degree 4 by least squares; of less where there are fewer than five pressures.
+/// The paper's map: least squares of degree 4, of lower degree for fewer than five pressures.
 ///
 /// @param signals  signals x pressures
 PressureMap polynomial_map(const std::vector<double>& pressures_mbar, const Eigen::MatrixXd& signals);
 
-/// The same with all signals at 1, where nothing moves, without pressure, and with weights: a share of a small
-/// displacement is to count as much as the same share of a large one.
+/// The same with all signals equal to 1 (no motion) at zero pressure, and weighted: equal relative errors of small and
+/// large displacements count equally.
 ///
-/// @param displacements_m  lengths, one per pressure
+/// @param displacements_m  norms, one per pressure
 PressureMap map_from_rest(const std::vector<double>& pressures_mbar, const Eigen::MatrixXd& signals,
                           const std::vector<double>& displacements_m);
 

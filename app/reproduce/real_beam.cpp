@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+/// A recording and the weight of its test.
 struct TrialFile {
     const char* name;
     double tip_force_N;
@@ -24,7 +25,7 @@ constexpr TrialFile files[] = {{"beam_gravity_V2_a", 0.0},
 
 const std::vector<std::string> tip_labels{"Tip - 1", "Tip - 2", "Tip - 3"};
 
-/// Where the markers were placed, tip and base [m].
+/// Nominal marker positions, tip then base [m], in the frame of the beam.
 Matrix3Xd nominal_positions() {
     Matrix3Xd X(3, 6);
     X << 0, 0, 0, -94, -94, -94, 15, -6, 36, -10, 40, 40, 36, 24, 6, -1, 27.5, 0;
@@ -41,6 +42,7 @@ Result<BeamTrial> read_trial_file(const std::filesystem::path& path, const Trial
     if (!start.found) return Error{start.message, path.string()};
     const Result<measurement::RestPose> rest = measurement::rest_pose_before(*all, start.time_s);
     if (!rest) return Error{rest.error().what, path.string()};
+    // The held pose registers the camera frame to the beam; displacements then need the rotation only.
     const Result<measurement::Registration> frame = measurement::rigid_registration(rest->positions_m,
                                                                                     nominal_positions());
     if (!frame) return Error{frame.error().what, path.string()};
@@ -76,7 +78,7 @@ Result<std::vector<BeamTrial>> read_beam_trials(const ReproduceSettings& setting
 
 inverse::DampedCosine measured_vibration(const BeamTrial& trial) {
     const Matrix3Xd& left = trial.displacement_m[left_marker];
-    // A hand lets go slowly: the first half swing, of about 65 ms, is not yet free. After 1.5 s a thirtieth is left.
+    // A hand releases slowly: the first half period, about 65 ms, is not free yet. After 1.5 s a thirtieth is left.
     std::vector<Eigen::Index> used;
     for (Eigen::Index k = 0; k < trial.time_s.size(); ++k)
         if (trial.time_s(k) >= 0.065 && trial.time_s(k) <= 1.5 && left.col(k).allFinite()) used.push_back(k);

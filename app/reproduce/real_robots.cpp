@@ -24,15 +24,15 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Markers of a robot and where they were placed, the moving ones first, and the point that they tell of.
+/// Markers of a robot with their nominal positions, moving ones first, and the point that they determine.
 struct Layout {
     std::vector<std::string> labels;
     std::vector<Vector3d> nominal_mm;
-    std::size_t moving = 0;
+    std::size_t moving = 0;  // number of moving markers
     Vector3d tracked_mm = Vector3d::Zero();
 };
 
-/// Of the published scripts: the sweep, the steps, and the steps of another recording.
+/// Marker layouts of the published scripts: the sweep, the steps, and the steps of another session.
 const std::vector<Layout>& arm_layouts() {
     static const std::vector<Vector3d> triangle{{-9.645, -26.5, 0},  {-9.645, 26.5, 0},   {-28.2, 0, 0},
                                                 {-50.5, -20.5, 102}, {-30.5, -50.5, 102}, {-10.5, 50.5, 102},
@@ -58,8 +58,8 @@ const Layout fish_layout{{"spine", "base_1", "base_2", "base_3"},
                          1,
                          {0, -14.19, 52.21}};
 
-/// Weights that sum to 1 and give the tracked point from the moving markers' x and y: the least of these. Three markers
-/// have one choice.
+/// Affine weights of the moving markers that give the tracked point in x and y: the solution of minimum norm. Three
+/// markers have exactly one.
 VectorXd tracked_weights(const Layout& layout) {
     const auto n = static_cast<Index>(layout.moving);
     if (n == 1) return VectorXd::Ones(1);
@@ -81,6 +81,7 @@ Result<RobotTrial> make_trial(const measurement::Recording& recording, const Lay
     if (!rest) return Error{rest.error().what, path.string()};
     Matrix3Xd nominal(3, static_cast<Index>(layout.labels.size()));
     for (Index i = 0; i < nominal.cols(); ++i) nominal.col(i) = 1e-3 * layout.nominal_mm[static_cast<std::size_t>(i)];
+    // Frame of the robot from its rest pose, fixed and moving markers together.
     const Result<measurement::Registration> frame = measurement::rigid_registration(rest->positions_m, nominal);
     if (!frame) return Error{frame.error().what, path.string()};
     const VectorXd weights = tracked_weights(layout);
@@ -95,13 +96,14 @@ Result<RobotTrial> make_trial(const measurement::Recording& recording, const Lay
         trial.marker_m.push_back(frame->motion.rotation * (track.colwise() - rest->positions_m.col(i)));
         trial.tip_m += weights(i) * trial.marker_m.back();
         const measurement::NoiseEstimate noise = measurement::estimate_track_noise(track);
+        // Noise of the tracked point: independent markers, weighted sum.
         variance += std::pow(weights(i) * noise.sigma_m, 2);
     }
     trial.noise_m = std::sqrt(variance);
     return trial;
 }
 
-/// The number before "mbar" in a file's name.
+/// Pressure from a file name: the number before "mbar".
 std::optional<double> pressure_in(const std::string& name) {
     const std::size_t end = name.find("mbar");
     if (end == std::string::npos) return std::nullopt;
@@ -112,7 +114,7 @@ std::optional<double> pressure_in(const std::string& name) {
     return code == std::errc() && last == name.data() + end ? std::optional(pressure) : std::nullopt;
 }
 
-/// Files of a folder with this extension and a pressure in their name, by name; none when there is no such folder.
+/// Files of a folder with this extension and a pressure in their name, sorted; none if the folder does not exist.
 std::vector<std::filesystem::path> pressure_files(const std::filesystem::path& folder, const std::string& extension) {
     std::vector<std::filesystem::path> files;
     std::error_code code;
@@ -128,6 +130,7 @@ Result<RobotTrial> read_arm_file(const std::filesystem::path& path) {
     const Result<measurement::Recording> read = stepped ? measurement::read_c3d(path)
                                                         : measurement::read_trace_csv(path);
     if (!read) return read.error();
+    // The last layout whose labels all occur; the first is the fallback, whose missing labels make a readable error.
     const Layout* layout = &arm_layouts().front();
     for (const Layout& other : arm_layouts())
         if (std::all_of(other.labels.begin(), other.labels.end(),

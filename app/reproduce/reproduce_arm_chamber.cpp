@@ -10,6 +10,8 @@
 #include "reproduce/reproduction_cases.hpp"
 
 namespace myo::reproduce {
+// Arm with real pressure chambers compared with muscle models of the same outer shape: which errors a muscle makes that
+// lengthens instead of a chamber that inflates. Follower pressure loads, quasi-static.
 namespace {
 
 using Eigen::Matrix3Xd;
@@ -17,12 +19,12 @@ using Eigen::Vector3d;
 
 constexpr double mbar = 100.0;  // Pa
 
-/// The chambered arm at rest under a pressure.
+/// Equilibrium of the chambered arm under a pressure.
 struct ChamberPose {
     double pressure_mbar = 0.0;
-    Matrix3Xd points_m;     // displacements of the lower face's points from where they rest without pressure
-    double bent_rad = 0.0;  // of the lower face, from its rest
-    double grown_m3 = 0.0;  // of the chambers
+    Matrix3Xd points_m;     // displacements of the lower face's points from rest without pressure
+    double bent_rad = 0.0;  // rotation of the lower face from rest
+    double grown_m3 = 0.0;  // increase of the chamber volume
     int iterations = 0;
 
     Vector3d tip_m() const { return points_m.rowwise().mean(); }
@@ -36,13 +38,15 @@ Matrix3Xd points_at(const measurement::MarkerSet& markers, const Matrix3Xd& x) {
     return points;
 }
 
-/// The poses up to where there is an equilibrium.
+/// Poses up to the last pressure with an equilibrium.
 struct Inflation {
     std::vector<ChamberPose> poses;
-    double ballooned_mbar = 0.0;  // where there was none any more; 0: everywhere
+    double ballooned_mbar = 0.0;  // first pressure without equilibrium; 0: none
 };
 
-/// Follows the pressure from zero. Error: no equilibrium at the first one; "stopped".
+/// Path following from zero pressure in increments of at most 25 mbar.
+///
+/// Errors: no equilibrium at the first pressure; "stopped".
 Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>& pressures_mbar,
                              const Progress& progress) {
     Inflation result;
@@ -63,6 +67,7 @@ Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>&
             dynamics::StageSolver solver(model);
             const dynamics::StageReport report = dynamics::solve_equilibrium(solver, 0.0, x);
             pose.iterations += report.newton_iterations;
+            // Failure beyond the first pressure is a limit point: thin walls balloon.
             if (report.ok()) continue;
             if (result.poses.empty()) return Error{report.message, "chambers at " + format_number(now, 3) + " mbar"};
             result.ballooned_mbar = now;
@@ -85,14 +90,15 @@ Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>&
     return result;
 }
 
+/// A muscle model fitted to all poses of the chambered arm.
 struct MuscleFit {
     std::string name;
     std::vector<double> levels;
     std::vector<Matrix3Xd> points_m;
-    std::vector<double> rms_m;  // of the points' coordinates to the chambers'
+    std::vector<double> rms_m;  // over the coordinates of the points
 };
 
-/// One level per pressure that brings the lower face nearest to where the chambers bring it.
+/// One muscle level per pressure with the smallest distance of the lower face to that of the chambered arm.
 Result<MuscleFit> imitate(const std::vector<ChamberPose>& poses, MuscleConfiguration configuration, double edge,
                           const Progress& progress) {
     configuration.lower = 0.3;
@@ -113,7 +119,7 @@ Result<MuscleFit> imitate(const std::vector<ChamberPose>& poses, MuscleConfigura
     return result;
 }
 
-/// Largest distance of values from their best straight line through (0, at_zero), over their range from there.
+/// Nonlinearity: largest distance of values from the best straight line through (0, at_zero), over their range.
 double bend_of_curve(const std::vector<double>& x, const std::vector<double>& y, double at_zero) {
     double xx = 0.0, xy = 0.0, off = 0.0, range = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -127,6 +133,7 @@ double bend_of_curve(const std::vector<double>& x, const std::vector<double>& y,
     return range > 0.0 ? off / range : 0.0;
 }
 
+/// Trajectory of the tip in the bending plane, in mm.
 report::Series path(const std::string& name, const std::vector<Vector3d>& tips, report::SeriesStyle style,
                     int colour = report::automatic_colour) {
     report::Series series{.name = name, .style = style, .colour = colour};

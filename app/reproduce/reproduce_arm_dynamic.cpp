@@ -7,11 +7,13 @@
 #include "reproduce/signal_fit.hpp"
 
 namespace myo::reproduce {
+// Optimal muscle signals at 20 Hz for one recorded motion of the arm: how closely each muscle configuration can follow
+// it, as published and with our model.
 namespace {
 
-constexpr double wanted_mbar = 275.0;  // in the middle of the sweep: a recording with ringing and a clear way
+constexpr double wanted_mbar = 275.0;  // middle of the sweep: a recording with ringing and a large motion
 
-/// Signals beyond these would buckle the body sideways.
+/// Limits beyond which the body buckles sideways.
 MuscleConfiguration playable(MuscleConfiguration configuration) {
     configuration.lower = std::max(configuration.lower, 0.4);
     configuration.upper = std::min(configuration.upper, 2.0);
@@ -19,7 +21,7 @@ MuscleConfiguration playable(MuscleConfiguration configuration) {
 }
 
 std::vector<SignalVariant> variants(bool coarse) {
-    // The damping is that of the same silicone in the beam: 2.7 1/s at 7.7 Hz.
+    // Damping of the same silicone in the beam: 2.7 1/s at 7.7 Hz.
     const MuscleBodyOptions own{.edge_m = coarse ? 11e-3 : 6e-3, .damping_s = 0.0023},
         published{.published = true, .edge_m = coarse ? 7e-3 : 0.0};
     MuscleBodyOptions own_single = own;
@@ -31,7 +33,7 @@ std::vector<SignalVariant> variants(bool coarse) {
             {"two signals, our model", own, playable(free_muscles()), 20.0, evaluations}};
 }
 
-/// The recording of the pressure nearest to the wanted one, of the sweep where it is there.
+/// The recording with the pressure closest to the wanted one, from the sweep if available.
 Result<std::vector<RobotTrial>> recording(const ReproduceSettings& settings) {
     Result<std::vector<RobotTrial>> trials = read_arm_sweep(settings);
     if (trials && trials->empty()) trials = read_arm_steps(settings);

@@ -11,14 +11,16 @@
 #include "reproduce/reproduction_cases.hpp"
 
 namespace myo::reproduce {
+// Static map from pressure to muscle signals: fitted at some pressures, tested at those left out. Every second pressure
+// and leave-one-out separate interpolation from extrapolation; independent recordings test repeatability.
 namespace {
 
 using Eigen::Index;
 using Eigen::Vector3d;
 
-constexpr double first_mbar = 75.0, last_mbar = 375.0, between_mbar = 50.0;  // of the paper's map
+constexpr double first_mbar = 75.0, last_mbar = 375.0, between_mbar = 50.0;  // pressures of the paper's map
 
-/// Those of the paper's map; all, where fewer than four of them are there.
+/// Indices of the pressures of the paper's map; all, if fewer than four of these exist.
 std::vector<std::size_t> pressures_of_map(const std::vector<RobotTrial>& trials) {
     std::vector<std::size_t> chosen, all(trials.size());
     std::iota(all.begin(), all.end(), 0);
@@ -43,9 +45,10 @@ std::vector<ArmVariant> variants(bool coarse) {
             {"two signals, our model", with(own, 2), free_muscles()},
             {"two signals, fitted to the markers", with(own, 2), free_muscles(), true}};
 }
+/// The variant whose predictions are shown in full: two signals, our model.
 constexpr std::size_t chosen_variant = 4;
 
-/// A pressure, predicted without it.
+/// Prediction of one pressure that the map does not contain.
 struct Score {
     std::string what;
     double pressure_mbar = 0.0;
@@ -55,12 +58,12 @@ struct Score {
     double error() const { return relative_error(prediction.tip_m, measured_m); }
 };
 
-/// A variant at an instant, and what it says of pressures that it was not told.
+/// A variant at one instant with its predictions.
 struct Assessment {
     FittedArm arm;
-    std::vector<Score> every_second;  // from the first, third, ... pressure of the map
+    std::vector<Score> every_second;  // predicted from the first, third, ... pressure of the map
     std::vector<Score> left_one_out;
-    std::vector<Score> others;  // recordings that are not of the map; with the grid, of the chosen variant only
+    std::vector<Score> others;  // recordings outside the map; like the grid, of the chosen variant only
     std::vector<ArmPrediction> grid;
 };
 constexpr double grid_first_mbar = 50.0, grid_step_mbar = 25.0;
@@ -77,13 +80,13 @@ double mean_error(const std::vector<Score>& scores, bool with_extrapolated = tru
     return count > 0 ? sum / count : std::nan("");
 }
 
-/// The same in the plane of the recording's own bending: its direction is that of markers placed anew.
+/// Relative error in the bending plane of the recording itself: its direction depends on how the markers were placed.
 double error_in_plane(const Score& score) {
     const Vector3d &p = score.prediction.tip_m, &m = score.measured_m;
     return std::hypot(std::hypot(p(0), p(1)) - std::hypot(m(0), m(1)), p(2) - m(2)) / m.norm();
 }
 
-/// Mean of that over those inside the map.
+/// Mean of error_in_plane() over pressures inside the map.
 double mean_error_in_plane(const std::vector<Score>& scores) {
     double sum = 0.0;
     int count = 0;
@@ -95,6 +98,7 @@ double mean_error_in_plane(const std::vector<Score>& scores) {
     return count > 0 ? sum / count : std::nan("");
 }
 
+// A prediction outside the known pressures is marked as extrapolated.
 Score predict(const FittedArm& arm, const std::vector<std::size_t>& known, const std::string& what,
               double pressure_mbar, const Vector3d& measured_m) {
     const auto pressure = [&](std::size_t i) { return arm.pressures_mbar[i]; };
@@ -122,7 +126,7 @@ Result<Assessment> assess(const std::shared_ptr<const TipResponse>& response, co
     const double as_long_s = map.front().time_s.tail(1)(0);
     for (const RobotTrial& trial : others) {
         if (progress.cancelled() || !in_full) break;
-        // Steps are held longer than the sweep was recorded, and creep: compared is the same time after the onset.
+        // Step trials are held longer than the sweep and creep: they are compared at the same time after the onset.
         const Vector3d measured = trial.stepped && instant == Instant::end
                                       ? mean_between(trial, as_long_s - 0.1, as_long_s).col(0)
                                       : pose_at(trial, instant).col(0);
@@ -134,7 +138,7 @@ Result<Assessment> assess(const std::shared_ptr<const TipResponse>& response, co
     return result;
 }
 
-/// Per variant at both instants.
+/// Per variant, at both instants.
 using Assessments = std::vector<std::array<Result<Assessment>, 2>>;
 
 Result<std::vector<std::shared_ptr<const TipResponse>>> responses(const ReproduceSettings& settings,
@@ -235,7 +239,7 @@ report::Table predictions_table(const Assessment& early, const Assessment& late)
     return table;
 }
 
-/// How much farther a step goes until it is vented than it had gone after `until_s`.
+/// Relative increase of the displacement of a step trial after `until_s`, until it is vented.
 double creep(const RobotTrial& trial, double until_s) {
     const double then = mean_between(trial, until_s - 0.1, until_s).col(0).norm();
     double most = then;
@@ -357,7 +361,7 @@ std::string pose_figure(const Assessments& all) {
     return report::svg(chart);
 }
 
-/// What the bodies do, for want of anything measured.
+/// Response of the models to fixed activations, if no measured data are available.
 Reproduction response_only(const std::vector<ArmVariant>& list,
                            const std::vector<std::shared_ptr<const TipResponse>>& bodies) {
     Reproduction result;

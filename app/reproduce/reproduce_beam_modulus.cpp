@@ -15,6 +15,8 @@
 #include "sensitivity/model_tangent.hpp"
 
 namespace myo::reproduce {
+// Young's modulus from the loaded beam in static equilibrium, from ten random starts: a fit to the commercial solver
+// tests the model, a fit to the recordings separates model error from the paper's modulus.
 namespace {
 
 using Eigen::Matrix3d;
@@ -22,26 +24,26 @@ using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 constexpr double paper_Pa = 283271.0, commercial_Pa = 263824.0;
-constexpr double weight_N = 1.00062;  // of the scripts
+constexpr double weight_N = 1.00062;  // of the published scripts
 constexpr int start_count = 10;
 
-/// Displacements of the surface points under about 1 N by the commercial solver [m], columns Top, Left, Right; y was
-/// not kept.
+/// Displacements of the surface points under about 1 N from the commercial solver [m], columns Top, Left, Right; y was
+/// not stored.
 Matrix3d commercial_displacements() {
     Matrix3d u;
     u << 1.995, -0.598, -6.719, 0.0, 0.0, 0.0, -27.542, -26.352, -25.022;
     return 1e-3 * u;
 }
 
-/// A model and what its points at rest are to match.
+/// A model and the displacements to match.
 struct Target {
     std::string name;
     PaperBeam beam;
     Matrix3d displacement_m;    // columns Top, Left, Right
-    double standoff_m = 0.006;  // of the markers from the surface; 0: the surface points
+    double standoff_m = 0.006;  // distance of the markers from the surface; 0: the surface points
 };
 
-/// The model's equilibrium and its derivative, as residuals over a millimetre of the x and z displacements.
+/// Equilibrium of the model and its derivative, as residuals of x and z displacements in millimetres.
 class StaticFit {
 public:
     explicit StaticFit(const Target& target) : target_(target), model_(make_paper_beam(target.beam)) {
@@ -56,7 +58,8 @@ public:
         }
     }
 
-    /// At 1 / E, in which a small deflection is linear: the fit then needs fewest simulations.
+    /// Evaluation at the compliance 1 / E, in which small deflections are linear, so that fewest simulations are
+    /// needed.
     inverse::ResidualEvaluation at(double compliance_1_Pa) const {
         const double E = 1.0 / compliance_1_Pa;
         model::Model model = model_;
@@ -70,6 +73,7 @@ public:
             return evaluation;
         }
         const dynamics::Stage stage = dynamics::static_stage(*model.body, 0.0);
+        // Implicit differentiation of the equilibrium: K dx/dE = -df/dE.
         const Matrix3Xd load = sensitivity::gradient_tangent(model, sensitivity::youngs_modulus_tangent(model, E), x,
                                                              stage.rate_history, 0.0, true);
         const model::BlockPattern& pattern = model.body->pattern;
@@ -82,6 +86,7 @@ public:
             const measurement::MarkerBinding& binding = bindings_[static_cast<std::size_t>(i)];
             const Eigen::Vector3d error = measurement::marker_position(binding, x(Eigen::all, binding.nodes)) -
                                           rest_.col(i) - target_.displacement_m.col(i);
+            // Chain rule from E to 1 / E.
             const Eigen::Vector3d slope = -E * E *
                                           measurement::marker_tangent(binding, x(Eigen::all, binding.nodes),
                                                                       dx(Eigen::all, binding.nodes));
@@ -100,12 +105,13 @@ private:
     std::vector<measurement::MarkerBinding> bindings_;
 };
 
+/// Result of one fit.
 struct ModulusFit {
     double start_Pa = 0.0;
     double end_Pa = 0.0;
-    double rms_m = 0.0;
+    double rms_m = 0.0;  // remaining distance, over x and z
     int simulations = 0;
-    std::vector<double> path_Pa;  // one per simulation
+    std::vector<double> path_Pa;  // one value per simulation
 };
 
 Result<ModulusFit> fit_modulus(const StaticFit& problem, double start_Pa, const Progress& progress) {
@@ -126,14 +132,14 @@ Result<ModulusFit> fit_modulus(const StaticFit& problem, double start_Pa, const 
     return result;
 }
 
-/// Ten starts over a factor of ten around the commercial solver's value: one at random in each tenth of it, in the
-/// logarithm.
+/// Ten starts over a factor of ten around the commercial solver's value: one random start per tenth of the logarithmic
+/// range.
 std::vector<double> random_starts(std::uint64_t seed) {
     std::mt19937_64 generator(seed);
     std::vector<double> starts;
     for (int k = 0; k < start_count; ++k) {
-        const double share = static_cast<double>(generator() >> 11) /
-                             9007199254740992.0;  // [0, 1), the same everywhere
+        // Top 53 bits, in [0, 1) and portable.
+        const double share = static_cast<double>(generator() >> 11) / 9007199254740992.0;
         starts.push_back(commercial_Pa * std::pow(10.0, (k + share) / start_count - 0.5));
     }
     return starts;
@@ -145,16 +151,18 @@ Matrix3d mean_steady(const std::vector<BeamTrial>& trials) {
     return sum / static_cast<double>(trials.size());
 }
 
+/// One fit, run in parallel with the others.
 struct Job {
     std::size_t target = 0;
     double start_Pa = commercial_Pa;
     Result<ModulusFit> fit = Error{"stopped", ""};
 };
 
+/// Agreement of the fits of one target.
 struct Summary {
     double mean_Pa = 0.0;
-    double spread = 0.0;  // largest over smallest end, less 1
-    int simulations = 0;  // of the start that took most
+    double spread = 0.0;  // largest over smallest result, minus 1
+    int simulations = 0;  // largest number of any start
     double rms_m = 0.0;
     int starts = 0;
 };
@@ -177,7 +185,7 @@ Summary summarise(const std::vector<Job>& jobs, std::size_t target) {
     return result;
 }
 
-/// Those of the first `repeated` are fitted from all random starts, the others from one.
+/// All targets; the first `repeated` are fitted from all random starts, the others from one.
 struct Targets {
     std::vector<Target> all;
     std::size_t repeated = 0;

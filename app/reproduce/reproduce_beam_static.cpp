@@ -13,9 +13,11 @@
 #include "reproduce/reproduction_cases.hpp"
 
 namespace myo::reproduce {
+// Tip deflection of the paper's cases, from the published model to ours with one correction at a time: errors of mass,
+// size, locking and energy that cancel each other become visible.
 namespace {
 
-/// dz of Left [mm] by the commercial solver (quadratic elements, 7110 unknowns), over the force of the published
+/// dz of Left [mm] from the commercial solver (quadratic elements, 7110 unknowns) at the forces of the published
 /// scripts.
 struct Commercial {
     double force_N;
@@ -23,12 +25,12 @@ struct Commercial {
 };
 constexpr std::array<Commercial, 3> commercial{{{0.0, -6.752}, {0.51012, -16.841}, {1.00062, -26.352}}};
 
-/// A row: cases of the paper that share mesh and load.
+/// Cases of the paper that share mesh and load.
 struct StaticCase {
     std::string cases;
     bool hexahedra = true;
-    Eigen::Vector3i cells;  // of tetrahedra: cubes of six
-    std::size_t load = 0;   // in `commercial`
+    Eigen::Vector3i cells;  // tetrahedra: cubes of six each
+    std::size_t load = 0;   // index into `commercial`
 
     std::string mesh() const { return hexahedra ? "hex" : "tet"; }
 };
@@ -36,7 +38,7 @@ struct StaticCase {
 std::vector<StaticCase> static_cases(bool coarse) {
     const Eigen::Vector3i hex1 = coarse ? Eigen::Vector3i(10, 3, 3) : Eigen::Vector3i(23, 7, 7),
                           hex2 = coarse ? Eigen::Vector3i(14, 4, 4) : Eigen::Vector3i(32, 9, 9);
-    // Regular meshes whose unknowns come nearest to the paper's 3834, 71,688 and 183,516 with even divisions.
+    // Regular meshes whose numbers of unknowns are closest to the paper's 3834, 71,688 and 183,516 with even divisions.
     const Eigen::Vector3i tet1 = coarse ? Eigen::Vector3i(10, 4, 4) : Eigen::Vector3i(26, 6, 6),
                           tet2 = coarse ? Eigen::Vector3i(14, 4, 4) : Eigen::Vector3i(66, 18, 18),
                           tet3 = coarse ? Eigen::Vector3i(20, 6, 6) : Eigen::Vector3i(96, 24, 24);
@@ -45,7 +47,7 @@ std::vector<StaticCase> static_cases(bool coarse) {
             {"C", false, tet2, 1},       {"E", false, tet2, 2},   {"A-2", false, tet3, 0}};
 }
 
-/// From the published model to ours, one correction after the other.
+/// Corrections from the published model to ours, cumulative.
 enum Step : std::size_t { published, true_mass, true_size, no_locking, standard_energy, step_count };
 constexpr const char* step_names[] = {"as published", "true mass", "true size", "no locking", "our model"};
 
@@ -61,8 +63,8 @@ PaperBeam beam_at(const StaticCase& one, std::size_t step) {
                 .cells = one.cells,
                 .mass_model = model::MassModel::equal_vertices,
                 .material = "projective_corotational"};
-        // About the same nodes, as two edges of a linear tetrahedron make one of a quadratic, but no more than it
-        // needs: 20,787 unknowns.
+        // About the same number of nodes (one quadratic edge replaces two linear ones), but at most 20,787 unknowns,
+        // which suffice.
         if (step >= no_locking) {
             beam.element = fem::ElementKind::tet10;
             beam.cells = (one.cells / 2).cwiseMin(Eigen::Vector3i(20, 6, 6));
@@ -74,14 +76,15 @@ PaperBeam beam_at(const StaticCase& one, std::size_t step) {
     return beam;
 }
 
+/// Deflections of one case after each correction.
 struct StaticRow {
     StaticCase one;
-    int dofs = 0;             // as published
-    double mass_share = 0.0;  // of the published model's mass in the beam's
+    int dofs = 0;             // of the published model
+    double mass_share = 0.0;  // mass of the published model over that of the beam
     std::array<double, step_count> dz_mm{};
 };
 
-/// dz of Left at rest [mm].
+/// dz of Left in equilibrium [mm].
 Result<double> left_dz_mm(const model::Model& model) {
     const Result<Eigen::Matrix3Xd> x = bench::beam_equilibrium(model);
     if (!x) return x.error();
@@ -102,8 +105,9 @@ Result<std::vector<StaticRow>> solve_all(const ReproduceSettings& settings, cons
             errors[k] = Error{"stopped", ""};
             return;
         }
+        // Tetrahedra fill the beam: size needs no correction, the value is copied below.
         if (!row.one.hexahedra && step == true_size) {
-            ++done;  // tetrahedra fill the beam: the same as before
+            ++done;
             return;
         }
         const model::Model model = make_paper_beam(beam_at(row.one, step));
@@ -154,7 +158,7 @@ report::Table step_table(const std::vector<StaticRow>& rows, const std::vector<B
     return table;
 }
 
-/// How far each correction moves the tip, in hundredths of the commercial solver's deflection: what cancels what.
+/// Effect of each correction in percent of the commercial solver's deflection, which shows the cancellation.
 report::Table share_table(const std::vector<StaticRow>& rows) {
     report::Table table{
         "The same as differences: share of the commercial solver's deflection that each correction adds, and what "

@@ -4,13 +4,15 @@
 #include "reproduce/signal_fit.hpp"
 
 namespace myo::reproduce {
+// Optimal muscle signals at 5 Hz for a recorded motion of the fish tail; the motion starts faster than the knots, which
+// limits the accuracy.
 namespace {
 
 std::vector<SignalVariant> variants(bool coarse) {
     const MuscleBodyOptions own{.edge_m = coarse ? 10e-3 : 5e-3, .damping_s = 0.0023},
         published{.published = true, .edge_m = coarse ? 9e-3 : 0.0};
     MuscleConfiguration tied = tied_muscles(), free = free_muscles();
-    tied.upper = 3.0;  // beyond, the body buckles sideways
+    tied.upper = 3.0;  // the body buckles sideways above
     free.lower = 0.2;
     free.upper = 3.0;
     const int evaluations = coarse ? 8 : 40;
@@ -19,7 +21,7 @@ std::vector<SignalVariant> variants(bool coarse) {
             {"two signals, our model", own, free, 5.0, evaluations}};
 }
 
-/// When the marker has gone half as far as it goes.
+/// Time at which the marker has covered half of its largest displacement [s].
 double half_way_s(const SignalFit& fit) {
     const Eigen::RowVectorXd way = fit.measured_m.colwise().norm();
     Eigen::Index k = 0;
@@ -27,7 +29,7 @@ double half_way_s(const SignalFit& fit) {
     return fit.times_s(k);
 }
 
-/// Of the squared error in x, what lies up to the second knot.
+/// Share of the squared error in x before the second knot.
 double early_share(const SignalFit& fit) {
     const Eigen::ArrayXd squared = (fit.simulated_m - fit.measured_m).row(0).array().square();
     return (fit.times_s.array() <= 2.0 / fit.variant.frequency_Hz).select(squared, 0.0).sum() / squared.sum();

@@ -16,30 +16,32 @@
 #include "reproduce/ringing_beam.hpp"
 
 namespace myo::reproduce {
+// Velocity force Lambda that compensates the numerical damping of implicit Euler: fitted value and stability limit for
+// each time step, compared with the paper; and an alternative without step dependence, material damping with TR-BDF2.
 namespace {
 
 constexpr std::size_t step_count = std::size(paper_steps_s);
 constexpr std::size_t ten_ms = 3;
 
-/// Of the published scripts [kg/s]: Lambda fitted to the real envelope and Lambda at which the amplitude stays, for
-/// paper_steps_s.
+/// Of the published scripts [kg/s], for paper_steps_s: Lambda fitted to the real envelope, and Lambda of constant
+/// amplitude.
 constexpr double published_fitted[] = {-0.0124e-3, 0.848e-3, 1.728e-3, 2.569e-3,
                                        3.364e-3,   4.145e-3, 4.939e-3, 5.577e-3};
 constexpr double published_critical[] = {0.922e-3, 1.847e-3, 2.772e-3, 3.692e-3,
                                          4.617e-3, 5.544e-3, 6.455e-3, 7.382e-3};
 
-/// Decay of the published envelopes of the unloaded release b, upper and lower [1/s].
+/// Decay rates of the published envelopes of the unloaded release b, upper and lower [1/s].
 constexpr double published_rates[] = {2.9106797, 2.67923014};
 constexpr double envelope_rate = 0.5 * (published_rates[0] + published_rates[1]);
 
-/// Of the linear vibration under implicit Euler: the modulus per step is sqrt((1 + h Lambda) / (1 + h^2 omega^2)) =
-/// exp(-rate h).
+/// Lambda of the linear vibration under implicit Euler for a wanted decay rate: the amplification per step is
+/// sqrt((1 + h Lambda) / (1 + h^2 omega^2)) = exp(-rate h).
 double linear_lambda(double omega, double h, double rate) {
     return (std::exp(-2.0 * rate * h) * (1.0 + h * h * omega * omega) - 1.0) / h;
 }
 
-/// The number at which the simulated decay is the wanted one, by the secant rule from the linear vibration's number and
-/// slope.
+/// Argument at which the simulated decay rate is the wanted one, by the secant method; start and slope come from the
+/// linear vibration.
 Result<double> fit_rate(const std::function<Result<double>(double)>& rate_of, double start, double slope,
                         double wanted) {
     double a = start;
@@ -58,10 +60,10 @@ Result<double> fit_rate(const std::function<Result<double>(double)>& rate_of, do
     return b;
 }
 
-/// What one beam needs at one step.
+/// Lambda of one beam at one time step [1/s].
 struct LambdaRow {
-    double fitted = 0.0;  // [1/s]: the release decays as the real envelope
-    double fitted_linear = 0.0;
+    double fitted = 0.0;              // the release decays like the real envelope
+    double fitted_linear = 0.0;       // the same from the linear vibration
     double critical_linear = 0.0;     // h omega^2
     double critical_structure = 0.0;  // by power iteration on the linearised step
     double critical_amplitude = 0.0;  // the release keeps its amplitude
@@ -96,20 +98,22 @@ Result<LambdaRow> lambda_row(const RingingBeam& beam, double h, const Progress& 
     return row;
 }
 
-/// Share of the first vibration's kinetic energy along z, on which alone the published force acted.
+/// Share of the z component in the kinetic energy of the first mode; the published force acted along z only.
 double vertical_share(const RingingBeam& beam) {
     const Eigen::Matrix3Xd momentum = model::times_mass(beam.mode.shape, model::mass_matrix(beam.model));
     return momentum.row(2).dot(beam.mode.shape.row(2)) / momentum.cwiseProduct(beam.mode.shape).sum();
 }
 
-/// One damping of the material, found once, and what decay it gives at each step; beside it Lambda found once.
+/// One material damping, fitted at a single time step, and the decay that it gives at each step; for comparison a
+/// Lambda fitted once.
 struct BetterWay {
     double damping_s = 0.0;
     std::vector<double> rates;         // TR-BDF2 with this damping [1/s]
     std::vector<double> lambda_rates;  // implicit Euler with the Lambda of 10 ms; positive decays [1/s]
-    std::vector<RungBeam> runs;        // of TR-BDF2
+    std::vector<RungBeam> runs;        // TR-BDF2
 };
 
+/// All results of the case.
 struct Work {
     RingingBeam own, published;
     std::vector<LambdaRow> own_rows, published_rows;
@@ -117,6 +121,7 @@ struct Work {
 };
 
 template <class Task>
+/// Runs a task for every time step in parallel; the first error is returned.
 Result<void> at_all_steps(const ReproduceSettings& settings, const Progress& progress, const std::string& name,
                           const Task& task) {
     std::vector<Result<void>> results(step_count, Result<void>());
@@ -168,7 +173,8 @@ Result<BetterWay> better_way(const RingingBeam& beam, double lambda_of_ten_ms, c
             if (!run) return run.error();
             way.rates[i] = run->vibration.rate_1_s;
             way.runs[i] = *run;
-            // Too large at shorter steps, where it makes the release grow: the linear decay tells without following it.
+            // At shorter steps this Lambda is above the limit and the release grows; the linear decay needs no
+            // simulation.
             const double omega = beam.mode.omega_rad_s, h = paper_steps_s[i];
             way.lambda_rates[i] = -0.5 * std::log((1.0 + h * lambda_of_ten_ms) / (1.0 + h * h * omega * omega)) / h;
             return {};
@@ -264,7 +270,7 @@ std::string lambda_figure(const Work& work, double factor_kg) {
                                                      .height_px = 320.0}}});
 }
 
-/// The release with one damping at four steps, the real one beside it.
+/// The release with one damping at several steps, compared with the real one.
 std::string decay_figure(const Work& work, const std::vector<BeamTrial>& trials) {
     report::ChartPanel panel{.y = {.label = "dz of Left", .unit = "m"}, .series = {}, .height_px = 300.0};
     const auto add = [&](const std::string& name, const Eigen::VectorXd& t, const Eigen::VectorXd& dz, int colour) {
@@ -288,6 +294,7 @@ std::string decay_figure(const Work& work, const std::vector<BeamTrial>& trials)
                                          .panels = {panel}});
 }
 
+/// Largest relative difference over all time steps.
 double largest_relative(const std::function<double(std::size_t)>& ours,
                         const std::function<double(std::size_t)>& theirs) {
     double largest = 0.0;

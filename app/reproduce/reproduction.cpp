@@ -17,6 +17,7 @@ report::Json table_json(const report::Table& table) {
         report::Json row = report::Json::object();
         for (std::size_t i = 0; i < cells.size() && i < table.columns.size(); ++i) {
             const report::Column& column = table.columns[i];
+            // Keys carry the unit, as everywhere in files.
             const std::string key = column.unit.empty() ? column.title : column.title + " [" + column.unit + "]";
             if (const auto* text = std::get_if<std::string>(&cells[i].content))
                 row[key] = *text;
@@ -50,6 +51,7 @@ std::vector<std::filesystem::path> reproduction_files(const std::filesystem::pat
                                                       const ReproductionCase& one) {
     std::vector<std::filesystem::path> files{folder / (one.id + ".json"), folder / "report.html"};
     std::error_code missing;
+    // Figures of an earlier version may have other endings; all of this case are replaced.
     for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with(one.id) && name.ends_with(".svg")) files.push_back(entry.path());

@@ -11,58 +11,60 @@
 
 namespace myo::reproduce {
 
-/// How an experiment of the paper is repeated.
+/// How a case of the paper is reproduced.
 struct ReproduceSettings {
     std::filesystem::path data;  // folder with data/mocap; see data_folder()
     std::uint64_t seed = 1;      // of random starts
     int threads = 1;
-    bool coarse = false;  // few cells and few steps: seconds instead of minutes, numbers good to some percent
+    bool coarse = false;  // few cells and steps: seconds instead of minutes, numbers good to some percent
 };
 
-/// A figure with the ending of its file: "" is <case>.svg, "trace" is <case>_trace.svg.
+/// A figure with the suffix of its file: "" is <case>.svg, "trace" is <case>_trace.svg.
 struct ReproductionFigure {
     std::string ending;
     report::Figure figure;
 };
 
-/// What came out: our numbers beside the paper's.
+/// Result of a case: our numbers and the paper's.
 struct Reproduction {
     std::string title;
     std::vector<std::string> findings;  // sentences: what agrees, what does not and why
     std::vector<std::string> warnings;  // what is missing, and where to get it
     std::vector<report::Table> tables;
     std::vector<ReproductionFigure> figures;
-    report::Json values;  // an object
+    report::Json values;  // a JSON object
 };
 
-/// An experiment of the paper: a file in this folder and a line in catalogue.cpp. It must run without the measured data
-/// too and then says in a warning what to fetch. Errors: a run that failed, damaged data; "stopped" when the progress
-/// was cancelled.
+/// A case of the paper: a file in this folder and a line in catalogue.cpp. It must also run without the measured data
+/// and then say in a warning what to fetch.
 struct ReproductionCase {
     std::string id;
     std::string summary;
+    /// Errors: a run that failed, damaged data; "stopped" if the progress was cancelled.
     Result<Reproduction> (*run)(const ReproduceSettings& settings, const Progress& progress);
 };
+/// All cases.
 const std::vector<ReproductionCase>& reproduction_catalogue();
+/// Ids of all cases.
 std::vector<std::string> reproduction_ids();
 
-/// Null when there is no case of this name.
+/// The case with this id, or null.
 const ReproductionCase* find_reproduction(const std::string& id);
 
-/// The page about a reproduction.
+/// HTML report of a case.
 report::HtmlReport reproduction_report(const ReproductionCase& one, const Reproduction& result);
 
-/// The files in this folder that write_reproduction() may replace.
+/// Files in this folder that write_reproduction() may replace.
 std::vector<std::filesystem::path> reproduction_files(const std::filesystem::path& folder, const ReproductionCase& one);
 
-/// Writes <case>.json, the figures and report.html. Error: a file cannot be written.
+/// Writes <case>.json, the figures and report.html. Errors: a file cannot be written.
 Result<void> write_reproduction(const std::filesystem::path& folder, const ReproductionCase& one,
                                 const Reproduction& result);
 
-/// The cells of a table as JSON rows, keyed by its columns' titles and units.
+/// Cells of a table as JSON rows, keyed by column title and unit.
 report::Json table_json(const report::Table& table);
 
-/// What a user reads when the files of a folder below data/mocap are not there.
+/// Message for the user if the files of a folder below data/mocap are missing.
 std::string missing_data(const ReproduceSettings& settings, const std::string& folder);
 
 }  // namespace myo::reproduce

@@ -4,6 +4,7 @@
 
 namespace myo::reproduce {
 
+// Builders of the cases, one per file reproduce_<id>.cpp; the summary is in the case itself.
 ReproductionCase reproduce_beam_static();
 ReproductionCase reproduce_beam_modulus();
 ReproductionCase reproduce_numerical_damping();

@@ -12,7 +12,7 @@ Result<RingingBeam> ringing_beam(const PaperBeam& beam) {
     if (!rest) return rest.error();
     result.equilibrium = *rest;
     dynamics::StageSolver solver(result.model);
-    // A square beam bends across the plane as slowly as in it: of the first two modes the one along z.
+    // A square section has two equal bending modes; the one along z is excited.
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, result.equilibrium, 2);
     if (!modes.ok()) return Error{"the beam's first vibration was not found", ""};
     const auto vertical = [](const dynamics::NaturalMode& mode) {
@@ -39,6 +39,7 @@ Result<RungBeam> ring(const RingingBeam& beam, const RingingRun& run, const Prog
     Eigen::VectorXd q(count);
     for (Eigen::Index k = 0; k < count; ++k) {
         const Eigen::Matrix3Xd& x = trace.positions[static_cast<std::size_t>(k)];
+        // Modal coordinate by mass-weighted projection: the decay of a single mode, without the others.
         q(k) = weight.cwiseProduct(x - beam.equilibrium).sum();
         result.left_dz_m(k) = beam_point_displacements(points, x - model.body->mesh.nodes)(2, left_marker);
     }

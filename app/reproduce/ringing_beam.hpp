@@ -11,33 +11,34 @@
 
 namespace myo::reproduce {
 
-/// The time steps of the paper's studies [s].
+/// Time steps that the paper compares [s].
 inline constexpr double paper_steps_s[] = {0.0025, 0.005, 0.0075, 0.010, 0.0125, 0.015, 0.0175, 0.020};
 
-/// A beam with its rest under its loads and its first mode there.
+/// A beam with its equilibrium and its first vertical mode there.
 struct RingingBeam {
     PaperBeam beam;
     model::Model model;
     Eigen::Matrix3Xd equilibrium;  // 3 x n [m]
     dynamics::NaturalMode mode;
 };
-/// Error: no equilibrium or no mode was found.
+/// Errors: no equilibrium or no mode was found.
 Result<RingingBeam> ringing_beam(const PaperBeam& beam);
 
-/// How it is let go: straight, at rest, as the real one.
+/// Release from the straight shape at rest, like the real beam.
 struct RingingRun {
     dynamics::TimeScheme scheme;
-    double h_s = 0.01;
-    double velocity_force_1_s = 0.0;
+    double h_s = 0.01;                // time step
+    double velocity_force_1_s = 0.0;  // Lambda
     double damping_s = 0.0;
     double end_s = 1.2;
 };
+/// Motion after a release.
 struct RungBeam {
-    inverse::DampedCosine vibration;  // of the first mode's coordinate
+    inverse::DampedCosine vibration;  // of the first modal coordinate
     Eigen::VectorXd times_s;
     Eigen::VectorXd left_dz_m;  // of the paper's point Left
 };
-/// Error: the run did not complete, or nothing swings.
+/// Simulates a release. Errors: the run did not complete, or nothing vibrates.
 Result<RungBeam> ring(const RingingBeam& beam, const RingingRun& run, const Progress& progress);
 
 }  // namespace myo::reproduce

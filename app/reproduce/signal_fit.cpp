@@ -19,7 +19,7 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-constexpr double step_s = 0.01;  // of the recordings, and the paper's
+constexpr double step_s = 0.01;  // of the recordings, and of the paper
 constexpr double least_smoothness_m_s = 2e-5;
 
 inverse::SoughtSignals sought_signals(const SignalVariant& variant, double end_s) {
@@ -35,7 +35,7 @@ inverse::SoughtSignals sought_signals(const SignalVariant& variant, double end_s
     return sought;
 }
 
-/// The record from its onset on, in the frame in which the model bends along x.
+/// The record from its onset on, rotated so that the model bends along x.
 inverse::MarkerTarget target_of(const SignalVariant& variant, const measurement::MarkerSet& points,
                                 const RobotTrial& trial, const Matrix3d& to_model) {
     Index first = 0;
@@ -50,7 +50,7 @@ inverse::MarkerTarget target_of(const SignalVariant& variant, const measurement:
     return target;
 }
 
-/// Signals that hold the pose of the end, in the share of the way that was done at each knot.
+/// Initial signals: those of the final pose, scaled at each knot by the share of the motion done by then.
 Result<MatrixXd> start_values(const TipResponse& response, const inverse::SoughtSignals& sought,
                               const inverse::MarkerTarget& target, const Progress& progress) {
     if (!response.rest().ok) return Error{response.rest().message, "at rest"};
@@ -62,7 +62,7 @@ Result<MatrixXd> start_values(const TipResponse& response, const inverse::Sought
     MatrixXd values = inverse::unmoved_values(sought);
     const std::vector<double> knots = inverse::knot_times(sought);
     for (Index k = 0; k < values.cols(); ++k) {
-        // A held value stands for the time until the next knot.
+        // A held value represents the interval up to the next knot.
         const double t = knots[static_cast<std::size_t>(k)] + (sought.hold ? 0.5 / sought.frequency_Hz : 0.0);
         Index sample = 0;
         while (sample + 1 < last && target.times_s(sample) < t) ++sample;
@@ -101,6 +101,7 @@ Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRob
     const double angle = variant.body.published
                              ? 0.0
                              : bending_direction({mean_between(trial, end - 0.1, end)}, robot.bends_to);
+    // The model bends along x; the robot bends in the plane of the recording's final pose.
     const Matrix3d to_robot = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
     const TipResponse response(*body, variant.configuration);
 

@@ -35,6 +35,7 @@ TipPose TipResponse::at(const VectorXd& signals, const Matrix3Xd& near) const {
     }
     TipPose pose;
     dynamics::StageSolver solver(model);
+    // Newton starts from the nearest known equilibrium: large bending has several branches.
     pose.x = near.size() > 0 ? near : rest_.x.size() > 0 ? rest_.x : model.body->mesh.nodes;
     const dynamics::StageReport report = dynamics::solve_equilibrium(solver, 0.0, pose.x);
     if (!report.ok()) {
@@ -55,6 +56,7 @@ TipPose TipResponse::at(const VectorXd& signals, const Matrix3Xd& near) const {
         for (const inverse::SignalShare& share : configuration_.muscles)
             tangent.activation.push_back(
                 fibre::Signal::constant(static_cast<Index>(share.signal) == s ? share.factor : 0.0));
+        // Implicit differentiation: K dx/ds = -df/ds, with the factor of the converged stiffness.
         const Matrix3Xd load = sensitivity::gradient_tangent(model, tangent, pose.x, stage.rate_history, 0.0, true);
         const Matrix3Xd dx = model::scatter(pattern,
                                             -solver.solve_linear(H, stage, pose.x, model::gather(pattern, load)));
@@ -89,6 +91,7 @@ Result<PoseFit> fit_pose(const TipResponse& response, const Matrix3Xd& goal_m, c
     double least = std::numeric_limits<double>::infinity();
     const auto residuals = [&](const VectorXd& signals, const Progress&) {
         inverse::ResidualEvaluation evaluation;
+        // The best pose so far is the initial guess of every evaluation.
         TipPose pose = response.at(signals, best.pose.x);
         evaluation.ok = pose.ok;
         evaluation.message = pose.message;

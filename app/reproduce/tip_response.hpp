@@ -11,29 +11,29 @@
 
 namespace myo::reproduce {
 
-/// How the signals of a configuration act on the muscles: a = 1 + factor (s - 1), per muscle.
+/// How signals act on muscles: a = 1 + factor (s - 1) per muscle.
 struct MuscleConfiguration {
     std::string name;
-    std::vector<inverse::SignalShare> muscles;
-    int signals = 1;
-    double lower = 0.2, upper = 5.0;  // of the signals
+    std::vector<inverse::SignalShare> muscles;  // signal and factor of each
+    int signals = 1;                            // number of signals
+    double lower = 0.2, upper = 5.0;            // bounds of the signals
 };
 MuscleConfiguration one_muscle();    // AC1: a in [-5, 5]
 MuscleConfiguration tied_muscles();  // AC2: a1 = 1 + 2 x, a2 = 1 - x with x in [0, 2]; the signal is a1
 MuscleConfiguration free_muscles();  // two antagonists with a signal each
 
-/// The observed points of a body at rest under constant signals.
+/// Observed points of a body in equilibrium under constant signals.
 struct TipPose {
-    bool ok = false;
+    bool ok = false;  // an equilibrium was found
     std::string message;
-    Eigen::Matrix3Xd displacement_m;  // 3 x points, from where they rest with all signals at 1; the tracked point first
-    std::vector<Eigen::Matrix3Xd> by_signal_m;  // its derivative with respect to each signal
-    Eigen::Matrix3Xd x;                         // the body, 3 x n [m]
+    Eigen::Matrix3Xd displacement_m;  // 3 x points, from the equilibrium with all signals at 1; tracked point first
+    std::vector<Eigen::Matrix3Xd> by_signal_m;  // derivative with respect to each signal
+    Eigen::Matrix3Xd x;                         // nodes, 3 x n [m]
 
     Eigen::Vector3d tracked_m() const { return displacement_m.col(0); }
 };
 
-/// Equilibria of a body over its signals, with exact derivatives.
+/// Equilibria of a body as a function of its signals, with exact derivatives. Const calls may run in parallel.
 class TipResponse {
 public:
     TipResponse(MuscleBody body, MuscleConfiguration configuration);
@@ -42,29 +42,33 @@ public:
     const MuscleBody& body() const { return body_; }
     const TipPose& rest() const { return rest_; }
 
-    /// near: an equilibrium at signals not far away, where the search begins; empty: the rest.
+    /// Equilibrium at these signals.
+    ///
+    /// @param near  nodes of an equilibrium at similar signals, as initial guess; empty: the rest
     TipPose at(const Eigen::VectorXd& signals, const Eigen::Matrix3Xd& near = {}) const;
 
 private:
     MuscleBody body_;
     MuscleConfiguration configuration_;
     TipPose rest_;
-    Eigen::Matrix3Xd origin_m_;  // of the points
+    Eigen::Matrix3Xd origin_m_;  // points at rest
 };
 
-/// Signals that bring the points of a body nearest to where they shall be.
+/// Signals with which the observed points are closest to their goals.
 struct PoseFit {
     Eigen::VectorXd signals;
     TipPose pose;
     int simulations = 0;
 };
-/// @param goal_m  3 x points; NaN: anywhere
-/// @param start   where the search begins
-/// Error: it did not converge; no equilibrium was found.
+/// Least-squares fit of constant signals to point displacements.
+///
+/// @param goal_m  3 x points; NaN: not compared
+/// @param start   initial signals and equilibrium
+/// Errors: not converged, no equilibrium; "stopped".
 Result<PoseFit> fit_pose(const TipResponse& response, const Eigen::Matrix3Xd& goal_m, const PoseFit& start,
                          const Progress& progress);
 
-/// The body at rest with all signals at 1, to start from.
+/// The body in equilibrium with all signals at 1, as a start.
 PoseFit unmoved(const TipResponse& response);
 
 }  // namespace myo::reproduce

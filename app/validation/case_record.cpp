@@ -11,8 +11,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::size_t kept_places = 5;
+constexpr std::size_t kept_places = 5;  // stored entries of a ranking
 
+/// Whether a parameter is a position, whose relative error depends on the choice of the origin.
 bool is_place(const std::string& name) { return name == "position_m" || name == "anchor_m" || name == "centre_m"; }
 
 /// A number or a vector as a vector; empty for names.
@@ -26,7 +27,7 @@ double number_or_nan(const report::Json& json) {
     return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// An angle and an axis as one vector, for their sign is shared.
+/// Tilt angle and axis as one vector: the sign is shared, so the pair is ambiguous.
 effect::EffectParameters joined_tilt(const effect::EffectDeclaration& effect) {
     if (effect.id != "gravity_tilt") return effect.parameters;
     return {{"tilt_deg", VectorXd(effect::number(effect.parameters, "tilt_deg") *
@@ -81,6 +82,7 @@ CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, co
         d.verdict.ranking.begin(),
         d.verdict.ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kept_places, d.verdict.ranking.size())));
     record.confidence = d.verdict.confidence;
+    // Confusions are symmetric; the group holds the partners of the truth.
     for (const diagnosis::Confusion& confusion : d.confusions) {
         if (confusion.first == record.truth) record.group.push_back(confusion.second);
         if (confusion.second == record.truth) record.group.push_back(confusion.first);

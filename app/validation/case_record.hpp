@@ -10,59 +10,60 @@
 
 namespace myo::validation {
 
-/// One parameter of an effect, as found against its truth.
+/// Error of one parameter of an effect.
 struct ParameterError {
     std::string name;
-    double absolute = 0.0;  // length of the difference, in the parameter's unit
-    double relative = 0.0;  // of the truth's length; NaN for places
+    double absolute = 0.0;  // norm of the difference, in the unit of the parameter
+    double relative = 0.0;  // over the norm of the truth; NaN for positions
 };
 
-/// What a diagnosis said of a case whose truth is known. A line of a file.
+/// Answer of a diagnosis to a case with known truth; one JSON line of a file.
 struct CaseRecord {
     int number = 0;
     CaseKind kind = CaseKind::none;
     std::string family;
     bool muscles = false;
-    std::string truth;   // id; "none"
-    double level = 0.0;  // of the effect, in noise levels
+    std::string truth;   // id; "none"  // id of the effect; "none"
+    double level = 0.0;  // size of the effect, in noise levels
     report::Json truth_parameters = report::Json::object();
-    std::vector<std::string> answer;                          // ids asserted, "none" or "unknown" alone
-    report::Json answer_parameters = report::Json::object();  // of the first effect asserted
-    std::vector<std::string> ranking;                         // its first five
-    double confidence = 0.0;
-    std::vector<std::string> group;      // effects named as not to be told apart from the truth
-    std::vector<ParameterError> errors;  // where the answer is right
-    double before_over_noise = 0.0;      // validation trials
-    double after_over_noise = 0.0;
-    double fit_over_noise = 0.0;  // rms of the fit trials with the answer
-    double make_s = 0.0, diagnose_s = 0.0;
-    int dofs = 0;  // of the diagnosis
-    int attempts = 1;
-    std::string failure;  // why there is no answer
+    std::vector<std::string>
+        answer;  // ids asserted, "none" or "unknown" alone  // ids asserted; or "none" or "unknown" alone
+    report::Json answer_parameters = report::Json::object();  // of the first asserted effect
+    std::vector<std::string> ranking;                         // first five entries
+    double confidence = 0.0;                                  // stated by the verdict, 0 ... 1
+    std::vector<std::string> group;                           // effects declared indistinguishable from the truth
+    std::vector<ParameterError> errors;                       // if the answer is right
+    double before_over_noise = 0.0;                           // rms of the validation trials over noise, declared model
+    double after_over_noise = 0.0;                            // the same with the answer
+    double fit_over_noise = 0.0;                              // rms of the fit trials with the answer, over noise
+    double make_s = 0.0, diagnose_s = 0.0;                    // wall-clock times
+    int dofs = 0;                                             // of the model that the diagnosis used
+    int attempts = 1;                                         // draws until the effect was visible
+    std::string failure;                                      // reason for a missing answer
 
     bool answered() const { return failure.empty(); }
-    /// What would have been right: the effect's id, "none", or "unknown" for one that was deleted.
+    /// The right answer: the effect's id, "none", or "unknown" for an effect withheld from the diagnosis.
     std::string expected() const;
     bool right() const { return answered() && answer.size() == 1 && answer.front() == expected(); }
-    /// The right one is among the first `places` of the ranking.
+    /// Whether the right answer is among the first `places` of the ranking.
     bool right_within(int places) const;
     bool grouped() const { return !group.empty(); }
-    /// The answer is right, or one that this experiment cannot tell from it, and is said not to.
+    /// Whether the answer is right, or declared indistinguishable from the truth in this experiment.
     bool right_or_grouped() const;
 };
 
-/// What is told of a diagnosis against the truth.
+/// Compares a diagnosis with the truth.
 CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis);
 
-/// A case that could not be made or diagnosed.
+/// Record of a case that could not be made or diagnosed.
 CaseRecord failed_case(const SyntheticCase& drawn, const std::string& failure);
 
+/// JSON form of a record.
 report::Json record_json(const CaseRecord& record);
-/// Error: a key is missing or of another type.
+/// Inverse of record_json(). Errors: a key is missing or of another type.
 Result<CaseRecord> record_from_json(const report::Json& json);
 
-/// How far the parameters of an effect are from its true ones; those that are names are left out. A tilt counts as the
-/// vector along its axis.
+/// Errors of an effect's parameters; names are skipped. A tilt counts as the vector along its axis.
 std::vector<ParameterError> parameter_errors(const effect::EffectDeclaration& truth,
                                              const effect::EffectDeclaration& found);
 

@@ -19,8 +19,10 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-using Motions = std::vector<std::vector<Matrix3Xd>>;  // per trial and marker
+// Positions per trial and marker.
+using Motions = std::vector<std::vector<Matrix3Xd>>;
 
+/// Structured mesh with this number of layers through the thickness: tet10 in boxes, hex8 following the taper.
 setup::BodyMesh layered_mesh(const SyntheticBody& body, int layers) {
     const ConvergencePolicy& p = convergence_policy;
     const Vector3d size = body.bounds.size();
@@ -29,7 +31,7 @@ setup::BodyMesh layered_mesh(const SyntheticBody& body, int layers) {
         return std::max(layers, static_cast<int>(std::ceil(size(axis) / (aspect * across))));
     };
     const int wide = cells(1, p.width_aspect);
-    // Even counts of mirrored cells are as symmetric as the body.
+    // Even numbers of mirrored cells keep the symmetry of the body.
     const Eigen::Vector3i counts(cells(0, p.length_aspect), wide + wide % 2, layers);
     setup::BodyMesh mesh;
     mesh.resolution_m = across;
@@ -44,12 +46,13 @@ setup::BodyMesh layered_mesh(const SyntheticBody& body, int layers) {
     return mesh;
 }
 
-/// Whole parts of a sampling interval, no longer than asked for.
+/// Longest integer fraction of a sampling interval not longer than `longest_s`.
 double step_within(const setup::PreparedTrial& trial, double longest_s) {
     const double interval_s = setup::sampling_interval_s(trial);
     return interval_s / std::max(1.0, std::ceil(interval_s / longest_s - 1e-9));
 }
 
+/// Marker motions of all trials, with the steps of the setup times `part_of_step`.
 Result<Motions> motions(setup::Setup& setup, const prediction::ParameterValues& values, double part_of_step,
                         const Progress& progress) {
     Motions all;
@@ -66,7 +69,7 @@ Result<Motions> motions(setup::Setup& setup, const prediction::ParameterValues& 
     return all;
 }
 
-/// What extrapolated() adds, rms over the rms of the motion about its mean.
+/// Correction by extrapolated(), rms over the rms of the motion about its mean.
 double path_change(const Motions& fine, const Motions& coarse) {
     double changed = 0.0, moved = 0.0;
     for (std::size_t t = 0; t < fine.size(); ++t)
@@ -77,14 +80,14 @@ double path_change(const Motions& fine, const Motions& coarse) {
     return moved > 0.0 ? std::sqrt(changed / moved) / 3.0 : 0.0;
 }
 
-/// Second-order errors of the step taken off (Roache 1997).
+/// Richardson extrapolation over the time step, second order (Roache 1997): fine + (fine - coarse) / 3.
 Motions extrapolated(Motions fine, const Motions& coarse) {
     for (std::size_t t = 0; t < fine.size(); ++t)
         for (std::size_t m = 0; m < fine[t].size(); ++m) fine[t][m] += (fine[t][m] - coarse[t][m]) / 3.0;
     return fine;
 }
 
-/// The largest change of a frequency, as a share of it; infinite where there were none.
+/// Largest relative change of a frequency; infinite without earlier ones.
 double change_of(const std::vector<double>& now, const std::vector<double>& before) {
     double change = before.empty() ? std::numeric_limits<double>::infinity() : 0.0;
     for (std::size_t i = 0; i < std::min(now.size(), before.size()); ++i)
@@ -92,7 +95,7 @@ double change_of(const std::vector<double>& now, const std::vector<double>& befo
     return change;
 }
 
-/// The slowest ones; of nearly incompressible plates the first alone, where the second is not found.
+/// The lowest frequencies; for nearly incompressible plates only the first, as the second is not found.
 std::vector<double> frequencies_rad_s(const model::Model& model) {
     std::vector<double> found;
     for (int count = convergence_policy.frequencies; count > 0 && found.empty(); --count)
@@ -100,17 +103,18 @@ std::vector<double> frequencies_rad_s(const model::Model& model) {
     return found;
 }
 
-/// The factor of the modulus with which a mesh vibrates as an infinitely fine one does.
+/// Factor on the modulus with which a mesh has the frequency of an infinitely fine one (Richardson extrapolation over
+/// the layers; frequency is proportional to the root of the modulus).
 double modulus_factor(double own, double fine, double coarse, int fine_layers, int coarse_layers) {
     const double ratio = std::pow(static_cast<double>(fine_layers) / coarse_layers, convergence_policy.mesh_order);
     const double exact = fine + (fine - coarse) / (ratio - 1.0);
     return std::pow(exact / own, 2);
 }
 
-/// Even counts, see layered_mesh().
+/// Increment of layers; even, see layered_mesh().
 constexpr int layers_more = 2;
 
-/// One of the first two meshes between which the first frequencies have settled.
+/// The coarser or the finer of the first two meshes between which the first frequencies have converged.
 Result<setup::Setup> settled_mesh(const SyntheticCase& c, const setup::Setup& prepared, ConvergedTruth& truth,
                                   const Progress& progress) {
     const ConvergencePolicy& p = convergence_policy;
@@ -126,6 +130,7 @@ Result<setup::Setup> settled_mesh(const SyntheticCase& c, const setup::Setup& pr
         truth.frequency_Hz = now.front() / (2.0 * std::numbers::pi);
         truth.frequency_change = change_of(now, before);
         if (truth.frequency_change < p.most_change) {
+            // If the change is tiny the coarser mesh suffices, with the modulus that corrects its frequency.
             const bool coarse = truth.frequency_change < p.coarse_enough;
             truth.modulus_factor = modulus_factor(coarse ? before.front() : now.front(), now.front(), before.front(),
                                                   layers, layers - layers_more);

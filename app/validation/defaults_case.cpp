@@ -10,10 +10,12 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Second part of the key of a random stream.
 enum Purpose : std::uint64_t { the_body = 11, the_slip = 12 };
 
 constexpr double gravity_m_s2 = 9.81;
 
+/// Proportions of a family of bodies.
 struct Shape {
     const char* id;
     double least_slenderness, most_slenderness;  // length over thickness
@@ -29,12 +31,13 @@ constexpr std::array<Shape, 5> shapes{{
     {"finger", 3.0, 7.0, 0.8, 1.2, false, true},
 }};
 
-/// Three digits, as a person writes them.
+/// Three significant digits, as a person writes them.
 double rounded(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
     return unit * std::round(value / unit);
 }
 
+/// Body along +x with its clamp box and its loaded face; tapered bodies are centred on the x axis.
 SyntheticBody shaped_body(const Shape& shape, double length, double thickness, double width, RandomStream& random) {
     SyntheticBody body;
     body.family = shape.tapered ? BodyFamily::tail : BodyFamily::beam;
@@ -59,15 +62,17 @@ SyntheticBody shaped_body(const Shape& shape, double length, double thickness, d
     return body;
 }
 
-/// What beam theory says of a cantilever of constant section.
+/// Beam theory of a cantilever of constant cross section.
 struct Cantilever {
     double E = 0.0, rho = 0.0, length = 0.0, thickness = 0.0, width = 0.0;
 
     double bending_stiffness() const { return E * width * std::pow(thickness, 3) / 12.0; }
     double weight_N() const { return rho * gravity_m_s2 * length * thickness * width; }
-    double sag() const { return weight_N() * std::pow(length, 2) / (8.0 * bending_stiffness()); }  // of its length
+    double sag() const {
+        return weight_N() * std::pow(length, 2) / (8.0 * bending_stiffness());
+    }  // under its weight, relative to the length
     double end_force_N(double share) const { return 3.0 * bending_stiffness() * share / std::pow(length, 2); }
-    /// Greenhill's column that buckles under its own weight: q L^3 = 7.837 EI.
+    /// Weight over the buckling load of a column under its own weight (Greenhill): q L^3 = 7.837 EI.
     double column_load() const { return weight_N() * std::pow(length, 2) / (7.837 * bending_stiffness()); }
     double frequency_Hz() const {
         return std::pow(1.8751, 2) / (2.0 * std::numbers::pi) *
@@ -75,7 +80,7 @@ struct Cantilever {
     }
 };
 
-/// A force at the free end, in the direction that bends easily.
+/// Force at the free end in the flexible direction.
 experiment::LoadDeclaration end_force(const SyntheticCase& c, double force_N, RandomStream& random) {
     experiment::LoadDeclaration load;
     load.kind = experiment::LoadKind::force;
@@ -84,12 +89,13 @@ experiment::LoadDeclaration end_force(const SyntheticCase& c, double force_N, Ra
     return load;
 }
 
+/// Activation that drops by `depth`, holds, and returns.
 fibre::Signal contraction(double depth, double end_s) {
     return {{0.0, 0.2 * end_s, 0.3 * end_s, 0.6 * end_s, 0.7 * end_s, end_s},
             {1.0, 1.0, 1.0 - depth, 1.0 - depth, 1.0, 1.0}};
 }
 
-/// Two antagonists over the length, one of which contracts.
+/// Two antagonists along the body, one of which contracts.
 void add_muscles(SyntheticCase& c, RandomStream& random) {
     Box box = c.body.clamp;
     box.highest = c.body.end.highest;
@@ -103,7 +109,7 @@ void add_muscles(SyntheticCase& c, RandomStream& random) {
     trial.activation[static_cast<std::size_t>(random.below(2))] = contraction(random.uniform(0.04, 0.12), trial.end_s);
 }
 
-/// Let go straight; hanging at rest and pushed; pulled and let go at once; held for a while and then let go.
+/// Four kinds: released straight; hanging at rest, then loaded; loaded and released at t = 0; held, then released.
 SyntheticTrial drawn_trial(const SyntheticCase& c, const Cantilever& beam, double end_s, bool upright,
                            RandomStream& random) {
     SyntheticTrial trial;
@@ -111,7 +117,7 @@ SyntheticTrial drawn_trial(const SyntheticCase& c, const Cantilever& beam, doubl
     trial.end_s = end_s;
     const double swing = random.uniform(defaults_policy.least_swing, defaults_policy.most_swing);
     experiment::LoadDeclaration load = end_force(c, beam.end_force_N(swing), random);
-    const int first = upright || beam.sag() < defaults_policy.least_swing ? 1 : 0;  // its weight alone swings it
+    const int first = upright || beam.sag() < defaults_policy.least_swing ? 1 : 0;  // its weight alone must excite it
     switch (first + random.below(4 - first)) {
         case 0: return trial;
         case 1: load.from_s = rounded(0.1 * end_s); break;
@@ -126,10 +132,10 @@ SyntheticTrial drawn_trial(const SyntheticCase& c, const Cantilever& beam, doubl
 double drawn_ratio(RandomStream& random) {
     constexpr std::array<double, 4> common{0.3, 0.45, 0.49, 0.4995};
     if (random.chance(0.5)) return common[static_cast<std::size_t>(random.below(4))];
-    return 0.001 * std::round(random.uniform(0.5, 499.5));  // 0 is refused
+    return 0.001 * std::round(random.uniform(0.5, 499.5));  // Poisson's ratio 0 is rejected by the schema
 }
 
-/// The body, its material and how it is filmed; false where no one would film it so.
+/// Draws body, material and camera; false if nobody would record it that way (too soft, too slow or too many periods).
 bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     const DefaultsPolicy& p = defaults_policy;
     const Shape& shape = shapes[static_cast<std::size_t>(random.below(static_cast<int>(shapes.size())))];
@@ -158,7 +164,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     c.material.declared_modulus_Pa = rounded(beam.E * random.uniform(0.8, 1.25));
     c.material.poissons_ratio = drawn_ratio(random);
     c.material.density_kg_m3 = beam.rho;
-    // The damping ratio of a vibration is omega damping / 2.
+    // Damping ratio = omega damping / 2.
     c.material.damping_s = rounded(random.log_uniform(p.least_damping_ratio, p.most_damping_ratio) /
                                    (std::numbers::pi * d.frequency_Hz));
     c.markers = drawn_markers(c.body, 3 + random.below(4), random);
@@ -169,7 +175,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     return true;
 }
 
-/// One case in three has a slip: the next of the catalogue each time.
+/// Every third case has a slip, in the order of the catalogue.
 const Slip* slip_of(int number) {
     constexpr int round = static_cast<int>(1.0 / defaults_policy.slips + 0.5);
     if (number % round != round - 1) return nullptr;
@@ -181,6 +187,7 @@ const Slip* slip_of(int number) {
 DefaultsCase drawn_defaults_case(std::uint64_t seed, int number) {
     DefaultsCase d;
     const Slip* const slip = slip_of(number);
+    // Rejection sampling: draws until the experiment is plausible and the slip applies to it.
     for (std::uint64_t attempt = 0;; ++attempt) {
         d = {};
         RandomStream random{seed, the_body, static_cast<std::uint64_t>(number), attempt};

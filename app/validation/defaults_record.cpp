@@ -15,8 +15,7 @@ constexpr NameTable<DefaultsAnswer, 5> answers{{{{DefaultsAnswer::right, "right"
                                                  {DefaultsAnswer::silent, "silent"},
                                                  {DefaultsAnswer::failed, "failed"}}}};
 
-/// Checks that name what makes numbers wrong where nothing is declared wrongly: discretisation, and data that do not
-/// determine them.
+/// Checks that explain wrong numbers of a correct declaration: discretisation, and data that do not determine them.
 const std::vector<std::string> checks_without_slip{"mesh", "markers", "step", "pose", "inside_out", "influence"};
 
 bool contains(const std::vector<std::string>& list, const std::string& word) {
@@ -28,7 +27,7 @@ bool has_remark(const DefaultsRecord& record, const std::vector<std::string>& ch
                        [&](const Remark& remark) { return contains(checks, remark.check); });
 }
 
-/// A number that is not determined is right where a check says so.
+/// An undetermined number is right if a check says so.
 bool all_right(const DefaultsRecord& record) {
     return !record.numbers.empty() &&
            std::all_of(record.numbers.begin(), record.numbers.end(), [&](const FittedNumber& number) {
@@ -62,6 +61,7 @@ bool is_right(const FittedNumber& number) {
 
 std::string to_string(DefaultsAnswer answer) { return answers.name(answer); }
 
+// Order matters: a refusal ends the judgement; right numbers outweigh remarks; then the named cause decides.
 DefaultsAnswer judged(const DefaultsRecord& record) {
     const Slip* const slip = find_slip(record.slip);
     if (!record.refusal.empty()) {
@@ -81,7 +81,7 @@ bool is_false_alarm(const DefaultsRecord& record) {
     if (!record.refusal.empty()) return true;
     if (judged(record) != DefaultsAnswer::right) return false;
     return std::any_of(record.remarks.begin(), record.remarks.end(), [&](const Remark& remark) {
-        // What the data do not determine is rightly said.
+        // A remark about parameters that the data do not determine is justified.
         const bool undetermined = std::any_of(record.numbers.begin(), record.numbers.end(),
                                               [](const FittedNumber& n) { return !std::isfinite(n.deviation); });
         return !(remark.check == "influence" && undetermined);

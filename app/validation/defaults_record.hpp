@@ -8,68 +8,73 @@
 
 namespace myo::validation {
 
-/// A fitted number beside its truth.
+/// A fitted value with its true value.
 struct FittedNumber {
     std::string name;
-    double truth = 0.0, value = 0.0;
-    double deviation = std::numeric_limits<double>::quiet_NaN();  // NaN: not determined
+    double truth = 0.0, value = 0.0;                              // SI
+    double deviation = std::numeric_limits<double>::quiet_NaN();  // standard deviation; NaN: not determined
 
+    /// Relative error.
     double error() const { return value / truth - 1.0; }
-    /// The error in units of the deviation.
+    /// Error in units of the standard deviation.
     double normalised() const { return (value - truth) / deviation; }
 };
 
-/// What a check said that was not fine.
+/// A check that did not pass.
 struct Remark {
     std::string check, subject, sentence;
-    bool wrong = false;  // red; else amber
+    bool wrong = false;  // red, otherwise amber
 };
 
-/// What `myoloop calibrate` with nothing but its defaults made of an experiment whose truth is known.
+/// Result of `myoloop calibrate` with default options on an experiment with known truth.
 struct DefaultsRecord {
     int number = 0;
-    std::string shape, slip;  // slip empty: what is declared is true
-    std::string facts;        // size, material, camera and start, for a person
-    double length_m = 0.0, modulus_Pa = 0.0, poissons_ratio = 0.0, frequency_Hz = 0.0, rate_Hz = 0.0;
-    int dofs = 0, truth_dofs = 0;
+    std::string shape, slip;  // empty slip: correct declaration
+    std::string facts;        // readable summary of size, material, camera and start
+    double length_m = 0.0, modulus_Pa = 0.0, poissons_ratio = 0.0, frequency_Hz = 0.0, rate_Hz = 0.0;  // true values
+    int dofs = 0, truth_dofs = 0;       // degrees of freedom of the fit and of the truth
     std::string failure;                // the case could not be made, or the fit failed
-    std::string refusal;                // the experiment was refused with this message
+    std::string refusal;                // message with which the experiment was rejected
     std::vector<FittedNumber> numbers;  // Young's modulus and damping
-    std::vector<Remark> remarks;
-    double residual_over_noise = 0.0;
-    double make_s = 0.0, fit_s = 0.0;
-    /// The same with half a sampling interval as step, which was the default before steps were chosen.
+    std::vector<Remark> remarks;        // of all checks
+    double residual_over_noise = 0.0;   // rms of the fit trials over noise
+    double make_s = 0.0, fit_s = 0.0;   // wall-clock times
+    /// The same with half a sampling interval as time step, the former default.
     std::vector<FittedNumber> with_half_interval;
     double with_half_interval_s = 0.0;
 };
 
+/// JSON form of a record.
 report::Json record_json(const DefaultsRecord& record);
-/// Error: a key is missing or of another type.
+/// Inverse of record_json(). Errors: a key is missing or of another type.
 Result<DefaultsRecord> defaults_record_from_json(const report::Json& json);
 
-/// When an answer counts as right.
+/// Tolerances of a right answer: relative error plus a multiple of the stated standard deviation.
 struct DefaultsJudgement {
-    double relative = 0.02;   // and ...
-    double deviations = 3.0;  // so many stated ones
-    /// Largest deviation, as a share of the number, of an answer that says something.
+    double relative = 0.02;   // of the true value
+    double deviations = 3.0;  // stated standard deviations
+    /// Largest informative standard deviation, relative to the value.
     double most_deviation = 0.1;
 };
 inline constexpr DefaultsJudgement defaults_judgement;
 
+/// Whether a value lies within the tolerances.
 bool is_right(const FittedNumber& number);
 
-/// How a record is judged.
+/// Judgement of a record.
 enum class DefaultsAnswer {
-    right,          // all numbers are, or what is not determined is named
-    cause_named,    // a number is not, or nothing was fitted, and the true cause was named
-    other_warning,  // a number is not, and only something else was named
-    silent,         // a number is not, and nothing was said
+    right,          // all numbers are right, or those undetermined are reported
+    cause_named,    // a number is wrong, or nothing was fitted, and the true cause is named
+    other_warning,  // a number is wrong, and only something else is named
+    silent,         // a number is wrong without any remark
     failed,         // no answer
 };
+/// Readable name.
 std::string to_string(DefaultsAnswer answer);
+/// Judges a record; the causes that count are those of its slip.
 DefaultsAnswer judged(const DefaultsRecord& record);
 
-/// A remark on an experiment in which nothing is amiss and whose answer is right.
+/// Whether a correct experiment with right numbers has an unjustified remark, or was rejected.
 bool is_false_alarm(const DefaultsRecord& record);
 
 }  // namespace myo::validation

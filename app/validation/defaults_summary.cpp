@@ -15,7 +15,7 @@ bool all_right(const std::vector<FittedNumber>& numbers) {
     return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), is_right);
 }
 
-/// Right, and not for want of saying anything.
+/// Right, with informative standard deviations.
 bool all_tell_the_truth(const std::vector<FittedNumber>& numbers) {
     return all_right(numbers) && std::all_of(numbers.begin(), numbers.end(), [](const FittedNumber& n) {
                return n.deviation <= defaults_judgement.most_deviation * std::abs(n.truth);

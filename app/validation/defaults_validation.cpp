@@ -17,6 +17,7 @@ namespace {
 
 const char* const cancelled_words = "cancelled";
 
+// One line that characterises the experiment.
 std::string facts_of(const DefaultsCase& d) {
     const SyntheticCase& c = d.truth;
     const Eigen::Vector3d size_mm = 1e3 * c.body.bounds.size();
@@ -47,7 +48,9 @@ DefaultsRecord begun_record(const DefaultsCase& d) {
     return r;
 }
 
-/// The folder as the laboratory declares it, with motions as they truly are.
+/// Writes the folder as the laboratory declares it, with the true motions.
+///
+/// The truth is simulated from the true declaration, which is then overwritten by the declared one.
 Result<ConvergedTruth> write_case(const DefaultsCase& d, const std::filesystem::path& folder,
                                   const Progress& progress) {
     std::error_code ignored;
@@ -90,7 +93,7 @@ void add_remarks(const std::vector<check::Finding>& findings, DefaultsRecord& r)
                 {finding.check, finding.subject, finding.sentence, finding.level == check::CheckLevel::wrong});
 }
 
-/// As `myoloop calibrate` does.
+/// The same calls as `myoloop calibrate` makes.
 void fit_with_defaults(const DefaultsCase& d, const experiment::Experiment& experiment, const Progress& progress,
                        DefaultsRecord& r) {
     const Stopwatch watch;
@@ -125,7 +128,7 @@ void fit_with_half_interval(const DefaultsCase& d, const experiment::Experiment&
     r.with_half_interval_s = watch.seconds();
 }
 
-/// What was said of a case's files, wherever its folder lies.
+/// Removes the folder from messages, so that records do not depend on where they were made.
 std::string without_folder(std::string text, const std::filesystem::path& folder) {
     const std::string prefix = folder.string() + "/";
     for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
@@ -147,7 +150,7 @@ DefaultsRecord run_defaults_case(std::uint64_t seed, int number, const std::file
         r.failure = truth.error().text();
     } else {
         r.truth_dofs = truth->dofs;
-        // From here on the case is a folder like any other.
+        // From here on only the files of the folder are used, as for any experiment.
         const Result<experiment::Experiment> experiment = experiment::read_experiment(folder);
         if (!experiment)
             r.refusal = experiment.error().text();

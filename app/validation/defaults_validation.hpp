@@ -9,24 +9,28 @@
 
 namespace myo::validation {
 
-/// Experiments of all sizes, moduli and cameras, a third of them declared with a slip, calibrated with the defaults.
+/// Validation of the defaults: experiments of all sizes, moduli and cameras, a third of them with a slip.
 struct DefaultsValidationOptions {
     std::uint64_t seed = 1;
     CaseRange range;
 };
 
-/// Makes the experiment of a case in `folder`, reads and calibrates it as any other with nothing but defaults. A
-/// cancelled one has the failure "cancelled". Beside the experiment it leaves truth.json, which nothing reads.
+/// Makes the experiment of a case in `folder`, reads it and calibrates it with default options.
+///
+/// The folder also receives truth.json, which no reader uses.
+/// Errors: none; see DefaultsRecord::failure, "cancelled" after cancellation.
 DefaultsRecord run_defaults_case(std::uint64_t seed, int number, const std::filesystem::path& folder,
                                  const Progress& progress = {});
 
-/// Runs the cases that `out` has no record of yet. done: called with each new record, one at a time; may be null.
-/// Errors: the folder cannot be written, or holds another study.
+/// Runs all cases of the range that have no record in `out`.
+///
+/// @param done  called with each new record, one at a time; may be null
+/// Errors: the folder cannot be written, or holds another validation.
 Result<void> run_defaults_validation(const DefaultsValidationOptions& options, const std::filesystem::path& out,
                                      const Progress& progress = {},
                                      const std::function<void(const DefaultsRecord&)>& done = {});
 
-/// All records that a folder holds. Error: one cannot be read.
+/// All records of a folder. Errors: one cannot be read.
 Result<std::vector<DefaultsRecord>> defaults_records(const std::filesystem::path& out);
 
 }  // namespace myo::validation

@@ -17,10 +17,10 @@ double rms(const Eigen::VectorXd& residual) {
     return std::sqrt(residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, residual.size())));
 }
 
-/// With a margin, as the truth is run on another mesh.
+/// With a margin, because the truth is simulated on another mesh.
 bool is_visible(double level) { return level > 1.05 * least_level && level < 0.95 * most_level; }
 
-/// Recalibration by secants from derivatives without the effect.
+/// Recalibration by secant updates of the Jacobian without the effect.
 inverse::LeastSquaresOptions recalibration(int evaluations) {
     inverse::LeastSquaresOptions options;
     options.max_evaluations = evaluations;
@@ -34,7 +34,7 @@ inverse::LeastSquaresOptions recalibration(int evaluations) {
 
 EffectLevel::EffectLevel(const SyntheticCase& c, setup::Setup setup, const Progress& progress)
     : setup_(std::move(setup)), progress_(progress.with_sink({})) {
-    setup_.noise_m.setConstant(c.noise_m);  // an estimate would be that of the traces, which are still to be made
+    setup_.noise_m.setConstant(c.noise_m);  // the traces that an estimate would need do not exist yet
     data_ = diagnosis::fit_data(setup_, prediction::trials_with_role(setup_, experiment::TrialRole::fit));
     without_ = true_values(c, setup_);
     without_.effects.clear();
@@ -54,6 +54,7 @@ std::optional<EffectLevel::Level> EffectLevel::of(const effect::EffectDeclaratio
     std::vector<prediction::TrialPrediction> with = prediction::predict_trials_with(setup_, values, data_.trials,
                                                                                     progress_);
     if (!prediction::all_ok(with)) return {};
+    // Projection onto the complement of the parameter space: what a linear recalibration cannot absorb.
     const Eigen::VectorXd outside = recalibrated_->outside(diagnosis::flat_residual(data_, with) - without_effect_);
     if (!outside.allFinite()) return {};
     return Level{rms(outside), std::move(with)};
@@ -77,7 +78,7 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
         level = found ? levels.fitted(*found) : 0.0;
         return level > least_fitted ? std::optional(effect) : std::nullopt;
     }
-    double power = draw.grows ? 1.0 : -1.0;  // level ~ amount^power, improved by the secant of logarithms
+    double power = draw.grows ? 1.0 : -1.0;  // level ~ amount^power, refined by secants of the logarithms
     double last_amount = 0.0, last_level = 0.0;
     double wanted = c.wanted_level;
     for (int round = 0; round < most_rounds; ++round) {
@@ -89,7 +90,7 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
             wanted = std::min(1.6 * std::max(wanted, there), 0.9 * most_level);
             if (there > 0.85 * most_level) return {};
         }
-        // What does not run is too much.
+        // A run that fails means that the amount is too large.
         double next = draw.grows ? amount / 5.0 : amount * 5.0;
         if (found && found->first_order > 0.0) {
             if (last_level > 0.0 && last_amount != amount) {

@@ -8,24 +8,24 @@
 
 namespace myo::validation {
 
-/// How much of an effect a fit of the declared parameters leaves: for making it so large that it can be seen.
+/// Size of an effect that remains after a fit of the declared parameters, for choosing a visible amount.
 class EffectLevel {
 public:
-    /// Runs the fit trials as they truly are but without the effect, with derivatives by all that is fitted. ready() is
-    /// false where that fails.
+    /// Simulates the true fit trials without the effect, with derivatives with respect to all fitted parameters.
+    /// ready() is false if that fails.
     EffectLevel(const SyntheticCase& c, setup::Setup setup, const Progress& progress = {});
 
     bool ready() const { return recalibrated_.has_value(); }
 
-    /// What recalibration of the declared parameters leaves of the markers' motion with an effect, without noise.
+    /// What a recalibration of the declared parameters leaves of an effect in the marker motion, without noise.
     struct Level {
-        double first_order = 0.0;                       // rms [noise levels]
-        std::vector<prediction::TrialPrediction> with;  // the fit trials with the effect
+        double first_order = 0.0;                       // rms after linear recalibration [noise levels]
+        std::vector<prediction::TrialPrediction> with;  // fit trials with the effect
     };
-    /// None where a trial with the effect does not run.
+    /// Level of an effect; empty if a trial with it does not run.
     std::optional<Level> of(const effect::EffectDeclaration& effect) const;
 
-    /// The same rms left by a fit, which a phase that drifts needs; 0 where none can be made.
+    /// The same rms after a nonlinear fit, needed if the phase drifts; 0 if the fit fails.
     double fitted(const Level& level) const;
 
 private:
@@ -35,12 +35,12 @@ private:
     diagnosis::FitData data_;
     diagnosis::Neighbourhood near_;  // of the fit trials without the effect
     std::optional<statistics::NuisanceSpace> recalibrated_;
-    Eigen::VectorXd without_effect_;  // their residual
+    Eigen::VectorXd without_effect_;  // residual of the fit trials without the effect
 };
 
-/// The case's effect with an amount that has about its wanted level, within the amounts that are plausible; none where
-/// there is none.
-/// @param level  set to what it has
+/// The effect of a case with an amount whose level is close to the wanted one; empty if no plausible amount has one.
+///
+/// @param level  receives the level reached [noise levels]
 std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, const EffectLevel& levels,
                                                         double& level);
 

@@ -10,28 +10,29 @@ bool any_experiment(const SyntheticCase&) { return true; }
 bool has_muscles(const SyntheticCase& c) { return !c.muscles.empty(); }
 bool starts(const SyntheticCase& c, experiment::StartState start) { return c.trials.front().start == start; }
 
-/// How far the weight of a cantilever bends it, as a share of its length: rho g L^3 / (8 E h^2 / 12).
+/// Deflection of a cantilever under its weight, relative to its length: rho g L^3 / (8 E h^2 / 12).
 double sag_share(const SyntheticCase& c) {
     const double length = c.body.length_m(), h = c.body.thickness_m;
     return 1.5 * c.material.density_kg_m3 * c.gravity_m_s2.tail<2>().norm() * std::pow(length, 3) /
            (c.material.youngs_modulus_Pa * h * h);
 }
 
-/// Whether the two ways to start differ by much more than the noise.
+/// Whether the straight and the sagging start differ by much more than the noise.
 bool sag_is_seen(const SyntheticCase& c) { return sag_share(c) * c.body.length_m() > 20.0 * c.noise_m; }
 
-/// Only the lower edge of the face: the body turns about it.
+/// Clamps only the lower edge of the face, about which the body can rotate.
 void hold_on_a_line(SyntheticCase& declared, RandomStream&) {
     const double height = declared.body.bounds.size()(2);
     declared.body.clamp.highest(2) = declared.body.bounds.lowest(2) + 1e-3 * height;
 }
 
-/// Farther off than the tolerance of 30 % that is declared with it.
+/// Outside the tolerance of 30 % that is declared with it.
 void declare_another_modulus(SyntheticCase& declared, RandomStream& random) {
     const double factor = random.uniform(1.7, 3.0);
     declared.material.declared_modulus_Pa *= random.chance(0.5) ? factor : 1.0 / factor;
 }
 
+/// A validation trial that reuses the recording of the fit trial.
 void predict_what_was_fitted(SyntheticCase& declared, RandomStream&) {
     SyntheticTrial again = declared.trials.front();
     again.recorded_as = again.name;

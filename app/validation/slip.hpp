@@ -7,20 +7,20 @@
 
 namespace myo::validation {
 
-/// A mistake that a person makes in declaring an experiment.
+/// A plausible mistake in the declaration of an experiment.
 struct Slip {
     std::string id;
     std::vector<std::string> checks;  // that name its cause
-    std::string refusal;              // words of the message with which it may be refused; empty: it is not
+    std::string refusal;              // words of the message if the experiment may be rejected; empty: it is accepted
     /// Whether it is a mistake in this experiment.
     bool (*fits)(const SyntheticCase& truth);
-    /// Makes it, in what is declared or in how files are written.
+    /// Applies it to the declaration or to how files are written.
     void (*make)(SyntheticCase& declared, RandomStream& random);
 };
 
 /// All slips; a new one is a line in slip.cpp.
 const std::vector<Slip>& slips();
-/// Null where there is none of this id.
+/// The slip with this id, or null.
 const Slip* find_slip(const std::string& id);
 
 }  // namespace myo::validation

@@ -20,11 +20,11 @@ constexpr NameTable<BodyFamily, 4> family_names{{{
     {BodyFamily::tail, "tail"},
 }}};
 
-/// Lengths that a person would write: whole tenths of a millimetre.
+/// Lengths as a person writes them: whole tenths of a millimetre.
 double rounded(double length_m) { return 1e-4 * std::round(1e4 * length_m); }
 
-/// The L of the x-z plane, `width` along y: legs of thickness `thick`, the second one from the end of the first
-/// upwards. Corners of its two sides lie on edges of all faces that meet there.
+/// L in the x-z plane, extruded by `width` along y: legs of thickness `thick`, the second rising from the end of the
+/// first. The side faces share all vertices on common edges, so the surface is closed.
 mesh::SurfaceMesh ell_surface(double length, double height, double thick, double width) {
     const double knee = length - thick;
     const std::vector<Eigen::Vector2d> outline = {{0, 0},           {knee, 0},      {length, 0},   {length, thick},
@@ -39,7 +39,7 @@ mesh::SurfaceMesh ell_surface(double length, double height, double thick, double
         surface.vertices.col(n + i) = Vector3d(p.x(), width, p.y());
     }
     std::vector<Eigen::Vector3i> triangles;
-    // Counterclockwise in x-z looks along +y from the front: outward on the side y = 0.
+    // Counterclockwise in x-z seen from -y: outward on the side y = 0.
     for (const auto& q : quads)
         for (const auto& t : {Eigen::Vector3i(q[0], q[1], q[2]), Eigen::Vector3i(q[0], q[2], q[3])}) {
             triangles.push_back(t);
@@ -65,7 +65,7 @@ double area(const mesh::SurfaceMesh& surface, Eigen::Index t) {
            (corner(surface, t, 1) - corner(surface, t, 0)).cross(corner(surface, t, 2) - corner(surface, t, 0)).norm();
 }
 
-/// Evenly spread over the surface.
+/// Uniform point on the surface: triangle by area, then barycentric coordinates with a root for uniformity.
 Vector3d surface_point(const mesh::SurfaceMesh& surface, RandomStream& random) {
     double total = 0.0;
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) total += area(surface, t);
@@ -145,10 +145,11 @@ std::vector<Vector3d> drawn_markers(const SyntheticBody& body, int count, Random
     std::vector<Vector3d> markers;
     double apart = 0.15 * body.length_m();
     for (int tries = 0; static_cast<int>(markers.size()) < count; ++tries) {
+        // The required distance shrinks if the markers do not fit.
         if (tries % 200 == 199) apart *= 0.7;
         const Vector3d point = surface_point(body.surface, random);
         const double from_clamp = (point.x() - body.held_m) / (body.length_m() - body.held_m);
-        // The first two near the end, where the motion is largest.
+        // The first two markers are close to the end, where the motion is largest.
         if (from_clamp < (markers.size() < 2 ? 0.8 : 0.12)) continue;
         if (std::any_of(markers.begin(), markers.end(),
                         [&](const Vector3d& other) { return (other - point).norm() < apart; }))

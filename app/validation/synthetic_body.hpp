@@ -11,40 +11,46 @@
 
 namespace myo::validation {
 
+/// Families of synthetic bodies.
 enum class BodyFamily {
-    beam,   // a box held at one end, declared by its size
-    plate,  // a wide, thin box, declared by its size
-    ell,    // an L of two legs in an upright plane, declared as STL
-    tail,   // a bar that tapers in both directions, declared as STL
+    beam,   // box clamped at one end, declared by its size
+    plate,  // wide, thin box, declared by its size
+    ell,    // L of two legs in a vertical plane, declared as STL
+    tail,   // bar tapered in both directions, declared as STL
 };
+/// Id of a family, as --geometry takes it.
 std::string to_string(BodyFamily family);
+/// All ids.
 std::vector<std::string> body_family_ids();
+/// Family of an id; false if there is none.
 bool parse_body_family(const std::string& id, BodyFamily& family);
 
-/// A body that stands out of its clamp at x = 0 along +x. Mesh frame, metres.
+/// A body that extends from its clamp at x = 0 along +x. Mesh frame [m].
 struct SyntheticBody {
     BodyFamily family = BodyFamily::beam;
     mesh::SurfaceMesh surface;
     Box bounds;
-    double thickness_m = 0.0;             // against gravity
+    double thickness_m = 0.0;             // in the bending direction under gravity
     double held_m = 0.0;                  // depth of the clamp; 0: the face x = 0
-    Box clamp, end;                       // boxes of the clamp and of the face that is loaded
-    double taper_y = 1.0, taper_z = 1.0;  // size of the far end over the root's, tail
-    double metres_per_unit = 1.0;         // of the STL
+    Box clamp, end;                       // clamp box and box of the loaded face
+    double taper_y = 1.0, taper_z = 1.0;  // size of the far end over that of the root, for tail
+    double metres_per_unit = 1.0;         // unit of the STL
 
     double length_m() const { return bounds.size()(0); }
     bool is_declared_box() const { return family == BodyFamily::beam || family == BodyFamily::plate; }
-    /// From the root's box to the body.
+    /// Maps a point of the untapered box to the body.
     Eigen::Vector3d tapered(const Eigen::Vector3d& point) const;
 };
 
-/// @param deep_clamp  held over a part of its length instead of at its face
+/// Random body of a family.
+///
+/// @param deep_clamp  clamped over a part of its length instead of at its face
 SyntheticBody drawn_body(BodyFamily family, bool deep_clamp, RandomStream& random);
 
-/// Points of the free surface, some near the end, none near the clamp, none close to another [m].
+/// Random points on the free surface [m]: two near the end, none near the clamp, with a minimum distance.
 std::vector<Eigen::Vector3d> drawn_markers(const SyntheticBody& body, int count, RandomStream& random);
 
-/// ASCII STL in the body's unit.
+/// ASCII STL in the unit of the body.
 std::string stl_text(const SyntheticBody& body);
 
 }  // namespace myo::validation

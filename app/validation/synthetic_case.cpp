@@ -19,10 +19,10 @@ using Eigen::Vector3d;
 constexpr NameTable<CaseKind, 3> kinds{
     {{{CaseKind::none, "none"}, {CaseKind::named, "named"}, {CaseKind::deleted, "deleted"}}}};
 constexpr double gravity_m_s2 = 9.81;
-/// A round of cases: none, named, named, deleted, named, named.
+/// A cycle of cases: none, named, named, deleted, named, named.
 constexpr int round_length = 6, deleted_at = 3, named_in_round = 4;
 
-/// What the streams of a case are for.
+/// Second part of the key of a random stream.
 enum Purpose : std::uint64_t { order_of_effects = 1, the_case = 2, the_noise = 3 };
 
 CaseKind kind_of(int number) {
@@ -30,7 +30,7 @@ CaseKind kind_of(int number) {
     return place == 0 ? CaseKind::none : place == deleted_at ? CaseKind::deleted : CaseKind::named;
 }
 
-/// The how-manieth of its kind a case is.
+/// Index of a case among those of its kind.
 int turn_of(int number) {
     const int round = number / round_length, place = number % round_length;
     if (kind_of(number) != CaseKind::named) return round;
@@ -44,8 +44,8 @@ std::vector<BodyFamily> families_of(const CaseChoice& choice) {
     return {BodyFamily::beam, BodyFamily::plate, BodyFamily::ell, BodyFamily::tail};
 }
 
-/// Tetrahedra do not meet the inner plane of a clamp: where a tail is held over a part of its length, its model is held
-/// less far.
+/// Tetrahedra do not conform to the inner plane of a clamp: a tail clamped over a part of its length would be clamped
+/// less in its model.
 bool may_be_held_deep(BodyFamily family) { return family != BodyFamily::tail; }
 
 bool fits(BodyFamily family, const EffectNeeds& needs) {
@@ -58,7 +58,7 @@ bool can_show(const CaseChoice& choice, const std::string& id) {
                        [&](BodyFamily family) { return fits(family, find_effect_draw(id)->needs); });
 }
 
-/// Each effect once, in a new random order every time round.
+/// Each effect once per cycle through the catalogue, in a new random order each time (Fisher-Yates).
 std::string effect_of(const CaseChoice& choice, int number) {
     std::vector<std::string> ids = choice.effects;
     if (ids.empty())
@@ -80,13 +80,14 @@ BodyFamily drawn_family(const CaseChoice& choice, const EffectNeeds& needs, Rand
     return fitting[static_cast<std::size_t>(random.below(static_cast<int>(fitting.size())))];
 }
 
-/// Stiff enough that the body's own weight bends it by a share of its length that is seen well and breaks nothing.
+/// Modulus from a drawn deflection under the own weight: clearly visible, but within the range of the model.
 SyntheticMaterial drawn_material(const SyntheticBody& body, bool known_damping, RandomStream& random) {
     SyntheticMaterial material;
     material.density_kg_m3 = std::round(random.uniform(1000.0, 1200.0));
     material.poissons_ratio = 0.005 * std::round(random.uniform(0.45, 0.495) / 0.005);
     const double sag = random.uniform(0.035, 0.11), length = body.length_m() - body.held_m;
-    // Deflection of a cantilever by its weight, rho g L^4 / (8 E h^2 / 12); the second leg of the L hangs at the end.
+    // Deflection of a cantilever under its weight, rho g L^4 / (8 E h^2 / 12); the second leg of the L hangs at the
+    // end.
     const double heavier = body.family == BodyFamily::ell ? 2.0 : 1.0;
     material.youngs_modulus_Pa = heavier * 1.5 * material.density_kg_m3 * gravity_m_s2 * std::pow(length, 3) /
                                  (body.thickness_m * body.thickness_m * sag);
@@ -112,20 +113,21 @@ std::vector<SyntheticMuscle> drawn_muscles(const SyntheticBody& body, const Synt
     return {low, high};
 }
 
+/// Times in whole ms, activations to four decimals, as files store them.
 fibre::Signal rounded(fibre::Signal signal) {
     for (double& t : signal.times_s) t = 1e-3 * std::round(1e3 * t);
     for (double& a : signal.values) a = 1e-4 * std::round(1e4 * a);
     return signal;
 }
 
-/// Contracts quickly, holds, and lets go.
+/// Fast contraction, hold, release.
 fibre::Signal drawn_step(double depth, double end_s, RandomStream& random) {
     const double on = random.uniform(0.05, 0.15) * end_s, off = random.uniform(0.55, 0.7) * end_s,
                  rise = random.uniform(0.01, 0.04);
     return rounded({{0.0, on, on + rise, off, off + rise, end_s}, {1.0, 1.0, 1.0 - depth, 1.0 - depth, 1.0, 1.0}});
 }
 
-/// Contracts and lets go a few times, each time by another depth.
+/// Two or three contractions of different depth.
 fibre::Signal drawn_sweep(double depth, double end_s, RandomStream& random) {
     fibre::Signal signal{{0.0}, {1.0}};
     const int waves = 2 + random.below(2);
@@ -137,7 +139,7 @@ fibre::Signal drawn_sweep(double depth, double end_s, RandomStream& random) {
     return rounded(signal);
 }
 
-/// Makes the trials of one case.
+/// Builds the trials of one case.
 class TrialMaker {
 public:
     TrialMaker(const SyntheticCase& c, RandomStream& random) : case_(c), random_(random) {
@@ -166,7 +168,7 @@ public:
             Vector3d(0.0, random_.uniform(-0.1, 0.1), -random_.uniform(0.15, 0.4)));
         return trial;
     }
-    /// The muscles take turns: one steps or sweeps, the other rests.
+    /// One muscle steps or sweeps, the other stays passive.
     SyntheticTrial step() { return moved("step", drawn_step); }
     SyntheticTrial sweep() { return moved("sweep", drawn_sweep); }
 
@@ -192,7 +194,7 @@ private:
         load.box_m = case_.body.end;
         return load;
     }
-    /// Of shares of the body's weight, in whole mN.
+    /// Force from shares of the body's weight, in whole mN.
     Vector3d rounded_force(const Vector3d& shares) const {
         return 1e-3 * (1e3 * weight_N_ * shares).array().round().matrix();
     }
@@ -214,7 +216,7 @@ std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const EffectNee
         trials = {make.release(), make.weight(), make.pull()};
     else
         trials = {make.release(), make.pull(), make.weight()};
-    // A straight start beside muscles: the passive release.
+    // With muscles, the passive release provides a straight start.
     if (needs.straight_start && trials.front().start != experiment::StartState::straight)
         trials.front() = make.release();
     double session_s = 0.0;

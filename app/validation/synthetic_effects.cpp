@@ -18,10 +18,10 @@ Vector3d direction(RandomStream& random) {
     return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/// A surface point in the outer part of the body, away from its markers' own places.
+/// Surface point in the outer part of the body, independent of the markers.
 Vector3d outer_point(const SyntheticCase& c, RandomStream& random) { return drawn_markers(c.body, 2, random).back(); }
 
-/// y or z.
+/// Axis y or z.
 double across(RandomStream& random) { return random.chance(0.5) ? 1.0 : 2.0; }
 
 effect::EffectParameters nothing(const SyntheticCase&, RandomStream&) { return {}; }
@@ -35,7 +35,7 @@ effect::EffectParameters cable(const SyntheticCase& c, RandomStream& random) {
             {"anchor_m", VectorXd(at + random.uniform(0.7, 1.5) * c.body.length_m() * direction(random))}};
 }
 
-/// About a level axis, as mounts tilt.
+/// A horizontal axis, as mounts tilt.
 effect::EffectParameters level_axis(const SyntheticCase&, RandomStream& random) {
     const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
     return {{"axis", VectorXd(Vector3d(std::cos(angle), std::sin(angle), 0.0))}};
@@ -54,7 +54,7 @@ effect::EffectParameters creep(const SyntheticCase&, RandomStream& random) {
     return {{"relaxation_time_s", random.log_uniform(0.03, 0.5)}};
 }
 
-/// Of the order of the energy that a body bent by its own weight stores.
+/// Energy scale of the order of the energy stored in a body bent by its own weight.
 effect::EffectParameters softening(const SyntheticCase& c, RandomStream& random) {
     const double strain = c.material.density_kg_m3 * 9.81 * c.body.length_m() * c.body.length_m() * 3.0 /
                           (c.body.thickness_m * c.material.youngs_modulus_Pa);
@@ -85,7 +85,7 @@ std::string some_fit_trial(const SyntheticCase& c, RandomStream& random) {
     return names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))];
 }
 
-/// At a sample, within the trial's middle.
+/// A sample time in the middle of the trial.
 double some_time(const SyntheticCase& c, RandomStream& random) {
     return 0.01 * std::round(100.0 * random.uniform(0.25, 0.7) * c.trials.front().end_s);
 }
@@ -106,11 +106,12 @@ effect::EffectParameters swapped(const SyntheticCase& c, RandomStream& random) {
             {"trial", some_fit_trial(c, random)}};
 }
 
-/// A clamp that still holds.
+/// The slipped clamp still holds a part.
 double most_slip(const SyntheticCase& c) { return 0.8 * c.body.held_m; }
 
 constexpr EffectNeeds none{}, muscles{.muscles = true}, straight{.straight_start = true};
 
+/// Ranges of amounts per effect, in the unit of the parameter.
 const std::map<std::string, EffectDraw>& draws() {
     static const std::map<std::string, EffectDraw> table = {
         {"quadratic_drag", {none, "coefficient_kg_m3", 30.0, 6000.0, true, nothing}},
@@ -146,7 +147,7 @@ const std::map<std::string, EffectDraw>& draws() {
     return table;
 }
 
-/// Amounts that may as well be negative.
+/// Amounts that may be negative.
 bool has_sign(const std::string& id) {
     static const std::vector<std::string> ids = {"stiffness_gradient",  "soft_patch",     "modulus_drift",
                                                  "intrinsic_curvature", "actuation_gain", "clock_offset",
@@ -173,6 +174,7 @@ effect::EffectDeclaration drawn_effect(const std::string& id, const SyntheticCas
     if (draw->amount.empty()) return effect;
     if (effect.parameters.count(draw->amount) == 0)
         effect.parameters[draw->amount] = has_sign(id) ? random.sign() : 1.0;
+    // Geometric mean of the plausible range: the search for a visible amount starts there.
     return with_amount(std::move(effect), std::sqrt(draw->lowest * draw->highest));
 }
 

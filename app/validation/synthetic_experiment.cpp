@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_attempts = 12;
 
-/// A case that can be seen: the first draw whose effect can be made to.
+/// First draw with a visible effect.
 Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const std::filesystem::path& folder,
                                     const Progress& progress) {
     MadeExperiment made;

@@ -71,6 +71,7 @@ Eigen::VectorXd sample_times(const SyntheticCase& c, const SyntheticTrial& trial
     return Eigen::VectorXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / c.rate_Hz);
 }
 
+/// Recording of a body that does not move: makes the folder readable before the motions are simulated.
 measurement::Recording still_recording(const SyntheticCase& c, const SyntheticTrial& trial) {
     measurement::Recording recording;
     recording.rate_Hz = c.rate_Hz;
@@ -82,7 +83,7 @@ measurement::Recording still_recording(const SyntheticCase& c, const SyntheticTr
     return recording;
 }
 
-/// What the cameras report: turned into their frame, with noise, and with one marker hidden for a while.
+/// Recording by the cameras: transformed into their frame, with noise and with one marker occluded for a while.
 measurement::Recording seen_recording(const SyntheticCase& c, const SyntheticTrial& trial,
                                       const std::vector<Eigen::Matrix3Xd>& positions_m, RandomStream& random) {
     measurement::Recording recording = still_recording(c, trial);

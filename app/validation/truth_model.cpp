@@ -12,14 +12,14 @@
 namespace myo::validation {
 namespace {
 
-/// Edges of the truth's cells over those that the diagnosis would choose for cells of this type.
+/// Edge lengths of the truth over the default ones for cells of this type.
 constexpr double finer_tets = 0.75, finer_hexes = 0.7;
-/// Through the thickness: one layer of quadratic tetrahedra bends up to 5 % too far, two are off by 1 % (test
-/// SmallLoad.LayersOfQuadraticCells), and what a truth's own cells add would be found as an effect. Hexahedra with all
-/// their points lock in bending, less with the square of the layers.
+/// Layers through the thickness. One layer of quadratic tetrahedra bends up to 5 % too far, two are off by 1 % (test
+/// SmallLoad.LayersOfQuadraticCells); the mesh error of the truth would be detected as an effect. Fully integrated
+/// hexahedra lock in bending, less with the square of the layers.
 constexpr double least_layers_of_tets = 2.0, least_layers_of_hexes = 5.0;
 
-/// Hexahedra of the root's box, tapered.
+/// Hexahedra of the untapered box, mapped to the taper.
 setup::BodyMesh tapered_hexes(const SyntheticBody& body, double edge) {
     mesh::GridPlanes planes;
     if (body.held_m > 0.0) planes[0].push_back(body.held_m);
@@ -34,7 +34,7 @@ setup::BodyMesh tapered_hexes(const SyntheticBody& body, double edge) {
 
 bool is_slipped_clamp(const SyntheticCase& c) { return c.effect && c.effect->id == "clamp_slip"; }
 
-/// What holds the body in truth: a clamp that has slipped is one that ends earlier, whose end its cells meet.
+/// True support: a slipped clamp ends earlier, and the cells conform to its end.
 experiment::Experiment as_held(const SyntheticCase& c, experiment::Experiment experiment) {
     if (is_slipped_clamp(c)) experiment.clamp_box_m.highest(0) -= effect::number(c.effect->parameters, "free_length_m");
     return experiment;
@@ -59,6 +59,7 @@ Result<setup::Setup> on_mesh(setup::Setup setup, setup::BodyMesh mesh) {
         model.moduli = model::uniform_moduli(setup.body->cell_count(), experiment.material.youngs_modulus_Pa,
                                              experiment.material.poissons_ratio);
         model.fibres = fibres;
+        // Fibres and loads depend on the mesh and are rebuilt; everything else of the trials is kept.
         model.masses.clear();
         model.forces.clear();
         for (const experiment::LoadDeclaration& load : experiment.trials[t].loads) {

@@ -46,13 +46,13 @@ CaseRecord run_case(const ValidationOptions& options, int number, const std::fil
     const SyntheticCase& c = made->truth;
     if (const Result<void> file = report::write_json(folder / "truth.json", truth_json(*made)); !file)
         return failed_case(c, file.error().text());
-    // From here on the case is a folder like any other.
+    // From here on only the files of the folder are used, as for any experiment.
     const Result<experiment::Experiment> experiment = experiment::read_experiment(folder);
     if (!experiment) return failed_case(c, experiment.error().text());
     const Result<setup::Setup> setup = setup::prepare_setup(*experiment, {}, silent);
     if (!setup) return failed_case(c, setup.error().text());
     diagnosis::DiagnoseSettings settings = options.diagnose;
-    settings.fits = folder / "fits.json";  // a case that was stopped goes on
+    settings.fits = folder / "fits.json";  // lets an interrupted case continue
     if (c.kind == CaseKind::deleted) settings.without.push_back(c.effect->id);
     const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(*setup, settings, silent);
     if (progress.cancelled()) return failed_case(c, cancelled_words);

@@ -9,26 +9,29 @@
 
 namespace myo::validation {
 
-/// Which cases of a choice are taken, and how.
+/// Which cases are validated, and with which settings of the diagnosis.
 struct ValidationOptions {
     CaseChoice choice;
     CaseRange range;
-    diagnosis::DiagnoseSettings diagnose;  // `without` and `fits` are the case's own
+    diagnosis::DiagnoseSettings diagnose;  // `without` and `fits` are set per case
 };
 
-/// Makes the experiment of a case in `folder`, reads and diagnoses it as any other, and judges the answer. A cancelled
-/// one has the failure "cancelled". Beside the experiment it leaves truth.json, which nothing reads, and the
-/// diagnosis's report.json.
+/// Makes the experiment of a case in `folder`, reads and diagnoses it like any other, and judges the answer.
+///
+/// The folder also receives truth.json, which no reader uses, and report.json of the diagnosis.
+/// Errors: none; see CaseRecord::failure, "cancelled" after cancellation.
 CaseRecord run_case(const ValidationOptions& options, int number, const std::filesystem::path& folder,
                     const Progress& progress = {});
 
-/// Runs the cases that `out`/cases.jsonl does not have yet, and adds them to it; experiments are in `out`/cases/. What
-/// is finished stays when it is cancelled. done: called with each new record, one at a time; may be null. Errors: the
-/// folder cannot be written, or holds a study of another choice.
+/// Runs the cases that have no record in `out`/cases.jsonl and appends theirs; experiments are in `out`/cases/.
+/// Finished cases are kept after cancellation.
+///
+/// @param done  called with each new record, one at a time; may be null
+/// Errors: the folder cannot be written, or holds a validation of another choice.
 Result<void> run_validation(const ValidationOptions& options, const std::filesystem::path& out,
                             const Progress& progress = {}, const std::function<void(const CaseRecord&)>& done = {});
 
-/// All records that a folder holds. Error: a line of it cannot be read.
+/// All records of a folder. Errors: a line cannot be read.
 Result<std::vector<CaseRecord>> validation_records(const std::filesystem::path& out);
 
 }  // namespace myo::validation

@@ -19,7 +19,7 @@ namespace {
 const char* const records_name = "cases.jsonl";
 const char* const choice_name = "choice.json";
 
-/// Whether a process was killed while it wrote, so that the file does not end with a line.
+/// Whether the file does not end with a newline, because a process was killed while writing.
 bool ends_unfinished(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file || file.tellg() == 0) return false;
@@ -52,7 +52,7 @@ Result<std::vector<report::Json>> ValidationFolder::records() const {
     for (int count = 1; std::getline(lines, line); ++count) {
         if (line.empty()) continue;
         report::Json json = report::Json::parse(line, nullptr, false);
-        if (json.is_discarded()) continue;  // left unfinished
+        if (json.is_discarded()) continue;  // incomplete line
         if (!json.is_object() || !json.contains("case") || !json.at("case").is_number_integer())
             return Error{"is not the record of a case", file.string() + ":" + std::to_string(count)};
         const int number = json.at("case").get<int>();
@@ -98,7 +98,7 @@ Result<void> ValidationFolder::run(const CaseRange& range, const std::function<r
 Result<void> ValidationFolder::add(const report::Json& record) const {
     const std::filesystem::path path = folder_ / records_name;
     const std::string line = (ends_unfinished(path) ? "\n" : "") + report::json_line(record) + "\n";
-    // One write of the whole line in append mode: lines of other processes stay whole, too.
+    // A single write in append mode keeps lines of concurrent processes intact.
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     if (file < 0) return not_written(path, errno);
     const ssize_t written = ::write(file, line.data(), line.size());

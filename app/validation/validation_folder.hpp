@@ -12,34 +12,37 @@
 
 namespace myo::validation {
 
-/// Which of the numbered cases of a study are run by this process, and how many at a time.
+/// Cases that this process runs, and how many at a time.
 struct CaseRange {
     int first = 0, cases = 24;  // numbers first ... first + cases - 1
-    int share = 0, shares = 1;  // of these the ones with number % shares == share
-    int threads = 1;            // cases side by side, one thread each
+    int share = 0, shares = 1;  // of these, the ones with number % shares == share
+    int threads = 1;            // cases in parallel, one thread each
 };
 
-/// A folder that several processes fill with the records of one study, one JSON line each in cases.jsonl, in the order
-/// in which they were finished. What is finished stays when a study is stopped, and is not repeated.
+/// A folder that several processes fill with the records of one validation: one JSON line each in cases.jsonl, in the
+/// order of completion. Finished cases are kept after an interruption and are not repeated.
 class ValidationFolder {
 public:
     explicit ValidationFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Sees that the folder is this study's: its choice.json says the same, or is written now.
-    /// Errors: it holds another study; it cannot be written.
+    /// Checks that the folder belongs to this validation: its choice.json is equal, or is written now.
+    ///
+    /// Errors: it holds another validation; it cannot be written.
     Result<void> claim(const report::Json& choice) const;
 
-    /// The records there, by their "case", the last of a number counting. A line that a killed process left unfinished
-    /// is passed over. Error: a line is JSON, but not an object with such a number.
+    /// Records by case number; of repeated numbers the last. An incomplete line of a killed process is skipped.
+    ///
+    /// Errors: a line is JSON, but not an object with such a number.
     Result<std::vector<report::Json>> records() const;
 
-    /// "case_0007" in its folder of cases.
+    /// Folder of a case, "cases/case_0007".
     std::filesystem::path case_folder(int number) const;
 
-    /// Runs the cases of a range that have no record yet, and keeps theirs. A case that was cancelled gives a null
-    /// record, which is not kept.
-    /// @param done  called with each new record, one at a time; may be null
-    /// Errors: of records(); a record cannot be written.
+    /// Runs the cases of a range that have no record yet and stores theirs.
+    ///
+    /// @param run_case  returns the record, or null if it was cancelled; may be called from several threads
+    /// @param done      called with each new record, one at a time; may be null
+    /// Errors: those of records(); a record cannot be written.
     Result<void> run(const CaseRange& range, const std::function<report::Json(int number)>& run_case,
                      const Progress& progress, const std::function<void(const report::Json&)>& done = {});
 

@@ -8,10 +8,11 @@
 
 namespace myo::validation {
 
-/// One page: rates with their bounds, confusion matrix, reliability, parameters, the cases that went wrong.
+/// HTML report: rates with bounds, confusion matrix, reliability diagram, parameters, wrong cases.
 report::HtmlReport validation_report(const std::vector<CaseRecord>& records, const std::string& command_line);
 
-/// Share of right answers over stated confidence, with 90 % intervals, beside the diagonal of perfect calibration.
+/// Reliability diagram as SVG: share of right answers over stated confidence, with 90 % intervals and the diagonal of
+/// perfect calibration.
 std::string reliability_figure(const ValidationSummary& summary);
 
 }  // namespace myo::validation

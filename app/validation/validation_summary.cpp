@@ -10,8 +10,9 @@
 namespace myo::validation {
 namespace {
 
+/// Tolerances of parameters, and the residual in noise levels below which a trial counts as explained.
 constexpr double good_relative = 0.1, good_place_m = 5e-3, explained_over_noise = 1.3;
-/// Confidence is stated coarsely near certainty: bins are narrower there.
+/// Bins are narrower near 1, where stated confidences accumulate.
 constexpr double bin_edges[] = {0.0, 0.5, 0.7, 0.85, 0.95, 1.0};
 
 std::vector<ConfidenceBin> reliability_of(const std::vector<CaseRecord>& records) {
@@ -33,6 +34,7 @@ std::vector<ConfidenceBin> reliability_of(const std::vector<CaseRecord>& records
     return bins;
 }
 
+/// Expected calibration error: mean distance of confidence and share of right answers, weighted by the cases of a bin.
 double calibration_error_of(const std::vector<ConfidenceBin>& bins) {
     double sum = 0.0, count = 0.0;
     for (const ConfidenceBin& bin : bins) {

@@ -9,49 +9,51 @@
 
 namespace myo::validation {
 
-/// Cases whose stated confidence was in a range, and how many of their answers were right.
+/// Cases with a stated confidence in a range, and the share of right answers.
 struct ConfidenceBin {
     double from = 0.0, to = 1.0;
-    double mean = 0.0;  // of the stated ones; NaN of none
+    double mean = 0.0;  // mean stated confidence; NaN if empty
     Proportion right;
 };
 
-/// How well one parameter was found, over all cases whose effect was named rightly.
+/// Accuracy of one parameter over all cases whose effect was named correctly.
 struct ParameterQuality {
     std::string effect, parameter;
-    double median = 0.0;  // relative error; of places the distance [m]
+    double median = 0.0;  // relative error; distance [m] for positions
     bool is_place = false;
-    Proportion good;  // within 10 %, places within 5 mm
+    Proportion good;  // within 10 %, positions within 5 mm
 };
 
-/// What a trust study found.
+/// Result of a validation of the diagnosis.
 struct ValidationSummary {
     int cases = 0, failed = 0;
     std::map<std::string, int> families;
-    Proportion top_1, top_2;                      // over all cases with an effect that the diagnosis knows
-    Proportion separable_top_1, separable_top_2;  // of these, where no other effect is said to look like the truth
-    Proportion in_group;      // answered right, or with one said not to be told apart from the truth
-    Proportion false_alarms;  // over cases without an effect: an effect, or `unknown`
-    Proportion missed;        // over cases with an effect: `none`
-    Proportion unknown;       // over cases whose effect was deleted
-    Proportion mimicked;      // of the deleted: another effect that predicts the held-out trial within 1.3 noise levels
-    Proportion unknown_unmimicked;  // over the deleted less those: what the experiment, its unused trial included,
-                                    // speaks against
-    Proportion parameters_good;     // of all parameters of effects named rightly
+    Proportion top_1, top_2;  // over all cases with an effect that the diagnosis knows
+    Proportion separable_top_1,
+        separable_top_2;            // of these, without an effect declared indistinguishable from the truth
+    Proportion in_group;            // right, or an effect declared indistinguishable from the truth
+    Proportion false_alarms;        // cases without effect: an effect, or `unknown`
+    Proportion missed;              // cases with effect: `none`
+    Proportion unknown;             // cases with a deleted effect
+    Proportion mimicked;            // of these: another effect predicts the held-out trial within 1.3 noise levels
+    Proportion unknown_unmimicked;  // `unknown` among the deleted ones that are not mimicked
+    Proportion parameters_good;     // of all parameters of correctly named effects
     std::vector<ParameterQuality> parameters;
-    /// truth -> answer -> count; a deleted effect as "(its id)", two effects as "a + b".
+    /// truth -> answer -> count; a deleted effect as "(id)", two effects as "a + b".
     std::map<std::string, std::map<std::string, int>> confusion;
     std::vector<ConfidenceBin> reliability;
-    double calibration_error = 0.0;  // mean distance of confidence and share right, over bins by their cases
+    double calibration_error = 0.0;  // mean distance of confidence and share of right answers, weighted by bin size
     double validation_before = 0.0,
-           validation_after = 0.0;  // medians over cases with an effect named rightly, in noise levels
+           validation_after = 0.0;  // medians over cases with a correctly named effect, in noise levels
     double median_diagnose_s = 0.0, longest_diagnose_s = 0.0, median_make_s = 0.0;
 };
+/// Statistics over all records; failed cases count in no rate.
 ValidationSummary validation_summary(const std::vector<CaseRecord>& records);
 
-/// As a person reads it in a terminal.
+/// Text for a terminal.
 std::string summary_text(const ValidationSummary& summary);
 
+/// The same numbers as JSON.
 report::Json summary_json(const ValidationSummary& summary);
 
 }  // namespace myo::validation

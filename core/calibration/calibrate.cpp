@@ -17,18 +17,17 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// All nodes at all steps are most of a prediction's memory, and only the run after the fit is shown in motion.
+/// Copy without node positions, which dominate the memory; only the run after the fit is displayed in motion.
 prediction::TrialPrediction markers_only(const prediction::TrialPrediction& full) {
     return {full.status, full.message, {}, full.positions_m, full.start_m, full.residual_m, {}};
 }
 
-/// Predictions of the fit trials that are worth keeping of all that the fit asks for: with the declared values, and
-/// with the least cost.
+/// Predictions kept out of all evaluations of a fit: with the declared values, and with the lowest cost.
 struct KeptPredictions {
     std::vector<prediction::TrialPrediction> first, best;
     double least_cost = std::numeric_limits<double>::infinity();
 
-    /// Whether these are the best so far.
+    /// Stores the predictions if they have the lowest cost so far; returns whether they do.
     bool offer(std::vector<prediction::TrialPrediction> predictions, double cost, bool as_declared) {
         if (first.empty() && as_declared)
             for (const prediction::TrialPrediction& prediction : predictions) first.push_back(markers_only(prediction));
@@ -46,7 +45,7 @@ double rms_of(const std::vector<prediction::TrialPrediction>& predictions) {
     return prediction::rms(all);
 }
 
-/// Runs of the fit trials for a fit.
+/// Residuals and Jacobians of the fit trials as functions of the parameter vector.
 class FitRuns {
 public:
     FitRuns(const setup::Setup& setup, const CalibrationSettings& settings,
@@ -82,14 +81,14 @@ public:
         return jacobian_;
     }
 
-    /// What is kept after the fit.
+    /// Kept predictions after the fit, without solver paths.
     KeptPredictions take() {
         for (prediction::TrialPrediction& prediction : kept_.best) prediction.trace.path.reset();
         return std::move(kept_);
     }
 
 private:
-    /// Near the best so far.
+    /// Simulates the fit trials; stages start from the path of the best run so far.
     std::vector<prediction::TrialPrediction> run(const prediction::ParameterValues& values,
                                                  const std::vector<prediction::ModelParameter>& parameters,
                                                  const Progress& progress) const {
@@ -99,13 +98,14 @@ private:
         return prediction::predict_trials(setup_, tasks, parameters, progress);
     }
 
+    // Exact comparison: the declared values reach this function unchanged as the start of the fit.
     bool is_declared(const Eigen::VectorXd& p) const {
         for (std::size_t i = 0; i < parameters_.size(); ++i)
             if (p(static_cast<Eigen::Index>(i)) != prediction::value_of(parameters_[i], declared_)) return false;
         return true;
     }
 
-    /// Whoever listens.
+    /// Reports an evaluation to the listener, if there is one.
     void tell(const prediction::ParameterValues& values, const inverse::ResidualEvaluation& evaluation, double rms_m,
               bool best) const {
         if (!settings_.evaluated) return;
@@ -116,6 +116,7 @@ private:
                              best ? &kept_.best : nullptr});
     }
 
+    // Gradient in scaled parameters, with the last Jacobian: the solver does not compute one for every evaluation.
     double gradient(const Eigen::VectorXd& residuals) const {
         if (jacobian_.rows() != residuals.size()) return std::numeric_limits<double>::quiet_NaN();
         Eigen::VectorXd gradient = jacobian_.transpose() * residuals;
@@ -130,10 +131,11 @@ private:
     std::vector<std::size_t> trials_;
     prediction::ParameterValues declared_;
     KeptPredictions kept_;
-    Eigen::MatrixXd jacobian_;  // the last
+    Eigen::MatrixXd jacobian_;  // of the last linearisation
 };
 
-/// The runs before and after: the fit trials as the fit has run them, all others run now. Cancelled, nothing is run.
+/// Fills before and after: fit trials reuse the runs of the fit, all others are simulated now, in one parallel batch.
+/// After cancellation nothing is simulated.
 void set_runs(const setup::Setup& setup, const prediction::ParameterValues& declared,
               const prediction::ParameterValues& fitted, KeptPredictions kept, const Progress& progress,
               Calibration& result) {
@@ -172,7 +174,7 @@ void set_runs(const setup::Setup& setup, const prediction::ParameterValues& decl
     result.after = prediction::scored_run(setup, fitted, std::move(after), all);
 }
 
-/// One sentence for each parameter without influence, and one for those that the data determine together only.
+/// One sentence per parameter without influence, and one per group that the data determine only in combination.
 std::vector<std::string> undetermined_sentences(const Calibration& calibration) {
     std::vector<std::string> sentences;
     const auto parameter = [&](Eigen::Index i) -> const prediction::ModelParameter& {
@@ -198,6 +200,7 @@ std::vector<std::string> calibration_warnings(const setup::Setup& setup, const C
     };
     for (Eigen::Index i = 0; i < fit.deviations.size(); ++i) {
         const inverse::Parameter& parameter = calibration.parameters[static_cast<std::size_t>(i)].parameter;
+        // The standard deviation exceeds half the range, so the bounds carry more information than the data.
         if (fit.deviations(i) > 0.5 * (parameter.upper - parameter.lower))
             warnings.push_back(name(i) + ": the data tell less of it than its bounds do (± " +
                                format_number(fit.deviations(i), 2) + ")");
@@ -208,6 +211,7 @@ std::vector<std::string> calibration_warnings(const setup::Setup& setup, const C
     }
     for (const ValueAtBound& at : values_at_bounds(calibration))
         warnings.push_back(bound_sentence(setup, calibration, at));
+    // 1 % in cost separates distinct minima from different ends of the same one.
     for (const CalibrationStart& start : calibration.starts)
         if (start.status == inverse::FitStatus::converged && start.cost_after > 1.01 * fit.cost_after) {
             warnings.push_back(
@@ -215,7 +219,7 @@ std::vector<std::string> calibration_warnings(const setup::Setup& setup, const C
                 "is given");
             break;
         }
-    if (calibration.stopped) return warnings;  // what is missing is the user's wish
+    if (calibration.stopped) return warnings;  // missing runs are due to the user's cancellation
     if (!calibration.before.ok())
         warnings.push_back("with the declared values a prediction failed: " + calibration.before.failure);
     if (!calibration.after.ok())
@@ -223,14 +227,16 @@ std::vector<std::string> calibration_warnings(const setup::Setup& setup, const C
     return warnings;
 }
 
+// Values of an earlier calibration may lie outside bounds that were changed since.
 double given_start(const inverse::Parameter& parameter, const CalibrationSettings& settings) {
     const auto found = settings.from.find(parameter.name);
     return found == settings.from.end() ? parameter.value : std::clamp(found->second, parameter.lower, parameter.upper);
 }
 
-/// Even over what a person might have declared instead; over decades in the logarithm that the fit moves.
+/// Random start: uniform within three scales of the declared value and the bounds; logarithmic for parameters over
+/// decades.
 double random_start(const inverse::Parameter& p, std::mt19937_64& random) {
-    // The top 53 bits, as one machine's uniform distribution need not be another's.
+    // Top 53 bits of the generator: std::uniform_real_distribution differs between standard libraries.
     const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
     const auto between = [unit](double low, double high) { return low + unit * (high - low); };
     if (!p.over_decades)
@@ -253,6 +259,7 @@ double Calibration::deviation(std::size_t parameter) const {
     const auto i = static_cast<Eigen::Index>(parameter);
     const double noise = fit.deviations(i);
     if (!(noise > 0.0)) return noise;
+    // Noise, mesh and step are independent causes, hence the root of the sum of squares.
     const auto part = [i](const Eigen::VectorXd& known) { return known.size() > 0 ? known(i) : 0.0; };
     return std::hypot(noise, part(numerical.mesh), part(numerical.step));
 }
@@ -274,7 +281,8 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
         return runs.jacobian(p, inner);
     };
     std::mt19937_64 random(settings.seed);
-    std::vector<bool> unmoved(result.parameters.size(), false);  // by the first start, for they have no influence
+    std::vector<bool> unmoved(result.parameters.size(),
+                              false);  // parameters without influence, as found by the first start
     double done = 0.0;
     for (int s = 0; s < settings.starts && (s == 0 || !progress.cancelled()); ++s) {
         std::vector<inverse::Parameter> parameters;
@@ -300,6 +308,7 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
         result.starts.push_back(
             {fit.status, fit.message, fit.start, fit.values, fit.cost_before, fit.cost_after, fit.history});
         const bool better = fit.usable() && (!result.usable() || fit.cost_after < result.fit.cost_after);
+        // The first start is kept even if it failed, so that its status and message are reported.
         if (better || s == 0) result.fit = std::move(fit);
     }
     result.stopped = progress.cancelled();

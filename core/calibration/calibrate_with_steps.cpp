@@ -13,7 +13,7 @@ int all_evaluations(const Calibration& calibration) {
     return calibration.evaluations() + calibration.earlier_evaluations;
 }
 
-/// The fit, and again with shorter steps where its values ask for them.
+/// Fit, repeated with shorter steps as long as the fitted values require them.
 Calibration fit_with_chosen_steps(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = calibrate(setup, settings, progress);
     if (!prediction::choosable(setup.settings)) return calibration;
@@ -29,7 +29,7 @@ Calibration fit_with_chosen_steps(setup::Setup& setup, CalibrationSettings setti
         settings.starts = 1;
         const int evaluations = all_evaluations(calibration);
         Calibration next = calibrate(setup, settings, progress);
-        if (!next.usable()) break;  // stopped at once: the values there are were found with longer steps
+        if (!next.usable()) break;  // cancelled at once: keep the values found with longer steps
         next.earlier_evaluations = evaluations;
         next.seconds += calibration.seconds;
         calibration = std::move(next);
@@ -37,7 +37,8 @@ Calibration fit_with_chosen_steps(setup::Setup& setup, CalibrationSettings setti
     return calibration;
 }
 
-/// The fit, and once more from where the beginning of the trials leads, should it have taken one period for another.
+/// Fit, and a second fit from a start found on the beginning of the trials, in case the first one is shifted by a whole
+/// period. The lower cost is kept.
 Calibration fit_of_all_periods(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = fit_with_chosen_steps(setup, settings, progress);
     if (!calibration.usable() || progress.cancelled()) return calibration;

@@ -15,6 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// Truncates a recording to its first samples.
 void keep_samples(measurement::Recording& recording, Index count) {
     recording.time_s.conservativeResize(count);
     for (Eigen::Matrix3Xd& track : recording.tracks) track.conservativeResize(Eigen::NoChange, count);
@@ -26,7 +27,7 @@ Index samples_until(const setup::PreparedTrial& trial, double end_s) {
     return std::max<Index>(trial.first_sample + window_policy.least_samples, (times.array() <= end_s).count());
 }
 
-/// The fit trials alone, each up to `length_s` after its motion has begun.
+/// Setup of the fit trials alone, each truncated to `length_s` after the onset of its motion.
 setup::Setup beginning(const setup::Setup& setup, const std::vector<double>& onset_s, double length_s) {
     setup::Setup part = setup;
     part.trials.clear();
@@ -48,7 +49,7 @@ setup::Setup beginning(const setup::Setup& setup, const std::vector<double>& ons
     return part;
 }
 
-/// When markers have first left the place of their first sample by a good part of their way.
+/// Onset of motion: the earliest time at which a marker has moved by a fixed part of its largest displacement.
 double onset(const setup::PreparedTrial& trial) {
     const VectorXd& times = trial.measured.time_s;
     double first_s = times(times.size() - 1);
@@ -70,7 +71,7 @@ double onset(const setup::PreparedTrial& trial) {
     return std::max(0.0, first_s);
 }
 
-/// Half the squared residuals; infinite where the model does not run.
+/// Half the sum of squared residuals over the noise; infinite if the model cannot be run.
 double cost(const setup::Setup& setup, const prediction::ParameterValues& values, const Progress& progress) {
     const std::vector<std::size_t> trials = prediction::trials_with_role(setup, experiment::TrialRole::fit);
     const inverse::ResidualEvaluation there = prediction::weighted_residuals(
@@ -78,6 +79,7 @@ double cost(const setup::Setup& setup, const prediction::ParameterValues& values
     return there.ok ? 0.5 * there.residuals.squaredNorm() : std::numeric_limits<double>::infinity();
 }
 
+/// Search of modulus and damping on growing windows, see start_from_windows().
 class Search {
 public:
     Search(const setup::Setup& setup, const Calibration& found, const Progress& progress)
@@ -90,6 +92,8 @@ public:
 
     std::map<std::string, double> run() {
         if (modulus_ == nullptr || !is_unexplained()) return {};
+        // Frequency is proportional to the root of the modulus, so the bounds leave a frequency range of
+        // omega * ln(E_max / E_min) / 2, which multiplied by time gives the open phase.
         upper_Pa_ = modulus_->parameter.upper;
         lower_Pa_ = std::max(modulus_->parameter.lower, window_policy.least_share * upper_Pa_);
         doubt_rad_s_ = 0.5 * std::log(upper_Pa_ / lower_Pa_) * frequency_rad_s();
@@ -100,6 +104,7 @@ public:
                 longest_s = std::max(longest_s, trial.measured.time_s.tail(1)(0) - onset_s_.back());
         }
         const double doubt_rad = doubt_rad_s_ * longest_s;
+        // Less than half a period open: no ambiguity. Too many periods: the scan would not resolve them.
         if (!(doubt_rad > window_policy.most_doubt_rad) || doubt_rad > window_policy.most_phase_rad) return {};
         double length_s = window_policy.most_doubt_rad / doubt_rad_s_;
         CalibrationSettings settings = found_.settings;
@@ -107,6 +112,7 @@ public:
         settings.max_evaluations = window_policy.max_evaluations;
         settings.evaluated = {};
         settings.from = best_of_scan(length_s, settings.from);
+        // Each window starts from the fit of the shorter one, whose phase error is small at the new end.
         for (; length_s < longest_s && !progress_.cancelled(); length_s *= window_policy.growth) {
             const Calibration fit = calibrate(beginning(setup_, onset_s_, length_s), settings, progress_.with_sink({}));
             if (!fit.usable()) return {};
@@ -122,7 +128,7 @@ private:
         return found_.after.fit_rms_m > window_policy.unexplained * setup::mean_noise(setup_);
     }
 
-    /// Whether these values explain the whole trials much better than their fit does, before a fit begins there.
+    /// Whether these values give the full trials a clearly lower cost than their own fit, before fitting from there.
     bool is_better(const std::map<std::string, double>& from) const {
         prediction::ParameterValues values = found_.after.values;
         for (const prediction::ModelParameter& p : found_.parameters)
@@ -131,6 +137,7 @@ private:
         return cost(setup_, values, progress_.with_sink({})) < window_policy.worth * found_.fit.cost_after;
     }
 
+    // Geometric mean of the bounds: the middle of the scan, which is logarithmic.
     double frequency_rad_s() const {
         prediction::ParameterValues values = found_.after.values;
         values.youngs_modulus_Pa = std::sqrt(lower_Pa_ * upper_Pa_);
@@ -140,9 +147,11 @@ private:
         return 0.0;
     }
 
+    /// Modulus and damping with the lowest cost on the first window. The grid is logarithmic, fine enough in phase at
+    /// the end of the window to hit the basin of the global minimum.
     std::map<std::string, double> best_of_scan(double length_s, std::map<std::string, double> from) const {
         const setup::Setup window = beginning(setup_, onset_s_, length_s);
-        double seen_s = length_s;  // few samples of a slow camera take longer than asked for
+        double seen_s = length_s;  // at least the first samples of a slow camera
         for (const setup::PreparedTrial& trial : window.trials)
             seen_s = std::max(seen_s, trial.measured.time_s.tail(1)(0));
         const int count = std::clamp(
@@ -173,7 +182,7 @@ private:
     const prediction::ModelParameter *modulus_ = nullptr, *damping_ = nullptr;
     std::vector<double> onset_s_;             // per trial
     double lower_Pa_ = 0.0, upper_Pa_ = 0.0;  // of the modulus
-    double doubt_rad_s_ = 0.0;
+    double doubt_rad_s_ = 0.0;                // frequency range left open by the bounds of the modulus
 };
 
 }  // namespace

@@ -7,35 +7,37 @@
 
 namespace myo::calibration {
 
-/// When and how a modulus is looked for from the beginning of the trials on.
+/// When and how the modulus is searched for on the beginning of the trials.
 struct WindowPolicy {
-    double unexplained = 1.5;       // rms of the residual in noise levels that a right fit stays below
-    double most_doubt_rad = 3.1;    // phase that the modulus' bounds leave open at the end of a trial: beyond half a
-                                    // period a fit may take one period for another
-    double most_phase_rad = 200.0;  // likewise: a body that is declared so wrongly that it vibrates much faster than
-                                    // the recording is looked for in vain
-    int least_samples = 4;          // of the first window
-    double seen_departure = 0.2;    // of the largest way of a marker: motion has begun
-    double scan_phase_rad = 0.8;    // between the moduli that are tried on the first window
-    int most_scanned = 40;
-    double least_share = 0.02;              // of the largest modulus: the smallest where the bounds leave 0
-    double damping_shares[2] = {1.0, 0.2};  // of the declared damping, tried with each of them: what is damped away
-                                            // fits anything equally badly
-    int max_evaluations = 10;               // of a window's fit: the next one goes on from it
-    double worth = 0.7;                     // cost of the whole trials with what was found over that of their fit
-    double growth = 3.0;                    // of a window: the phase at its end is known to a tenth of a radian by then
+    double unexplained = 1.5;  // residual rms over noise that a correct fit stays below
+    /// Phase left open by the modulus bounds at the end of a trial; beyond half a period a fit can be off by whole
+    /// periods.
+    double most_doubt_rad = 3.1;
+    /// Upper limit of that phase: a body declared so wrongly that it vibrates much faster than the recording is not
+    /// searched.
+    double most_phase_rad = 200.0;
+    int least_samples = 4;        // in the first window
+    double seen_departure = 0.2;  // displacement at the onset of motion over the largest one of the marker
+    double scan_phase_rad = 0.8;  // phase between adjacent moduli of the scan at the end of the first window
+    int most_scanned = 40;        // moduli per damping
+    double least_share = 0.02;    // smallest over largest modulus if the lower bound is 0
+    double damping_shares[2] = {
+        1.0, 0.2};  // of the declared damping, tried with each modulus: an overdamped motion fits all equally badly
+    int max_evaluations = 10;  // per window; the next window continues
+    double worth = 0.7;        // required cost on the full trials over that of their fit
+    double growth = 3.0;       // of a window; the phase at its end is then known to a tenth of a radian
 };
 inline constexpr WindowPolicy window_policy;
 
-/// Values with which a fit of vibrations is to begin anew, by parameter; empty where it need not.
+/// Start values for a second fit of vibrations; empty if none is needed.
 ///
-/// The phase of a vibration after many periods leaves a modulus open that begins far off: the fit of a whole trial ends
-/// where some periods are counted wrongly, or where damping takes the vibration away. Over the first periods there is
-/// one minimum: moduli within the bounds are tried there, and the fit of a growing beginning of the trials goes on from
-/// the best. Where that explains the whole trials no better than their fit, there is nothing to begin anew with.
+/// After many periods the phase is ambiguous: if the modulus starts far off, the fit of a full trial ends with a wrong
+/// number of periods, or with damping that removes the vibration. Over the first periods there is a single minimum, so
+/// moduli within the bounds are scanned there, and windows of growing length are fitted from the best one.
 ///
-/// @param found  a fit of the whole trials; where it leaves the noise alone, or the bounds leave less than half a
-///               period open, nothing is looked for
+/// @param found  fit of the full trials; if only noise is left, or the bounds leave less than half a period open,
+///               nothing is searched
+/// @return       values by parameter name, SI; empty also if they do not explain the full trials better than `found`
 std::map<std::string, double> start_from_windows(const setup::Setup& setup, const Calibration& found,
                                                  const Progress& progress = {});
 

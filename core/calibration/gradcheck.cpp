@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// A smooth field of velocities, in every direction.
+/// Smooth initial velocity field with components in all directions, so that every parameter influences the loss.
 Matrix3Xd kick(const mesh::VolumeMesh& mesh) {
     const Eigen::Vector3d low = mesh.nodes.rowwise().minCoeff();
     const double size = (mesh.nodes.rowwise().maxCoeff() - low).norm();
@@ -25,7 +25,7 @@ Matrix3Xd kick(const mesh::VolumeMesh& mesh) {
     return velocities;
 }
 
-/// The positions at rest at the ends of the steps, where the trace has nothing to say so early.
+/// Rest positions at the ends of the steps as target, if the trace has no sample that early.
 inverse::MarkerTarget rest_target(const setup::Setup& setup, int steps, double h_s) {
     inverse::MarkerTarget target;
     target.markers = setup.markers;
@@ -35,7 +35,8 @@ inverse::MarkerTarget rest_target(const setup::Setup& setup, int steps, double h
     return target;
 }
 
-/// The placement against central differences of fourth order, as the run is checked; it does not depend on it.
+/// Registration and start time against central differences of fourth order. The motion does not depend on them, so it
+/// is simulated once.
 std::vector<sensitivity::GradientCheckRow> placement_rows(const inverse::MarkerTarget& target,
                                                           const sensitivity::NodeMotion& motion, double h_s) {
     const inverse::MarkerPlacement gradient = inverse::mean_square_by_placement(target, motion);
@@ -79,12 +80,14 @@ TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int s
     result.steps = steps;
     result.end_s = options.end_s;
     inverse::MarkerTarget target = prediction::trial_target(setup, index, options.end_s);
-    // One sample at the start, before anything moves, tells nothing of the motion.
+    // A single sample at t = 0, before anything moves, does not constrain the motion.
     result.against_trace = target.coordinates() > 0 && target.times_s.tail(1)(0) > 0.0;
     if (!result.against_trace) target = rest_target(setup, steps, options.h_s);
-    // Off the marks, so that the placement matters; samples off the steps, between which the motion is smooth in time.
+    // Registration off zero, so that its gradient does not vanish; sample times between steps, where the motion is
+    // smooth.
     target.placement = {{1e-4, -2e-4, 1.5e-4}, {0.01, 0.02, -0.015}, -0.23 * options.h_s};
     sensitivity::LossOfMotion loss = inverse::mean_square_of(target);
+    // The first evaluation is the unperturbed run; its motion is kept for placement_rows().
     std::atomic<bool> first = true;
     sensitivity::NodeMotion checked;
     loss.evaluate = [&, evaluate = loss.evaluate](const sensitivity::NodeMotion& motion) {

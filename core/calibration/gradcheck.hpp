@@ -7,21 +7,23 @@
 
 namespace myo::calibration {
 
-/// The gradient check of a trial: its model, the first steps of its run, and the loss.
+/// Gradient check of one trial: the adjoint gradient of a marker loss against finite differences.
 struct TrialGradientCheck {
     sensitivity::GradientCheck check;
     double loss_m2 = 0.0;        // mean square distance of the markers to their targets
-    bool against_trace = false;  // the targets are the measured positions; else those at rest
+    bool against_trace = false;  // targets are the measured positions, else the rest positions
     int steps = 0;
-    double end_s = 0.0;
-    double seconds = 0.0;
+    double end_s = 0.0;    // simulated time
+    double seconds = 0.0;  // wall-clock time
 };
 
-/// Compares the gradient of the first `steps` steps with differences, for all that the trial's model depends on.
+/// Compares the gradient over the first `steps` time steps with differences, for every input of the trial's model.
 ///
-/// So that everything matters to the loss, the run begins with a kick, a smooth field of velocities of up to half the
-/// body's size per second, free levels of actuation are 1.05, and the cameras' frame and clock are a little off.
-/// Errors: those of the runs, in the check's status.
+/// So that every input influences the loss, the run starts with a smooth velocity field of up to half the body size per
+/// second, free levels are 1.05, and camera frame and clock are slightly off.
+///
+/// @param trial  index into Setup::trials
+/// Errors: those of the runs, in the status of the check.
 TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t trial, int steps, const Progress& progress = {});
 
 }  // namespace myo::calibration

@@ -19,6 +19,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// Only the residuals are needed; copying traces would double the memory of the fit.
 std::vector<prediction::TrialPrediction> residuals_of(const prediction::SetupRun& run,
                                                       const std::vector<std::size_t>& trials) {
     std::vector<prediction::TrialPrediction> result;
@@ -29,22 +30,23 @@ std::vector<prediction::TrialPrediction> residuals_of(const prediction::SetupRun
     return result;
 }
 
-/// What another mesh or other steps find from the same data.
+/// Fitted values on another mesh or with other steps, from the same data.
 struct Refitted {
     VectorXd values;      // empty: not found
-    std::string message;  // then: why
-    VectorXd left;        // of the motion, where it differs from that of the fit with its values: in noise levels
-    double run_s = 0.0;   // of the first run of all trials
+    std::string message;  // the reason if not found
+    VectorXd left;        // change of the residual that the values do not absorb, in noise levels
+    double run_s = 0.0;   // wall-clock time of the first run of all trials
 };
 
-/// Errors of the values and of the motion.
+/// Discretisation errors of the values and of the motion.
 struct Errors {
-    VectorXd values;      // empty: not known
-    std::string message;  // then: why
+    VectorXd values;      // empty: unknown
+    std::string message;  // the reason if unknown
     double motion = 0.0;  // rms in noise levels
 };
 
-/// Least mesh error of each fitted value, see the policy; 0 of all but the modulus.
+/// Lower bound of the mesh error per value, see the policy; zero for all but the modulus. Proportional to the edge
+/// length, as the clamp's corners converge with first order.
 VectorXd least_mesh_error(const setup::Setup& setup, const Calibration& calibration,
                           const NumericalDeviationPolicy& policy) {
     const double edges = setup.mesh.resolution_m /
@@ -57,7 +59,7 @@ VectorXd least_mesh_error(const setup::Setup& setup, const Calibration& calibrat
     return error;
 }
 
-/// Fits the parameters of a calibration to the same data with another setup.
+/// Refits the parameters of a calibration on another setup, by Gauss-Newton with the Jacobian of the calibration.
 class Refit {
 public:
     Refit(const setup::Setup& setup, const Calibration& calibration, const Progress& progress,
@@ -73,18 +75,18 @@ public:
         if (!ready()) return;
         std::vector<inverse::Parameter> parameters;
         for (const prediction::ModelParameter& p : calibration.parameters) parameters.push_back(p.parameter);
-        scale_ = VectorXd::Zero(J.cols());  // those that the fit does not move stay
+        scale_ = VectorXd::Zero(J.cols());  // parameters that the fit does not move keep 0
         for (const Index i : inverse::sufficient_parameters(parameters, J, {}))
             scale_(i) = parameters[static_cast<std::size_t>(i)].scale;
         solver_.compute(J * scale_.asDiagonal());
     }
 
-    /// Whether the calibration has what is needed for it.
+    /// Whether the calibration has residuals and a Jacobian.
     bool ready() const { return residuals_.size() > 0 && residuals_.size() == calibration_.fit.jacobian.rows(); }
 
-    /// @param values  to begin with
-    /// @param beside  settled are corrections that matter as little beside the change from these
-    /// @param most_s  no run but the first is begun that would end later
+    /// @param values  initial values
+    /// @param beside  reference: corrections small relative to the change from it end the iteration
+    /// @param most_s  no run but the first is started that would end later [s]
     Refitted on(const setup::Setup& other, VectorXd values, const VectorXd& beside, double most_s) const {
         const setup::Setup kept = prediction::with_kept_paths(other);
         const Stopwatch watch;
@@ -101,8 +103,11 @@ public:
             if (!there.ok) return {{}, progress_.cancelled() ? "stopped by the user" : there.message, {}};
             for (std::size_t i = 0; i < near.size(); ++i) near[i] = predictions[i].trace.path;
             if (run == 1) result.run_s = watch.seconds();
+            // Chord method: target residual minus current one, solved with the factorised, scaled Jacobian of the fit.
             const VectorXd step = scale_.cwiseProduct(solver_.solve(residuals_ - there.residuals));
             result.values = values = at + step;
+            // Linearised residual after the correction, minus that of the fit: the part of the change outside the
+            // column space.
             result.left = there.residuals + calibration_.fit.jacobian * step - residuals_;
             const bool settled = (step.array().abs() <= settled_change(values - beside)).all();
             if (settled || watch.seconds() * (run + 1) / run > most_s) break;
@@ -110,7 +115,7 @@ public:
         return result;
     }
 
-    /// Over what is compared: occluded coordinates have a residual of 0.
+    /// Root mean square over the compared coordinates; occluded ones have residual 0.
     double rms(const VectorXd& change) const {
         const auto count = static_cast<double>((residuals_.array() != 0.0).count());
         return count > 0.0 ? change.norm() / std::sqrt(count) : 0.0;
@@ -132,8 +137,8 @@ private:
         return values;
     }
 
-    /// Corrections up to these do not matter: beside the whole change, the noise and the least error of the mesh. Any,
-    /// where the data do not determine the parameter.
+    /// Corrections below this are negligible relative to the total change, the noise and the least mesh error. Infinite
+    /// for parameters that the data do not determine.
     Eigen::ArrayXd settled_change(const VectorXd& change) const {
         Eigen::ArrayXd most = policy_.settled *
                               (change.array().abs() + calibration_.fit.deviations.array() + least_mesh_error_.array());
@@ -150,9 +155,10 @@ private:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
 };
 
-/// The error of a value that changes so much where edges or steps are `ratio` times as long.
+/// Error of a value over its change if edges or steps are multiplied by `ratio` (Richardson extrapolation).
 double extrapolation(double ratio, double order) { return 1.0 / std::abs(1.0 - std::pow(ratio, order)); }
 
+/// Estimates both errors within a limited time, steps first because they need no new mesh.
 class Estimate {
 public:
     Estimate(const setup::Setup& setup, const Calibration& calibration, const Progress& progress,
@@ -190,7 +196,8 @@ public:
     }
 
 private:
-    /// What the steps, chosen for the largest vibrations, do to the others [noise levels, rms over the fit trials].
+    /// Error of the steps in vibrations other than the dominant one, for which they were chosen [noise levels, rms over
+    /// the fit trials].
     double other_vibrations() const {
         const prediction::SetupRun& run = calibration_.after;
         double squares = 0.0;
@@ -220,7 +227,7 @@ private:
         return {error * (longer.values - calibration_.fit.values).cwiseAbs(), {}, error * refit_.rms(longer.left)};
     }
 
-    /// From runs with the longer steps on both meshes: the mesh's error hardly depends on them.
+    /// Mesh error, from runs with the longer steps on both meshes: it hardly depends on the step, and they are cheaper.
     Errors of_mesh(const setup::Setup& longer, const Refitted& here) const {
         std::string message = "no other mesh can be made";
         for (const double edges : policy_.edges) {
@@ -240,7 +247,7 @@ private:
         return {{}, message};
     }
 
-    /// Mean of all directions: layers are whole, so edges are not changed alike.
+    /// Mean ratio of edge lengths from the numbers of cells: layers are integers, so directions change differently.
     double edge_ratio(const setup::Setup& other) const {
         const auto cells = [](const setup::Setup& s) { return static_cast<double>(s.mesh.mesh.cell_count()); };
         return std::cbrt(cells(setup_) / cells(other));
@@ -251,7 +258,8 @@ private:
         return error.cwiseMax(least_mesh_error(setup_, calibration_, policy_));
     }
 
-    /// Vibrations of another mesh would drift away from the data's: it begins with the modulus of the same frequency.
+    /// Start for another mesh: the modulus that gives the same first frequency. Otherwise the phase would drift from
+    /// the data and Gauss-Newton would need more runs.
     VectorXd start_on(const setup::Setup& other, VectorXd start) const {
         const prediction::ParameterValues& values = calibration_.after.values;
         const double here = setup::first_vibration_rad_s(prediction::trial_model(setup_, 0, values)),

@@ -26,7 +26,7 @@ std::size_t leader_count(const std::vector<experiment::MuscleLeader>& leaders) {
     return count;
 }
 
-/// Muscles that follow none and of which nothing says which level they held before t = 0.
+/// Muscles that follow none and whose level before t = 0 is not given by any file, step or signal.
 std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
     const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
     std::vector<std::string> names;
@@ -36,8 +36,7 @@ std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
     return names;
 }
 
-/// One signal for each muscle that follows none. Its bounds keep its followers, too, between the lowest and the
-/// highest.
+/// One signal per muscle that follows none. Its bounds keep the followers within the limits as well.
 inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s) {
     const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
     const setup::PreparedTrial& trial = setup.trials.front();
@@ -58,6 +57,7 @@ inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeS
         sought.groups.push_back({signal_of[muscle.leader], muscle.factor});
         if (muscle.factor == 0.0) continue;
         inverse::SoughtSignal& signal = sought.signals[sought.groups.back().signal];
+        // Limits of the follower, mapped back to the leader: a_leader = 1 + (a_follower - 1) / factor.
         const double a = 1.0 + (settings.lowest - 1.0) / muscle.factor,
                      b = 1.0 + (settings.highest - 1.0) / muscle.factor;
         signal.lower = std::max(signal.lower, std::min(a, b));
@@ -66,7 +66,7 @@ inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeS
     return sought;
 }
 
-/// The last time at which a marker is seen; 0 when none is after the start.
+/// Last time at which a marker is visible [s]; 0 if none is visible after the start.
 double last_seen(const inverse::MarkerTarget& target) {
     for (Index t = target.times_s.size() - 1; t >= 0; --t)
         for (const Eigen::Matrix3Xd& track : target.positions_m)
@@ -74,13 +74,13 @@ double last_seen(const inverse::MarkerTarget& target) {
     return 0.0;
 }
 
-/// A level per signal, within 0.3 of passive and the bounds.
+/// Constant random signals within 0.3 of passive and the bounds.
 MatrixXd random_values(const inverse::SoughtSignals& sought, std::mt19937_64& random) {
     MatrixXd values = inverse::unmoved_values(sought);
     for (Index s = 0; s < values.rows(); ++s) {
         const inverse::SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
         const double low = std::max(0.7, signal.lower), high = std::min(1.3, signal.upper);
-        // The top 53 bits, as one machine's uniform distribution need not be another's.
+        // Top 53 bits of the generator: std::uniform_real_distribution differs between standard libraries.
         values.row(s).setConstant(
             std::clamp(low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53, signal.lower, signal.upper));
     }
@@ -106,7 +106,7 @@ prediction::SetupRun run_of(const setup::Setup& setup, const inverse::ActuationE
                                   {prediction::prediction_of(setup, 0, evaluation.motion, evaluation.placement)}, {0});
 }
 
-/// What a person should know about the result, the gravest first.
+/// Warnings about the result, most serious first.
 std::vector<std::string> warnings_of(const setup::Setup& setup, const Optimization& result) {
     std::vector<std::string> warnings;
     if (!result.miss.reached) warnings.push_back(sentence(result.miss, result.before.fit_rms_m));
@@ -131,7 +131,7 @@ inverse::ActuationProblem with_placement(inverse::ActuationProblem problem, cons
     return problem;
 }
 
-/// The same progress under another name: that of the run is a part of a search.
+/// The same progress under another task name, for runs that are part of a search.
 Progress in_task(const Progress& progress, const std::string& task) {
     return progress.with_sink([&progress, task](ProgressEvent event) {
         event.task = task;
@@ -159,6 +159,7 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
     if (!(problem.options.end_s > 0.0))
         return Error{"trial " + trial.name + ": no marker was seen after the start",
                      setup.experiment.trials.front().trace.string()};
+    // More than one knot per time step cannot be distinguished by the simulation.
     if (settings.frequency_Hz * trial.options.h_s > 1.0 + 1e-9)
         return Error{format_number(settings.frequency_Hz) + " Hz asks for more than one knot per step of " +
                          format_number(1e3 * trial.options.h_s, 4) + " ms; choose a lower one or a smaller --dt",
@@ -206,6 +207,7 @@ Optimization search_signals(const setup::Setup& setup, const inverse::ActuationP
             {fit.status, fit.message, fit.first.loss_m2, fit.best.loss_m2, static_cast<int>(fit.log.size())});
         if (fit.usable() && !first) first = fit.first;
         const bool better = fit.usable() && (!result.usable() || fit.best.loss_m2 < result.fit.best.loss_m2);
+        // Converged at the first evaluation: the start already meets the target, so further starts gain nothing.
         const bool met = fit.usable() && fit.log.size() == 1 && fit.converged();
         if (better || s == 0) result.fit = std::move(fit);
         if (met) break;

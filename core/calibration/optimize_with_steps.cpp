@@ -8,6 +8,7 @@
 namespace myo::calibration {
 namespace {
 
+// The signals replace the recorded activation, so that set_step() treats their jumps.
 setup::Setup with_signals(setup::Setup setup, const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values) {
     setup::PreparedTrial& trial = setup.trials.front();
     trial.recorded_activation = inverse::activations_of(sought, values);
@@ -15,7 +16,7 @@ setup::Setup with_signals(setup::Setup setup, const inverse::SoughtSignals& soug
     return setup;
 }
 
-/// The search, and again with shorter steps where its signals ask for them.
+/// Search, repeated with shorter steps as long as its signals require them.
 Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::ActuationProblem& problem,
                                       const OptimizeSettings& settings, const Eigen::MatrixXd& start,
                                       const Progress& progress) {
@@ -34,7 +35,7 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
         OptimizeSettings once = settings;
         once.starts = 1;
         Optimization next = search_signals(setup, finer, once, found.fit.values, progress);
-        if (!next.usable()) break;  // stopped at once: the signals there are were found with longer steps
+        if (!next.usable()) break;  // cancelled at once: keep the signals found with longer steps
         next.earlier_evaluations = found.earlier_evaluations + static_cast<int>(found.fit.log.size());
         next.fit.first = std::move(found.fit.first);
         next.fit.start = found.fit.start;

@@ -14,7 +14,7 @@ using Eigen::Index;
 
 std::string millimetres(double length_m) { return format_number(1e3 * length_m, 3) + " mm"; }
 
-/// Root mean square over the markers' coordinates at a sample; NaN where none is seen.
+/// Root mean square over the markers' coordinates at a sample [m]; NaN if none is visible.
 double rms_at(const prediction::TrialPrediction& prediction, Index sample) {
     std::vector<Eigen::Matrix3Xd> columns;
     for (const Eigen::Matrix3Xd& residual : prediction.residual_m) columns.emplace_back(residual.col(sample));
@@ -47,6 +47,7 @@ TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& ru
     for (Index t = 0; t < course.size(); ++t)
         if (std::isfinite(course(t)) && (worst < 0 || course(t) > course(worst))) worst = t;
     if (worst < 0) return miss;
+    // The interval around the worst sample extends over occluded samples, but begins and ends at visible ones.
     const auto near = [&](Index t) {
         return !std::isfinite(course(t)) || course(t) >= rule.near_worst * course(worst);
     };
@@ -85,7 +86,7 @@ std::optional<std::string> start_miss(const setup::Setup& setup, const inverse::
                                       const prediction::SetupRun& run, const TargetRule& rule) {
     const setup::PreparedTrial& trial = setup.trials.front();
     const Eigen::VectorXd& times = trial.measured.time_s;
-    // Within a quarter of a knot's period the signals have hardly moved the body.
+    // Within a quarter of a knot interval the signals have hardly moved the body.
     Index first = trial.first_sample;
     double off_m = std::nan("");
     for (; first < times.size() && times(first) <= 0.25 / problem.sought.frequency_Hz; ++first)
@@ -94,7 +95,7 @@ std::optional<std::string> start_miss(const setup::Setup& setup, const inverse::
     const std::string where = "the target does not begin where the body rests: at t = " +
                               format_number(times(first), 3) + " s its markers are " + millimetres(off_m) +
                               " rms away, " + format_number(off_m / setup::mean_noise(setup), 3) + " times the noise; ";
-    // Levels that are sought are a compromise with all that comes later, unless the start is what is missed most.
+    // Sought initial levels are a compromise with all later samples; only a miss that is worst at the start counts.
     if (problem.sought.seek_before && off_m < rule.near_worst * target_miss(setup, run, rule).worst_rms_m)
         return std::nullopt;
     if (problem.sought.seek_before)

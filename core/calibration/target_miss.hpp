@@ -9,46 +9,49 @@
 
 namespace myo::calibration {
 
-/// When the markers follow their target, in noise levels: rms over the noise of a coordinate.
+/// When a target counts as reached, in noise levels: rms over the noise of a coordinate.
 struct TargetRule {
-    /// A recording leaves one level of a right model, as much again is lost to knots and cells; more is not followed.
+    /// A correct model leaves one level of the recording, knots and cells add about as much; more is a miss.
     double reached = 3.0;
-    /// So much at t = 0 is another pose, not noise: one sample of few markers scatters more than the whole trial.
+    /// Above this the body at t = 0 is in another pose: one sample of few markers scatters more than a whole trial.
     double same_pose = 5.0;
-    /// Half of what a recording's own noise leaves: no search can gain what that noise would let one see.
+    /// Half of what a recording's own noise leaves: a search cannot gain more than that noise would reveal.
     double met = 0.5;
-    /// Markers and times belong to where the target is missed down to this share of the worst.
+    /// Markers and times above this share of the worst are reported.
     double near_worst = 0.5;
     std::size_t most_markers = 3;
 };
 
-/// How far the markers of a run stay from their target, and where.
+/// Distance of a run from its target, with the worst markers and times.
 struct TargetMiss {
+    /// A marker and its error.
     struct Marker {
         std::string name;
         double rms_m = 0.0;
     };
-    bool reached = true;
-    double noise_m = 0.0, rms_m = 0.0;
-    double noise_levels = 0.0;
-    std::vector<Marker> markers;              // those that are farthest off, the worst first
-    double worst_s = 0.0, worst_rms_m = 0.0;  // over the markers at that time
-    double from_s = 0.0, until_s = 0.0;       // around it, as long as the error is near the worst
+    bool reached = true;                      // rms below TargetRule::reached
+    double noise_m = 0.0, rms_m = 0.0;        // of a coordinate, over the trial
+    double noise_levels = 0.0;                // rms_m / noise_m
+    std::vector<Marker> markers;              // the worst ones, largest error first
+    double worst_s = 0.0, worst_rms_m = 0.0;  // time of the largest error and its rms over the markers
+    double from_s = 0.0, until_s = 0.0;       // interval around worst_s in which the error is close to the largest
 };
 
-/// Of a setup's only trial.
+/// Distance to the target for a setup with a single trial.
+///
+/// @param run  complete run of that trial
 TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& run, const TargetRule& rule = {});
 
-/// A sentence on a target that is not reached: how much is left, where, when. @param before_rms_m  at the start of the
-/// search
+/// Readable sentence on a target that is not reached: remaining distance, markers and times.
+///
+/// @param before_rms_m  distance at the start of the search
 std::string sentence(const TargetMiss& miss, double before_rms_m);
 
-/// Whether trial and muscle say which level was held before t = 0: an actuation file, a step, a signal of the muscle's
-/// own.
+/// Whether the level before t = 0 is given: by an actuation file, a step, or the muscle's own signal.
 bool level_is_on_record(const experiment::Experiment& experiment, const experiment::TrialDeclaration& trial,
                         std::size_t muscle);
 
-/// A sentence on what is not known of a body that does not stand where its target begins; none where it does.
+/// Warning if the body at t = 0 is not in the pose of the target, with the likely cause; empty otherwise.
 std::optional<std::string> start_miss(const setup::Setup& setup, const inverse::ActuationProblem& problem,
                                       const prediction::SetupRun& run, const TargetRule& rule = {});
 

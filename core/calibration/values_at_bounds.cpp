@@ -7,7 +7,7 @@
 namespace myo::calibration {
 namespace {
 
-/// Of a parameter's scale: as near as bounds are met in the numbers that a fit moves.
+/// Distance to a bound relative to the scale, as closely as the fit's internal variables reach bounds.
 constexpr double nearly = 1e-6;
 
 bool has_no_influence(const Calibration& calibration, std::size_t parameter) {

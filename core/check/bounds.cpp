@@ -15,7 +15,7 @@ std::vector<Finding> check_bounds(const CheckedJob& job) {
         finding.figure = at.value;
         finding.threshold = at.bound;
         finding.unit = parameter.unit;
-        finding.told = true;
+        finding.told = true;  // bound_sentence() is a warning of the calibration already
         findings.push_back(std::move(finding));
     }
     if (findings.empty()) findings.push_back(fine_finding("", "all values lie within their bounds"));

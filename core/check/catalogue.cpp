@@ -48,6 +48,8 @@ const Check* find_check(const std::string& id) {
 
 namespace {
 
+/// Runs the checks in catalogue order; each sees the findings of those before it. Findings made before the job are
+/// reused for checks that do not depend on its result.
 std::vector<Finding> run_checks(CheckedJob job, const std::vector<Finding>& before) {
     std::vector<Finding> findings;
     job.earlier = &findings;

@@ -7,31 +7,35 @@
 
 namespace myo::check {
 
-/// When a check can be made.
+/// When a check applies: before a job, after it, or both.
 enum class CheckTime { before, after, both };
 
-/// One thing that a model takes for granted.
+/// A check of one assumption of the model, numerical or experimental.
 struct Check {
-    std::string id;
+    std::string id;        // in files, and on the command line
     std::string question;  // "Is the time step short enough?"
     CheckTime time = CheckTime::before;
     std::string source;  // of its threshold
-    std::vector<Finding> (*find)(const CheckedJob&) = nullptr;
-    bool explains_residual = false;  // what a fit leaves may come from it
+    std::vector<Finding> (*find)(const CheckedJob&) =
+        nullptr;                     // the check itself; may return no finding if it does not apply
+    bool explains_residual = false;  // a violation can cause a residual of the fit
 };
 
-/// All checks, those last that judge by the findings of others.
+/// All checks, in order; checks that use the findings of others come last.
 const std::vector<Check>& check_catalogue();
+/// The check with this id, or null.
 const Check* find_check(const std::string& id);
 
-/// What one of them finds, with its id and source.
+/// Findings of one check, with its id and source filled in.
 std::vector<Finding> run_check(const Check& check, const CheckedJob& job);
 
-/// All findings before a job, fine ones among them.
+/// Findings of all checks that apply before a job, passed checks included.
 std::vector<Finding> check_before(const setup::Setup& setup);
 
-/// All findings after a job. A check that is made at both times is made anew, with the job's values; what can be asked
-/// before it alone is taken from `before`, or asked now where that is empty.
+/// Findings of all checks after a job, passed checks included.
+///
+/// @param before  findings of check_before(): those of checks that apply only before a job are taken from here; empty:
+///                these checks run now. Checks of both times always run again, with the values of the job
 std::vector<Finding> check_after(const CheckedJob& job, const std::vector<Finding>& before = {});
 
 }  // namespace myo::check

@@ -7,14 +7,14 @@
 
 namespace myo::check {
 
-/// What checks look at: an experiment before a job, and what the job brought after it.
+/// Input of the checks: the experiment before a job, and the result after it. Pointers are owned by the caller.
 struct CheckedJob {
     const setup::Setup& setup;
-    const prediction::SetupRun* run = nullptr;              // with the values that the job ended with; null before it
-    const calibration::Calibration* calibration = nullptr;  // where the job was one
-    const std::vector<Finding>* earlier = nullptr;          // of the checks before this one in the catalogue
+    const prediction::SetupRun* run = nullptr;              // with the final values of the job; null before it
+    const calibration::Calibration* calibration = nullptr;  // null unless the job was a calibration
+    const std::vector<Finding>* earlier = nullptr;          // findings of the checks before this one in the catalogue
     bool as_declared = false;                               // the run has the declared values: nothing was fitted
-    const std::vector<setup::TrialStep>* seen = nullptr;    // steps_seen_in() the run; null: they are looked for
+    const std::vector<setup::TrialStep>* seen = nullptr;    // steps_seen_in() the run; null: computed by the check
 };
 
 }  // namespace myo::check

@@ -6,20 +6,36 @@
 
 namespace myo::check {
 
-// One file each; registered in catalogue.cpp.
+// One file per check, registered in catalogue.cpp. Each returns one finding per subject, passed ones included; an empty
+// list means that the check does not apply.
+
+/// Mesh resolution for bending and torsion, see setup::unsuitable().
 std::vector<Finding> check_mesh(const CheckedJob& job);
+/// Mesh resolution between the closest markers.
 std::vector<Finding> check_markers(const CheckedJob& job);
+/// Declared quantities within plausible SI ranges.
 std::vector<Finding> check_units(const CheckedJob& job);
+/// Recorded frequency of free vibration against the first natural frequency, and the sampling rate.
 std::vector<Finding> check_time_unit(const CheckedJob& job);
+/// The clamped nodes must span an area, otherwise the body rotates about them.
 std::vector<Finding> check_support(const CheckedJob& job);
+/// Stability of the rest pose under gravity and loads (linear buckling).
 std::vector<Finding> check_pose(const CheckedJob& job);
+/// Time step against the dominant vibration of the run, or against its estimated error.
 std::vector<Finding> check_step(const CheckedJob& job);
+/// Distance of model and recording at the first sample.
 std::vector<Finding> check_start(const CheckedJob& job);
+/// Signals that do not overlap their trials.
 std::vector<Finding> check_signals(const CheckedJob& job);
+/// Validation trials that reuse a recording of a fit trial.
 std::vector<Finding> check_recordings(const CheckedJob& job);
+/// Inverted cells during the run.
 std::vector<Finding> check_inside_out(const CheckedJob& job);
+/// Fitted values at their bounds.
 std::vector<Finding> check_bounds(const CheckedJob& job);
+/// Parameters that the data do not determine.
 std::vector<Finding> check_influence(const CheckedJob& job);
+/// Residual of the fit, or of the declared values, against noise and numerical error.
 std::vector<Finding> check_residual(const CheckedJob& job);
 
 }  // namespace myo::check

@@ -8,12 +8,15 @@
 
 namespace myo::check {
 
-/// What is found of the units, in which an experiment and its recordings are written.
+/// Findings of the checks of units and of the time unit.
 std::vector<Finding> findings_on_units(const setup::Setup& setup);
 
-/// Sets the steps that suit the declared values. Where a unit is in doubt, these tell no step: a body that is declared
-/// a thousand times too light would be run with thousands of steps per sample. Half a sampling interval then stays, as
-/// if it had been asked for.
+/// Chooses time steps for the declared values and sets them in the setup.
+///
+/// If a unit is doubtful, half a sampling interval is fixed instead, as if it had been requested: a body declared a
+/// thousand times too light would be simulated with thousands of steps per sample.
+///
+/// @param on_units  result of findings_on_units()
 void choose_declared_steps(setup::Setup& setup, const std::vector<Finding>& on_units, const Progress& progress = {});
 
 }  // namespace myo::check

@@ -5,26 +5,27 @@
 
 namespace myo::check {
 
-/// Green, amber and red.
+/// Passed, doubtful, violated; shown as green, amber and red.
 enum class CheckLevel { fine, doubtful, wrong };
 
+/// "green", "amber" or "red".
 std::string to_string(CheckLevel level);
 
-/// What one check found of one subject.
+/// Result of one check for one subject.
 struct Finding {
     std::string check;  // id in the catalogue of checks
     CheckLevel level = CheckLevel::fine;
-    std::string subject;  // trial or parameter; empty: the whole experiment
-    double figure = std::numeric_limits<double>::quiet_NaN();
-    double threshold = std::numeric_limits<double>::quiet_NaN();  // of the figure, beyond which it is doubtful
-    std::string unit;                                             // of both
+    std::string subject;                                          // trial or parameter; empty: the whole experiment
+    double figure = std::numeric_limits<double>::quiet_NaN();     // measured value
+    double threshold = std::numeric_limits<double>::quiet_NaN();  // value beyond which the figure is doubtful
+    std::string unit;                                             // of figure and threshold
     std::string source;                                           // of the threshold
-    std::string sentence;                                         // what was found, with the figure
-    std::string way_out;                                          // what helps; empty where all is well
-    bool told = false;                                            // a warning says so already, with file and line
+    std::string sentence;                                         // the result with its figure
+    std::string way_out;                                          // remedy; empty if passed
+    bool told = false;                                            // a warning with file and line states the same
 };
 
-/// A finding that all is well.
+/// Passed finding with a subject and a sentence; callers raise the level and add figures.
 Finding fine_finding(const std::string& subject, const std::string& sentence);
 
 }  // namespace myo::check

@@ -12,10 +12,11 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// States of a run that are looked at: a cell that turns inside out stays so for longer than a hundredth of a run.
+/// Number of states that are checked: an inverted cell remains inverted for more than a hundredth of a run.
 constexpr std::size_t most_states = 100;
 
 template <class Shape>
+/// Whether det(dx/dxi) <= 0 at one of the given reference points of a cell.
 bool turned(const mesh::VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x, const Matrix3Xd& corners) {
     Eigen::Matrix<double, 3, Shape::nodes> X;
     for (int a = 0; a < Shape::nodes; ++a) X.col(a) = x.col(mesh.cells(a, cell));
@@ -24,7 +25,7 @@ bool turned(const mesh::VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x,
     return false;
 }
 
-/// Cells with a Jacobian of 0 or less at a corner.
+/// Number of cells with a non-positive Jacobian determinant at a corner. That of tet4 is constant: one point suffices.
 int turned_cells(const mesh::VolumeMesh& mesh, const Matrix3Xd& x) {
     Matrix3Xd tetrahedron(3, 4);
     tetrahedron << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;

@@ -8,7 +8,7 @@
 namespace myo::check {
 namespace {
 
-/// Two markers nearer than this part of an edge lie in one cell and show nothing but its linear strain.
+/// Markers closer than this share of an edge lie in one cell and only resolve its linear strain.
 constexpr double least_edge_share = 0.25;
 
 }  // namespace

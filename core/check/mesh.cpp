@@ -9,7 +9,7 @@ std::vector<Finding> check_mesh(const CheckedJob& job) {
     const setup::Setup& setup = job.setup;
     std::vector<Finding> findings;
     for (const std::string& sentence : setup::unsuitable({setup.surface, setup.mesh, setup.experiment.effects})) {
-        Finding finding = fine_finding("", sentence);  // which names its way out, too
+        Finding finding = fine_finding("", sentence);  // the sentence contains the remedy
         finding.level = CheckLevel::doubtful;
         finding.told = true;
         findings.push_back(std::move(finding));

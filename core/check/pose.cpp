@@ -10,12 +10,13 @@
 namespace myo::check {
 namespace {
 
+/// Linearised buckling check, see check_pose().
 struct PosePolicy {
-    /// Part of the loads under which the change of frequency is taken: far from a critical load the squared frequency
-    /// falls in proportion, and 1e-7 is the accuracy of frequencies.
+    /// Share of the loads at which the change of frequency is measured: far from the critical load the squared
+    /// frequency decreases linearly, and 1e-7 is the accuracy of frequencies.
     double load_share = 0.02;
-    double doubtful_share = 1.2;  // of the critical load over the load: a margin of a fifth
-    int modes = 2;                // a square column has two equal ones
+    double doubtful_share = 1.2;  // critical load over load: a margin of a fifth
+    int modes = 2;                // a square column has two equal modes
 };
 constexpr PosePolicy pose_policy;
 
@@ -25,7 +26,7 @@ model::Model under_part_of_loads(model::Model model, double share) {
     return model;
 }
 
-/// Squared angular frequency of the slowest mode under a part of the loads.
+/// Squared angular frequency of the slowest mode in equilibrium under a share of the loads; empty without equilibrium.
 std::optional<double> slowest(const model::Model& model, double share, double time_s) {
     const model::Model loaded = under_part_of_loads(model, share);
     dynamics::StageSolver solver(loaded);
@@ -39,15 +40,16 @@ std::optional<double> slowest(const model::Model& model, double share, double ti
 
 }  // namespace
 
-/// A column that stands loses stiffness in proportion to its load and buckles where none is left; a beam that lies does
-/// not. Muscles are passive here.
+/// A standing column loses stiffness in proportion to its load and buckles when none is left; a lying beam does not.
+/// The critical load factor follows from a linear extrapolation of omega^2 to zero. Muscles are passive here.
 std::vector<Finding> check_pose(const CheckedJob& job) {
     const setup::PreparedTrial& trial = job.setup.trials.front();
     model::Model model = prediction::trial_model(job.setup, 0, prediction::declared_values(job.setup));
     model.activation.assign(model.activation.size(), fibre::Signal::constant(1.0));
     const std::optional<double> free = slowest(model, 0.0, 0.0), loaded = slowest(model, pose_policy.load_share, 0.0);
     if (!free || !loaded || !(*free > 0.0)) return {};
-    const double lost = (1.0 - *loaded / *free) / pose_policy.load_share;  // of the stiffness, by the whole load
+    const double lost = (1.0 - *loaded / *free) /
+                        pose_policy.load_share;  // loss of stiffness under the full load, relative
     Finding finding = fine_finding(trial.name, "the pose at rest is stable under its loads");
     finding.figure = lost;
     finding.threshold = 1.0 / pose_policy.doubtful_share;

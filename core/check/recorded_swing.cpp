@@ -8,15 +8,16 @@ namespace {
 
 using Eigen::Index;
 
+/// When a recorded motion counts as free oscillation.
 struct SwingPolicy {
-    int least_turns = 3;         // a period and a half: a step has one turn where it overshoots, drift none
-    double noise_levels = 10.0;  // that a turn goes back at least: not reached by white noise ...
-    double travel_share = 0.05;  // ... nor, with this part of the travel, by a tripod that is touched
-    double least_signal_change = 0.05;
+    int least_turns = 3;                // 1.5 periods: an overshooting step response has one reversal, drift has none
+    double noise_levels = 10.0;         // least amplitude of a reversal over the noise: beyond white noise ...
+    double travel_share = 0.05;         // ... and over the range of motion: beyond a bumped tripod
+    double least_signal_change = 0.05;  // of a signal's range that still counts as a change
 };
 constexpr SwingPolicy swing_policy;
 
-/// The last knot at which a signal is still away from its end.
+/// Time of the last knot at which a signal still differs from its final value.
 double last_change_s(const fibre::Signal& signal) {
     const auto [least, most] = std::minmax_element(signal.values.begin(), signal.values.end());
     const double off = swing_policy.least_signal_change * (*most - *least);
@@ -36,7 +37,7 @@ double last_change_s(const model::Model& model) {
 
 std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double least_m) {
     std::vector<double> turns;
-    Index low = -1, high = -1;  // extremes since the last turn
+    Index low = -1, high = -1;  // extremes since the last reversal
     int direction = 0;
     for (Index k = 0; k < x_m.size(); ++k) {
         if (!std::isfinite(x_m(k))) continue;
@@ -61,6 +62,7 @@ RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, d
     const Index first = std::max(trial.first_sample, static_cast<Index>(after));
     const Index count = time.size() - first;
     if (count <= swing_policy.least_turns) return {};
+    // The coordinate with the largest range has the best ratio of signal to noise.
     Eigen::VectorXd widest;
     double travel = 0.0;
     for (const Eigen::Matrix3Xd& track : trial.measured.tracks)
@@ -78,6 +80,7 @@ RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, d
     if (turns.size() < static_cast<std::size_t>(swing_policy.least_turns)) return swing;
     std::vector<double> halves;
     for (std::size_t i = 1; i < turns.size(); ++i) halves.push_back(turns[i] - turns[i - 1]);
+    // Median of the half periods: robust against a missed reversal.
     const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
     std::nth_element(halves.begin(), middle, halves.end());
     swing.turns = static_cast<int>(turns.size());

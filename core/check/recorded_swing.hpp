@@ -8,20 +8,23 @@
 
 namespace myo::check {
 
-/// A motion to and fro that a recording shows.
+/// Oscillation visible in a recording.
 struct RecordedSwing {
-    int turns = 0;              // below 3: none is seen
-    double frequency_Hz = 0.0;  // by the median time between two turns
+    int turns = 0;              // number of reversals; below 3: no oscillation
+    double frequency_Hz = 0.0;  // from the median time between reversals
 };
 
-/// Times [s] at which a coordinate [m] turns back by more than `least_m`; samples that are not finite are passed over.
+/// Times [s] at which a coordinate [m] reverses by more than `least_m`; non-finite samples are skipped.
 std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double least_m);
 
-/// When the loads and signals of a trial have last changed [s]; 0 where nothing changes after its start. The last
-/// twentieth of a signal's range does not count: logs are noisy.
+/// Time [s] of the last change of a trial's loads and signals; 0 if nothing changes after the start. Changes below a
+/// twentieth of a signal's range are ignored: logs are noisy.
 double last_change_s(const model::Model& model);
 
-/// How the coordinate that moves most swings from a time on, as far as it stands out of noise and travel.
+/// Oscillation of the coordinate with the largest motion from a time on, if it exceeds noise and a share of the range.
+///
+/// @param from_s   trial time after which the body moves freely
+/// @param noise_m  1 sigma per coordinate
 RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, double noise_m);
 
 }  // namespace myo::check

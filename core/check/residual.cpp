@@ -9,12 +9,13 @@
 namespace myo::check {
 namespace {
 
-/// A model that lacks nothing leaves 1, beside its numerical errors; the noise itself is known to some tens of percent.
+/// Residual rms over expected rms. A complete model leaves 1, apart from numerical errors; the noise itself is known to
+/// some tens of percent.
 constexpr double doubtful_ratio = 1.5, wrong_ratio = 10.0;
-/// Numerical errors that raise what is expected by less than this are not worth a word.
+/// Numerical errors that raise the expected residual by less than this factor are not mentioned.
 constexpr double least_told_rise = 1.1;
 
-/// What was found doubtful so far and may leave a residual, the worst first.
+/// Earlier violated or doubtful findings that can cause a residual, worst first.
 std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
     std::vector<Finding> list;
     for (const CheckLevel level : {CheckLevel::wrong, CheckLevel::doubtful})
@@ -34,7 +35,7 @@ std::string suspect_names(const std::vector<Finding>& earlier) {
     return join(names, ", ");
 }
 
-/// Judges a residual in noise levels beside those that are expected.
+/// Level of a residual, in noise levels, relative to the expected one.
 Finding judged_residual(const std::string& sentence, double ratio, double expected) {
     Finding finding = fine_finding("", sentence);
     finding.figure = ratio;
@@ -44,7 +45,7 @@ Finding judged_residual(const std::string& sentence, double ratio, double expect
     return finding;
 }
 
-/// rms of the residuals of all trials that have run [m].
+/// Residual rms over all completed trials [m].
 double rms_of_all(const prediction::SetupRun& run) {
     std::vector<Eigen::Matrix3Xd> all;
     for (const prediction::TrialPrediction& prediction : run.predictions)
@@ -76,6 +77,7 @@ std::vector<Finding> of_declared_values(const CheckedJob& job) {
 std::vector<Finding> of_fit(const CheckedJob& job) {
     if (!std::isfinite(job.run->fit_rms_m)) return {};
     const double ratio = job.run->fit_rms_m / setup::mean_noise(job.setup);
+    // Noise and numerical errors are independent, so the expected residual is the root of the sum of squares.
     const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
     std::string sentence = "what the model leaves of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio);
     if (expected > least_told_rise) sentence += ", of which mesh and step make about " + format_number(numerical, 2);

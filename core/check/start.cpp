@@ -9,11 +9,12 @@
 namespace myo::check {
 namespace {
 
-/// Distances at the first sample: noise and glue of markers are not meant, nor a registration's few tenths.
+/// Distance of model and recording at the first sample; noise, the glue of the markers and a few tenths from
+/// registration are tolerated.
 struct StartPolicy {
-    double noise_levels = 5.0;
-    double doubtful_share = 0.05, wrong_share = 0.2;  // of the motion
-    double first_interval = 0.1;                      // a first sample so near to t = 0 shows where the body begins
+    double noise_levels = 5.0;                        // tolerated distance over its noise
+    double doubtful_share = 0.05, wrong_share = 0.2;  // of the range of motion
+    double first_interval = 0.1;                      // latest first sample that shows the start, in sampling intervals
 };
 constexpr StartPolicy start_policy;
 
@@ -23,7 +24,7 @@ double rms_of(const std::vector<Eigen::Vector3d>& distances) {
     return std::sqrt(sum / static_cast<double>(distances.size()));
 }
 
-/// How far the markers travel within a trial, rms over them [m].
+/// Range of motion of the markers within a trial, rms over them [m].
 double travel(const setup::PreparedTrial& trial) {
     std::vector<Eigen::Vector3d> ranges;
     for (const Eigen::Matrix3Xd& track : trial.measured.tracks) {
@@ -35,7 +36,7 @@ double travel(const setup::PreparedTrial& trial) {
     return ranges.empty() ? 0.0 : rms_of(ranges);
 }
 
-/// Model less recording at the first sample, where that shows the start.
+/// Model minus recording at the first sample, per marker; empty if this sample does not show the start.
 std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
     const setup::Setup& setup = job.setup;
     const setup::PreparedTrial& trial = setup.trials[t];
@@ -45,7 +46,8 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
         return distances;
     const bool known = setup.experiment.registration.known && trial.reference_m.empty();
     const bool straight = trial.options.start == dynamics::StartKind::straight;
-    // Where a body rests follows from its modulus: only a fitted one says where that is.
+    // Before a run, only a straight start in a known frame can be compared. After it, an equilibrium depends on the
+    // modulus, so only a fitted one is compared.
     if (job.run == nullptr ? !straight || !known : !straight && job.calibration == nullptr) return distances;
     for (std::size_t m = 0; m < trial.measured.tracks.size(); ++m) {
         Eigen::Vector3d distance;
@@ -64,7 +66,7 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
 
 std::vector<Finding> check_start(const CheckedJob& job) {
     std::vector<Finding> findings;
-    const double noise = std::sqrt(3.0) * setup::mean_noise(job.setup);  // of a distance
+    const double noise = std::sqrt(3.0) * setup::mean_noise(job.setup);  // of a distance: three independent coordinates
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const setup::PreparedTrial& trial = job.setup.trials[t];
         const std::vector<Eigen::Vector3d> distances = at_start(job, t);

@@ -11,14 +11,15 @@
 namespace myo::check {
 namespace {
 
-/// Frequency errors: what choose_steps() aims at, with room for values that a fit has moved (ShorterStepsPolicy), and
-/// one that is seen in a fitted modulus as 2 %.
+/// Relative frequency errors: the target of choose_steps() with a margin for values that a fit has moved
+/// (ShorterStepsPolicy), and an error that changes a fitted modulus by 2 %.
 constexpr double doubtful_error = 1.5 * prediction::step_policy.most_frequency_error, wrong_error = 1e-2;
 
 std::string step_words(const setup::PreparedTrial& trial) {
     return "trial " + trial.name + ": steps of " + format_number(1e3 * trial.options.h_s, 3) + " ms";
 }
 
+// A modulus scales with the squared frequency, so its relative error is twice that of the frequency.
 Finding of_vibration(const setup::PreparedTrial& trial, double frequency_Hz, double error) {
     Finding finding = fine_finding(trial.name, step_words(trial) + " make the vibration of " +
                                                    format_number(frequency_Hz, 3) + " Hz " +
@@ -28,16 +29,17 @@ Finding of_vibration(const setup::PreparedTrial& trial, double frequency_Hz, dou
     finding.level = step_level(error);
     if (finding.level == CheckLevel::fine) return finding;
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
-    // The error grows with the square of the step.
+    // Second-order scheme: the error grows with the square of the step.
     const double better = trial.options.h_s * std::sqrt(prediction::step_policy.most_frequency_error / error);
     finding.way_out = "choose a step of " + format_number(better, 2) + " s (" + setup::step_setting +
                       "), or leave it to the program";
     return finding;
 }
 
-/// Judges a run whose step nobody has looked for, and that shows no vibration to judge it by.
+/// Finding for a requested step and a run without visible vibration.
 Finding of_nothing_seen(const setup::PreparedTrial& trial, double first_rad_s) {
     const double h = trial.options.h_s;
+    // omega h > 1: the scheme damps the first vibration within a few steps, so it could not have been seen.
     const bool blind = first_rad_s * h > 1.0;
     return fine_finding(trial.name, step_words(trial) + ", and no vibration is seen that they could make too slow" +
                                         (blind ? ": they damp away the first one, of " +
@@ -46,6 +48,7 @@ Finding of_nothing_seen(const setup::PreparedTrial& trial, double first_rad_s) {
                                                : ""));
 }
 
+// The step was chosen before the run; its own error estimate is reported.
 Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& step) {
     if (!step.failure.empty()) {
         Finding finding = fine_finding(

@@ -4,7 +4,7 @@
 
 namespace myo::check {
 
-/// What a step's relative frequency error means for a modulus that is fitted on that vibration.
+/// Level of a step by its relative frequency error, for a modulus that is fitted on that vibration.
 CheckLevel step_level(double frequency_error);
 
 }  // namespace myo::check

@@ -11,7 +11,8 @@
 namespace myo::check {
 namespace {
 
-/// Width of the held part, over the body's size, below which it is a line or a point: rounding of mesh files.
+/// Width of the clamped part over the size of the body, below which it is a line or a point; allows for rounding in
+/// mesh files.
 constexpr double least_width = 1e-5;
 
 }  // namespace
@@ -21,8 +22,9 @@ std::vector<Finding> check_support(const CheckedJob& job) {
     const std::vector<int> held = model::held_nodes(body);
     const Eigen::Matrix3Xd points = body.mesh.nodes(Eigen::all, held);
     const Eigen::Matrix3Xd apart = points.colwise() - points.rowwise().mean();
+    // Principal axes of the clamped nodes. The eigenvalues ascend, so extents(1) is the second largest extent: it
+    // vanishes for a line and for a point.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(apart * apart.transpose());
-    // Extents along the main axes, the widest last.
     const Eigen::Vector3d extents = (axes.eigenvectors().transpose() * apart).cwiseAbs().rowwise().maxCoeff();
     const double size = mesh::bounding_box(body.mesh.nodes).size().maxCoeff();
     Finding finding = fine_finding("", std::to_string(held.size()) + " of " + std::to_string(body.node_count()) +

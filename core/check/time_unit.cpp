@@ -11,24 +11,27 @@
 namespace myo::check {
 namespace {
 
+/// Ratios and rates at which the times of a recording are taken to be in another unit.
 struct TimeUnitPolicy {
-    /// Between the frequency of a body left to itself and that of its first vibration. It swings no slower than that,
-    /// and faster than its sixth bending vibration (90 times the first, of a cantilever) without the first being seen
-    /// it does not. 30 leaves room for a modulus a thousand times off, which says what else is wrong.
+    /// First natural frequency over the recorded frequency of free motion, or its inverse. A free body does not
+    /// oscillate slower than its first mode, nor faster than its sixth bending mode (90 times the first, of a
+    /// cantilever) without the first being visible. 30 leaves room for a modulus off by a factor of a thousand, which
+    /// other checks report.
     double doubtful_ratio = 30.0;
-    double wrong_ratio = 300.0;       // a modulus 1e5 times off
-    double most_samples_per_s = 1e5;  // high-speed cameras at a tenth of their picture
-    double same = 3.0;                // ratios within this factor are taken for that of a unit
+    double wrong_ratio = 300.0;       // a modulus off by 1e5
+    double most_samples_per_s = 1e5;  // high-speed cameras at a tenth of their image size
+    double same = 3.0;                // a ratio within this factor of a unit's is attributed to that unit
 };
 constexpr TimeUnitPolicy time_unit_policy;
 
+/// A wrong unit of time and the frequency ratio that it causes.
 struct Slip {
-    double ratio;  // of the first vibration's frequency over that in the recording
+    double ratio;  // first natural frequency over that in the recording
     const char* words;
 };
 constexpr std::array slips{Slip{1e3, "milliseconds"}, Slip{1e6, "microseconds"}, Slip{1.0 / 60.0, "minutes"}};
 
-/// What the times look like: "; they look like milliseconds", or nothing.
+/// Likely unit of the times, "; they look like milliseconds", or empty.
 std::string guess(double interval_s, double ratio) {
     if (std::abs(interval_s - 1.0) < 1e-9 && ratio > 1.0) return "; they look like the numbers of frames";
     for (const Slip& slip : slips)
@@ -61,7 +64,7 @@ Finding of_swing(const setup::PreparedTrial& trial, double swing_Hz, double firs
     return finding;
 }
 
-/// A body whose muscles are declared without any signal moves by those that are sought.
+/// False if muscles are declared without any changing signal: then the motion is driven by signals yet to be found.
 bool signals_are_known(const setup::PreparedTrial& trial) {
     const auto changes = [](const fibre::Signal& signal) {
         return std::any_of(signal.values.begin(), signal.values.end(),
@@ -86,8 +89,8 @@ Finding of_rate(const setup::PreparedTrial& trial, double rate_Hz) {
 
 }  // namespace
 
-/// Slow recordings are no slip: of a body that creeps, or whose loads and signals change, any time may be true. So may
-/// that of a motion whose signals are still to be found.
+/// Only free oscillation reveals the unit of time. Slow recordings are accepted: a creeping body, or one with changing
+/// loads or unknown signals, can move at any rate.
 std::vector<Finding> check_time_unit(const CheckedJob& job) {
     const setup::Setup& setup = job.setup;
     std::vector<Finding> findings;

@@ -7,21 +7,20 @@
 namespace myo::check {
 namespace {
 
-/// A range beyond which a number is likelier in another unit than meant.
+/// Range outside of which a value is more likely in a wrong unit.
 struct PlausibleRange {
     const char* key;
     const char* unit;
     double low, high;
-    const char* slip;  // what was likely written
+    const char* slip;  // the likely mistake
 };
 
-/// The only limits of these quantities: what is said of them is made from here.
+/// Plausible ranges; messages are derived from them.
 struct UnitPolicy {
-    // Gels of jellyfish to stiff plastics (Young's moduli of polymers end at 5 GPa); light foams to heavy metals.
+    // Jellyfish gels to stiff plastics (Young's moduli of polymers end at 5 GPa); light foams to heavy metals.
     PlausibleRange modulus{"material.youngs_modulus_Pa", "Pa", 500.0, 5e9, "MPa or kPa in place of Pa"};
     PlausibleRange density{"material.density_kg_m3", "kg/m3", 20.0, 25e3, "g/cm3 in place of kg/m3"};
-    // Critical damping of a body of 0.6 Hz; that of Jupiter; a marker of the largest size; the smallest to the longest
-    // arms.
+    // Critical damping of a body of 0.6 Hz; gravity of Jupiter; the largest markers; the smallest to the longest arms.
     PlausibleRange damping{"material.damping_s", "s", 0.0, 0.5, "ms in place of s"};
     PlausibleRange gravity{"gravity_m_s2", "m/s2", 0.0, 30.0, "mm/s2 in place of m/s2"};
     PlausibleRange noise{"markers.noise_m", "m", 0.0, 0.02, "mm in place of m"};
@@ -34,6 +33,7 @@ std::string range_words(const PlausibleRange& range) {
     return format_number(range.low) + " to " + format_number(range.high) + " " + range.unit;
 }
 
+/// Finding for one quantity: passed inside the range, doubtful outside.
 Finding judged(const PlausibleRange& range, double value) {
     Finding finding = fine_finding(range.key, std::string(range.key) + " = " + format_number(value) + " " + range.unit);
     finding.figure = value;

@@ -23,33 +23,39 @@ Eigen::Matrix3d corners(const mesh::SurfaceMesh& surface, Eigen::Index triangle)
     return X;
 }
 
+/// Overlap and distance queries between declared boxes or points and the closed surface of the body.
 class BodyCheck {
 public:
-    // STL holds 32-bit numbers: a face meant to lie at 0.1 may be 6e-9 off.
+    // STL stores 32-bit floats: a face meant to lie at 0.1 m can be off by 6e-9 m. The tolerance is relative to the
+    // extent.
     explicit BodyCheck(const mesh::SurfaceMesh& body)
         : body_(body), tolerance_(1e-7 * mesh::bounding_box(body.vertices).size().maxCoeff()) {}
 
-    // A box that no triangle reaches is wholly inside or wholly outside.
+    // If no triangle intersects the box, the box lies entirely inside or entirely outside the body; the generalised
+    // winding number of its centre decides.
     bool holds_material(const Box& box) const {
         for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t)
             if (!part_in(box, t).empty()) return true;
         return mesh::winding_number(body_, 0.5 * (box.lowest + box.highest)) > 0.5;
     }
 
-    // Touching from outside is not enough to have a volume in common.
+    // The box is shrunk by the tolerance on all sides, so a box that only touches the surface from outside has no
+    // common volume with the body.
     bool holds_volume(Box box) const {
         box.lowest.array() += 2.0 * tolerance_;
         box.highest.array() -= 2.0 * tolerance_;
         return (box.size().array() > 0.0).all() && holds_material(box);
     }
 
-    // A body lies in a box that all its vertices lie in.
+    // The bounding box suffices: an axis-aligned box contains the body exactly if it contains all its vertices.
     bool lies_in(const Box& box) const {
         const Box bounds = mesh::bounding_box(body_.vertices);
         return (bounds.lowest.array() >= box.lowest.array() - tolerance_).all() &&
                (bounds.highest.array() <= box.highest.array() + tolerance_).all();
     }
 
+    // Area of the surface clipped to the box, by a triangle fan per clipped polygon. The threshold rejects the sliver
+    // of area that the tolerance alone can produce along an edge of the body.
     bool holds_surface(const Box& box) const {
         double area = 0.0;
         for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t) {
@@ -60,6 +66,7 @@ public:
         return area > 4.0 * tolerance_ * mesh::bounding_box(body_.vertices).size().maxCoeff();
     }
 
+    // Exhaustive over the triangles: it runs once per marker, so a search tree would not pay.
     double distance_to_surface(const Eigen::Vector3d& point) const {
         double nearest = std::numeric_limits<double>::infinity();
         for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t) {
@@ -82,6 +89,7 @@ private:
     double tolerance_;
 };
 
+// Key of an array entry in messages: "muscle[2]".
 std::string element(const std::string& table, std::size_t index) { return table + "[" + std::to_string(index) + "]"; }
 
 }  // namespace
@@ -94,12 +102,14 @@ Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment) {
     if (!raw) return Error{"geometry.file: " + raw.error().what, raw.error().where};
     if (const Result<void> size = mesh::check_plausible_size(mesh::bounding_box(raw->vertices).size()); !size)
         return declaration_error(experiment, "geometry.unit", size.error().what);
+    // STL repeats the vertices of each triangle; closedness and orientation need shared ones.
     mesh::SurfaceMesh body = mesh::weld(*raw);
     const mesh::SurfaceReport report = mesh::check_surface(body);
     const std::string file = stl.file.filename().string();
     if (!report.closed)
         return declaration_error(experiment, "geometry.file",
                                  file + " is not closed: " + std::to_string(report.open_edges) + " open edges");
+    // A mixed orientation is tolerated here: the winding number of the whole surface is then still usable.
     if (report.oriented && !report.outward)
         return declaration_error(experiment, "geometry.file",
                                  file + " is turned inside out; its triangles must face outward");
@@ -126,6 +136,7 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
             if (!check.holds_surface(experiment.trials[i].loads[j].box_m))
                 return declaration_error(experiment, element("trial", i) + "." + element("load", j) + ".box_m",
                                          "the box contains no surface of the body for the load to act on");
+    // Fixed markers are not checked: they are attached to the surroundings.
     const double allowed = experiment.markers.max_standoff_m;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) {
         const double distance = check.distance_to_surface(marker.rest_m);

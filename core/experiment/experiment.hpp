@@ -22,136 +22,153 @@ namespace myo::experiment {
 
 /// The declarations of an experiment folder, value for value (schema experiment/1). SI units, mesh frame.
 
+/// Rectangular block with edges along the axes of the mesh frame.
 struct BoxGeometry {
-    Eigen::Vector3d size_m;
-    Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d size_m;                              // edge lengths [m], the longest 1 mm to 10 m
+    Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  // lowest corner [m]
 };
 
+/// Closed triangle surface read from an STL file; vertices are scaled first, then rotated.
 struct StlGeometry {
-    std::filesystem::path file;    // as resolved against the folder
-    double metres_per_unit = 1.0;  // 1 or 1e-3
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    std::filesystem::path file;                              // absolute, or relative to the folder of the experiment
+    double metres_per_unit = 1.0;                            // 1 (unit "m") or 1e-3 (unit "mm")
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file axes to mesh frame, orthogonal
 };
 
+/// Homogeneous material of the whole body and which of its parameters may be fitted.
 struct MaterialDeclaration {
-    std::string model;  // id in the material catalogue
-    double youngs_modulus_Pa = 0.0;
+    std::string model;                      // id in the material catalogue
+    double youngs_modulus_Pa = 0.0;         // > 0; initial value of the fit
     double youngs_modulus_tolerance = 0.3;  // relative half-width
-    double poissons_ratio = 0.0;
-    double density_kg_m3 = 0.0;
-    std::optional<double> damping_s;  // absent = unknown
-    std::vector<std::string> calibrate = {"youngs_modulus", "damping"};
+    double poissons_ratio = 0.0;            // strictly between 0 and 0.5
+    double density_kg_m3 = 0.0;             // > 0
+    std::optional<double> damping_s;        // stiffness-proportional damping time [s]; absent = unknown
+    std::vector<std::string> calibrate = {"youngs_modulus", "damping"};  // of youngs_modulus, damping, actuation_level
 };
 
-/// a - 1 of a group is ratio times (a - 1) of another.
+/// Linear coupling of two muscles: a - 1 of the follower is `ratio` times a - 1 of the leader.
 struct FollowsDeclaration {
-    std::string muscle;
-    double ratio = 0.0;
+    std::string muscle;  // name of the leader
+    double ratio = 0.0;  // any sign; negative for antagonists
 };
 
-/// The part of the body inside a box.
+/// Muscle that fills the part of the body inside a box, with one fibre direction.
 struct MuscleBox {
-    Box box_m;
-    Eigen::Vector3d fibre;  // unit
+    Box box_m;              // mesh frame [m]
+    Eigen::Vector3d fibre;  // unit vector
 };
 
-/// Elements painted one by one.
+/// Muscle given element by element: weights and fibre directions painted on the body.
 struct MuscleMask {
     std::variant<std::filesystem::path, std::shared_ptr<const fibre::PaintedMask>>
         painted;                           // a file, resolved, or what it would hold; never null
     std::optional<Eigen::Vector3d> fibre;  // unit; instead of the painted directions
 };
 
-/// All material within a radius of a line; fibres run along it.
+/// Muscle of all material within a radius of a polyline; the fibres run along the line.
 struct MuscleLine {
-    fibre::Polyline line;
-    double radius_m = 0.0;
+    fibre::Polyline line;   // points 3 x n [m], n >= 2, mesh frame
+    double radius_m = 0.0;  // > 0
 };
 
+/// A muscle: where its fibres are, how stiff they are, and what actuates them.
 struct MuscleDeclaration {
-    std::string name;
-    std::variant<MuscleBox, MuscleMask, MuscleLine> part;
-    double stiffness_Pa = 0.0;
-    std::optional<FollowsDeclaration> follows;
-    std::optional<fibre::Signal> signal;                    // a(t) in all trials, whatever these recorded
-    std::optional<std::filesystem::path> signal_file = {};  // that it was read from
+    std::string name;                                      // heads the column of the actuation file
+    std::variant<MuscleBox, MuscleMask, MuscleLine> part;  // exactly one of box_m, mask, line_m
+    double stiffness_Pa = 0.0;                             // fibre stiffness, > 0
+    std::optional<FollowsDeclaration> follows;             // excludes `signal`
+    std::optional<fibre::Signal> signal;  // a(t) in all trials; takes precedence over recorded actuation
+    std::optional<std::filesystem::path> signal_file = {};  // the file `signal` was read from
 };
 
+/// How an unknown transformation from camera frame to mesh frame is treated: bounded parameters of the fit, or a rigid
+/// fit of the markers in their rest pose.
 enum class RegistrationMethod { limited, rest_pose };
 
+/// Transformation from the camera frame to the mesh frame. If it is known, the recordings are in the mesh frame.
 struct RegistrationDeclaration {
     bool known = true;
     RegistrationMethod method = RegistrationMethod::limited;
-    double max_translation_m = 0.0;  // for `limited`
-    double max_rotation_deg = 0.0;   // about the mesh origin
+    double max_translation_m = 0.0;  // bound per component, for `limited`
+    double max_rotation_deg = 0.0;   // bound about the mesh origin, for `limited`; 0 ... 180
 };
 
+/// Compared quantity: marker positions, or displacements from the mean before the start of the motion.
 enum class Comparison { position, displacement };
 
+/// A marker by name with its position on the undeformed body.
 struct MarkerDeclaration {
     std::string name;
-    Eigen::Vector3d rest_m;
-    std::string label;  // name in the recording; equals `name` unless markers.labels says otherwise
+    Eigen::Vector3d rest_m;  // mesh frame [m]
+    std::string label;       // name in the recording; equals `name` unless markers.labels says otherwise
 };
 
+/// All markers of the experiment and how their recorded motion is compared.
 struct MarkersDeclaration {
-    std::optional<double> noise_m;
-    double max_standoff_m = 1e-3;
+    std::optional<double> noise_m;  // 1 sigma per coordinate; absent = estimated from the traces
+    double max_standoff_m = 1e-3;   // largest distance of a rest position from the surface
     Comparison compare = Comparison::position;
-    std::vector<MarkerDeclaration> on_body;
-    std::vector<MarkerDeclaration> fixed;
+    std::vector<MarkerDeclaration> on_body;  // move with the body; at least one
+    std::vector<MarkerDeclaration> fixed;    // attached to the surroundings, used for registration only
 };
 
+/// A mass glued to the surface, or a dead force of constant direction.
 enum class LoadKind { mass, force };
 
+/// Load spread over the part of the surface inside a box, in proportion to area.
 struct LoadDeclaration {
     LoadKind kind = LoadKind::force;
     Box box_m;
-    double mass_kg = 0.0;                               // kind mass
-    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();  // kind force
-    double from_s = -std::numeric_limits<double>::infinity();
-    double until_s = std::numeric_limits<double>::infinity();
+    double mass_kg = 0.0;                                      // kind mass
+    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();         // kind force
+    double from_s = -std::numeric_limits<double>::infinity();  // trial time at which a force starts
+    double until_s = std::numeric_limits<double>::infinity();  // trial time at which a force ends, > from_s
 };
 
+/// A trial is fitted, or held out and predicted.
 enum class TrialRole { fit, validate };
+/// State at t = 0: the undeformed body at rest, or static equilibrium under the loads of t = 0.
 enum class StartState { straight, equilibrium };
 
-/// A level that was not recorded: a number, or free (empty optional), calibrated per trial.
+/// Actuation that was not recorded: the muscle switches at t = 0 to a level that is given, or free (empty optional) and
+/// then calibrated per trial.
 struct ActuationStep {
-    std::string muscle;
-    std::optional<double> level;
+    std::string muscle;           // name of a declared muscle that follows none
+    std::optional<double> level;  // fibre stretch a after the step [-]
 };
 
+/// One recorded run: its files, its time window, its actuation and its loads.
 struct TrialDeclaration {
-    std::string name;
+    std::string name;  // unique; results are written to <name>.csv
     TrialRole role = TrialRole::fit;
-    std::filesystem::path trace;  // resolved
+    std::filesystem::path trace;  // marker recording, resolved
     measurement::TraceFormat format = measurement::TraceFormat::csv;
-    std::optional<measurement::ColumnLayout> columns;
+    std::optional<measurement::ColumnLayout> columns;  // for format `columns` only
     StartState start = StartState::straight;
-    double session_time_s = 0.0;
-    std::optional<std::filesystem::path> actuation;  // resolved
+    double session_time_s = 0.0;                     // time of the trial within the session, for effects that drift
+    std::optional<std::filesystem::path> actuation;  // recorded a(t) per muscle, resolved
     std::vector<ActuationStep> actuation_steps;
-    std::optional<double> start_s;  // file time that is t = 0
-    std::optional<double> end_s;    // file time
-    std::map<std::string, double> condition;
+    std::optional<double> start_s;            // file time that is t = 0
+    std::optional<double> end_s;              // file time of the last compared sample
+    std::map<std::string, double> condition;  // test conditions by name; free levels are interpolated over them
     std::vector<LoadDeclaration> loads;
 };
 
+/// A complete experiment folder after reading and checking. Names are unique and references between tables resolve.
 struct Experiment {
-    std::filesystem::path folder;
+    std::filesystem::path folder;  // the directory of experiment.toml
     std::string name;
     std::string description;
     std::variant<BoxGeometry, StlGeometry> geometry;
-    Box clamp_box_m;
+    Box clamp_box_m;  // nodes inside are held [m]
     MaterialDeclaration material;
-    Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};
+    Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};  // mesh frame
     std::vector<MuscleDeclaration> muscles;
     RegistrationDeclaration registration;
     MarkersDeclaration markers;
     std::vector<TrialDeclaration> trials;
     std::vector<effect::EffectDeclaration> effects;
-    std::vector<std::string> warnings;  // for a person; each names its key
+    std::vector<std::string> warnings;  // readable sentences; each starts with its key
     std::map<std::string, std::string>
         key_locations;  // "trial[2].load[0].box_m" -> "folder/experiment.toml:41", or "--set"
 };

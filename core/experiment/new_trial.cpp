@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* declaration_file = "experiment.toml";
 
+// A control character in the origin would end the TOML comment early.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
@@ -31,7 +32,9 @@ std::string trial_text(const NewTrial& trial) {
            "\nstart_s = 0.0\n";
 }
 
-/// Writes text and trace; what cannot be read as an experiment is taken away again.
+/// Writes trace and declaration; restores the folder if the result cannot be read as an experiment.
+///
+/// The new declaration is first written and read under a temporary name, so a failure leaves experiment.toml untouched.
 Result<void> put(const fs::path& folder, const std::string& text, const NewTrial& trial) {
     const fs::path trace = folder / (trial.name + ".csv"), tried = folder / "experiment.new.toml";
     std::error_code code;
@@ -92,6 +95,7 @@ Result<void> write_experiment(const fs::path& folder, const Experiment& declared
     if (material.damping_s) text += "damping_s = " + toml::toml_number(*material.damping_s) + "\n";
     text += "\n[environment]\ngravity_m_s2 = " + toml::toml_vector(declared.gravity_m_s2) +
             "\n\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n";
+    // Mocap frames rarely coincide with the mesh frame, so displacements are compared instead of positions.
     for (const MarkerDeclaration& marker : declared.markers.on_body)
         text += toml::toml_text(marker.name) + " = " + toml::toml_vector(marker.rest_m) + "\n";
     text += trial_text(trial);
@@ -106,7 +110,7 @@ Result<void> write_experiment(const fs::path& folder, const Experiment& declared
 Result<void> copy_experiment(const fs::path& from, const fs::path& to) {
     std::error_code code;
     if (fs::exists(to, code) && !fs::is_empty(to, code)) return Error{"is not empty; choose a new folder", to.string()};
-    // A copy of a folder into itself would never end.
+    // Copying a folder into itself would recurse without end.
     const fs::path inner = fs::weakly_canonical(to, code).lexically_relative(fs::weakly_canonical(from, code));
     if (!inner.empty() && *inner.begin() != "..")
         return Error{"lies in the experiment that is to be copied; choose a folder outside", to.string()};

@@ -10,31 +10,36 @@
 
 namespace myo::experiment {
 
-/// A recording that is to become a trial of an experiment.
+/// A recording to be added to an experiment as a trial.
 struct NewTrial {
-    std::string name;
+    std::string name;  // unique in the experiment, valid as a file name
     TrialRole role = TrialRole::fit;
     StartState start = StartState::straight;
     measurement::Recording
         recording;       // mesh frame, t = 0 at the start, under the declared names; samples before the start are kept
-    std::string origin;  // where it comes from, one line; becomes a comment
+    std::string origin;  // source of the recording in one line; written as a comment
 };
 
-/// Adds a trial to an experiment folder: its samples as `<name>.csv`, its declaration at the end of experiment.toml.
-/// What it says must read as an experiment, or nothing is changed.
+/// Adds a trial to an experiment folder: samples to `<name>.csv`, declaration appended to experiment.toml.
 ///
-/// Errors: the name is taken or no file name; the folder cannot be written; those of read_experiment.
+/// @param folder  directory of an existing experiment
+/// Errors: the name is taken or is no file name; the folder cannot be written; those of read_experiment. After an error
+/// the folder is unchanged.
 Result<void> add_trial(const std::filesystem::path& folder, const NewTrial& trial);
 
-/// A new folder with body, clamp, material, gravity and markers of an experiment without muscles, effects and trials of
-/// its own, and one trial. The body is written as body.stl [m]. Displacements are compared, as recordings of motion
-/// capture call for.
+/// Creates an experiment folder with one trial. Body, clamp, material, gravity and markers are taken from `declared`;
+/// its muscles, effects and trials are not written. The markers are compared by displacement.
 ///
-/// Errors: the folder holds something already; those of add_trial.
+/// @param folder   new or empty directory
+/// @param surface  closed surface [m], mesh frame; written as body.stl
+/// Errors: the folder is not empty; those of add_trial.
 Result<void> write_experiment(const std::filesystem::path& folder, const Experiment& declared,
                               const mesh::SurfaceMesh& surface, const NewTrial& trial);
 
-/// Copies an experiment folder with everything in it to where nothing is yet.
+/// Copies an experiment folder with all its files.
+///
+/// @param to  new or empty directory outside `from`
+/// Errors: `to` is not empty or lies inside `from`; the copy fails (what was copied is removed).
 Result<void> copy_experiment(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace myo::experiment

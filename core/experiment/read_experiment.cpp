@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 const std::string current_schema = "experiment/1";
 
 Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
-    // A file of another schema has other keys: say that before complaining about them.
+    // A file of another schema version has other keys, so the version is reported before unknown keys.
     if (const toml::TomlValue* schema = root.find("schema");
         schema != nullptr && schema->kind == toml::TomlValue::Kind::text && schema->text != current_schema)
         throw toml::TomlFailure{
@@ -46,7 +46,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.trials = read_trials(document, folder);
     experiment.effects = read_effects(document);
     check_declarations(experiment);
-    // A box is known from the declaration alone; an STL is looked at by who reads it.
+    // A box is complete without further files; an STL is checked when its triangles are read.
     if (std::holds_alternative<BoxGeometry>(experiment.geometry))
         if (const Result<void> fits = check_on_body(experiment, *read_body_surface(experiment)); !fits)
             throw toml::TomlFailure{fits.error()};
@@ -73,6 +73,7 @@ Result<Experiment> read_experiment(const fs::path& folder,
 }
 
 std::string location_of(const Experiment& experiment, const std::string& key) {
+    // Shorten the key at its last '.' or '[' until a table with a recorded location is found.
     std::string known = key;
     while (true) {
         if (const auto found = experiment.key_locations.find(known); found != experiment.key_locations.end())

@@ -19,6 +19,7 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+// Key of an array entry in messages: "trial[1]".
 std::string element(const char* table, std::size_t index) {
     return std::string(table) + "[" + std::to_string(index) + "]";
 }
@@ -30,6 +31,7 @@ std::vector<std::string> marker_names(const Experiment& experiment) {
     return names;
 }
 
+// Names and labels are each unique; a label that repeats the name has no key of its own to point at.
 void check_marker_names(const Experiment& experiment) {
     std::vector<std::string> names, paths, labels, label_paths;
     for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed}) {
@@ -45,7 +47,8 @@ void check_marker_names(const Experiment& experiment) {
     check_unique(experiment, labels, label_paths);
 }
 
-// A rigid fit needs three points off a line; fewer leave a rotation free.
+// A rigid fit needs three points that are not collinear; otherwise a rotation remains free. The parallelogram spanned
+// by the points is compared with the squared extent, so the test does not depend on the size of the body.
 void check_rest_pose_fit(const Experiment& experiment) {
     if (experiment.registration.known || experiment.registration.method != RegistrationMethod::rest_pose) return;
     std::vector<Eigen::Vector3d> points;
@@ -72,7 +75,7 @@ void check_muscles(const Experiment& experiment) {
     for (std::size_t i = 0; i < muscles.size(); ++i) {
         if (!muscles[i].follows) continue;
         const std::string key = element("muscle", i) + ".follows.muscle";
-        // Walk the chain of leaders: it ends at a muscle that follows none, or it is a ring.
+        // Follow the chain of leaders: it ends at a muscle that follows none, or it is a cycle.
         std::size_t at = i;
         for (std::size_t steps = 0; muscles[at].follows; ++steps) {
             const std::string& leader = muscles[at].follows->muscle;
@@ -86,11 +89,12 @@ void check_muscles(const Experiment& experiment) {
             if (at == i)
                 fail(experiment, key,
                      steps == 0 ? "a muscle cannot follow itself" : "muscles follow each other in a ring");
-            if (steps > muscles.size()) break;  // a ring further up, reported at its own members
+            if (steps > muscles.size()) break;  // a cycle that does not contain this muscle, reported at its members
         }
     }
 }
 
+// A columns file lists its markers by name or by label; labels are replaced by names unless they are names themselves.
 void check_columns(const Experiment& experiment, const std::string& trial_path, measurement::ColumnLayout& columns) {
     const std::string key = trial_path + ".columns.markers";
     const std::vector<std::string> names = marker_names(experiment);
@@ -128,7 +132,8 @@ bool has_free_level(const TrialDeclaration& trial, const std::string& muscle) {
                        [&](const ActuationStep& step) { return step.muscle == muscle && !step.level; });
 }
 
-// A free level of a validation trial is read off a curve through the levels of fit trials over a condition they share.
+// A free level of a validation trial is interpolated from the fitted levels over a shared test condition, so at least
+// one fit trial must provide the same muscle with that condition.
 void check_predicted_levels(const Experiment& experiment, const std::string& trial_path,
                             const TrialDeclaration& trial) {
     if (trial.role != TrialRole::validate) return;
@@ -172,6 +177,7 @@ void check_trials(Experiment& experiment) {
             "material.calibrate: \"actuation_level\" has no effect, no trial has a level \"free\"");
 }
 
+// Zero tolerance fixes the modulus; calibrating it as well is contradictory but harmless.
 void check_calibrate(Experiment& experiment) {
     const MaterialDeclaration& material = experiment.material;
     if (material.youngs_modulus_tolerance == 0.0 && contains(material.calibrate, "youngs_modulus"))
@@ -179,6 +185,7 @@ void check_calibrate(Experiment& experiment) {
             "material.youngs_modulus_tolerance: 0 declares the modulus exact, so a fit does not move it");
 }
 
+// Effects may name trials and markers, which are complete only after all tables have been read.
 void check_effects(const Experiment& experiment) {
     const std::vector<std::string> markers = marker_names(experiment);
     std::vector<std::string> trials;

@@ -5,6 +5,7 @@
 namespace myo::experiment {
 namespace {
 
+// Range of the catalogue entry with its wording for messages; +-1e300 and beyond stand for "unbounded".
 toml::NumberRange range_of(const effect::EffectParameterEntry& entry) {
     toml::NumberRange range{entry.lowest, entry.highest, false, "finite"};
     if (entry.lowest == 0.0) range.text = "zero or positive";
@@ -46,6 +47,7 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
 
 }  // namespace
 
+// The keys of an [[effect]] table depend on its id, so the id is read before the keys are checked.
 std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document) {
     std::vector<effect::EffectDeclaration> effects;
     for (const toml::TomlReader& table : document.tables_of_names("effect")) {

@@ -22,13 +22,14 @@ BoxGeometry read_box(const toml::TomlReader& geometry) {
     return box;
 }
 
-// A matrix typed with a few digits is set to the nearest rotation; anything further off is a mistake.
+// A matrix typed with a few digits is replaced by the nearest rotation (polar decomposition); a larger deviation from
+// orthogonality is an error.
 Eigen::Matrix3d read_rotation(const toml::TomlReader& geometry) {
     const Eigen::Matrix3d R = geometry.matrix3("rotation");
     const double deviation = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation < 1e-3)) geometry.fail("rotation", "is not a rotation: its rows are not orthogonal unit vectors");
     if (R.determinant() < 0.0) geometry.fail("rotation", "is left-handed: it mirrors the body");
-    // Exact matrices (zeros and ones) stay exact to the bit.
+    // Matrices of zeros and ones keep their exact values, so the vertices do not change in the last bit.
     return deviation < 1e-15 ? R : material::polar_rotation(R);
 }
 

@@ -3,6 +3,7 @@
 namespace myo::experiment {
 namespace {
 
+// Names head columns of CSV files, hence no comma. Until [markers.labels] is read, the label equals the name.
 std::vector<MarkerDeclaration> read_positions(const toml::TomlReader& markers, const std::string& key) {
     std::vector<MarkerDeclaration> declared;
     const toml::TomlReader table = markers.table_of_names(key);

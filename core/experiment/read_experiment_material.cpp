@@ -40,6 +40,7 @@ MaterialDeclaration read_material(const toml::TomlReader& document) {
     declared.damping_s = material.optional_number("damping_s", toml::not_negative());
     if (material.has("calibrate")) declared.calibrate = read_calibrate(material);
     const auto& names = declared.calibrate;
+    // Damping is either fitted or given: an unknown value that is not fitted would silently be a default.
     if (!declared.damping_s && std::find(names.begin(), names.end(), "damping") == names.end())
         material.fail("calibrate", "\"damping\" is left out, so its exact value must be given as material.damping_s");
     return declared;

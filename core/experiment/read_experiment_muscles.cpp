@@ -23,6 +23,7 @@ MuscleLine read_line(const toml::TomlReader& table) {
     MuscleLine muscle{{table.points("line_m")}, table.number("radius_m", toml::positive())};
     const Eigen::Matrix3Xd& points = muscle.line.points_m;
     if (points.cols() < 2) table.fail("line_m", "must have at least two points, not " + std::to_string(points.cols()));
+    // Coincident neighbours have no tangent, hence no fibre direction.
     for (Eigen::Index i = 1; i < points.cols(); ++i)
         if (!((points.col(i) - points.col(i - 1)).norm() > 1e-3 * muscle.radius_m))
             table.fail("line_m", "points " + std::to_string(i) + " and " + std::to_string(i + 1) + " are the same");
@@ -46,7 +47,7 @@ std::variant<MuscleBox, MuscleMask, MuscleLine> read_part(const toml::TomlReader
     return mask;
 }
 
-/// The muscle's column of an actuation file of its own.
+/// Column of this muscle in the actuation file given by `signal`.
 fibre::Signal read_signal(const toml::TomlReader& table, const std::filesystem::path& folder, const std::string& name) {
     const std::filesystem::path file = table.file("signal", folder);
     const Result<measurement::ActuationTable> read = measurement::read_actuation_csv(file);

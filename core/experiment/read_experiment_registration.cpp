@@ -15,6 +15,7 @@ RegistrationDeclaration read_registration(const toml::TomlReader& document, std:
                                                                   {{"rest_pose", RegistrationMethod::rest_pose}});
 
     const bool limited = !declared.known && declared.method == RegistrationMethod::limited;
+    // Limits are required exactly for method `limited`; otherwise they are accepted, ignored and reported.
     const auto limit = [&](const std::string& key, const toml::NumberRange& range) {
         if (limited && !registration.has(key))
             registration.fail(key, "required when known = false and no method is given");

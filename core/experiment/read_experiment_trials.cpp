@@ -75,6 +75,7 @@ measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial
     columns.metres_per_unit = table.choice<double>("unit", {{"m", 1.0}, {"mm", 1e-3}});
     if (table.has("separator")) {
         const std::string separator = table.text("separator");
+        // A separator that occurs in numbers or in "nan" makes the columns ambiguous.
         const bool part_of_a_number = separator.find_first_of("0123456789+-.eEnaN") != std::string::npos;
         if (separator.size() != 1 || part_of_a_number || separator == "\n" || separator == "\r")
             table.fail("separator", "must be one character that no number contains, such as \",\", \";\" or \"\\t\"");

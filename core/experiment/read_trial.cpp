@@ -20,7 +20,7 @@ std::vector<MarkerDeclaration> all_markers(const Experiment& experiment) {
     return markers;
 }
 
-// Index of the marker's track: by its label, or by its name where the label does not occur; labels.size() when absent.
+// Index of the marker's track, by label or, if the label does not occur, by name; labels.size() if absent.
 std::size_t find_track(const std::vector<std::string>& labels, const MarkerDeclaration& marker) {
     auto found = std::find(labels.begin(), labels.end(), marker.label);
     if (found == labels.end()) found = std::find(labels.begin(), labels.end(), marker.name);
@@ -35,7 +35,7 @@ Eigen::Index occluded_samples(const Eigen::Matrix3Xd& track) {
 
 std::string quoted_list(const std::vector<std::string>& words) { return "\"" + join(words, "\", \"") + "\""; }
 
-// The tracks in declared order under declared names; `unused` collects the labels nobody declared.
+// Tracks in declared order under declared names; `unused` receives the labels that are not declared.
 Result<measurement::Recording> rename_tracks(const Experiment& experiment, const TrialDeclaration& trial,
                                              measurement::Recording raw, std::vector<std::string>& unused) {
     const std::string key = trial_key(experiment, trial) + ".trace";
@@ -64,7 +64,7 @@ Result<measurement::Recording> rename_tracks(const Experiment& experiment, const
     return renamed;
 }
 
-// start_s and end_s must leave something to compare.
+// At least one sample must lie between start_s and end_s.
 Result<void> check_window(const Experiment& experiment, const TrialDeclaration& trial,
                           const measurement::Recording& recording) {
     const std::string path = trial_key(experiment, trial);
@@ -80,7 +80,7 @@ Result<void> check_window(const Experiment& experiment, const TrialDeclaration& 
     return {};
 }
 
-// Markers that were named anew and got their names back.
+// Undoes label swaps: intervals in which the camera software exchanged the names of markers.
 void put_names_back(const std::string& key, TrialRecording& read) {
     const measurement::Recording& recording = read.recording;
     for (const measurement::Exchange& exchange : measurement::put_back_exchanges(read.recording.tracks)) {
@@ -92,12 +92,13 @@ void put_names_back(const std::string& key, TrialRecording& read) {
     }
 }
 
+// Declared or estimated standard deviation; never below the deviation that rounding of the file alone produces.
 double noise_of(const Experiment& experiment, const TrialRecording& read, const Eigen::Matrix3Xd& track) {
     return std::max(experiment.markers.noise_m.value_or(measurement::estimate_track_noise(track).sigma_m),
                     measurement::rounding_deviation(read.rounding_m));
 }
 
-// Reflections and markers taken for another: such samples count as hidden.
+// Isolated outliers (reflections, mislabelled samples) are treated as occluded.
 void leave_out_spikes(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         Eigen::Matrix3Xd& track = read.recording.tracks[i];
@@ -113,7 +114,7 @@ void leave_out_spikes(const Experiment& experiment, const std::string& key, Tria
     }
 }
 
-// The same, for longer.
+// Outliers over several samples: the marker jumps away and back. The samples between are treated as occluded.
 void leave_out_excursions(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     measurement::Recording& recording = read.recording;
     Eigen::VectorXd sigma_m(static_cast<Eigen::Index>(recording.tracks.size()));
@@ -170,6 +171,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
+    // Order matters: rounding enters the noise, swapped labels would appear as excursions, and a spike would end one.
     read.rounding_m = measurement::rounding_step(read.recording.tracks);
     put_names_back(key, read);
     leave_out_spikes(experiment, key, read);
@@ -195,7 +197,7 @@ std::vector<MuscleLeader> muscle_leaders(const Experiment& experiment) {
     std::vector<MuscleLeader> leaders(muscles.size());
     for (std::size_t i = 0; i < muscles.size(); ++i) {
         leaders[i] = {i, 1.0};
-        // Declarations are checked to have no ring, so the chain is shorter than the list.
+        // Cycles were rejected on reading, so the chain is shorter than the list.
         for (std::size_t steps = 0; muscles[leaders[i].leader].follows && steps < muscles.size(); ++steps) {
             const FollowsDeclaration& follows = *muscles[leaders[i].leader].follows;
             const auto next = std::find_if(muscles.begin(), muscles.end(), [&](const MuscleDeclaration& muscle) {
@@ -212,7 +214,7 @@ Result<measurement::ActuationTable> read_trial_actuation(const Experiment& exper
     const auto& muscles = experiment.muscles;
     const auto muscle_count = static_cast<Eigen::Index>(muscles.size());
     measurement::ActuationTable table;
-    std::vector<std::string> recordable;  // neither followers nor stepped ones
+    std::vector<std::string> recordable;  // neither followers nor muscles with a step or their own signal
     const auto declared = [&](const std::string& name) {
         return std::any_of(muscles.begin(), muscles.end(),
                            [&](const MuscleDeclaration& muscle) { return muscle.name == name && muscle.signal; });
@@ -225,6 +227,7 @@ Result<measurement::ActuationTable> read_trial_actuation(const Experiment& exper
         table.muscles.push_back(muscle.name);
         if (!muscle.follows && !muscle.signal && !stepped(muscle.name)) recordable.push_back(muscle.name);
     }
+    // One passive sample: Signal extends its first and last value to all times.
     if (!trial.actuation) {
         table.time_s = Eigen::VectorXd::Zero(1);
         table.values = Eigen::MatrixXd::Ones(muscle_count, 1);
@@ -257,6 +260,7 @@ Result<measurement::ActuationTable> read_trial_actuation(const Experiment& exper
             return declaration_error(experiment, key, file + " has no column \"" + name + "\", a declared muscle");
         table.values.row(i) = recorded->values.row(column - recorded->muscles.begin());
     }
+    // Followers are linear in a - 1, so passive (a = 1) stays passive.
     const std::vector<MuscleLeader> leaders = muscle_leaders(experiment);
     for (Eigen::Index i = 0; i < muscle_count; ++i) {
         const MuscleLeader& leader = leaders[static_cast<std::size_t>(i)];

@@ -10,42 +10,45 @@
 
 namespace myo::experiment {
 
-/// A trial's recording under the declared names, and what a person should know about it.
+/// Recording of a trial under the declared marker names, with the warnings of reading.
 struct TrialRecording {
-    measurement::Recording recording;
-    double rounding_m = 0.0;            // step of the file's numbers, 0 where none is seen
+    measurement::Recording recording;   // 3 x n per marker [m], camera frame, file time [s]; NaN where occluded
+    double rounding_m = 0.0;            // increment of the numbers in the file [m], 0 if none is detected
     std::vector<std::string> warnings;  // each names its key
 };
 
-/// Reads a trial's trace and puts it under the declared names: tracks are the markers on the body in the order of their
-/// declaration, then the fixed ones. Times and positions stay those of the file: clock, camera frame, metres.
+/// Reads the trace of a trial and orders its tracks: markers on the body in the order of declaration, then the fixed
+/// ones. Times and positions stay in the file's clock and camera frame [s, m].
 ///
-/// A recording may name a marker by its label or by its own name. Undeclared markers are an error, except in C3D files:
-/// those come straight from a camera session and hold whatever else was in view, so they are left out, with a warning.
-/// A second warning: more than half of a marker's samples occluded.
+/// A recording may name a marker by its label or by its declared name. Undeclared markers are an error, except in C3D
+/// files, which contain everything in view of the cameras: there they are dropped with a warning. Swapped labels are
+/// corrected; isolated outliers and excursions are replaced by NaN; each correction gives a warning, as does a marker
+/// occluded in more than half of the samples.
 /// Errors: those of the readers (place: line of the trace), a declared marker missing, an undeclared one, start_s or
 /// end_s outside the recording (place: line of the key).
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial);
 
-/// read_trial() without the warnings.
+/// read_trial() without the warnings. Errors: those of read_trial().
 Result<measurement::Recording> read_trial_recording(const Experiment& experiment, const TrialDeclaration& trial);
 
-/// The recorded signals of a trial, one row for each declared muscle in order; a follower's row is computed from the
-/// muscle it follows. Rows of muscles with an actuation_step or a signal of their own, and all rows when there is no
-/// file, are 1 (passive): these are added by who runs the trial, for levels of steps may be unknown.
+/// Recorded actuation of a trial.
 ///
+/// @return   values muscles x times [-], rows in the order of declaration; a follower's row is computed from its
+///           leader's. Rows of muscles with an actuation_step or their own signal, and all rows if there is no file,
+///           are 1 (passive): prepare_setup() adds these because the levels of steps may be unknown
 /// Errors: those of the reader, a column that is no declared muscle or one that follows or is stepped, a muscle
 /// missing.
 Result<measurement::ActuationTable> read_trial_actuation(const Experiment& experiment, const TrialDeclaration& trial);
 
-/// a - 1 of a muscle is factor times (a - 1) of muscles[leader]; a muscle that follows none leads itself with factor 1.
+/// End of a chain of followers: a - 1 of a muscle is `factor` times (a - 1) of muscles[leader].
 struct MuscleLeader {
-    std::size_t leader = 0;
-    double factor = 1.0;
+    std::size_t leader = 0;  // index into Experiment::muscles
+    double factor = 1.0;     // product of the ratios along the chain; 1 for a muscle that follows none
 };
+/// One entry per declared muscle, in the order of declaration.
 std::vector<MuscleLeader> muscle_leaders(const Experiment& experiment);
 
-/// "trial[2]", for keys in messages.
+/// Key of a trial in messages, "trial[2]"; "trial" if the experiment has none of this name.
 std::string trial_key(const Experiment& experiment, const TrialDeclaration& trial);
 
 }  // namespace myo::experiment

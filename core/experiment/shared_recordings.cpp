@@ -8,6 +8,7 @@
 namespace myo::experiment {
 namespace {
 
+// Open time windows extend to infinity; windows that only share an end point have no sample in common.
 bool windows_meet(const TrialDeclaration& a, const TrialDeclaration& b) {
     constexpr double ever = std::numeric_limits<double>::infinity();
     const auto start = [&](const TrialDeclaration& t) { return t.start_s.value_or(-ever); };
@@ -15,6 +16,7 @@ bool windows_meet(const TrialDeclaration& a, const TrialDeclaration& b) {
     return start(a) < end(b) && start(b) < end(a);
 }
 
+// Sizes are compared before contents, as traces can be large.
 bool is_same_content(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code code;
     if (std::filesystem::equivalent(a, b, code)) return true;

@@ -7,17 +7,18 @@
 
 namespace myo::experiment {
 
-/// A validate trial that has the recording of a fit trial, so that predicting it tests nothing.
+/// A validation trial that uses the recording of a fit trial, so that its prediction is no independent test.
 struct SharedRecording {
-    std::size_t fit = 0, validate = 0;  // trials of the experiment
+    std::size_t fit = 0, validate = 0;  // indices into Experiment::trials
 };
 
-/// All such pairs, the first fit trial for each validate trial: traces that are one file or files of the same content,
-/// and whose windows start_s ... end_s have times in common. Two parts of one recording are two recordings. A file that
-/// cannot be read is in no pair.
+/// All such pairs, with the first matching fit trial for each validation trial.
+///
+/// A pair has the same file, or two files of equal content, and overlapping windows start_s ... end_s. Disjoint parts
+/// of one recording are independent recordings. A file that cannot be read is in no pair.
 std::vector<SharedRecording> shared_recordings(const Experiment& experiment);
 
-/// "trial[1].trace: ...", for a person.
+/// Readable warning "trial[1].trace: ..." for one pair.
 std::string shared_recording_sentence(const Experiment& experiment, const SharedRecording& shared);
 
 }  // namespace myo::experiment

@@ -6,7 +6,8 @@
 namespace myo::prediction {
 namespace {
 
-/// Weighted harmonic mean of the neighbouring slopes, zero at an extremum.
+/// Slope at an inner point: weighted harmonic mean of the neighbouring secants, zero at an extremum. This choice keeps
+/// the cubic monotone between the points (Fritsch & Butland 1984).
 double inner_slope(double h0, double h1, double s0, double s1) {
     if (s0 * s1 <= 0.0) return 0.0;
     const double w0 = 2.0 * h1 + h0, w1 = h1 + 2.0 * h0;
@@ -24,6 +25,7 @@ double curve_through(const std::vector<double>& x, const std::vector<double>& y,
         h.push_back(x[i + 1] - x[i]);
         secant.push_back((y[i + 1] - y[i]) / h.back());
     }
+    // End slopes equal the outer secants, so the extrapolation is linear.
     slope.front() = secant.front();
     slope.back() = secant.back();
     for (std::size_t i = 1; i + 1 < n; ++i) slope[i] = inner_slope(h[i - 1], h[i], secant[i - 1], secant[i]);
@@ -31,6 +33,7 @@ double curve_through(const std::vector<double>& x, const std::vector<double>& y,
     if (at >= x.back()) return y.back() + slope.back() * (at - x.back());
     const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin()) - 1;
     const double s = (at - x[i]) / h[i];
+    // Cubic Hermite basis in s = (at - x_i) / h_i.
     return (1 + 2 * s) * (1 - s) * (1 - s) * y[i] + h[i] * s * (1 - s) * (1 - s) * slope[i] +
            s * s * (3 - 2 * s) * y[i + 1] + h[i] * s * s * (s - 1) * slope[i + 1];
 }

@@ -11,9 +11,12 @@ namespace {
 
 using Kind = ModelParameter::Kind;
 
-/// Of what matters of a number: 1e-8 of the curvature is left, and four digits are lost to rounding.
+/// Half width of the central difference, relative to the scale of the parameter: a truncation error of 1e-8 of the
+/// curvature, and four digits lost to rounding.
 constexpr double part_to_each_side = 1e-4;
 
+/// Central difference of the whole model with effects. Effects may change any part of it, so no closed form is
+/// available.
 std::optional<sensitivity::ModelTangent> tangent_between(const setup::Setup& setup, std::size_t trial,
                                                          const ParameterValues& values,
                                                          const ModelParameter& parameter) {
@@ -21,6 +24,7 @@ std::optional<sensitivity::ModelTangent> tangent_between(const setup::Setup& set
     const auto side = [&](double at) {
         ParameterValues changed = values;
         set_value(parameter, std::clamp(at, parameter.parameter.lower, parameter.parameter.upper), changed);
+        // The value is read back because clamping to the bounds can shorten one side.
         return std::pair{value_of(parameter, changed), affected_trial(setup, trial, changed)};
     };
     const auto [low, under] = side(value - step);
@@ -40,6 +44,7 @@ bool moves_the_body(const setup::Setup& setup, std::size_t trial, const Paramete
             const effect::EffectDeclaration& effect = values.effects[parameter.index];
             return !setup::is_seen_only(effect) && effect::acts_on(setup::effect_site(setup, trial), effect.parameters);
         }
+        // Registration and start shift change the observation only.
         default: return false;
     }
 }

@@ -7,17 +7,23 @@
 
 namespace myo::prediction {
 
-/// Whether a number changes the motion of a trial.
+/// Whether a parameter changes the motion of a trial, so that its derivative needs the tangent of the simulation.
+///
+/// @param trial  index into Setup::trials
 bool moves_the_body(const setup::Setup& setup, std::size_t trial, const ParameterValues& values,
                     const ModelParameter& parameter);
 
-/// What a number does to a trial's model; where effects act it is told by the models on both sides, as they may change
-/// anything in them: see affected_tangent().
+/// Derivative of a trial's model with respect to a parameter that moves the body.
+///
+/// Exact for modulus, damping and levels. With effects it is a difference of the models at both sides of the value, see
+/// affected_tangent().
+/// @return  empty if the difference cannot be expressed as a model tangent
 std::optional<sensitivity::ModelTangent> parameter_tangent(const setup::Setup& setup, std::size_t trial,
                                                            const ParameterValues& values,
                                                            const ModelParameter& parameter);
 
-/// A change of a number that is `part` of what matters of it.
+/// Step of a finite difference: `part` times the scale of the parameter, or times its value if it is scaled
+/// logarithmically.
 double difference_step(const ModelParameter& parameter, double value, double part);
 
 }  // namespace myo::prediction

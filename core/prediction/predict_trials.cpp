@@ -9,7 +9,7 @@
 namespace myo::prediction {
 namespace {
 
-/// Joins the progress of trials that run side by side into one: seconds of simulated time done of all.
+/// Merges the progress of trials that run in parallel into one: simulated seconds done, summed over the trials.
 class JoinedProgress {
 public:
     JoinedProgress(const setup::Setup& setup, const std::vector<PredictionTask>& tasks, const Progress& outer)
@@ -21,6 +21,7 @@ public:
             const std::lock_guard<std::mutex> lock(mutex_);
             sum_ += event.done - done_[task];
             done_[task] = event.done;
+            // The final report is never throttled; rounding can push the sum slightly over the total.
             const bool last = sum_ >= total_;
             if (last || throttle_.ready())
                 outer_.report({event.task, std::min(sum_, total_), total_, event.unit, event.message});
@@ -60,6 +61,7 @@ std::vector<TrialPrediction> predict_trials_with(const setup::Setup& setup, cons
 
 setup::Setup with_kept_paths(setup::Setup setup) {
     for (setup::PreparedTrial& trial : setup.trials) {
+        // TR-BDF2 has two stages per step, each with one displacement per degree of freedom of 8 bytes.
         const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
         trial.options.keep_path = 8.0 * stages * setup.body->dofs() < path_policy.most_bytes;
     }

@@ -15,6 +15,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Kind = ModelParameter::Kind;
 
+// `names` given by the caller takes precedence over the declaration.
 bool is_calibrated(const setup::Setup& setup, const std::string& name, const std::vector<std::string>& names) {
     const std::vector<std::string>& list = names.empty() ? setup.experiment.material.calibrate : names;
     return std::find(list.begin(), list.end(), name) != list.end();
@@ -39,7 +40,7 @@ ParameterValues declared_values(const setup::Setup& setup) {
 std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
     std::vector<ModelParameter> list;
     const ParameterValues start = declared_values(setup);
-    // A half-width of zero declares an exact value: there is nothing to fit.
+    // Equal bounds declare an exact value: there is nothing to fit.
     const auto add = [&](Kind kind, std::size_t trial, std::size_t index, const std::string& name, double lower,
                          double upper, double scale, const std::string& unit) {
         if (!(lower < upper)) return;
@@ -47,8 +48,8 @@ std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std
         entry.parameter.value = value_of(entry, start);
         list.push_back(std::move(entry));
     };
-    // The schema's tolerance is where the true value lies. Without it a model that lacks an effect drifts off: muscles
-    // that only push against the body tell the ratio of modulus and level, and no more.
+    // The declared tolerance bounds the modulus. Without bounds a model that lacks an effect drifts: muscles that only
+    // act against the elasticity of the body determine the ratio of modulus and level, not each of them.
     const double nominal = start.youngs_modulus_Pa, tolerance = setup.experiment.material.youngs_modulus_tolerance;
     if (is_calibrated(setup, "youngs_modulus", names))
         add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", (1.0 - tolerance) * nominal, (1.0 + tolerance) * nominal,
@@ -72,7 +73,7 @@ std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         const setup::PreparedTrial& trial = setup.trials[t];
         if (trial.role != experiment::TrialRole::fit) continue;
-        // A start that was found is known to a few frames; the motion tells the rest.
+        // A detected start is accurate to a few frames; the fit determines the remainder.
         const double interval = setup::sampling_interval_s(trial);
         if (trial.start_found)
             add(Kind::start_shift, t, 0, "start_shift_s." + trial.name, -3.0 * interval, 3.0 * interval, interval, "s");
@@ -142,14 +143,14 @@ effect::Affected affected_trial(const setup::Setup& setup, std::size_t trial, co
 
 namespace {
 
-/// Frames in which a trial is compared: what the cameras report of the motion, registration included.
+/// Predicted marker motion as the cameras report it, with the residuals against the recording.
 struct SeenMotion {
-    std::vector<Matrix3Xd> positions_m;  // per marker at every sample; mesh frame, as seen
-    std::vector<Vector3d> start_m;
-    std::vector<Matrix3Xd> residual_m;
+    std::vector<Matrix3Xd> positions_m;  // per marker at every sample [m]; mesh frame, observation errors included
+    std::vector<Vector3d> start_m;       // per marker before the motion [m]
+    std::vector<Matrix3Xd> residual_m;   // per marker, prediction minus measurement; NaN before first_sample
 };
 
-/// Times of the motion at which the samples of a trial were taken: a later start means an earlier time of the motion.
+/// Simulation times of the samples of a trial. A later start of the motion means an earlier simulation time.
 Eigen::VectorXd motion_times(const setup::PreparedTrial& trial, const measurement::ObservationError& seen,
                              double start_shift_s) {
     return measurement::true_times(seen, trial.measured.time_s).array() - start_shift_s;
@@ -159,9 +160,10 @@ bool by_displacement(const setup::Setup& setup) {
     return setup.experiment.markers.compare == experiment::Comparison::displacement;
 }
 
-/// Before anything that happens to markers during a trial.
+/// A time before any event that happens to markers during a trial, for the reference of displacements.
 constexpr double long_before_s = -1e30;
 
+// Displacements are compared in the mesh frame; positions are mapped to the camera frame by the fitted registration.
 SeenMotion seen_motion(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
                        const measurement::ObservationError& seen, const measurement::MarkerTracks& tracks,
                        const measurement::MarkerTracks& origin) {
@@ -188,13 +190,15 @@ SeenMotion seen_motion(const setup::Setup& setup, std::size_t index, const Param
     return result;
 }
 
+// Effects on the observation only: their derivative needs no further simulation.
 bool is_seen_alone(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
                    const ModelParameter& p) {
     return p.kind == Kind::effect && setup::is_seen_only(values.effects[p.index]) &&
            effect::acts_on(setup::effect_site(setup, index), values.effects[p.index].parameters);
 }
 
-/// Of what matters of a number: changes over which motions are compared, and what is seen of one motion.
+/// Difference steps relative to the scale of a parameter: for parameters that require another run (noise of the solver
+/// limits the step from below), and for parameters that only change the observation.
 constexpr double part_of_effect = 0.01, part_of_constant = 0.003, part_of_sight = 1e-4;
 
 }  // namespace
@@ -219,10 +223,11 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
                               const std::vector<ModelParameter>& parameters, const Progress& progress,
                               std::shared_ptr<const dynamics::StagePath> near) {
     const setup::PreparedTrial& trial = setup.trials[index];
+    // All parameters that move the body are differentiated in one tangent run; the others follow from its result.
     effect::Affected affected = affected_trial(setup, index, values);
     affected.options.near = std::move(near);
     std::vector<sensitivity::ModelTangent> model_tangents;
-    std::vector<int> row_of(parameters.size(), -1);  // which of the run's tangents belongs to a parameter
+    std::vector<int> row_of(parameters.size(), -1);  // index of the parameter's tangent in the run, or -1
     for (std::size_t p = 0; p < parameters.size(); ++p)
         if (moves_the_body(setup, index, values, parameters[p]))
             if (std::optional<sensitivity::ModelTangent> tangent = parameter_tangent(setup, index, values,
@@ -256,6 +261,7 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
             const auto row = static_cast<std::size_t>(row_of[p]);
             d = measurement::seen_tangents(affected.seen, tracks.tangents[row], trial.measured.time_s);
             for (std::size_t m = 0; m < d.size(); ++m) {
+                // The reference position at t = 0 depends on the parameter as well and is subtracted from each sample.
                 if (by_displacement(setup))
                     d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[row][m].col(0));
                 else
@@ -283,6 +289,7 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
     ResidualTangent result{dynamics::RunStatus::complete,
                            {},
                            std::vector<Matrix3Xd>(setup.marker_names.size(), Matrix3Xd::Zero(3, samples))};
+    // Residual = R x + translation - y, so the derivatives with respect to the registration are closed.
     if (parameter.kind == Kind::translation) {
         for (Matrix3Xd& marker : result.tangent) marker.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
     } else if (parameter.kind == Kind::rotation) {
@@ -301,10 +308,12 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
             marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
     } else if (const bool moves = moves_the_body(setup, index, values, parameter);
                moves || is_seen_alone(setup, index, values, parameter)) {
+        // Central difference if both sides are inside the bounds, otherwise one-sided towards the inside. Runs start
+        // from the path of the prediction, so both sides converge to the same branch.
         const double value = value_of(parameter, values);
         const double part = !moves ? part_of_sight : parameter.kind == Kind::effect ? part_of_effect : part_of_constant;
         double step = difference_step(parameter, value, part);
-        if (value + step > parameter.parameter.upper) step = -step;  // towards the inside of its bounds
+        if (value + step > parameter.parameter.upper) step = -step;  // towards the inside of the bounds
         const auto beside = [&](double at) {
             ParameterValues changed = values;
             set_value(parameter, at, changed);

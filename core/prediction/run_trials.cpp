@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// Over those of the trials that have this role; NaN when one of them is missing, for the rest would not compare with
-/// another run.
+/// Root mean square over all trials of one role. NaN if one of them failed: a value over fewer trials would not be
+/// comparable with other runs.
 double pooled_rms(const setup::Setup& setup, const SetupRun& run, const std::vector<std::size_t>& trials,
                   experiment::TrialRole role) {
     std::vector<Matrix3Xd> all;
@@ -26,7 +26,7 @@ double pooled_rms(const setup::Setup& setup, const SetupRun& run, const std::vec
     return rms(all);
 }
 
-/// A condition that differs between the fit trials with a free level of this muscle, and that `trial` has too.
+/// A test condition that `trial` and all these fit trials have in common, over which levels can be interpolated.
 std::optional<std::string> telling_condition(const setup::Setup& setup, std::size_t trial,
                                              const std::vector<std::size_t>& fit_trials) {
     for (const auto& [name, value] : setup.experiment.trials[trial].condition) {
@@ -44,6 +44,7 @@ TrialScore score(const setup::Setup& setup, std::size_t trial, const TrialPredic
     const setup::PreparedTrial& data = setup.trials[trial];
     TrialScore result{data.name, data.role, rms(prediction.residual_m), {}};
     const Eigen::Index samples = data.measured.sample_count();
+    // Last fifth of the compared samples, at least one.
     const Eigen::Index first_steady = samples - std::max<Eigen::Index>(1, (samples - data.first_sample) / 5);
     const bool displacement = !data.reference_m.empty();
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m) {
@@ -111,9 +112,12 @@ ParameterValues with_predicted_levels(const setup::Setup& setup, ParameterValues
                     mean += values.levels[t].at(muscle);
                 }
             if (sources.empty()) continue;
+            // Fallback if no shared condition exists: the mean level.
             level = mean / static_cast<double>(sources.size());
             const std::optional<std::string> condition = telling_condition(setup, v, sources);
             if (!condition) continue;
+            // Repeated conditions are averaged: the interpolation needs distinct abscissae. Its value at 0 is passive
+            // (1).
             std::map<double, std::pair<double, int>> points;  // condition -> sum of levels, count
             for (const std::size_t t : sources) {
                 auto& [sum, count] = points[setup.experiment.trials[t].condition.at(*condition)];

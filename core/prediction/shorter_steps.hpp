@@ -6,17 +6,17 @@
 
 namespace myo::prediction {
 
-/// When a fit goes on with shorter steps, because its values ask for them.
+/// When a fit is repeated with shorter time steps because the fitted values require them.
 struct ShorterStepsPolicy {
     double least_change = 0.85;  // a step shortened by less changes the error by a quarter at most
-    int most_fits = 3;           // declared values a factor of a hundred off come to rest after two
+    int most_fits = 3;           // declared values off by a factor of a hundred need two
 };
 inline constexpr ShorterStepsPolicy shorter_steps_policy;
 
-/// Whether a trial's step is shortened enough by these to matter.
+/// Whether these steps shorten that of some trial enough to repeat the fit.
 bool much_shorter(const setup::Setup& setup, const std::vector<setup::TrialStep>& steps);
 
-/// Sets them in the setup, none longer than it has now.
+/// Sets these steps in the setup; none becomes longer than it is.
 void set_shorter_steps(setup::Setup& setup, std::vector<setup::TrialStep> steps);
 
 }  // namespace myo::prediction

@@ -17,11 +17,13 @@
 namespace myo::prediction {
 namespace {
 
+/// Relative frequency error of a scheme for an undamped vibration at step h.
 double frequency_error(const dynamics::TimeScheme& scheme, double omega, double h_s) {
     return std::abs(dynamics::discrete_vibration(scheme, {omega}, h_s).frequency_error);
 }
 
-/// The longest step up to `longest` whose frequency error is the policy's. Errors grow with the step.
+/// Longest step up to `longest` that keeps the frequency error within the policy. Bisection: the error grows
+/// monotonically with the step.
 double step_for(const dynamics::TimeScheme& scheme, double omega, double longest) {
     if (frequency_error(scheme, omega, longest) <= step_policy.most_frequency_error) return longest;
     double low = 0.0, high = longest;
@@ -32,8 +34,8 @@ double step_for(const dynamics::TimeScheme& scheme, double omega, double longest
     return low;
 }
 
-/// What the step's frequency error and numerical damping make of a vibration's part of the traces, rms: they add up as
-/// long as it lasts.
+/// Error in the traces, rms, due to the frequency error and the numerical damping of one vibration. Both accumulate
+/// linearly until the vibration has decayed; the phase error is limited to the full amplitude.
 double trace_error(const dynamics::TimeScheme& scheme, const Vibration& vibration, double h_s, double end_s) {
     const dynamics::DiscreteVibration discrete = dynamics::discrete_vibration(scheme, {vibration.omega_rad_s}, h_s);
     const double lasts_s = std::min(end_s, 0.5 / (vibration.damping_ratio * vibration.omega_rad_s));
@@ -42,22 +44,23 @@ double trace_error(const dynamics::TimeScheme& scheme, const Vibration& vibratio
     return vibration.amplitude_m * std::min(1.0, turned_rad);
 }
 
-/// The longest whole part of an interval that is no longer than h.
+/// Longest integer fraction of an interval not longer than h, so that samples fall on steps.
 double whole_part(double interval, double h) { return interval / std::ceil(interval / h * (1.0 - 1e-9)); }
 
 double omega_of(const setup::TrialStep& step) { return 2.0 * std::numbers::pi * step.vibration_Hz; }
 
-/// Half a sampling interval, or a shorter step with which the slowest vibration would show if it were excited.
+/// Half a sampling interval, or a shorter step at which the slowest natural vibration would be visible if excited.
 double probe_step(const setup::Setup& setup, std::size_t index, const ParameterValues& values) {
     const setup::PreparedTrial& trial = setup.trials[index];
     const double interval = setup::sampling_interval_s(trial), half = 0.5 * interval;
     const double omega = setup::first_vibration_rad_s(affected_trial(setup, index, values).model);
+    // omega h <= 1: the step resolves this vibration well enough to detect it.
     if (!(omega * half > 1.0)) return half;
     return whole_part(interval,
                       std::min(half, std::max(1.0 / omega, trial.options.end_s / step_policy.most_probe_steps)));
 }
 
-/// The step for the vibration that a run shows, none longer than its own; nothing where it shows none.
+/// Step for the vibration visible in a run, not longer than the step of the run; empty if none is visible.
 std::optional<setup::TrialStep> step_for_seen(const setup::Setup& setup, std::size_t index,
                                               const ParameterValues& values, const TrialPrediction& run) {
     if (!run.ok() || !run.trace.complete()) return std::nullopt;
@@ -69,6 +72,7 @@ std::optional<setup::TrialStep> step_for_seen(const setup::Setup& setup, std::si
     return step;
 }
 
+/// Iteration over steps for one trial: run, estimate the error, shorten the step until the error is allowed.
 setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const ParameterValues& values,
                              const Progress& progress) {
     setup::PreparedTrial& trial = setup.trials[index];
@@ -80,7 +84,7 @@ setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const Param
         setup::set_step(trial, h);
         return predict_trial(setup, index, values, {}, progress);
     };
-    // A coarse run that shows nothing of a fast vibration may have damped it away.
+    // A run with long steps may have damped a fast vibration away; a probe with a shorter step looks for it first.
     std::optional<TrialPrediction> probed;
     const double probe = probe_step(setup, index, values);
     if (probe < step.h_s) {
@@ -91,7 +95,7 @@ setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const Param
         }
     }
     double h_before = 2.0 * step.h_s;
-    // Where a vibration is seen, its frequency tells the error, and no second run is needed.
+    // A visible vibration gives the error by its frequency, so the second run for a difference is not needed.
     TrialPrediction before = probed ? TrialPrediction{} : run(h_before);
     for (int runs = 1; runs < step_policy.most_runs; ++runs) {
         const TrialPrediction now = probed ? *std::exchange(probed, std::nullopt) : run(step.h_s);
@@ -107,22 +111,26 @@ setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const Param
         if (step.vibration_Hz > 0.0) {
             needed = step_for(scheme, omega_of(step), step.h_s);
         } else {
+            // Second-order scheme: the difference of two runs is (ratio^2 - 1) times the error of the finer one
+            // (Richardson). If the coarse run failed there is no difference; a large error forces another run.
             const double ratio = h_before / step.h_s;
-            // A coarse run that failed tells nothing, and one more is needed.
             step.trace_error_m = before.ok() ? rms_between(before, now) / (ratio * ratio - 1.0) : 10.0 * noise;
             if (step.trace_error_m > allowed_m)
                 needed = step_policy.safety * step.h_s * std::sqrt(allowed_m / step.trace_error_m);
         }
         if (needed >= step.h_s) return step;
+        // A step is reduced by a limited factor per run: error estimates at coarse steps are unreliable.
         h_before = step.h_s;
         step.h_s = whole_part(interval, std::max(needed, step_policy.least_ratio * step.h_s));
-        // A vibration that this step resolves well enough to be sure which it is.
+        // omega h < 1 at the previous step: the vibration was identified reliably, so the step need not be verified by
+        // a run.
         if (step.h_s <= needed && step.vibration_Hz > 0.0 && omega_of(step) * h_before < 1.0) {
             step.frequency_error = frequency_error(scheme, omega_of(step), step.h_s);
             return step;
         }
         before = now;
     }
+    // The number of runs is exhausted; the last step is used and marked.
     step.settled = false;
     return step;
 }
@@ -134,6 +142,7 @@ setup::TrialStep step_seen_in(const setup::Setup& setup, std::size_t trial, cons
     setup::TrialStep step;
     step.h_s = setup.trials[trial].options.h_s;
     const std::vector<Vibration> all = vibrations_in(affected_trial(setup, trial, values).model, setup.markers, trace);
+    // A vibration below a third of the noise is not distinguishable in the recording.
     if (all.empty() || !(all.front().amplitude_m > step_policy.most_noise_share * setup::mean_noise(setup)))
         return step;
     const Vibration& largest = all.front();
@@ -169,7 +178,7 @@ std::vector<setup::TrialStep> choose_steps(const setup::Setup& setup, const Para
         if (progress.cancelled()) return;
         std::optional<setup::TrialStep> seen = known ? step_for_seen(setup, i, values, known->predictions[i])
                                                      : std::nullopt;
-        setup::Setup own = setup;  // whose step is tried out
+        setup::Setup own = setup;  // own copy, as trial steps are changed in it
         steps[i] = seen ? *seen : choose_step(own, i, values, progress.with_sink({}));
         const std::lock_guard<std::mutex> lock(mutex);
         progress.report({"choosing the time step", ++done, static_cast<double>(count), "trials", {}});
@@ -201,6 +210,7 @@ SetupRun run_with_chosen_steps(setup::Setup& setup, const ParameterValues& value
         if (run.predictions[t].status != dynamics::RunStatus::not_run) asked.push_back(t);
     std::vector<std::size_t> open = asked;
     for (int repeat = 0; repeat < step_policy.most_repeats && !progress.cancelled(); ++repeat) {
+        // Only trials whose visible vibration needs a shorter step run again.
         std::erase_if(open, [&](std::size_t t) {
             if (!run.predictions[t].ok()) return true;
             setup::PreparedTrial& trial = setup.trials[t];

@@ -23,7 +23,7 @@ inverse::MarkerTarget trial_target(const setup::Setup& setup, std::size_t index,
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m) {
         Matrix3Xd track = trial.measured.tracks[m].middleCols(std::min(first, times.size()), count);
         if (target.from_start) track.colwise() -= trial.reference_m[m];
-        // A coordinate alone says nothing that could be trusted.
+        // A sample with an occluded coordinate is excluded as a whole.
         for (Index t = 0; t < count; ++t)
             if (!track.col(t).allFinite()) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
         target.positions_m.push_back(std::move(track));
@@ -45,6 +45,7 @@ TrialPrediction prediction_of(const setup::Setup& setup, std::size_t index, cons
     for (const Matrix3Xd& residual : compared) {
         Matrix3Xd whole = Matrix3Xd::Constant(3, trial.measured.sample_count(),
                                               std::numeric_limits<double>::quiet_NaN());
+        // The target starts at first_sample; earlier samples stay NaN so that indices match the recording.
         whole.rightCols(residual.cols()) = residual;
         result.residual_m.push_back(std::move(whole));
     }
@@ -53,6 +54,7 @@ TrialPrediction prediction_of(const setup::Setup& setup, std::size_t index, cons
 
 ParameterValues placed_values(const setup::Setup& setup, const inverse::MarkerPlacement& placement) {
     ParameterValues values = declared_values(setup);
+    // Levels would overwrite the signals that replaced them.
     for (auto& levels : values.levels) levels.clear();
     values.translation_m = placement.translation_m;
     values.rotation_rad = placement.rotation_rad;

@@ -11,22 +11,27 @@
 
 namespace myo::prediction {
 
-/// Where the markers of a trial were seen, as they are compared: positions, or displacements from the start. Nowhere
-/// asked for before the start, after `until_s`, and where a marker was occluded.
+/// Measured marker motion of a trial in the compared form: positions, or displacements from the start.
+///
+/// @param until_s  last trial time to compare [s]
+/// @return         3 x T per marker [m], mesh frame, from first_sample on; NaN where occluded
 inverse::MarkerTarget trial_target(const setup::Setup& setup, std::size_t trial, double until_s);
 
-/// A prediction from the motion of the markers' nodes alone: its trace holds no states.
+/// Prediction from the motion of the marker nodes alone; its trace is empty.
+///
+/// @param placement  registration, mesh to camera frame
 TrialPrediction prediction_of(const setup::Setup& setup, std::size_t trial, const sensitivity::NodeMotion& motion,
                               const inverse::MarkerPlacement& placement = {});
 
-/// The declared values of a setup whose signals have taken the place of levels, seen with this placement.
+/// Declared values with this registration and without levels, for a setup whose signals replace the levels.
 ParameterValues placed_values(const setup::Setup& setup, const inverse::MarkerPlacement& placement);
 
-/// The index of the named trial, or of the first fit trial when the name is empty.
-/// Error: no such trial; names the nearest.
+/// Index of the named trial; of the first fit trial if the name is empty.
+///
+/// Errors: no such trial (place "--trial"); suggests the closest name.
 Result<std::size_t> find_trial(const experiment::Experiment& experiment, const std::string& name);
 
-/// The setup of one trial alone, as one to be fitted.
+/// The setup reduced to one trial, with role fit.
 setup::Setup with_one_trial(setup::Setup setup, std::size_t trial);
 
 }  // namespace myo::prediction

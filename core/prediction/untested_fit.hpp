@@ -9,7 +9,7 @@ struct Setup;
 
 namespace myo::prediction {
 
-/// A warning where no trial has the role validate: nothing is left to test a fit on. For what fits; a run of declared
+/// Warning if no trial has role validate, so that a fit cannot be tested. For commands that fit; a run with declared
 /// values needs no test.
 std::optional<std::string> untested_fit(const setup::Setup& setup);
 

@@ -7,22 +7,23 @@
 
 namespace myo::prediction {
 
+/// Which natural vibrations are searched for in a motion.
 struct VibrationPolicy {
-    int modes = 6;                    // natural vibrations that are looked for, the slowest ones
-    double most_damping_ratio = 0.5;  // of one that swings: 16 % of an amplitude is left after half a period
+    int modes = 6;                    // number of modes, the slowest ones
+    double most_damping_ratio = 0.5;  // of an oscillating mode: 16 % of an amplitude is left after half a period
 };
 
-/// A natural vibration that a motion shows.
+/// A natural vibration that is visible in a motion.
 struct Vibration {
-    double omega_rad_s = 0.0;
-    double damping_ratio = 0.0;
-    double amplitude_m = 0.0;  // rms over markers and time
+    double omega_rad_s = 0.0;    // natural angular frequency
+    double damping_ratio = 0.0;  // of the material in this mode [-]
+    double amplitude_m = 0.0;    // rms over markers and time
 };
 
-/// The natural vibrations about a run's last pose, the one that moves the markers most first.
+/// Natural vibrations about the last pose of a run, sorted by amplitude at the markers, largest first.
 ///
-/// The coordinate of each mode is judged by its third derivative over omega^3: a motion slower than the mode counts the
-/// less. None where the pose has no modes (a body that is not held) or the motion has fewer than three steps.
+/// The amplitude of each modal coordinate is its third derivative over omega^3, which suppresses motion slower than the
+/// mode. Empty if the pose has no modes (a body without support) or the motion has fewer than three steps.
 std::vector<Vibration> vibrations_in(const model::Model& model, const measurement::MarkerSet& markers,
                                      const dynamics::Trace& trace);
 

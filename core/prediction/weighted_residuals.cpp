@@ -25,6 +25,7 @@ inverse::ResidualEvaluation weighted_residuals(const setup::Setup& setup, const 
             const double weight = 1.0 / setup.noise_m(static_cast<Eigen::Index>(m));
             const Eigen::Matrix3Xd& residual = prediction.residual_m[m];
             for (Eigen::Index k = 0; k < residual.size(); ++k, ++row) {
+                // Rows of occluded coordinates stay zero, so row numbers do not depend on the prediction.
                 if (!std::isfinite(residual.data()[k])) continue;
                 result.residuals(row) = weight * residual.data()[k];
                 for (std::size_t p = 0; p < parameters; ++p)

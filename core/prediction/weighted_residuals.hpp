@@ -8,10 +8,11 @@
 
 namespace myo::prediction {
 
-/// Residuals and Jacobian of some trials in units of the noise; occluded coordinates have residual 0. Not ok where a
-/// trial could not be run, with the reason.
+/// Residuals and Jacobian of several trials in units of the noise, for a Gauss-Newton fit.
 ///
-/// @param predictions  of the trials, in their order, with at least so many tangents as there are parameters
+/// @param predictions  one per entry of `trials`, each with at least `parameters` tangents
+/// @return             3 x markers x samples rows per trial; occluded coordinates have residual and derivative 0
+/// Errors: none; not ok, with the reason, if a trial could not be run.
 inverse::ResidualEvaluation weighted_residuals(const setup::Setup& setup, const std::vector<std::size_t>& trials,
                                                const std::vector<TrialPrediction>& predictions, std::size_t parameters);
 

@@ -15,7 +15,7 @@
 namespace myo::results {
 namespace {
 
-/// Main frequency of the first trial that vibrates.
+/// Main frequency of the first trial that vibrates [Hz]; 0 if none does.
 double fitted_frequency(const setup::Setup& setup, const calibration::Calibration& calibration) {
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         if (!calibration.after.predictions[t].ok()) continue;
@@ -24,7 +24,7 @@ double fitted_frequency(const setup::Setup& setup, const calibration::Calibratio
     return 0.0;
 }
 
-/// "± 0.1 kPa", or why there is none.
+/// "± 0.1 kPa", or the reason why there is no standard deviation.
 std::string deviation_words(const calibration::Calibration& calibration, Eigen::Index row,
                             const ReadableEstimate& shown, const std::string& unit) {
     const std::string reason = calibration.undetermined_reason(static_cast<std::size_t>(row));
@@ -40,7 +40,8 @@ report::KeyFigure modulus_figure(const calibration::Calibration& calibration, Ei
                 report::readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
 }
 
-/// Describes the damping of the first vibration, which most trials excite.
+/// Factor between damping time and damping ratio in the first vibration, which most trials excite; of a slender body if
+/// the mode was not computed.
 double damping_factor_of(const setup::Setup& setup) {
     const bool known = setup.integration && setup.integration->frequency_Hz > 0.0;
     return known ? setup.integration->damping_factor
@@ -83,7 +84,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
     return figures;
 }
 
-/// How the fit ended; empty when it converged and everything was run.
+/// How the fit ended; empty if it converged and all trials were run.
 std::string ending(const calibration::Calibration& calibration) {
     if (calibration.fit.converged())
         return calibration.stopped ? "The user stopped before all trials were predicted." : "";
@@ -148,8 +149,8 @@ report::Section parameter_section(const setup::Setup& setup, const calibration::
 ReadableEstimate readable_estimate(double value, double deviation) {
     if (!std::isfinite(deviation) || !(deviation > 0.0) || !std::isfinite(value))
         return {report::readable_number(value, 4), ""};
-    // Five significant digits of the value are as many as anyone reads; a deviation below them keeps one digit of its
-    // own.
+    // Two significant digits of the deviation determine the decimals, but the value has at most five significant
+    // digits; a deviation below its last digit keeps one digit of its own.
     const int meaningful = 1 - static_cast<int>(std::floor(std::log10(deviation)));
     const int readable = value != 0.0 ? 4 - static_cast<int>(std::floor(std::log10(std::abs(value)))) : meaningful;
     const int decimals = std::max(0, std::min(meaningful, readable));
@@ -168,6 +169,7 @@ report::HtmlReport calibration_report(const setup::Setup& setup, const calibrati
     report.key_figures = key_figures(setup, calibration);
     report.warnings.lines = calibration.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), setup.warnings.begin(), setup.warnings.end());
+    // Order of the warnings: how the fit ended, findings of checks, calibration, setup.
     const std::vector<std::string> found = untold(facts.findings);
     report.warnings.lines.insert(report.warnings.lines.begin(), found.begin(), found.end());
     if (const std::string end = ending(calibration); !end.empty())

@@ -5,17 +5,20 @@
 
 namespace myo::results {
 
-/// The page about a calibration: what came out, how well it fits and predicts each trial, and what the model was.
-/// Of a trial that did not complete it says why. Asserts that the calibration is usable.
+/// HTML report of a calibration: fitted parameters, fit and prediction of each trial, the model, the checks.
+///
+/// A trial that did not complete has a section with the reason. calibrate.json is embedded.
+/// Errors: none. Asserts that the calibration is usable.
 report::HtmlReport calibration_report(const setup::Setup& setup, const calibration::Calibration& calibration,
                                       const RunFacts& facts);
 
-/// "283.1 ± 0.4" as its two parts, with as many digits as the deviation has meaning (two of its own), five at most;
-/// four significant digits and no deviation when it is not known.
+/// "283.1 ± 0.4" as two strings. The decimals follow from two significant digits of the deviation, with at most five
+/// significant digits of the value; without a deviation, four significant digits.
 struct ReadableEstimate {
     std::string value;
-    std::string deviation;  // empty when unknown
+    std::string deviation;  // empty if unknown
 };
+/// Formats a value and its standard deviation, both in the unit that is shown.
 ReadableEstimate readable_estimate(double value, double deviation);
 
 }  // namespace myo::results

@@ -10,20 +10,22 @@
 
 namespace myo::results {
 
-/// Shown as "fit" or "predicted": a validation trial never entered the fit.
+/// "fit" or "predicted": a validation trial is not part of the fit.
 std::string role_words(experiment::TrialRole role);
 
+/// Fitted values with total standard deviation and its parts by noise, mesh and step.
 report::Table parameter_table(const setup::Setup& setup, const calibration::Calibration& calibration);
-/// How each start of several ended.
+/// Outcome of each start of a multi-start fit.
 report::Table starts_table(const setup::Setup& setup, const calibration::Calibration& calibration);
+/// rms of each trial before and after the fit, and the worst steady-state error.
 report::Table trial_table(const setup::Setup& setup, const calibration::Calibration& calibration);
 
-/// One section per trial: figure of the worst marker, steady state, the other markers folded away; where the trial did
-/// not complete before or after the fit, why.
+/// Section of one trial: chart of the worst marker, steady state, charts of the other markers collapsed; the reason if
+/// the trial did not complete before or after the fit.
 report::Section trial_section(const setup::Setup& setup, const calibration::Calibration& calibration,
                               std::size_t trial);
 
-/// Mesh, material, time integration, and the noise.
+/// Mesh, material, time integration, and noise of the markers.
 report::Section model_section(const setup::Setup& setup, const calibration::Calibration& calibration);
 
 }  // namespace myo::results

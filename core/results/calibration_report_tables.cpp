@@ -13,17 +13,19 @@
 namespace myo::results {
 namespace {
 
-/// A deviation that is not known shows as a dash.
+/// Two significant digits; a dash if unknown.
 report::Cell deviation_cell(double deviation) {
     return std::isfinite(deviation) ? report::Cell(report::readable_number(deviation, 2)) : report::Cell("–");
 }
 
 // Of a trial that did not complete: not a number, which a table shows as a dash.
 
+// NaN for a trial that did not complete; a table shows it as a dash.
 double rms_mm(const prediction::TrialScore* score) {
     return score != nullptr ? 1e3 * score->rms_m : std::numeric_limits<double>::quiet_NaN();
 }
 
+// Largest steady-state error over the visible markers.
 double worst_steady_mm(const prediction::TrialScore* score) {
     double worst = std::numeric_limits<double>::quiet_NaN();
     if (score == nullptr) return worst;
@@ -105,7 +107,7 @@ report::Section model_section(const setup::Setup& setup, const calibration::Cali
                     report::readable_number(1e3 * setup.experiment.material.density_kg_m3 * quality.volume, 4) + " g");
     add("Mesh", setup::mesh_words(setup) + ", edges of " + report::readable_number(1e3 * quality.mean_edge, 3) +
                     " mm on average");
-    // What is left of an exact fill is rounding, which would only read as noise.
+    // An exact fill leaves rounding only, which is not worth a number.
     if (quality.volume_error)
         add("Volume of the mesh",
             std::abs(*quality.volume_error) < 1e-8

@@ -16,11 +16,12 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+/// Data of the charts of one trial.
 struct MarkerFigure {
     const setup::Setup& setup;
     const calibration::Calibration& calibration;
     std::size_t trial;
-    std::optional<ComparedMotion> before;  // none: it could not be run with the declared values
+    std::optional<ComparedMotion> before;  // empty if the trial could not be run with the declared values
     ComparedMotion after;
 
     report::LineChart chart(std::size_t marker) const;
@@ -36,7 +37,7 @@ report::LineChart MarkerFigure::chart(std::size_t marker) const {
         const auto row = [&](const std::vector<Matrix3Xd>& tracks) {
             return report::curve_in_mm(tracks[marker].row(axis).transpose());
         };
-        // Measured last: it lies on top where both agree.
+        // Measured dots are drawn last, on top of the curves.
         if (before)
             panel.series.push_back({"before the fit", time, row(before->simulated_m), report::SeriesStyle::dashed, 1});
         panel.series.push_back({"after the fit", time, row(after.simulated_m), report::SeriesStyle::line, 0});
@@ -58,7 +59,7 @@ report::LineChart MarkerFigure::chart(std::size_t marker) const {
                                    report::SeriesStyle::dashed, 1});
     residual.series.push_back(
         {"after the fit", time, distance(after, calibration.after.predictions[trial]), report::SeriesStyle::line, 0});
-    // Three coordinates of noise sigma lie sqrt(3) sigma apart on average (root mean square).
+    // The distance of three coordinates with noise sigma has a root mean square of sqrt(3) sigma.
     residual.horizontal.push_back({1e3 * std::sqrt(3.0) * setup.noise_m(static_cast<Eigen::Index>(marker)), "noise"});
     chart.panels.push_back(std::move(residual));
     return chart;
@@ -84,7 +85,7 @@ std::string start_paragraph(const setup::Setup& setup, const calibration::Calibr
 
 std::string vector_words(const Eigen::Vector3d& metres) {
     if (!metres.allFinite()) return "–";
-    const char* const apart = ",\u00a0";  // stays on one line
+    const char* const apart = ",\u00a0";  // no-break space keeps the vector on one line
     return report::fixed_decimals(1e3 * metres.x(), 2) + apart + report::fixed_decimals(1e3 * metres.y(), 2) + apart +
            report::fixed_decimals(1e3 * metres.z(), 2);
 }
@@ -111,7 +112,7 @@ report::Table steady_table(const prediction::TrialScore* before, const predictio
     return table;
 }
 
-/// The markers, the most telling first.
+/// Markers in the order in which they are shown, most informative first.
 struct ShownOrder {
     std::vector<std::size_t> markers;
     std::string reason;
@@ -122,7 +123,8 @@ ShownOrder shown_order(const prediction::TrialScore* before, const prediction::T
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
     for (const prediction::MarkerScore& marker : after.markers)
         if (std::isfinite(marker.rms_m)) least = std::min(least, marker.rms_m), most = std::max(most, marker.rms_m);
-    // Alike within a quarter, the errors only rank the noise; what the fit had to do tells more.
+    // If all errors after the fit are within a quarter, their order is noise; the error before the fit is more
+    // informative.
     const bool alike = before != nullptr && !(most > 1.25 * least);
     shown.reason = alike ? ", the marker with the largest error before the fit; after it all are alike."
                          : ", the marker with the largest error.";
@@ -130,7 +132,7 @@ ShownOrder shown_order(const prediction::TrialScore* before, const prediction::T
     std::iota(shown.markers.begin(), shown.markers.end(), std::size_t{0});
     const auto badness = [&](std::size_t m) {
         const double rms_m = (alike ? *before : after).markers[m].rms_m;
-        return std::isfinite(rms_m) ? rms_m : -1.0;  // markers that were never seen go last
+        return std::isfinite(rms_m) ? rms_m : -1.0;  // markers that were never visible come last
     };
     std::stable_sort(shown.markers.begin(), shown.markers.end(),
                      [&](std::size_t a, std::size_t b) { return badness(a) > badness(b); });

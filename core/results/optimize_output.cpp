@@ -19,17 +19,17 @@ using Eigen::MatrixXd;
 
 const char* interpolation(bool hold) { return hold ? "hold" : "linear"; }
 
-/// The signals' own knots; a jump is two rows of one time.
+/// The signals at their own knots; a jump takes two rows with the same time.
 measurement::ActuationTable actuation_table(const inverse::SoughtSignals& sought, const MatrixXd& values) {
     std::vector<double> times;
     std::vector<std::vector<double>> rows;
-    inverse::SoughtSignals alone = sought;  // each signal as if it were a group
+    inverse::SoughtSignals alone = sought;  // each signal as its own group, without followers
     alone.groups.clear();
     for (std::size_t s = 0; s < sought.signals.size(); ++s) alone.groups.push_back({s, 1.0});
     const std::vector<fibre::Signal> signals = inverse::activations_of(alone, values);
     for (std::size_t k = 0; k < signals.front().times_s.size(); ++k) {
         const double t = signals.front().times_s[k];
-        if (t < 0.0) continue;  // before the start it is what it is there
+        if (t < 0.0) continue;  // the level before the start equals that at the start
         times.push_back(t);
         rows.emplace_back();
         for (const fibre::Signal& signal : signals) rows.back().push_back(signal.values[k]);
@@ -108,7 +108,7 @@ report::Json starts_json(const std::vector<calibration::StartEnding>& starts) {
     return list;
 }
 
-/// How far the target is missed, and where.
+/// Remaining distance to the target, with the worst markers and times.
 report::Json miss_json(const calibration::TargetMiss& miss) {
     report::Json markers = report::Json::array();
     for (const calibration::TargetMiss::Marker& marker : miss.markers)
@@ -122,7 +122,7 @@ report::Json miss_json(const calibration::TargetMiss& miss) {
             {"worst_rms_m", report::json_number(miss.worst_rms_m)}};
 }
 
-/// Root mean square of each coordinate over all markers; null where none was seen.
+/// Root mean square of each coordinate over all markers; null if none was visible.
 report::Json rms_of_axes(const prediction::TrialPrediction& prediction) {
     Eigen::Vector3d axes;
     for (Index axis = 0; axis < 3; ++axis) {
@@ -145,6 +145,8 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
     if (!fs::exists(file, code)) return Error{"there is nothing to resume: no optimize.json", folder.string()};
     const Result<report::Json> json = report::read_json(file);
     if (!json) return json.error();
+    // Values are only valid for the same trial, signals and knots; any difference is an error instead of a silent
+    // restart.
     const auto refuse = [&](const std::string& what) {
         return Error{what + "; without --resume it starts anew", file.string()};
     };

@@ -12,29 +12,36 @@
 
 namespace myo::results {
 
-/// Where an earlier call has left off: the values in its optimize.json.
+/// State of an earlier search, read from its optimize.json.
 struct EarlierOptimization {
     Eigen::MatrixXd values;  // signals x knots
-    int evaluations = 0;
+    int evaluations = 0;     // in all
 };
-/// Errors: no such file or not of this form; another trial, other signals or other knots.
+/// Reads the state of an earlier search from optimize.json.
+///
+/// @param folder  output folder of the earlier call
+/// Errors: the file is missing or has another form; another trial, other signals or other knots.
 Result<EarlierOptimization> read_optimization(const std::filesystem::path& folder, const setup::Setup& setup,
                                               const inverse::ActuationProblem& problem);
 
-/// What lies in optimize.json. Asserts that the optimization is usable, as the others below do.
+/// Content of optimize.json (schema optimize/1).
+///
+/// Errors: none. Asserts that the optimization is usable, as do the functions below.
 report::Json optimize_json(const setup::Setup& setup, const calibration::Optimization& optimization,
                            const RunFacts& facts);
 
-/// Writes `<trial>_actuation.csv` in the schema's form, one column for every muscle that follows none, and
-/// `<trial>.csv`, the simulated markers. A held signal has two rows at each knot: simulate makes the same run of it.
+/// Writes `<trial>_actuation.csv` in the schema's format, one column per muscle that follows none, and `<trial>.csv`
+/// with the simulated markers. A held signal has two rows per knot, so `simulate` reproduces the run.
+///
+/// Errors: a file cannot be written.
 Result<void> write_actuation(const std::filesystem::path& folder, const setup::Setup& setup,
                              const calibration::Optimization& optimization);
 
-/// The files `<trial>_actuation.csv` that write_actuation() may write, for every trial of the experiment.
+/// All files `<trial>_actuation.csv` that write_actuation() may write, over all trials of the experiment.
 std::vector<std::filesystem::path> actuation_files(const std::filesystem::path& folder,
                                                    const experiment::Experiment& experiment);
 
-/// Signals, markers over their targets, how the loss fell.
+/// HTML report of a search: signals, markers and targets, history of the loss. optimize.json is embedded.
 report::HtmlReport optimize_report(const setup::Setup& setup, const calibration::Optimization& optimization,
                                    const RunFacts& facts);
 

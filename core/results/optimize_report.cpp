@@ -48,7 +48,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
     return figures;
 }
 
-/// One standard deviation of every muscle's activation at the knots; empty when it was not found.
+/// Standard deviation of every muscle's activation at the knots; empty if unknown.
 std::vector<fibre::Signal> band_of(const calibration::Optimization& optimization) {
     if (!optimization.deviations.found) return {};
     const inverse::SoughtSignals& sought = optimization.problem.sought;
@@ -56,6 +56,7 @@ std::vector<fibre::Signal> band_of(const calibration::Optimization& optimization
     std::vector<fibre::Signal> widths = inverse::activations_of(sought, deviations);
     const std::vector<fibre::Signal> none = inverse::activations_of(
         sought, Eigen::MatrixXd::Zero(deviations.rows(), deviations.cols()));
+    // activations_of() is affine, a = 1 + factor (signal - 1): subtracting its value at zero leaves the linear part.
     for (std::size_t g = 0; g < widths.size(); ++g)
         for (std::size_t k = 0; k < widths[g].values.size(); ++k) widths[g].values[k] -= none[g].values[k];
     return widths;
@@ -113,7 +114,7 @@ report::LineChart loss_chart(const calibration::Optimization& optimization) {
     return {"Loss", {.label = "evaluation"}, {loss, gradient}};
 }
 
-/// The shape in which the pages of a fit show a trial.
+/// The runs as a Calibration, so that the sections of a fit can display the trial.
 calibration::Calibration shown_as_fit(const calibration::Optimization& optimization) {
     calibration::Calibration shown;
     shown.before = optimization.before;

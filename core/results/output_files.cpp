@@ -19,18 +19,18 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> names_of(const setup::Setup& setup) { return trial_file_names(setup.experiment); }
 
+// Bytes above 127 belong to letters of other alphabets in UTF-8 and are kept.
 std::string safe_name(const std::string& name) {
     std::string safe;
     for (const char c : name) {
         const auto byte = static_cast<unsigned char>(c);
-        // Letters of other alphabets are several bytes above 127 and stay.
         safe += std::isalnum(byte) != 0 || byte > 127 || c == '-' || c == '_' || c == '.' ? c : '_';
     }
     if (safe.empty() || safe.front() == '.') safe.insert(safe.begin(), '_');
     return safe.substr(0, 150);
 }
 
-/// The steps nearest to equally spaced times, each once.
+/// Indices of the steps closest to equally spaced times, without repetition.
 std::vector<std::size_t> spread(const std::vector<double>& times_s, int count) {
     std::vector<std::size_t> chosen;
     const double first = times_s.front(), last = times_s.back();
@@ -51,12 +51,12 @@ fs::path frame_file(const std::string& name, int frame) {
     return fs::path(name + "_frames") / number;
 }
 
-/// Takes away an earlier series, and nothing else that lies there.
+/// Removes an earlier series and no other file in its folder.
 void remove_series(const fs::path& folder, const std::string& name) {
     std::error_code code;
     fs::remove(folder / (name + ".pvd"), code);
     for (int i = 0; fs::remove(folder / frame_file(name, i), code); ++i) {}
-    fs::remove(folder / frame_file(name, 0).parent_path(), code);  // when it is empty
+    fs::remove(folder / frame_file(name, 0).parent_path(), code);  // fails, harmlessly, unless empty
 }
 
 Result<void> write_trial_series(const fs::path& folder, const std::string& name, const setup::Setup& setup,
@@ -119,6 +119,7 @@ Result<void> write_series(const fs::path& folder, const setup::Setup& setup, con
     const std::vector<std::string> names = names_of(setup);
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         if (!run.predictions[t].ok()) continue;
+        // The earlier series may have more frames than the new one; a failed series is removed as a whole.
         remove_series(folder, names[t]);
         const Result<void> written = write_trial_series(folder, names[t], setup, run.predictions[t].trace, frames,
                                                         progress);
@@ -170,6 +171,7 @@ Result<void> prepare_output_folder(const fs::path& folder) {
         return Error{"is a file, not a folder", folder.string()};
     fs::create_directories(folder, code);
     if (code) return Error{"folder cannot be made: " + code.message(), folder.string()};
+    // Only writing shows whether a folder is writable: permissions do not cover read-only or full file systems.
     const fs::path probe = folder / (".write_test." + std::to_string(::getpid()));
     if (!write_file(probe, "")) return Error{"no file can be written there", folder.string()};
     fs::remove(probe, code);

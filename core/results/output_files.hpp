@@ -10,38 +10,43 @@
 
 namespace myo::results {
 
-/// File names without extension, one per trial: the trial's name, with characters that are awkward in a file name
-/// replaced by '_', and a number where two would be the same.
+/// File names without extension, one per trial: the trial's name with unsafe characters replaced by '_', and a number
+/// appended if two would be equal.
 std::vector<std::string> trial_file_names(const std::vector<std::string>& trial_names);
+/// The same for the trials of an experiment.
 std::vector<std::string> trial_file_names(const experiment::Experiment& experiment);
 
-/// Writes `<trial>.csv` for each trial that completed: its simulated markers at the measured sample times, mesh frame
-/// [m]. Error: a file cannot be written.
+/// Writes `<trial>.csv` for each completed trial: simulated markers at the measured sample times, mesh frame [m].
+///
+/// Errors: a file cannot be written.
 Result<void> write_traces(const std::filesystem::path& folder, const setup::Setup& setup,
                           const prediction::SetupRun& run);
 
-/// Writes `<trial>.pvd` and `<trial>_frames/<number>.vtu` for each trial that completed: about `frames` states at equal
-/// distances in time, the mesh as deformed, with displacement [m] and velocity [m/s] at the nodes. A cancelled series
-/// leaves nothing behind. Errors: a file cannot be written; cancelled.
+/// Writes `<trial>.pvd` and `<trial>_frames/<number>.vtu` for each completed trial: the deformed mesh with displacement
+/// [m] and velocity [m/s] at the nodes.
+///
+/// @param frames  number of states, equally spaced in time; fewer if the run has fewer steps
+/// Errors: a file cannot be written; cancelled. After an error the series of that trial is removed.
 Result<void> write_series(const std::filesystem::path& folder, const setup::Setup& setup,
                           const prediction::SetupRun& run, int frames, const Progress& progress = {});
 
-/// All files that an experiment is read from: its declaration, its surface, traces, actuations, signals and masks.
+/// All input files of an experiment: declaration, surface, traces, actuations, signals and masks.
 ///
-/// @param declared  the experiment folder, or its .toml file, as read_experiment() takes it
+/// @param declared  the experiment folder or its .toml file, as read_experiment() takes it
 std::vector<std::filesystem::path> files_read(const std::filesystem::path& declared,
                                               const experiment::Experiment& experiment);
 
-/// The files that write_traces() may write for this experiment.
+/// Files that write_traces() may write for this experiment.
 std::vector<std::filesystem::path> trace_files(const std::filesystem::path& folder,
                                                const experiment::Experiment& experiment);
 
-/// The files that write_series() may write or remove for this experiment.
+/// Files that write_series() may write or remove for this experiment.
 std::vector<std::filesystem::path> series_files(const std::filesystem::path& folder,
                                                 const experiment::Experiment& experiment, int frames);
 
-/// Makes the folder where results will go and tests whether files can be written there.
-/// Errors: it is a file, cannot be made or is not writable.
+/// Creates an output folder and tests whether files can be written to it, before a long job starts.
+///
+/// Errors: the path is a file, the folder cannot be created or is not writable.
 Result<void> prepare_output_folder(const std::filesystem::path& folder);
 
 }  // namespace myo::results

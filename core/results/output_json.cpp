@@ -11,7 +11,7 @@
 namespace myo::results {
 namespace {
 
-/// Null where it was not found; critical_velocity_force_1_s only where there is a velocity force to compare with it.
+/// Null if no mode was found; critical_velocity_force_1_s only if the model has a velocity force.
 void add_integration(const setup::Setup& setup, report::Json& json) {
     if (setup.settings.integrator == dynamics::Integrator::generalized_alpha)
         json["spectral_radius"] = setup.settings.spectral_radius;
@@ -27,6 +27,7 @@ void add_integration(const setup::Setup& setup, report::Json& json) {
 }
 
 report::Json size_json(const setup::Setup& setup) {
+    // Trials can have different steps; dt_s of the file is that of the first, dt_s of a trial its own.
     const double h = setup.settings.h_s.value_or(setup.trials.front().options.h_s);
     const setup::WallLayers layers = setup::wall_layers({setup.surface, setup.mesh, setup.experiment.effects});
     report::Json json{{"dofs", 3 * setup.mesh.mesh.node_count()},
@@ -91,13 +92,13 @@ void add_levels(const setup::Setup& setup, std::size_t trial, const prediction::
         json["actuation_level"][setup.experiment.muscles[muscle].name] = level;
 }
 
-/// Null where the trial did not complete.
+/// Null if the trial did not complete.
 report::Json rms_json(const prediction::TrialScore* score) {
     return score != nullptr ? report::json_number(score->rms_m) : report::Json();
 }
 
-/// `reason` where the data do not determine it, `at_bound` where it ended at one, `direction` of an angle of one: where
-/// it points.
+/// Optional keys: `reason` if the data do not determine the parameter, `at_bound` if it ended at one, `direction` with
+/// the vector that an angle belongs to.
 report::Json parameters_json(const calibration::Calibration& calibration) {
     report::Json parameters = report::Json::object();
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
@@ -109,7 +110,7 @@ report::Json parameters_json(const calibration::Calibration& calibration) {
                  {"std_noise", report::json_number(calibration.fit.deviations(row))},
                  {"start", report::json_number(calibration.fit.start(row))},
                  {"unit", p.unit}};
-        // Null where a part is not known; "std" is without it then.
+        // Null if a part is unknown; "std" then leaves it out.
         const calibration::NumericalDeviations& numerical = calibration.numerical;
         entry["std_mesh"] = numerical.mesh.size() > 0 ? report::json_number(numerical.mesh(row)) : report::Json();
         entry["std_step"] = numerical.step.size() > 0 ? report::json_number(numerical.step(row)) : report::Json();

@@ -47,12 +47,14 @@ double main_frequency(const setup::Setup& setup, std::size_t index, const predic
     for (const Matrix3Xd& track : prediction.positions_m)
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             Eigen::VectorXd x = track.row(axis).tail(samples).transpose();
+            // The steady state is subtracted; the coordinate with the most energy is analysed.
             x.array() -= x.tail(std::max<Eigen::Index>(1, samples / 5)).mean();
             if (x.squaredNorm() > largest) largest = x.squaredNorm(), signal = std::move(x);
         }
     if (!(largest > 0.0) || !(duration > 0.0)) return 0.0;
 
-    // A scan of the Fourier integral on a grid four times finer than the resolution; records are short.
+    // Direct scan of the Fourier integral at a quarter of the frequency resolution, up to the Nyquist frequency or 50
+    // Hz; records are short, so an FFT would not pay.
     const double highest = std::min(0.5 * static_cast<double>(samples - 1) / duration, 50.0);
     double best_power = 0.0, best = 0.0;
     for (double f = 1.0 / duration; f < highest; f += 0.25 / duration) {

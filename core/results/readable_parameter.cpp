@@ -8,12 +8,13 @@
 namespace myo::results {
 namespace {
 
+/// Unit suffix of a name and how it is displayed.
 struct UnitSuffix {
     const char* suffix;
     const char* unit;
     double factor;
 };
-/// The longer of two that fit stands first.
+/// Longer suffixes precede those that they end with.
 constexpr UnitSuffix unit_suffixes[] = {
     {"_kg_m3", "kg/m³", 1.0},
     {"_kg_m2", "kg/m²", 1.0},

@@ -17,7 +17,7 @@ std::string out_of_range(const std::string& muscle, double a) {
            ", which must be above 0: it is the stretch that the fibres seek, 1 is passive and below 1 they contract";
 }
 
-/// Error at the line of a file's row, or at the key where the rows have no lines.
+/// Error at the line of a row in a file; at the key if the rows have no line numbers.
 Error row_error(const experiment::Experiment& experiment, const std::string& key, const std::filesystem::path& file,
                 const std::vector<int>& lines, std::size_t row, const std::string& sentence) {
     if (row >= lines.size()) return experiment::declaration_error(experiment, key, sentence);
@@ -47,6 +47,7 @@ Result<void> check_declared_activation(const experiment::Experiment& experiment)
         const auto low = std::find_if(muscle.signal->values.begin(), muscle.signal->values.end(),
                                       [](double a) { return !(a > 0.0); });
         if (low == muscle.signal->values.end()) continue;
+        // Signal keeps no line numbers, so the file is read again only when there is an error to locate.
         const Result<measurement::ActuationTable> file = muscle.signal_file
                                                              ? measurement::read_actuation_csv(*muscle.signal_file)
                                                              : Result<measurement::ActuationTable>(
@@ -68,6 +69,8 @@ std::vector<std::string> activation_notes(const Setup& setup) {
     std::vector<std::string> notes;
     for (std::size_t m = 0; m < setup.experiment.muscles.size(); ++m) {
         const experiment::MuscleDeclaration& muscle = setup.experiment.muscles[m];
+        // The trials hold the activation after followers and steps are applied, so each muscle is checked as it is
+        // simulated.
         double lowest = std::numeric_limits<double>::infinity();
         for (const PreparedTrial& trial : setup.trials) {
             const std::vector<double>& values = trial.model.activation[m].values;

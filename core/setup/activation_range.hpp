@@ -14,19 +14,25 @@ struct Setup;
 /// The activation a of a muscle is the stretch that its fibres seek: 1 is passive, below 1 they contract. At 0 they
 /// would contract to nothing; programs that count 0 as passive and 1 as active write such numbers.
 
-/// Errors: the first activation of 0 or below in a trial's actuation file (place: its line), of a muscle that follows
-/// none.
-/// @param table  as read_trial_actuation() returns it
+/// The activation a of a muscle is the stretch at which its fibres are stress-free: 1 is passive, below 1 they
+/// contract. At a = 0 they would contract to length zero. Data with 0 for passive and 1 for active is rejected by these
+/// checks.
+
+/// Checks that the recorded activations of one trial are positive.
+///
+/// @param table  as read_trial_actuation() returns it; rows of followers are not checked
+/// Errors: the first activation <= 0 (place: its line in the actuation file).
 Result<void> check_recorded_activation(const experiment::Experiment& experiment,
                                        const experiment::TrialDeclaration& trial,
                                        const measurement::ActuationTable& table);
 
-/// Errors: the same of the muscles' own signals (place: line of the signal's file, or its key) and of the levels of
-/// steps (their keys).
+/// Checks that the muscles' own signals and the declared step levels are positive.
+///
+/// Errors: the first activation <= 0 (place: line of the signal's file, or the key).
 Result<void> check_declared_activation(const experiment::Experiment& experiment);
 
-/// What is let through, for a person: followers that reach 0 or below, as fitted ones may, and, as published, any
-/// muscle.
+/// Readable notes on activations <= 0 that the checks accept: followers (their ratio may be fitted), and any muscle
+/// with as_published.
 std::vector<std::string> activation_notes(const Setup& setup);
 
 }  // namespace myo::setup

@@ -26,6 +26,8 @@ std::string size_in_mm(const Box& box) {
     return format_number(mm(0), 4) + " x " + format_number(mm(1), 4) + " x " + format_number(mm(2), 4);
 }
 
+// Grid planes at the faces of clamp boxes. Planes within 0.1 edges of an existing one or of the bounds are skipped:
+// they would create slivers.
 void add_region_planes(const std::vector<Box>& regions, const Box& bounds, double edge, mesh::GridPlanes& planes) {
     for (const Box& region : regions)
         for (int axis = 0; axis < 3; ++axis)
@@ -38,7 +40,7 @@ void add_region_planes(const std::vector<Box>& regions, const Box& bounds, doubl
             }
 }
 
-/// Sides where a region holds the body's highest face and none its lowest.
+/// Axes along which a region holds the highest face of the body and none holds the lowest.
 std::array<bool, 3> held_at_highest(const std::vector<Box>& regions, const Box& bounds) {
     std::array<bool, 3> result{};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -52,6 +54,8 @@ std::array<bool, 3> held_at_highest(const std::vector<Box>& regions, const Box& 
     return result;
 }
 
+// Whole cubes only. The grid starts at the held face, so the mesh shrinks at the free end and the support stays in
+// place.
 Result<mesh::VolumeMesh> truncated_mesh(const mesh::SurfaceMesh& surface, double edge, const std::vector<Box>& regions,
                                         const Progress& progress) {
     const Box bounds = mesh::bounding_box(surface.vertices);
@@ -69,12 +73,13 @@ std::string not_conforming(const std::string& reason, double edge) {
            " mm, less than declared; choose shorter edges (--resolution) or move the box";
 }
 
-/// Tetrahedra that meet the regions' faces; where that fails or takes many times the cells, without them and with a
-/// warning.
+/// Tetrahedra whose faces conform to the regions. If that fails or multiplies the number of cells, plain tetrahedra
+/// with a warning.
 Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& surface, mesh::CellType type, double edge,
                                           const std::vector<Box>& regions, const Progress& progress,
                                           std::vector<std::string>& warnings) {
-    // Slices much thinner than an edge, between a clamp's face and one of the body, can take a hundred times the cells.
+    // Layers much thinner than an edge, between a face of the clamp and one of the body, can take a hundred times the
+    // cells. The estimate only decides whether the plain mesh is made for comparison; that mesh decides.
     constexpr double doubtful_growth = 2.5, refused_growth = 4.0;
     mesh::TetOptions options;
     options.type = type;
@@ -95,7 +100,7 @@ Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& surface, mesh
     return plain;
 }
 
-/// Hexahedra that meet the body's own axis-aligned faces and the regions'.
+/// Hexahedra that conform to the axis-aligned faces of the body and of the regions.
 Result<mesh::VolumeMesh> fitted_mesh(const mesh::SurfaceMesh& surface, double edge, const mesh::EdgeAt& edge_at,
                                      const std::vector<Box>& regions, const Progress& progress) {
     const Box bounds = mesh::bounding_box(surface.vertices);
@@ -131,6 +136,8 @@ Box box_on_mesh(const BodyMesh& mesh, const Box& declared) {
 Box held_part(const Box& clamp, const Box& body) {
     Box part = clamp;
     for (int axis = 0; axis < 3; ++axis) {
+        // A box that ends within 1 % of the extent inside the body selects the face; 1e-6 keeps its nodes despite
+        // rounding.
         const double thin = 0.01 * body.size()(axis), beside = 1e-6 * body.size()(axis);
         const double low = body.lowest(axis), high = body.highest(axis);
         if (clamp.lowest(axis) <= low && clamp.highest(axis) >= low && clamp.highest(axis) < low + thin)
@@ -147,7 +154,8 @@ Result<BodyMesh> mesh_body(const mesh::SurfaceMesh& surface, const MeshRequest& 
     result.element = request.element.value_or(automatic_element(surface));
     const mesh::CellType type = fem::cell_type(result.element);
     const double automatic_edge = automatic_resolution(surface, type);
-    // The automatic edge length stands for the automatic mesh, also where a person or a file repeats it.
+    // A requested length equal to the automatic one means the automatic mesh, e.g. when a stored setting is passed
+    // back.
     const bool automatic = !request.resolution_m || std::abs(*request.resolution_m / automatic_edge - 1.0) < 1e-9;
     result.resolution_m = request.refinement * request.resolution_m.value_or(automatic_edge);
     if (!(result.resolution_m > 0.0)) return Error{"the edge length must be positive", "--resolution"};

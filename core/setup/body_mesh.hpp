@@ -15,44 +15,57 @@ namespace myo::setup {
 
 /// How hexahedra fill a body.
 enum class Voxels {
-    fitted,     // edges adapt so that the body's and the clamp's dimensions are met
-    truncated,  // cubes of exactly the edge length, whole ones only: the body shrinks. As published, for comparison
+    fitted,     // edges adapt so that the dimensions of the body and the clamp are met
+    truncated,  // whole cubes of the edge length only, so the body shrinks; the published scheme, for comparison
 };
+/// Id of a scheme, as --voxels takes it.
 std::string to_string(Voxels voxels);
+/// All ids.
 std::vector<std::string> voxels_ids();
-/// False when there is no way of this name.
+/// Scheme of an id; false if there is none.
 bool parse_voxels(const std::string& id, Voxels& voxels);
 
-/// What is asked of the mesh; what is left open is chosen for the body.
+/// Requested mesh. Empty options are chosen from the shape of the body.
 struct MeshRequest {
-    std::optional<fem::ElementKind> element;
-    std::optional<double> resolution_m;  // edge length; left open, cells are finer across thin parts
+    std::optional<fem::ElementKind> element;  // empty: see automatic_element()
+    std::optional<double> resolution_m;       // edge length [m]; empty: see automatic_edges(), finer across thin parts
     Voxels voxels = Voxels::fitted;
-    double refinement = 1.0;  // all edges times this, those that were left open as well
+    double refinement = 1.0;  // factor on all edge lengths, automatic ones included
 };
 
+/// Mesh of a body with the choices that produced it.
 struct BodyMesh {
-    mesh::VolumeMesh mesh;
+    mesh::VolumeMesh mesh;  // rest nodes [m], mesh frame
     fem::ElementKind element = fem::ElementKind::hex8;
-    double resolution_m = 0.0;
-    std::optional<Box> shrunk_from;  // the body's bounds, where truncated voxels left a smaller mesh
-    std::vector<std::string> warnings;
+    double resolution_m = 0.0;          // nominal edge length [m], refinement included
+    std::optional<Box> shrunk_from;     // bounds of the body if truncated voxels made the mesh smaller
+    std::vector<std::string> warnings;  // quality of the mesh, and clamp faces that it does not meet
 };
 
-/// A place declared on the body, moved to the same part of a mesh that shrank; otherwise the place itself.
+/// Point declared on the body, mapped to the mesh.
+///
+/// @return   [m]; `declared_m` unless the mesh shrank, then scaled with the bounding box
 Eigen::Vector3d point_on_mesh(const BodyMesh& mesh, const Eigen::Vector3d& declared_m);
 
-/// A box declared on the body, moved to the same part of a mesh that shrank; otherwise the box itself.
+/// Box declared on the body, mapped to the mesh like point_on_mesh().
 Box box_on_mesh(const BodyMesh& mesh, const Box& declared);
 
-/// The part of a body that a clamp box holds. A box that reaches less than a hundredth of the body's extent into it
-/// from one side is there to select that side's face: it ends at the face, or a finer mesh would hold more of the body
-/// than a coarse one.
+/// Part of the body that a clamp box holds.
+///
+/// A box that penetrates less than a hundredth of the body's extent from one side is meant to select that side's face.
+/// It is cut back to the face: otherwise a finer mesh would clamp more of the body than a coarse one.
+///
+/// @param clamp, body  declared box and bounds of the body [m], mesh frame
 Box held_part(const Box& clamp, const Box& body);
 
-/// Meshes a closed surface. Hexahedra get grid planes at the body's own axis-aligned faces and at the regions', so that
-/// dimensions and support are met exactly; tetrahedra meet the regions' faces. Truncated ones start at the face that a
-/// region holds, or at the lowest. Errors: those of the meshers.
+/// Meshes a closed surface.
+///
+/// Hexahedra get grid planes at the axis-aligned faces of body and regions, so dimensions and support are exact;
+/// tetrahedra conform to the faces of the regions. Truncated voxels start at the face that a region holds, or at the
+/// lowest.
+///
+/// @param regions  boxes [m] whose faces the mesh should meet, such as the clamp
+/// Errors: an edge length that is not positive or exceeds the body; those of the meshers.
 Result<BodyMesh> mesh_body(const mesh::SurfaceMesh& surface, const MeshRequest& request,
                            const std::vector<Box>& regions, const Progress& progress = {});
 

@@ -13,7 +13,7 @@
 namespace myo::setup {
 namespace {
 
-/// The axis that a triangle is normal to, or -1. Slivers without area have none that matters: 3.
+/// Axis that a triangle is normal to, or -1. Degenerate triangles without area give 3 and restrict nothing.
 int normal_axis(const mesh::SurfaceMesh& surface, Eigen::Index t) {
     const auto corner = [&](int i) { return Eigen::Vector3d(surface.vertices.col(surface.triangles(i, t))); };
     const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
@@ -25,13 +25,14 @@ int normal_axis(const mesh::SurfaceMesh& surface, Eigen::Index t) {
     return -1;
 }
 
-/// Which blocks between the face planes are filled, x fastest.
+/// Occupancy of the blocks between the face planes of a rectilinear body, x fastest.
 class Blocks {
 public:
     Blocks(const mesh::SurfaceMesh& surface, mesh::GridLines grid) : grid_(std::move(grid)), count_(grid_.cells()) {
         filled_.assign(static_cast<std::size_t>(count_.prod()), false);
         mesh::VoxelOptions options;
         options.grid = grid_;
+        // Voxelising the grid of face planes classifies each block as inside or outside in one pass.
         const Result<mesh::VolumeMesh> mesh = mesh::voxelize(surface, options);
         if (!mesh) return;
         for (Eigen::Index c = 0; c < mesh->cell_count(); ++c) {
@@ -52,7 +53,7 @@ public:
     const Eigen::Vector3i& count() const { return count_; }
     const mesh::GridLines& grid() const { return grid_; }
 
-    /// Nothing before and behind it along the axis.
+    /// Whether both neighbours of a block along the axis are empty: the body is one block thick there.
     bool alone(const Eigen::Vector3i& at, int axis) const {
         const Eigen::Vector3i step = Eigen::Vector3i::Unit(axis);
         return !filled(at - step) && !filled(at + step);
@@ -75,6 +76,7 @@ private:
     std::vector<bool> filled_;
 };
 
+// Edge length before thin parts are considered: proportional to the cube root of the volume.
 double plain_resolution(const mesh::SurfaceMesh& surface, mesh::CellType type) {
     const double per_size = type == mesh::CellType::hex8 ? mesh_policy.hexahedra_per_size
                                                          : mesh_policy.tetrahedra_per_size;
@@ -85,6 +87,7 @@ double layer_edge(const BodySlice& slice) {
     return slice.thickness_m() / (slice.thin_rod ? mesh_policy.rod_layers : mesh_policy.least_layers);
 }
 
+// Flat cells: the edges in the plane may exceed the layer edge by most_aspect, within the limit of least_edge_share.
 double hexahedra_resolution(double edge, const std::vector<BodySlice>& slices) {
     double thinnest = edge;
     for (const BodySlice& slice : slices)
@@ -93,7 +96,7 @@ double hexahedra_resolution(double edge, const std::vector<BodySlice>& slices) {
     return std::clamp(mesh_policy.most_aspect * thinnest, mesh_policy.least_edge_share * edge, edge);
 }
 
-/// Whether a block has so few layers along two axes that it twists too little.
+/// Whether a block has so few layers along two axes that its torsional stiffness would be wrong.
 bool is_rod(const Blocks& blocks, const Eigen::Vector3i& at, double edge, int one, int other) {
     if (!blocks.alone(at, one) || !blocks.alone(at, other)) return false;
     const double first = std::round(blocks.length(one, at[one]) / edge),
@@ -102,9 +105,11 @@ bool is_rod(const Blocks& blocks, const Eigen::Vector3i& at, double edge, int on
            std::min(first, second) < mesh_policy.few_rod_layers;
 }
 
-/// What one block adds to the slice it lies in.
+/// Contribution of one block to the slice that contains it.
 void add_block(const Blocks& blocks, const Eigen::Vector3i& at, double edge, double whole, BodySlice& slice) {
     const int b = (slice.axis + 1) % 3, c = (slice.axis + 2) % 3;
+    // `across`: the rod's axis lies in the slice, so the slice is one of its two thin directions. `along`: the rod runs
+    // along the slice axis. One block that is no rod resets rod_thickness_m to 0 for the slice.
     const bool across = is_rod(blocks, at, edge, slice.axis, b) || is_rod(blocks, at, edge, slice.axis, c);
     if (blocks.alone(at, slice.axis)) slice.thin_share += blocks.volume(at) / whole;
     slice.thin_rod = slice.thin_rod || across;
@@ -126,16 +131,16 @@ double whole_area(const mesh::SurfaceMesh& surface) {
     return sum;
 }
 
+// The number of unknowns grows at most with the cube of the inverse edge length, so steps of 5 % end soon.
 double tetrahedra_resolution(double edge, const mesh::SurfaceMesh& surface) {
     double shortest = std::min(edge, longest_edge(surface, local_thickness(surface)));
     const auto unknowns = [&](double e) { return mesh::estimate_counts(surface, mesh::CellType::tet10, e).dofs; };
-    // Unknowns grow at most with the cube of the edges' number.
     while (shortest < edge && unknowns(shortest) > mesh_policy.most_unknowns)
         shortest = std::min(edge, 1.05 * shortest);
     return shortest;
 }
 
-/// Distance along a ray to the nearest triangle beyond `skip` (Möller & Trumbore 1997); infinite when there is none.
+/// Distance along a ray to the nearest triangle beyond `skip` (Möller & Trumbore 1997); infinite if there is none.
 double ray_length(const mesh::SurfaceMesh& surface, const Eigen::Vector3d& start, const Eigen::Vector3d& direction,
                   double skip) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -172,6 +177,7 @@ mesh::GridPlanes face_planes(const mesh::SurfaceMesh& surface, double edge) {
     for (std::vector<double>& list : planes) {
         std::sort(list.begin(), list.end());
         std::vector<double> distinct;
+        // Nearly coincident faces would create cells of no thickness.
         for (const double p : list)
             if (distinct.empty() || p - distinct.back() > 0.01 * edge) distinct.push_back(p);
         list = std::move(distinct);
@@ -183,7 +189,7 @@ std::vector<BodySlice> body_slices(const mesh::SurfaceMesh& surface, double edge
     std::vector<BodySlice> slices;
     if (!is_rectilinear(surface)) return slices;
     const Box bounds = mesh::bounding_box(surface.vertices);
-    // No edges between the planes: one block each.
+    // The edge length exceeds the body, so the grid has one block between adjacent planes.
     const mesh::GridLines grid = mesh::grid_lines(bounds, 2.0 * bounds.size().maxCoeff(), face_planes(surface, edge));
     if (grid.cells().cast<double>().prod() > mesh::most_grid_cells) return slices;
     const Blocks blocks(surface, grid);
@@ -208,7 +214,7 @@ std::vector<BodySlice> body_slices(const mesh::SurfaceMesh& surface, double edge
 }
 
 double local_thickness(const mesh::SurfaceMesh& surface) {
-    // Rays start where equal shares of the area end, so that large triangles send several and small ones one of many.
+    // One ray per equal share of the area: large triangles send several rays, small ones one for many of them.
     const Eigen::Index count = surface.triangles.cols();
     const double whole = whole_area(surface);
     const double skip = 1e-6 * mesh::bounding_box(surface.vertices).size().norm();
@@ -258,6 +264,7 @@ mesh::EdgeAt automatic_edges(const mesh::SurfaceMesh& surface, double refinement
             if (slice.axis != axis || at < slice.low || at > slice.high) continue;
             if (slice.thin_share > 0.0) own = std::min(own, layer_edge(slice));
             if (slice.rod_thickness_m > 0.0)
+                // Along rods the edges may be longer: bending varies slowly there.
                 own = std::max(own, mesh_policy.rod_aspect * slice.rod_thickness_m / mesh_policy.rod_layers);
         }
         return refinement * own;

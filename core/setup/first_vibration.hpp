@@ -8,12 +8,12 @@ struct Model;
 
 namespace myo::setup {
 
-/// Angular frequency [rad/s] of the slowest natural vibration about the straight, passive body; 0 where none is found,
-/// as of a body that turns freely.
+/// Lowest natural angular frequency [rad/s] about the straight, passive body; 0 if none is found, e.g. for a body that
+/// can rotate freely.
 double first_vibration_rad_s(const model::Model& model);
 
-/// Angular frequencies [rad/s] of the `count` slowest natural vibrations about the straight, passive body, ascending;
-/// empty where none are found.
+/// The `count` lowest natural angular frequencies [rad/s] about the straight, passive body, ascending; empty if none
+/// are found.
 std::vector<double> slowest_vibrations_rad_s(const model::Model& model, int count);
 
 }  // namespace myo::setup

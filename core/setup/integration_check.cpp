@@ -12,12 +12,12 @@
 namespace myo::setup {
 namespace {
 
-/// Below this a scheme's damping is hard to see: it halves an amplitude in 22 swings.
+/// Numerical damping below this ratio is hard to see: it halves an amplitude in 22 periods.
 constexpr double visible_damping_ratio = 0.005;
 
 std::string step_text(double h_s) { return "h = " + format_number(1e3 * h_s, 4) + " ms"; }
 
-/// Of the structure; where the power iteration does not settle, of its first mode alone.
+/// Critical velocity force of the structure; if the power iteration does not converge, of its first mode alone.
 void set_critical_velocity_force(dynamics::StageSolver& solver, const dynamics::TimeScheme& scheme, double omega,
                                  IntegrationCheck& check) {
     const dynamics::CriticalVelocityForce found = dynamics::critical_velocity_force(
@@ -52,7 +52,7 @@ IntegrationCheck check_integration(const model::Model& model, const dynamics::Ti
                                      ", so that its motion will grow without end; try a smaller Λ, or none with " +
                                      to_string(dynamics::Integrator::tr_bdf2));
     }
-    // What a velocity force gives back is not lost.
+    // A velocity force feeds energy back and cancels part of the numerical damping; only the remainder is lost.
     const double lost = check.numerical_damping_ratio - 0.5 * lambda / omega;
     if (lost > visible_damping_ratio && lost > check.damping_ratio)
         check.warnings.push_back(

@@ -14,7 +14,7 @@
 namespace myo::setup {
 namespace {
 
-/// Where the length that the program chooses is short enough.
+/// Appended to advice if the automatic edge length is short enough.
 constexpr const char* or_none = ", or leave it to the program";
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
@@ -23,7 +23,7 @@ std::string in_mm(double metres) { return format_number(1e3 * metres, 3) + " mm"
 
 bool has_hexahedra(const MeshFacts& facts) { return facts.mesh.mesh.type == mesh::CellType::hex8; }
 
-/// Cells along the slice's axis between its planes.
+/// Number of cells along the slice axis between its planes, from the distinct node coordinates.
 int layers_in(const BodySlice& slice, const mesh::VolumeMesh& mesh) {
     std::vector<double> at;
     const double same = 1e-6 * slice.thickness_m();
@@ -34,12 +34,13 @@ int layers_in(const BodySlice& slice, const mesh::VolumeMesh& mesh) {
     return std::max(0, static_cast<int>(at.size()) - 1);
 }
 
+/// A slice with its number of layers.
 struct Layers {
     BodySlice slice;
     int count = 0;
 };
 
-/// The thin slice with the fewest layers; rods only, or all.
+/// Thin slice with the fewest layers, of rods only or of all.
 std::optional<Layers> fewest_layers(const MeshFacts& facts, bool rods) {
     std::optional<Layers> fewest;
     for (const BodySlice& slice : body_slices(facts.surface, facts.mesh.resolution_m)) {
@@ -59,7 +60,7 @@ std::string edges_up_to(double metres) {
     return "choose edges of " + format_number(metres, 3) + " m or less (" + edge_setting + ")";
 }
 
-/// Longest edge over the shortest of a hexahedron, over the smallest height of a tetrahedron.
+/// Aspect ratio: longest over shortest edge of a hexahedron, longest edge over smallest height of a tetrahedron.
 double aspect(const mesh::VolumeMesh& mesh, Eigen::Index cell) {
     const auto at = [&](int i) -> Eigen::Vector3d { return mesh.nodes.col(mesh.cells(i, cell)); };
     double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
@@ -77,6 +78,7 @@ double aspect(const mesh::VolumeMesh& mesh, Eigen::Index cell) {
     double largest_face = 0.0;  // twice its area
     for (const auto& face : mesh::tetrahedron_faces)
         largest_face = std::max(largest_face, (at(face[1]) - at(face[0])).cross(at(face[2]) - at(face[0])).norm());
+    // Smallest height = 3 V / largest face area = 6 V / (2 * area).
     const double six_volumes = std::abs((at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)));
     return longest * largest_face / six_volumes;
 }
@@ -95,7 +97,7 @@ std::optional<std::string> too_few_layers(const MeshFacts& facts) {
     const double thickness = local_thickness(facts.surface);
     const double edge = has_hexahedra(facts) ? facts.mesh.resolution_m : mesh::mean_edge_length(facts.mesh.mesh);
     const double most = has_hexahedra(facts) ? 1.0 / policy.least_layers : mesh_policy.edge_over_thickness;
-    if (!(edge > 1.001 * most * thickness)) return std::nullopt;  // an edge asked for comes out a little longer
+    if (!(edge > 1.001 * most * thickness)) return std::nullopt;  // meshers slightly exceed the requested length
     return "edges of " + in_mm(edge) + " are longer than " + format_number(most, 3) +
            " times the body's thickness of " + in_mm(thickness) + ": it may bend too far; " +
            edges_up_to(most * thickness);

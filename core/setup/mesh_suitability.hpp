@@ -10,49 +10,53 @@
 
 namespace myo::setup {
 
-/// Where a mesh is called unsuitable. Percentages were measured against fine meshes (hex8, nu = 0.49).
+/// Thresholds for warnings about a mesh. Percentages were measured against fine meshes (hex8, nu = 0.49).
 struct SuitabilityPolicy {
-    int least_layers = 2;                   // of hexahedra; one bends up to 70 % too far
-    double least_part = 0.05;               // of the body's volume that must be thin for a warning
-    int least_rod_layers = 3;               // across a rod in both directions
-    double rod_twist_error_percent = 15.0;  // of 2 x 2 cells; 3 x 2: 9
-    double rod_edge_over_thickness = 1.0;   // of tetrahedra: longer edges leave a single layer across a rod
-    double tetrahedral_rod_twist_error_percent = 18.0;
-    double layer_twist_error_percent = 5.0;  // of one layer, at least four cells wide
-    double most_aspect = 10.0;
-    double least_flat_share = 0.05;       // of the cells that must be flatter for a warning
-    double least_cells_per_radius = 1.0;  // of a soft patch
+    int least_layers = 2;                               // of hexahedra; a single layer bends up to 70 % too far
+    double least_part = 0.05;                           // of the volume that must be thin for a warning
+    int least_rod_layers = 3;                           // across a rod in both directions
+    double rod_twist_error_percent = 15.0;              // of 2 x 2 cells; 3 x 2: 9
+    double rod_edge_over_thickness = 1.0;               // of tetrahedra; longer edges leave a single layer across a rod
+    double tetrahedral_rod_twist_error_percent = 18.0;  // of one layer
+    double layer_twist_error_percent = 5.0;             // of one layer, at least four cells wide
+    double most_aspect = 10.0;                          // of a cell before it counts as flat
+    double least_flat_share = 0.05;                     // of the cells that must be flat for a warning
+    double least_cells_per_radius = 1.0;                // of a soft patch
 };
 inline constexpr SuitabilityPolicy suitability_policy;
 
-/// What the checks of a mesh look at.
+/// Input of the mesh checks; refers to values of the caller.
 struct MeshFacts {
     const mesh::SurfaceMesh& surface;
     const BodyMesh& mesh;
     const std::vector<effect::EffectDeclaration>& effects;
 };
 
-/// One sentence with figure, threshold and way out; nothing where the mesh is suitable.
+/// A check returns one sentence with measured value, threshold and remedy; empty if the mesh is suitable.
 using MeshCheck = std::optional<std::string> (*)(const MeshFacts&);
 
+/// Bending: fewer layers than least_layers, or edges too long for the thickness of the body.
 std::optional<std::string> too_few_layers(const MeshFacts& body);
+/// Torsion: too few cells across a rod.
 std::optional<std::string> too_few_cells_to_twist(const MeshFacts& body);
+/// Aspect ratio: too many flat cells.
 std::optional<std::string> cells_too_flat(const MeshFacts& body);
+/// Resolution of an effect: the radius of a soft patch is shorter than a cell.
 std::optional<std::string> patch_too_small(const MeshFacts& body);
 
-/// How many cells lie across a body's thinnest wall.
+/// Number of cells across the thinnest wall of a body.
 struct WallLayers {
-    double count = 0.0;        // whole where layers can be counted: hexahedra in a body of axis-aligned faces
+    double count = 0.0;        // an integer for hexahedra in a body of axis-aligned faces; otherwise an estimate
     double thickness_m = 0.0;  // of the wall
 };
-/// The wall with the fewest layers; where layers cannot be counted, the body's thickness over the mean edge.
+/// Wall with the fewest layers; if layers cannot be counted, thickness of the body over the mean edge length.
 WallLayers wall_layers(const MeshFacts& body);
 
-/// All of them; what a mesh's volume misses is told by mesh_quality().
+/// All checks, in the order of their messages. Missing volume is reported by mesh_quality().
 inline constexpr std::array<MeshCheck, 4> mesh_checks{too_few_layers, too_few_cells_to_twist, cells_too_flat,
                                                       patch_too_small};
 
-/// What the mesh cannot hold, for a person.
+/// Messages of all checks that fail.
 std::vector<std::string> unsuitable(const MeshFacts& body);
 
 }  // namespace myo::setup

@@ -6,8 +6,8 @@ namespace myo::setup {
 
 struct Setup;
 
-/// "64 hex8 elements of 5 mm, 2 layers across 10 mm, 375 degrees of freedom": what a setup's body is made of, its
-/// thinnest wall and its unknowns. Where layers cannot be counted, they are "about 1.9".
+/// Summary of the mesh: "64 hex8 elements of 5 mm, 2 layers across 10 mm, 375 degrees of freedom", where 10 mm is the
+/// thinnest wall. An estimated number of layers reads "about 1.9".
 std::string mesh_words(const Setup& setup);
 
 }  // namespace myo::setup

@@ -8,16 +8,17 @@
 namespace myo::setup {
 namespace {
 
-/// Columns moved to the same part of a mesh that shrank.
+/// point_on_mesh() for each column.
 Eigen::Matrix3Xd points_on_mesh(const BodyMesh& mesh, Eigen::Matrix3Xd points) {
     for (auto point : points.colwise()) point = point_on_mesh(mesh, point);
     return points;
 }
 
+/// Visitor that turns each kind of declared muscle into fibres on the mesh.
 struct GroupOf {
     const experiment::MuscleDeclaration& muscle;
     const BodyMesh& mesh;
-    std::vector<std::string>& doubts;  // of the mask
+    std::vector<std::string>& doubts;  // receives warnings about a mask
 
     Result<fibre::FibreGroup> operator()(const experiment::MuscleBox& part) const {
         return fibre::fibres_in_box(mesh.mesh, box_on_mesh(mesh, part.box_m), part.fibre, muscle.stiffness_Pa,
@@ -59,7 +60,8 @@ Result<std::vector<fibre::FibreGroup>> muscle_groups(const experiment::Experimen
         const auto* const mask = std::get_if<experiment::MuscleMask>(&muscle.part);
         const auto* const painted = mask ? std::get_if<std::shared_ptr<const fibre::PaintedMask>>(&mask->painted)
                                          : nullptr;
-        const bool nowhere = painted && (*painted)->count() == 0;  // as a person may leave it for a while
+        const bool nowhere = painted &&
+                             (*painted)->count() == 0;  // an empty mask is valid while a muscle is being painted
         if (group->points.empty() && mask && !nowhere)
             return experiment::declaration_error(experiment, table + "mask",
                                                  "no element of the mesh lies where the mask is painted; is it of this "

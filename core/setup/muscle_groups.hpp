@@ -10,11 +10,10 @@
 
 namespace myo::setup {
 
-/// The declared muscles on a mesh, in their order.
-/// @param warnings  gets a sentence for each thing a mask says that cannot be so, and for paint that lies off the body;
-/// may be null
-/// Errors: a mask that cannot be read (place: its line), a mask or a line that meets no material (place: the key's
-/// line).
+/// Fibres of the declared muscles on a mesh, in the order of declaration.
+///
+/// @param warnings  receives a sentence for each contradiction in a mask and for paint outside the body; may be null
+/// Errors: a mask that cannot be read (place: its line), a mask or a line without material (place: line of the key).
 Result<std::vector<fibre::FibreGroup>> muscle_groups(const experiment::Experiment& experiment, const BodyMesh& mesh,
                                                      std::vector<std::string>* warnings = nullptr);
 

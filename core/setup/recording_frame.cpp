@@ -14,11 +14,11 @@
 namespace myo::setup {
 namespace {
 
-/// When the times of a trace are taken to be of another clock than the trial's.
+/// Thresholds above which the times of a trace are attributed to another clock than the trial's.
 struct ClockPolicy {
-    /// A trace that begins so many sampling intervals after t = 0 is doubted: a camera may have been switched on late.
+    /// Sampling intervals between t = 0 and the first sample that give a warning; a camera may have been started late.
     double late_intervals = 20.0;
-    double most_lead = 10.0;  // times its own length: nobody simulates so much to compare so little
+    double most_lead = 10.0;  // lead over the length of the trace; nobody simulates so much to compare so little
 };
 constexpr ClockPolicy clock_policy;
 
@@ -26,7 +26,7 @@ bool begins_late(const measurement::Recording& recording) {
     return recording.rate_Hz > 0.0 && recording.time_s(0) * recording.rate_Hz > clock_policy.late_intervals;
 }
 
-/// File times that are the trial's must meet it.
+/// Without start_s, file time is trial time, so the trace must overlap the trial.
 Result<void> check_clock(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
                          const measurement::Recording& recording) {
     const double first = recording.time_s(0), last = recording.time_s(recording.sample_count() - 1);
@@ -39,6 +39,7 @@ Result<void> check_clock(const experiment::Experiment& experiment, const experim
             "time in the file at which the trial starts");
 }
 
+// Order of precedence: declared start, file time if the recording follows the mesh frame, detected start of motion.
 Result<void> find_start(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
                         const measurement::Recording& recording, PreparedTrial& trial) {
     if (declaration.start_s) {
@@ -63,7 +64,7 @@ Result<void> find_start(const experiment::Experiment& experiment, const experime
     return {};
 }
 
-/// Rest-pose registration: camera to mesh by a rigid fit of every marker seen before the start.
+/// Rest-pose registration: rigid fit, camera to mesh, of all markers visible before the start.
 Result<measurement::RigidMotion> register_rest_pose(const experiment::Experiment& experiment,
                                                     const experiment::TrialDeclaration& declaration,
                                                     const measurement::RestPose& pose, PreparedTrial& trial) {
@@ -75,6 +76,7 @@ Result<measurement::RigidMotion> register_rest_pose(const experiment::Experiment
         rest.col(i) = declared[static_cast<std::size_t>(i)].rest_m;
         weights(i) = pose.positions_m.col(i).allFinite() ? 1.0 : 0.0;
     }
+    // Occluded markers get weight 0; their NaN is cleared because 0 * NaN is NaN.
     Eigen::Matrix3Xd seen = pose.positions_m;
     for (Eigen::Index i = 0; i < seen.cols(); ++i)
         if (weights(i) == 0.0) seen.col(i).setZero();
@@ -105,6 +107,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
     const bool rest_registration = !experiment.registration.known &&
                                    experiment.registration.method == experiment::RegistrationMethod::rest_pose;
     measurement::RigidMotion camera_to_mesh;
+    // Displacements need the mean position before the start; only after registration is it in the mesh frame.
     if (displacement || rest_registration) {
         const Result<measurement::RestPose> pose = measurement::rest_pose_before(recording, trial.start_s);
         if (!pose)
@@ -131,6 +134,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
     const double end = declaration.end_s ? *declaration.end_s - trial.start_s
                                          : placed.time_s(placed.sample_count() - 1);
     placed = measurement::slice_time(placed, placed.time_s(0), end);
+    // Fixed markers come last and serve registration only.
     placed.labels.resize(experiment.markers.on_body.size());
     placed.tracks.resize(experiment.markers.on_body.size());
     while (trial.first_sample < placed.sample_count() && placed.time_s(trial.first_sample) < 0.0) ++trial.first_sample;
@@ -144,6 +148,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
 }
 
 std::vector<std::string> doubtful_frames(const Setup& setup) {
+    // Registration residual over the longest extent of the body, above which a wrong label or pose is likely.
     constexpr double far_of_body = 0.03;
     std::vector<std::string> warnings;
     const Box body = mesh::bounding_box(setup.surface.vertices);

@@ -6,7 +6,7 @@
 
 namespace myo::setup {
 
-/// The setup with the same trials on cells of `ratio` times the edge. Errors: those of meshing.
+/// The same trials on cells of `ratio` times the edge length (ratio < 1 refines). Errors: those of prepare_setup().
 Result<Setup> refined_setup(const Setup& setup, double ratio, const Progress& progress);
 
 }  // namespace myo::setup

@@ -22,8 +22,8 @@
 namespace myo::setup {
 namespace {
 
-/// Shares of a total over the surface inside a box, and the same without negative nodal shares (a clipped quadratic
-/// face has some), as a mass must be.
+/// Nodal shares (sum 1) of a load spread over the surface inside a box. `positive` removes negative shares, which
+/// clipped quadratic faces can have: a nodal mass must not be negative.
 Result<Eigen::VectorXd> surface_share(const experiment::Experiment& experiment, const std::string& key,
                                       const model::Body& body, const Box& box, bool positive) {
     mesh::SurfaceIntegral integral = mesh::surface_weights(body.mesh, body.boundary, box);
@@ -51,6 +51,7 @@ Result<void> add_loads(const Setup& setup, const experiment::TrialDeclaration& t
     return {};
 }
 
+// Order: recorded rows, then steps, then the muscles' own signals, which take precedence over both.
 Result<void> add_activation(const Setup& setup, const experiment::TrialDeclaration& declaration, PreparedTrial& trial) {
     const experiment::Experiment& experiment = setup.experiment;
     const Result<measurement::ActuationTable> table = experiment::read_trial_actuation(experiment, declaration);
@@ -104,13 +105,13 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     const double interval = sampling_interval_s(trial);
     trial.recorded_activation = trial.model.activation;
     set_step(trial, setup.settings.h_s.value_or(0.5 * interval));
-    // One step beyond the last sample, so that a start found a little later still has data under every sample.
+    // Beyond the last sample, so that a start found a little later still has simulated data under every sample.
     trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
     return trial;
 }
 
-/// Noise per marker: declared, or estimated in each trial and pooled. Where it cannot be estimated it is the others'.
-/// Never less than what rounding makes.
+/// Noise per marker: declared, or estimated per trial and pooled (rms). Markers without an estimate get the mean of the
+/// others. Never below the deviation that rounding produces.
 void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup) {
     const auto count = static_cast<Eigen::Index>(setup.marker_names.size());
     const auto coarsest = std::max_element(
@@ -135,18 +136,19 @@ void set_noise(const std::vector<measurement::Recording>& recordings, Setup& set
             sum(m) += estimate.sigma_m * estimate.sigma_m;
             found(m) += 1.0;
         }
-    // A tenth of a millimetre, a usual camera's, when nothing is known at all.
+    // Without any estimate, 0.1 mm: typical of mocap cameras.
     const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
     if (found.sum() == 0.0)
         setup.warnings.push_back(
             "markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
     setup.noise_m.resize(count);
+    // Half the typical noise as a floor: a single marker with a too small estimate would dominate the fit.
     for (Eigen::Index m = 0; m < count; ++m)
         setup.noise_m(m) = std::max(
             {found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical, rounded_m});
 }
 
-/// Trials in which no marker was seen take no part; one to fit must be left.
+/// Trials without a visible marker are excluded; at least one fit trial must remain.
 Result<void> check_seen(Setup& setup) {
     bool any = false;
     for (const PreparedTrial& trial : setup.trials) {
@@ -171,7 +173,9 @@ void warn_of_mass(const model::Model& model, std::vector<std::string>& warnings)
                        " % of its mesh's true mass");
 }
 
-/// @param model  without muscles, whose activations the trials bring
+/// Default damping time, limited to most_assumed_damping_ratio of the first vibration: zeta = omega d / 2.
+///
+/// @param model  without muscles, whose activations differ between trials
 double assumed_damping_s(const model::Model& model, const SetupSettings& settings) {
     if (settings.assumed_damping_s == 0.0) return 0.0;
     const double omega = first_vibration_rad_s(model);
@@ -179,7 +183,7 @@ double assumed_damping_s(const model::Model& model, const SetupSettings& setting
     return std::min(settings.assumed_damping_s, 2.0 * settings.most_assumed_damping_ratio / omega);
 }
 
-/// What the trials' clocks and the range of activations leave to doubt.
+/// Warnings about clocks, frames and the range of activations.
 void add_warnings(Setup& setup) {
     const auto add = [&](const std::vector<std::string>& sentences) {
         setup.warnings.insert(setup.warnings.end(), sentences.begin(), sentences.end());
@@ -207,6 +211,7 @@ std::vector<fibre::Signal> with_level(const experiment::Experiment& experiment, 
     const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(experiment);
     for (std::size_t m = 0; m < leaders.size(); ++m)
         if (leaders[m].leader == leader)
+            // Followers are linear in a - 1, see MuscleLeader.
             activation[m] = fibre::Signal::step(0.0, 1.0, 1.0 + leaders[m].factor * (level - 1.0));
     return activation;
 }
@@ -293,6 +298,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
             "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
     if (static_cast<Eigen::Index>(clamped.size()) == setup.mesh.mesh.node_count())
         return experiment::holds_whole_body(experiment);
+    // Effects that vary within a cell need quadrature points that resolve them.
     const bool fine = settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
                                   clamped);
@@ -325,6 +331,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
         if (progress.cancelled()) return Error{"stopped before trial " + declaration.name + " was read", ""};
         Result<PreparedTrial> trial = prepare_trial(setup, model, declaration, setup.warnings);
         if (!trial) return trial.error();
+        // Noise is estimated after all trials have been read, because trials are pooled.
         recordings.push_back(trial->measured);
         setup.trials.push_back(std::move(*trial));
     }

@@ -14,7 +14,7 @@ double range_of(const std::vector<double>& values) {
     return *most - *least;
 }
 
-/// Whether a signal has rows within the trial, or changes there by more than a small part of its range.
+/// Whether a signal has rows inside the trial, or changes over the trial by more than a small part of its range.
 bool meets(const fibre::Signal& signal, double end_s, const SignalSpanPolicy& policy) {
     const double range = range_of(signal.values);
     if (!(range > 0.0)) return true;
@@ -28,6 +28,7 @@ fibre::Signal with_times(fibre::Signal signal, double shift_s, double factor) {
     return signal;
 }
 
+// Tries the two usual mistakes: times of the recording's clock, and times in milliseconds.
 SignalClock clock_of(const fibre::Signal& signal, const PreparedTrial& trial, double end_s,
                      const SignalSpanPolicy& policy) {
     if (trial.start_s != 0.0 && meets(with_times(signal, trial.start_s, 1.0), end_s, policy))
@@ -62,6 +63,7 @@ std::vector<MissedSignal> missed_signals(const Setup& setup, const SignalSpanPol
             const double first = signal.times_s.front(), last = signal.times_s.back();
             const std::string key = muscles[m].signal ? "muscle[" + std::to_string(m) + "].signal"
                                                       : "trial[" + std::to_string(t) + "].actuation";
+            // Muscles of one file share its rows; they are reported in one sentence.
             const auto same = std::find_if(found.begin() + static_cast<std::ptrdiff_t>(first_of_trial), found.end(),
                                            [&](const MissedSignal& other) {
                                                return other.key == key && other.first_s == first &&

@@ -32,6 +32,7 @@ effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Mode
     effect::Affected affected{std::move(model), setup.trials[trial].options, {}};
     if (effects.empty()) return affected;
     effect::apply_effects(effect_site(setup, trial), effects, affected);
+    // Effects on the clock can shift the last sample beyond the simulated end.
     const double last = measurement::true_times(affected.seen, setup.trials[trial].measured.time_s.tail(1))(0);
     affected.options.end_s = std::max(affected.options.end_s, last + affected.options.h_s);
     return affected;
@@ -56,6 +57,8 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
                                parameter.over_decades});
             continue;
         }
+        // A unit vector has two degrees of freedom: two rotation angles about the current direction, free of a
+        // singularity.
         if (parameter.kind == effect::EffectParameterKind::direction) {
             const Eigen::Vector3d base = v->normalized();
             for (int i = 0; i < 2; ++i)

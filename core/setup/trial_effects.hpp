@@ -7,31 +7,41 @@
 
 namespace myo::setup {
 
-/// What effects may know of a trial.
+/// Context of a trial that effects may read: body, clamp, markers, muscles, times.
+///
+/// @param trial  index into Setup::trials
 effect::EffectSite effect_site(const Setup& setup, std::size_t trial);
 
-/// A trial's model, run and observation with the effects in.
+/// Model, simulation options and observation of a trial with the effects applied.
+///
+/// @param model    model of the trial without effects
+/// @param effects  applied in this order; end_s is extended if the observation needs later times
 effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Model model,
                               const std::vector<effect::EffectDeclaration>& effects);
 
-/// Whether an effect changes what is seen alone, and not the motion.
+/// Whether an effect changes the observation only and not the motion.
 bool is_seen_only(const effect::EffectDeclaration& effect);
 
-/// Numbers of an effect that a fit may move: a parameter, a component of one, or an angle of a direction.
+/// A scalar degree of freedom of an effect that a fit may change: a parameter, a component of a vector, or an angle of
+/// a direction.
 struct EffectNumber {
-    std::string parameter;
-    int component = -1;  // of a vector, or which angle of a direction; -1: the number itself
-    std::string name;    // "effect.quadratic_drag.coefficient_kg_m3", "effect.point_mass.position_m.x",
-                         // "effect.gravity_tilt.axis.turn_1_rad"
-    double lower = 0.0, upper = 0.0, scale = 1.0;
-    bool over_decades = false;
-    Eigen::Vector3d base = Eigen::Vector3d::Zero();  // of a direction: the one from which the angles are measured; zero
-                                                     // for all others
+    std::string parameter;  // key in EffectDeclaration::parameters
+    int component = -1;     // component of a vector or index of an angle; -1: scalar parameter
+    std::string name;       // "effect.quadratic_drag.coefficient_kg_m3", "effect.point_mass.position_m.x",
+                            // "effect.gravity_tilt.axis.turn_1_rad"
+    double lower = 0.0, upper = 0.0, scale = 1.0;  // bounds and typical magnitude, in the unit of the parameter
+    bool over_decades = false;                     // the fit scales it logarithmically
+    Eigen::Vector3d
+        base = Eigen::Vector3d::Zero();  // direction: unit vector from which the angles are measured; zero otherwise
 };
+/// All degrees of freedom of an effect; parameters without a scale in the catalogue are fixed.
 std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect);
-/// @param base  as of EffectNumber
+/// Current value of one degree of freedom.
+///
+/// @param component, base  as in EffectNumber
 double effect_number(const effect::EffectDeclaration& effect, const std::string& parameter, int component,
                      const Eigen::Vector3d& base = Eigen::Vector3d::Zero());
+/// Sets one degree of freedom; the arguments are those of effect_number().
 void set_effect_number(effect::EffectDeclaration& effect, const std::string& parameter, int component, double value,
                        const Eigen::Vector3d& base = Eigen::Vector3d::Zero());
 
